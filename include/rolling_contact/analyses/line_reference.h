@@ -1,0 +1,47 @@
+#ifndef rolling_contact_analyses_line_reference_h
+#define rolling_contact_analyses_line_reference_h
+
+#include <rolling_contact/analyses/steady_state.h>
+#include <rolling_contact/references/carter.h>
+#include <rolling_contact/references/hertz_line.h>
+
+#include <optional>
+
+namespace RollingContact
+{
+  /**
+   * Closed forms a 2D state is compared with, at the computed load: Hertz
+   * always, Carter when normal and tangential problem uncouple (Dundurs' beta =
+   * 0), the exact load of two clamped discs when the approach is given.
+   */
+  struct LineReference
+  {
+    References::HertzLine             hertz;
+    std::optional<References::Carter> carter;
+    std::optional<double>             normal_force; ///< N
+  };
+
+  LineReference
+  line_reference(const SceneParameters &scene, const SteadyState<2> &steady);
+
+  /**
+   * Differences from the reference: forces over mu N, tractions over mu p0,
+   * lengths in elements. With x in units of a,
+   * L2 = sqrt(integral (f - f_ref)^2 dx / a), f piecewise linear;
+   * sawtooth = max |e(i+1) - 2 e(i) + e(i-1)| / 4, e the error at the nodes.
+   */
+  struct LineErrors
+  {
+    std::optional<double> normal_force; ///< relative
+    double                pressure_l2 = 0.;
+    double                force = 0., traction_l2 = 0., sawtooth = 0.;
+    double                stick_boundary = 0.; ///< elements
+  };
+
+  LineErrors
+  line_errors(const SceneParameters &scene,
+              const SteadyState<2>  &steady,
+              const LineReference   &reference);
+} // namespace RollingContact
+
+#endif

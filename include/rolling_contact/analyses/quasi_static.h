@@ -1,0 +1,53 @@
+#ifndef rolling_contact_analyses_quasi_static_h
+#define rolling_contact_analyses_quasi_static_h
+
+#include <rolling_contact/analyses/steady_state.h>
+
+namespace RollingContact
+{
+  /**
+   * Analysis = quasi-static: one steady rolling state, its row in results.csv,
+   * the fields and the plot the scene asks for. Throws ConvergenceError, after
+   * writing what there is, when the state is not solved.
+   */
+  template <int dim>
+  class QuasiStatic
+  {
+  public:
+    QuasiStatic(const SceneParameters &scene, RunContext &context)
+      : scene(scene)
+      , context(context)
+    {}
+
+    void
+    run();
+
+  private:
+    void
+    report_no_contact();
+
+    void
+    describe_bodies(const SteadyState<dim> &steady);
+
+    void
+    summarise(const SteadyState<dim> &steady);
+
+    void
+    write_fields(const SteadyState<dim> &steady);
+
+    const SceneParameters &scene;
+    RunContext            &context;
+  };
+
+  /**
+   * The columns of results.csv that every analysis of steady states fills; ends
+   * the row.
+   */
+  template <int dim>
+  void
+  add_result_row(const SceneParameters  &scene,
+                 const SteadyState<dim> &steady,
+                 RunContext             &context);
+} // namespace RollingContact
+
+#endif

@@ -1,0 +1,89 @@
+#ifndef rolling_contact_analyses_rolling_pair_h
+#define rolling_contact_analyses_rolling_pair_h
+
+#include <rolling_contact/analyses/scene_parameters.h>
+#include <rolling_contact/contact/contact_problem.h>
+#include <rolling_contact/contact/trace.h>
+#include <rolling_contact/elasticity/elastic_body.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace RollingContact
+{
+  enum class Side
+  {
+    wheel,
+    rail
+  };
+
+  /**
+   * Wheel and rail on matching meshes and the contact problem between them.
+   * Owns the elastic bodies; builds only what the scene needs: a rigid body has
+   * none, mirror-identical bodies share one, a frictionless contact has only
+   * normal compliance.
+   */
+  template <int dim>
+  class RollingPair
+  {
+  public:
+    RollingPair(const SceneParameters &scene, const Grading<dim> &grading);
+
+    /**
+     * The contact problem for the scene's load and creepages with this slip
+     * operator; the first call factorises and condenses the bodies.
+     */
+    ContactProblem
+    contact_problem(const SlipOperatorKind slip_operator);
+
+    /**
+     * Displacement of a body in its own frame (z out of the body) under the
+     * reactions of a state; without the wheel's rigid approach.
+     */
+    dealii::Vector<double>
+    displacement(const Side            side,
+                 const ContactProblem &problem,
+                 const ContactState   &state) const;
+
+    /**
+     * nullptr for a rigid body; the same pointer for both sides of twins.
+     */
+    const ElasticBody<dim> *
+    body(const Side side) const
+    {
+      return side == Side::wheel ? wheel_body.get() : rail_body.get();
+    }
+
+    bool
+    twins() const
+    {
+      return wheel_body != nullptr && wheel_body == rail_body;
+    }
+
+    const Trace &
+    trace() const
+    {
+      return contact_trace;
+    }
+
+  private:
+    void
+    pair_surfaces(const double extent_x, const double extent_y);
+
+    /**
+     * W = W_W + W_R. Units: m/N.
+     */
+    DenseMatrix
+    pair_compliance();
+
+    const SceneParameters                              &scene;
+    std::shared_ptr<ElasticBody<dim>>                   wheel_body, rail_body;
+    Trace                                               contact_trace;
+    std::vector<typename ElasticBody<dim>::SurfaceNode> wheel_nodes, rail_nodes;
+    std::vector<unsigned int>                           components;
+    DenseMatrix                                         compliance;
+  };
+} // namespace RollingContact
+
+#endif

@@ -1,0 +1,39 @@
+#ifndef rolling_contact_analyses_scene_parameters_h
+#define rolling_contact_analyses_scene_parameters_h
+
+#include <rolling_contact/analyses/study_parameters.h>
+#include <rolling_contact/contact/contact_parameters.h>
+#include <rolling_contact/elasticity/body_parameters.h>
+#include <rolling_contact/mesh/mesh_parameters.h>
+#include <rolling_contact/output/output_parameters.h>
+#include <rolling_contact/solvers/solver_parameters.h>
+
+namespace RollingContact
+{
+  /**
+   * A scene: the whole .prm file.
+   */
+  struct SceneParameters : public dealii::ParameterAcceptor
+  {
+    SceneParameters();
+
+    /**
+     * Rules within and across sections. Throws InputError.
+     */
+    void
+    check() const;
+
+    unsigned int dimension = 2;
+    std::string  analysis  = "quasi-static";
+
+    BodyParameters    wheel;
+    BodyParameters    rail;
+    ContactParameters contact;
+    SolverParameters  solver;
+    MeshParameters    mesh;
+    StudyParameters   study;
+    OutputParameters  output;
+  };
+} // namespace RollingContact
+
+#endif

@@ -1,0 +1,59 @@
+#ifndef rolling_contact_analyses_steady_state_h
+#define rolling_contact_analyses_steady_state_h
+
+#include <rolling_contact/analyses/patch_estimate.h>
+#include <rolling_contact/analyses/rolling_pair.h>
+#include <rolling_contact/analyses/run_context.h>
+#include <rolling_contact/contact/resultants.h>
+#include <rolling_contact/solvers/contact_solver.h>
+
+#include <memory>
+
+namespace RollingContact
+{
+  /**
+   * One steady rolling state on the mesh that was made for it.
+   */
+  template <int dim>
+  struct SteadyState
+  {
+    std::unique_ptr<RollingPair<dim>> pair;
+    Grading<dim>                      grading;
+    unsigned int                      elements_across = 0;
+    std::string                       slip_operator;
+    double         creepage_x = 0., creepage_y = 0., spin = 0.;
+    ContactProblem problem;
+    ContactState   state;
+    SolverReport   solver;
+    Resultants     result;
+    double         wall_s = 0.;
+  };
+
+  /**
+   * Element sizes for a patch of this half-width (m); offset in elements.
+   */
+  template <int dim>
+  Grading<dim>
+  make_grading(const SceneParameters &scene,
+               const double           half_width,
+               const unsigned int     elements_across_patch,
+               const double           offset);
+
+  /**
+   * What the solvers start from: contact on the estimated patch, no traction.
+   */
+  ContactState
+  initial_state(const ContactProblem &problem, const double half_width);
+
+  /**
+   * Mesh, condense and solve. The mesh is made for the Hertz estimate and made
+   * again when the patch turns out to differ much from it or reaches the border
+   * of the candidate zone, and when it is to be aligned with the leading edge.
+   * Throws ConvergenceError if the patch cannot be enclosed.
+   */
+  template <int dim>
+  SteadyState<dim>
+  solve_steady_state(const SceneParameters &scene, RunContext &context);
+} // namespace RollingContact
+
+#endif

@@ -1,0 +1,41 @@
+#ifndef rolling_contact_base_platform_h
+#define rolling_contact_base_platform_h
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace RollingContact
+{
+  /** The BLAS that answers calls of this process, found at run time. */
+  struct BlasLibrary
+  {
+    /** "OpenBLAS 0.3.21 ...", "reference BLAS", the file's name, or "none". */
+    std::string name;
+    /** The shared library that holds dgemm; empty if there is none. */
+    std::string file;
+    /** Whether it is the one that factorises about 11 times slower. */
+    bool is_reference;
+  };
+
+  BlasLibrary
+  loaded_blas();
+
+  /**
+   * One BLAS thread (process-wide) and no OpenMP regions (in the calling thread
+   * and those OpenMP starts from it): every thread that factorises calls it.
+   * With both kinds of threads on busy cores CHOLMOD can be 20 times slower.
+   */
+  void
+  use_one_solver_thread();
+
+  /** Names and versions of the compiler, the C library, Boost and, if loaded,
+   * SuiteSparse and BLAS. */
+  std::vector<std::pair<std::string, std::string>>
+  library_versions();
+
+  unsigned int
+  n_host_cpus();
+} // namespace RollingContact
+
+#endif

@@ -1,0 +1,68 @@
+#ifndef rolling_contact_contact_contact_parameters_h
+#define rolling_contact_contact_contact_parameters_h
+
+#include <deal.II/base/parameter_acceptor.h>
+
+#include <rolling_contact/contact/operators.h>
+
+#include <optional>
+#include <string>
+
+namespace RollingContact
+{
+  /**
+   * Section `Contact`: load, creepages, friction and the choice of operators.
+   */
+  struct ContactParameters : public dealii::ParameterAcceptor
+  {
+    ContactParameters();
+
+    /**
+     * Rules across entries. Throws InputError.
+     */
+    void
+    check(const unsigned int dimension) const;
+
+    /**
+     * None when the entry is empty. Throws InputError.
+     */
+    std::optional<double>
+    normal_load() const;
+
+    std::optional<double>
+    approach() const;
+
+    SlipOperatorKind
+    slip_operator_kind() const
+    {
+      return kind_of_slip_operator(slip_operator);
+    }
+
+    static SlipOperatorKind
+    kind_of_slip_operator(const std::string &name);
+
+    ContactMatrices
+    contact_matrices_kind() const;
+
+    /**
+     * Direction of the material flow along x, the sign of the speed.
+     */
+    int
+    flow() const
+    {
+      return speed < 0. ? -1 : 1;
+    }
+
+    std::string normal_load_entry;
+    std::string approach_entry;
+    double      friction_coefficient = 0.3;
+    double      creepage_x           = 0.;
+    double      creepage_y           = 0.;
+    double      spin                 = 0.;
+    double      speed                = 1.;
+    std::string slip_operator        = "calibrated";
+    std::string contact_matrices     = "lumped";
+  };
+} // namespace RollingContact
+
+#endif

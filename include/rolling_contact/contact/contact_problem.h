@@ -1,0 +1,204 @@
+#ifndef rolling_contact_contact_contact_problem_h
+#define rolling_contact_contact_contact_problem_h
+
+#include <rolling_contact/base/dense_matrix.h>
+#include <rolling_contact/contact/slip_operator.h>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace RollingContact
+{
+  /**
+   * Everything the contact laws need, on N paired nodes and with the bodies
+   * reduced to their compliance. T = 0 (frictionless), 1 (2D) or 2 (3D)
+   * tangential components; nodal fields of T components are stored component by
+   * component. Knows no mesh and no solver.
+   *
+   * Pressure p >= 0 and traction q act on the wheel, -p and -q on the rail:
+   *   u_n = gap - approach + W_nn H p + W_nt H q                      (m)
+   *   s   = rigid_slip + flow B1 (W_tt H q + W_tn H p)                (1)
+   *   p = Proj_{>=0}(p - rho_n u_n),  q = Proj_{|.| <= mu p}(q - rho_t s)
+   * eqs. (8) and (12) of Lai et al. 2017 without the time terms.
+   */
+  struct ContactProblem
+  {
+    unsigned int n_nodes      = 0;
+    unsigned int n_tangential = 0;
+
+    std::vector<std::array<double, 2>> positions; ///< (x, y), m
+
+    DenseMatrix W; ///< m/N; tangential components first, normal last
+    bool        coupled      = true; ///< false if W_nt = 0 exactly
+    double      dundurs_beta = 0.;   ///< of the materials, for the edge law
+    SparseRows  H;                   ///< m^2
+    std::vector<double> areas;       ///< row sums of H, m^2
+    std::vector<double> gap;         ///< undeformed, m
+    std::vector<double> friction;    ///< mu of each node
+    std::vector<double> rigid_slip;  ///< T N values
+    SlipOperator        slip_operator;
+
+    std::optional<double> normal_load; ///< N; the approach is unknown if given
+    double                approach = 0.; ///< m
+
+    double normal_norm     = 0.; ///< largest eigenvalue of W_nn H, m/Pa
+    double tangential_norm = 0.; ///< ||B1 W_tt H||, 1/Pa
+
+    /**
+     * Complete the fields derived from W and H: areas and norms, by power
+     * iteration.
+     */
+    void
+    finish();
+
+    /**
+     * Rigid slip (x - spin Y, y + spin X) at the node (X, Y). Units: 1, 1/m.
+     */
+    void
+    set_creepages(const double x, const double y, const double spin);
+
+    /**
+     * W_nn H p.
+     */
+    std::vector<double>
+    normal_displacement(const std::vector<double> &pressure) const;
+
+    /**
+     * W_nt H q, zero when uncoupled.
+     */
+    std::vector<double>
+    normal_displacement_of_traction(const std::vector<double> &traction) const;
+
+    /**
+     * W_tt H q.
+     */
+    std::vector<double>
+    tangential_displacement(const std::vector<double> &traction) const;
+
+    /**
+     * W_tn H p, zero when uncoupled.
+     */
+    std::vector<double>
+    tangential_displacement_of_pressure(
+      const std::vector<double> &pressure) const;
+
+    /**
+     * W_nn H, the displacement of unit nodal pressures.
+     */
+    const DenseMatrix &
+    pressure_compliance() const
+    {
+      return W_nn_H;
+    }
+
+    /**
+     * Sum of nodal forces H f of one component. Units: N.
+     */
+    double
+    resultant(const std::vector<double> &nodal_field,
+              const unsigned int         component = 0) const;
+
+  private:
+    DenseMatrix W_nn_H;
+  };
+
+  /**
+   * The unknowns: pressure and traction at the nodes, and the approach when the
+   * load is given. Units: Pa, m.
+   */
+  struct ContactState
+  {
+    std::vector<double> pressure;
+    std::vector<double> traction;
+    double              approach = 0.;
+    std::vector<bool>   linear_edges; ///< see edge_law.h; empty for none
+  };
+
+  /**
+   * The upstream end of a line of touching nodes, in the order of the flow.
+   */
+  struct ContactEdge
+  {
+    std::array<unsigned int, 3> nodes; ///< the first three
+    unsigned int                n_touching;
+  };
+
+  /**
+   * The frictional half of the problem for a given pressure: traction bound,
+   * the slip operator that belongs to this pressure, and the slip at q = 0.
+   */
+  struct TangentialProblem
+  {
+    TangentialProblem(const ContactProblem      &contact,
+                      const std::vector<double> &pressure,
+                      const std::vector<bool>   &linear_edges);
+
+    /**
+     * What the friction law acts on, s(q) = slip_at_zero + flow B1 W_tt H q +
+     * edge_rows q.
+     */
+    std::vector<double>
+    slip(const std::vector<double> &traction) const;
+
+    /**
+     * The slip of the surfaces: s(q) without the edge law's term.
+     */
+    std::vector<double>
+    material_slip(const std::vector<double> &traction) const;
+
+    /**
+     * ds/dq as a dense matrix, for solvers that factorise parts of it.
+     */
+    DenseMatrix
+    slip_compliance() const;
+
+    /**
+     * Project the nodal tractions onto the discs |q| <= bound.
+     */
+    void
+    project(std::vector<double> &traction) const;
+
+    const ContactProblem &contact;
+    SparseRows            B1;
+    std::vector<double>   bound;        ///< mu p, Pa
+    std::vector<double>   slip_at_zero; ///< T N values
+
+    std::vector<SparseRows>  edge_rows;      ///< for each component, 1/Pa
+    std::vector<double>      edge_constants; ///< their share at q = 0, or empty
+    std::vector<ContactEdge> edges;
+  };
+
+  /**
+   * u_n of a state.
+   */
+  std::vector<double>
+  normal_gap(const ContactProblem &contact, const ContactState &state);
+
+  /**
+   * Natural residual of the contact laws, the same for every solver: nodal
+   * forces of p - Proj(p - rho_n u_n) and q - Proj(q - rho_t s), with rho one
+   * over the operator norms, summed and divided by N and mu N.
+   */
+  struct NaturalResidual
+  {
+    double normal     = 0.;
+    double tangential = 0.;
+
+    double
+    worst() const;
+  };
+
+  NaturalResidual
+  natural_residual(const ContactProblem    &contact,
+                   const TangentialProblem &tangential,
+                   const ContactState      &state);
+
+  /**
+   * The frictional half at the pressure and with the edge law of a state.
+   */
+  TangentialProblem
+  tangential_problem(const ContactProblem &contact, const ContactState &state);
+} // namespace RollingContact
+
+#endif

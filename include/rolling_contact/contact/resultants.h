@@ -1,0 +1,68 @@
+#ifndef rolling_contact_contact_resultants_h
+#define rolling_contact_contact_resultants_h
+
+#include <rolling_contact/contact/contact_problem.h>
+
+namespace RollingContact
+{
+  enum class NodeState
+  {
+    open  = 0,
+    slip  = 1,
+    stick = 2
+  };
+
+  /**
+   * Open where p = 0, slip where |q| has reached its bound, stick else.
+   */
+  std::vector<NodeState>
+  node_states(const TangentialProblem &tangential, const ContactState &state);
+
+  /**
+   * Integrals and sizes of a state; forces are those on the wheel, moments
+   * about the origin of the contact plane. Units: N, N m, Pa, m^2, m.
+   */
+  struct Resultants
+  {
+    double       normal_force = 0.;
+    double       force_x = 0., force_y = 0., spin_moment = 0.;
+    double       traction_coefficient = 0.; ///< |T| / N
+    double       max_pressure         = 0.;
+    double       contact_area = 0., stick_area = 0.;
+    unsigned int n_touching = 0;
+
+    double edge_begin_x = 0., edge_end_x = 0.; ///< of the patch
+    double half_width_x = 0., half_width_y = 0.;
+
+    double creep_work  = 0.; ///< T . rigid slip, J per m rolled
+    double dissipation = 0.; ///< integral of q . s, J per m rolled
+
+    /**
+     * |creep work - dissipation| over the larger of them; 0 at rest.
+     */
+    double
+    energy_error() const;
+  };
+
+  Resultants
+  resultants(const ContactProblem &problem, const ContactState &state);
+
+  /**
+   * Where the pressure of the touching nodes in [begin, end) of one line along
+   * x ends: p^2 is linear at a Hertzian edge, extrapolated from the second and
+   * third node, or the first two if there are fewer than six.
+   */
+  double
+  patch_edge(const std::vector<double> &x, const std::vector<double> &pressure);
+
+  /**
+   * True if a node touches whose surroundings are not all on the trace: the
+   * candidate zone is too small for the patch.
+   */
+  bool
+  reaches_border(const std::vector<bool>   &border,
+                 const ContactProblem      &problem,
+                 const std::vector<double> &pressure);
+} // namespace RollingContact
+
+#endif

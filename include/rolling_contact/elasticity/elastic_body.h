@@ -1,0 +1,146 @@
+#ifndef rolling_contact_elasticity_elastic_body_h
+#define rolling_contact_elasticity_elastic_body_h
+
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/lac/affine_constraints.h>
+
+#include <rolling_contact/base/dense_matrix.h>
+#include <rolling_contact/elasticity/factorisation.h>
+#include <rolling_contact/elasticity/material.h>
+#include <rolling_contact/mesh/body_mesh.h>
+
+#include <memory>
+
+namespace RollingContact
+{
+  /**
+   * One elastic body in its own frame (z out of the body), hub clamped: linear
+   * elements with B-bar, in 2D plane strain with a thickness. Owns mesh,
+   * unknowns, stiffness and its factorisation; contact space sees it only
+   * through compliance() and recover().
+   */
+  template <int dim>
+  class ElasticBody
+  {
+  public:
+    /**
+     * A contact node: an unconstrained vertex of the contact surface. The chart
+     * coordinates are x and, in 3D, y.
+     */
+    struct SurfaceNode
+    {
+      dealii::Point<dim - 1>                           position;
+      std::array<dealii::types::global_dof_index, dim> dofs;
+    };
+
+    /**
+     * A face of the contact surface, a box of the chart. Each corner is a
+     * combination of surface nodes: itself, or the nodes it hangs between.
+     */
+    struct SurfaceFace
+    {
+      dealii::Point<dim - 1>                                    lower, upper;
+      std::vector<std::vector<std::pair<unsigned int, double>>> corners;
+    };
+
+    /**
+     * Mesh, distribute and assemble. @p thickness is used in 2D. Units: m.
+     */
+    ElasticBody(const BodyGeometry &geometry,
+                const Material     &material,
+                const double        thickness,
+                const Grading<dim> &grading);
+
+    /**
+     * Faces of the contact surface inside |x| <= @p extent_x, |y| <= @p
+     * extent_y and the nodes they touch, in ascending x (then y).
+     */
+    void
+    surface(const double              extent_x,
+            const double              extent_y,
+            std::vector<SurfaceNode> &nodes,
+            std::vector<SurfaceFace> &faces) const;
+
+    /**
+     * Compliance of the given nodes: displacement of component @p components[i]
+     * at node n for unit nodal forces; row and column i * N + n. Factorises K
+     * on first use. Units: m/N.
+     */
+    DenseMatrix
+    compliance(const std::vector<SurfaceNode>  &nodes,
+               const std::vector<unsigned int> &components);
+
+    /**
+     * Displacement of the whole body under nodal forces (component i of node n
+     * at components[i] * N + n). Units: N to m.
+     */
+    dealii::Vector<double>
+    recover(const std::vector<SurfaceNode>  &nodes,
+            const std::vector<unsigned int> &components,
+            const std::vector<double>       &forces) const;
+
+    const dealii::DoFHandler<dim> &
+    dof_handler() const
+    {
+      return dofs;
+    }
+
+    const Material &
+    elasticity() const
+    {
+      return material;
+    }
+
+    const BodyMesh<dim> &
+    mesh() const
+    {
+      return body_mesh;
+    }
+
+    std::size_t
+    n_unknowns() const
+    {
+      return unknown_of_dof.size() - n_constrained;
+    }
+
+    /**
+     * Sizes and seconds of the factorisation; nullptr before it exists.
+     */
+    const Factorisation *
+    factorisation() const
+    {
+      return factor.get();
+    }
+
+    double
+    assembly_seconds() const
+    {
+      return assembly_s;
+    }
+
+  private:
+    void
+    distribute();
+
+    SymmetricSparseMatrix
+    assemble(const double thickness);
+
+    void
+    cell_stiffness(const dealii::FEValues<dim, dim> &values,
+                   dealii::FullMatrix<double>       &stiffness) const;
+
+    Material                          material;
+    BodyMesh<dim>                     body_mesh;
+    dealii::FESystem<dim>             element;
+    dealii::DoFHandler<dim>           dofs;
+    dealii::AffineConstraints<double> constraints;
+    std::vector<int>                  unknown_of_dof; ///< -1 if constrained
+    std::vector<unsigned int>         node_of_unknown;
+    std::size_t                       n_constrained = 0;
+    double                            assembly_s    = 0.;
+    std::unique_ptr<Factorisation>    factor;
+  };
+} // namespace RollingContact
+
+#endif

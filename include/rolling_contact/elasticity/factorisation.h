@@ -1,0 +1,125 @@
+#ifndef rolling_contact_elasticity_factorisation_h
+#define rolling_contact_elasticity_factorisation_h
+
+#include <rolling_contact/base/dense_matrix.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace RollingContact
+{
+  /**
+   * Lower triangle of a sparse symmetric matrix by compressed columns, row
+   * indices ascending in each column, diagonal entries present.
+   */
+  struct SymmetricSparseMatrix
+  {
+    std::vector<std::int64_t> column_starts;
+    std::vector<std::int64_t> row_indices;
+    std::vector<double>       values;
+
+    std::size_t
+    size() const
+    {
+      return column_starts.empty() ? 0 : column_starts.size() - 1;
+    }
+  };
+
+  /**
+   * Y = L^-1 E for the unit columns E of the contact unknowns, kept as one
+   * dense block for each supernode on the elimination-tree paths of these
+   * columns. Columns are sorted by elimination order, so that the columns alive
+   * in a supernode, those of its subtree, are the contiguous range
+   * [first_column, first_column + n_columns).
+   */
+  struct CondensedColumns
+  {
+    struct Block
+    {
+      std::int64_t        first_row    = 0;
+      std::int64_t        n_rows       = 0;
+      std::int64_t        first_column = 0;
+      std::int64_t        n_columns    = 0;
+      std::vector<double> values;
+    };
+
+    std::vector<Block>        blocks;
+    std::vector<std::int64_t> column_order;
+
+    std::size_t
+    memory_consumption() const;
+  };
+
+  /**
+   * K = P^T L L^T P by CHOLMOD's supernodal factorisation, ordered by METIS on
+   * the graph of the nodes. Owns L. Serves K of the quasi-static and
+   * M + theta dt C + theta^2 dt^2 K of the dynamic problem alike.
+   */
+  class Factorisation
+  {
+  public:
+    /**
+     * What the symbolic analysis knows before any number is computed.
+     */
+    struct Size
+    {
+      std::size_t n_unknowns     = 0;
+      std::size_t n_entries      = 0; ///< of L, as stored in supernodes
+      double      n_operations   = 0;
+      double      analysis_s     = 0;
+      double      factor_s       = 0;
+      double      condensation_s = 0;
+
+      std::size_t
+      memory_consumption() const
+      {
+        return n_entries * sizeof(double);
+      }
+    };
+
+    /**
+     * Order and analyse. @p node_of_unknown groups the unknowns of one mesh
+     * node; unknowns of a node must be consecutive.
+     */
+    Factorisation(SymmetricSparseMatrix            matrix,
+                  const std::vector<unsigned int> &node_of_unknown);
+
+    ~Factorisation();
+
+    Factorisation(Factorisation &&) noexcept;
+
+    /**
+     * Compute L, once, and release the matrix. Throws ConvergenceError when the
+     * matrix is not positive definite, InputError when L does not fit in
+     * memory.
+     */
+    void
+    factorise();
+
+    /**
+     * K^-1 b: one forward and one backward solve.
+     */
+    std::vector<double>
+    solve(const std::vector<double> &right_hand_side) const;
+
+    /**
+     * W = E^T K^-1 E = Y^T Y for the given unknowns, in their order. Y is
+     * computed supernode by supernode with BLAS-3; kept in @p columns if that
+     * is given, released on the way otherwise.
+     */
+    DenseMatrix
+    condense(const std::vector<std::size_t> &unknowns,
+             CondensedColumns               *columns = nullptr) const;
+
+    const Size &
+    size() const;
+
+  private:
+    struct Implementation;
+    std::unique_ptr<Implementation> implementation;
+  };
+} // namespace RollingContact
+
+#endif

@@ -1,0 +1,82 @@
+#ifndef rolling_contact_mesh_body_mesh_h
+#define rolling_contact_mesh_body_mesh_h
+
+#include <deal.II/grid/tria.h>
+
+#include <rolling_contact/mesh/chart.h>
+
+#include <memory>
+
+namespace RollingContact
+{
+  /**
+   * Boundary ids of every body mesh.
+   */
+  enum BoundaryId : dealii::types::boundary_id
+  {
+    free_boundary    = 0,
+    contact_boundary = 1,
+    hub_boundary     = 2
+  };
+
+  /**
+   * Element sizes around the patch, the same for both bodies: elements of size
+   * element_size[] in the zone |x| <= zone_x, |y| <= zone_y, depth <=
+   * zone_depth, growing by @p growth times the distance from it. Towards the
+   * rim of the patch, sizes are halved up to rim_levels more times, the leading
+   * edge alone if leading_edge_only. Units: m, shifts in elements.
+   */
+  template <int dim>
+  struct Grading
+  {
+    double       element_size_x  = 0.;
+    double       element_size_y  = 0.; ///< 3D only
+    double       zone_x          = 0.;
+    double       zone_y          = 0.;
+    double       zone_depth      = 0.;
+    double       growth          = 0.5;
+    double       offset          = 0.; ///< shift of the mesh in +x, in elements
+    unsigned int rim_levels      = 0;
+    double       leading_edge_x  = 0.; ///< where the rim is refined
+    double       trailing_edge_x = 0.;
+    bool         leading_edge_only = true;
+    double       rim_width         = 0.; ///< half-width of the refined band
+
+    /**
+     * True if a cell that fills the box [lower, upper] of the chart (x from the
+     * contact point) is too large.
+     */
+    bool
+    refine(const dealii::Point<dim> &lower,
+           const dealii::Point<dim> &upper) const;
+  };
+
+  /**
+   * A body mesh and the chart it lives in.
+   */
+  template <int dim>
+  struct BodyMesh
+  {
+    std::unique_ptr<BodyChart<dim>>             chart;
+    std::unique_ptr<dealii::Triangulation<dim>> triangulation;
+
+    /**
+     * Corners of a cell in the chart, x counted from the contact point.
+     */
+    std::pair<dealii::Point<dim>, dealii::Point<dim>>
+    chart_box(
+      const typename dealii::Triangulation<dim>::cell_iterator &cell) const;
+  };
+
+  /**
+   * Mesh a body: boxes in its chart, refined as @p grading asks. The coarse
+   * mesh has an edge at x = offset * element_size_x and coarse cells that are
+   * powers of two of the element size, which makes the surface nodes of two
+   * bodies match.
+   */
+  template <int dim>
+  BodyMesh<dim>
+  make_body_mesh(const BodyGeometry &geometry, const Grading<dim> &grading);
+} // namespace RollingContact
+
+#endif

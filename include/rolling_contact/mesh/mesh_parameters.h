@@ -1,0 +1,45 @@
+#ifndef rolling_contact_mesh_mesh_parameters_h
+#define rolling_contact_mesh_mesh_parameters_h
+
+#include <deal.II/base/parameter_acceptor.h>
+
+#include <string>
+
+namespace RollingContact
+{
+  /**
+   * Section `Mesh`: element sizes, measured in the patch of the Hertz estimate.
+   */
+  struct MeshParameters : public dealii::ParameterAcceptor
+  {
+    MeshParameters();
+
+    /**
+     * True if the mesh is to follow the leading edge it finds.
+     */
+    bool
+    aligned() const
+    {
+      return patch_offset == "aligned";
+    }
+
+    /**
+     * The given offset, 0 when aligned. Throws InputError.
+     */
+    double
+    offset() const;
+
+    void
+    check() const;
+
+    unsigned int elements_across_patch = 48;
+    std::string  patch_offset          = "0";
+    double       candidate_zone        = 1.5;
+    double       zone_depth            = 0.75;
+    double       growth                = 0.1;
+    unsigned int rim_levels            = 0;
+    std::string  rim_edges             = "leading";
+  };
+} // namespace RollingContact
+
+#endif

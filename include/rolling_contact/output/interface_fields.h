@@ -1,0 +1,30 @@
+#ifndef rolling_contact_output_interface_fields_h
+#define rolling_contact_output_interface_fields_h
+
+#include <rolling_contact/base/run_folder.h>
+#include <rolling_contact/contact/contact_problem.h>
+#include <rolling_contact/contact/trace.h>
+
+#include <functional>
+#include <string>
+
+namespace RollingContact
+{
+  /**
+   * Writes a VTU of the contact surface at z = @p surface_height(x, y):
+   * traction and slip of the wheel, their sizes and bounds, pressure, gap,
+   * nodal area and NodeState; zero traction and slip without friction. Units:
+   * Pa, m, m^2. Throws InputError if the file cannot be written.
+   */
+  template <int dim>
+  void
+  write_interface_fields(
+    const Trace                                 &trace,
+    const ContactProblem                        &problem,
+    const ContactState                          &state,
+    const std::function<double(double, double)> &surface_height,
+    RunFolder                                   &folder,
+    const std::string                           &file_name);
+} // namespace RollingContact
+
+#endif

@@ -1,0 +1,44 @@
+#ifndef rolling_contact_references_contact_modulus_h
+#define rolling_contact_references_contact_modulus_h
+
+namespace RollingContact::References
+{
+  /**
+   * Contact modulus E* (Pa) of two bodies, 1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2
+   * (Johnson 1985, section 4.2). A rigid body has E = infinity: it contributes
+   * nothing.
+   */
+  double
+  contact_modulus(const double young_modulus_1,
+                  const double poisson_ratio_1,
+                  const double young_modulus_2,
+                  const double poisson_ratio_2);
+
+  /**
+   * Relative radius R (m) of two profiles, 1/R = 1/R1 + 1/R2. A flat profile
+   * has R = infinity, a concave one R < 0; the sum must be positive.
+   */
+  double
+  relative_radius(const double radius_1, const double radius_2);
+
+  /**
+   * Elasticity of the pair in tangential contact: G in Pa, nu.
+   */
+  struct CombinedElasticity
+  {
+    double shear_modulus;
+    double poisson_ratio;
+  };
+
+  /**
+   * 1/G = (1/G1 + 1/G2)/2 and nu/G = (nu1/G1 + nu2/G2)/2 (Kalker 1990),
+   * so that E* = G/(1-nu). A rigid body has E = infinity.
+   */
+  CombinedElasticity
+  combined_elasticity(const double young_modulus_1,
+                      const double poisson_ratio_1,
+                      const double young_modulus_2,
+                      const double poisson_ratio_2);
+} // namespace RollingContact::References
+
+#endif

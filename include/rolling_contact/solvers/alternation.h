@@ -1,0 +1,48 @@
+#ifndef rolling_contact_solvers_alternation_h
+#define rolling_contact_solvers_alternation_h
+
+#include <rolling_contact/solvers/contact_solver.h>
+
+namespace RollingContact
+{
+  /**
+   * Alternates exact normal and exact tangential solves until the natural
+   * residual of both laws is below the tolerance: one pass when W_nt = 0; with
+   * coupling, Anderson acceleration on the traction once ten passes were not
+   * enough. A tangential solver that fails is followed by the next one given.
+   */
+  class Alternation : public ContactSolver
+  {
+  public:
+    Alternation(std::unique_ptr<NormalSolver>                  normal,
+                std::vector<std::unique_ptr<TangentialSolver>> tangential,
+                const SolverControls                          &controls);
+
+    SolverReport
+    solve(const ContactProblem &problem, ContactState &state) const override;
+
+  private:
+    /**
+     * The first tangential solver that succeeds.
+     */
+    bool
+    solve_with_any(const TangentialProblem &problem,
+                   ContactState            &state,
+                   SolverReport            &report) const;
+
+    /**
+     * Friction at the present pressure: with the constant edge law first, then
+     * with the linear one where it holds.
+     */
+    bool
+    solve_friction(const ContactProblem &problem,
+                   ContactState         &state,
+                   SolverReport         &report) const;
+
+    std::unique_ptr<NormalSolver>                  normal;
+    std::vector<std::unique_ptr<TangentialSolver>> tangential;
+    SolverControls                                 controls;
+  };
+} // namespace RollingContact
+
+#endif

@@ -1,0 +1,87 @@
+#ifndef rolling_contact_solvers_contact_solver_h
+#define rolling_contact_solvers_contact_solver_h
+
+#include <rolling_contact/contact/contact_problem.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace RollingContact
+{
+  /**
+   * What a solver did: enough to judge the result and to see why it failed.
+   */
+  struct SolverReport
+  {
+    std::string  solver; ///< name, and fall-backs if any were used
+    bool         converged = false;
+    std::string  reason;                ///< of a failure
+    unsigned int iterations        = 0; ///< all of them, of all stages
+    unsigned int normal_solves     = 0; ///< linear solves on active sets
+    unsigned int tangential_solves = 0;
+    unsigned int passes            = 0; ///< of the alternation
+
+    NaturalResidual              residual;
+    std::vector<NaturalResidual> history;
+  };
+
+  /**
+   * Limits common to all solvers. The augmentation parameters are
+   * rho_n = normal_augmentation / ||W_nn H|| and
+   * rho_t = tangential_augmentation / ||B1 W_tt H||: dimensionless factors.
+   */
+  struct SolverControls
+  {
+    double       tolerance               = 1e-10; ///< of the natural residual
+    unsigned int max_iterations          = 10000;
+    double       normal_augmentation     = 1.;
+    double       tangential_augmentation = 0.3;
+  };
+
+  /**
+   * Solves the whole contact problem, starting from the state given. Never
+   * throws for lack of convergence: the report says so.
+   */
+  class ContactSolver
+  {
+  public:
+    virtual ~ContactSolver() = default;
+
+    virtual SolverReport
+    solve(const ContactProblem &problem, ContactState &state) const = 0;
+  };
+
+  /**
+   * Solves for the pressure (and approach) at fixed traction, in place.
+   */
+  class NormalSolver
+  {
+  public:
+    virtual ~NormalSolver() = default;
+
+    virtual SolverReport
+    solve(const ContactProblem &problem, ContactState &state) const = 0;
+  };
+
+  /**
+   * Solves for the traction at fixed pressure, in place of @p state.traction.
+   */
+  class TangentialSolver
+  {
+  public:
+    virtual ~TangentialSolver() = default;
+
+    virtual SolverReport
+    solve(const TangentialProblem &problem, ContactState &state) const = 0;
+  };
+
+  /**
+   * The solver of this name: `automatic`, `active set`, `extragradient` or
+   * `fixed point`.
+   */
+  std::unique_ptr<ContactSolver>
+  make_contact_solver(const std::string &name, const SolverControls &controls);
+} // namespace RollingContact
+
+#endif

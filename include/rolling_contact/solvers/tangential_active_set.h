@@ -1,0 +1,29 @@
+#ifndef rolling_contact_solvers_tangential_active_set_h
+#define rolling_contact_solvers_tangential_active_set_h
+
+#include <rolling_contact/solvers/contact_solver.h>
+
+namespace RollingContact
+{
+  /**
+   * Primal-dual active set (semismooth Newton on the projection) for Coulomb
+   * friction in 2D: zero slip on the stick nodes, q = -+ mu p on the others,
+   * sets from q - rho_t s. Exact and finite; rho_t is halved when the sets
+   * repeat (Alart and Curnier 1991, Hueber and Wohlmuth 2005).
+   */
+  class TangentialActiveSet : public TangentialSolver
+  {
+  public:
+    explicit TangentialActiveSet(const SolverControls &controls)
+      : controls(controls)
+    {}
+
+    SolverReport
+    solve(const TangentialProblem &problem, ContactState &state) const override;
+
+  private:
+    SolverControls controls;
+  };
+} // namespace RollingContact
+
+#endif

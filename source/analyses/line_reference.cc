@@ -1,0 +1,182 @@
+#include <rolling_contact/analyses/line_reference.h>
+#include <rolling_contact/references/annuli_approach.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace RollingContact
+{
+  namespace
+  {
+    bool
+    is_elastic_disc(const BodyParameters &body)
+    {
+      return !body.rigid && body.shape == "disc";
+    }
+
+
+
+    References::Annulus
+    annulus(const BodyParameters &body)
+    {
+      return {body.radius,
+              body.hub_radius,
+              body.material.young_modulus,
+              body.material.poisson_ratio};
+    }
+
+
+
+    double
+    thickness(const SceneParameters &scene)
+    {
+      return scene.wheel.rigid ? scene.rail.thickness : scene.wheel.thickness;
+    }
+
+
+
+    /**
+     * sqrt(integral (f - reference)^2 dx / a), f linear between the nodes, by
+     * Simpson's rule on eight parts of each element.
+     */
+    double
+    l2_error(const std::vector<double>                 &x,
+             const std::vector<double>                 &nodal,
+             const std::function<double(const double)> &reference,
+             const double                               half_width)
+    {
+      const unsigned int n_parts = 8;
+      double             sum     = 0.;
+      for (std::size_t i = 0; i + 1 < x.size(); ++i)
+        for (unsigned int k = 0; k <= n_parts; ++k)
+          {
+            const double s     = double(k) / n_parts,
+                         value = (1 - s) * nodal[i] + s * nodal[i + 1],
+                         error =
+                           value - reference((1 - s) * x[i] + s * x[i + 1]),
+                         weight = k == 0 || k == n_parts ? 1.
+                                  : k % 2 == 1           ? 4.
+                                                         : 2.;
+            sum += weight / (3. * n_parts) * (x[i + 1] - x[i]) * error * error;
+          }
+      return std::sqrt(sum / half_width);
+    }
+
+
+
+    double
+    sawtooth(const std::vector<double>                 &x,
+             const std::vector<double>                 &nodal,
+             const std::function<double(const double)> &reference)
+    {
+      std::vector<double> error(x.size());
+      for (std::size_t i = 0; i < x.size(); ++i)
+        error[i] = nodal[i] - reference(x[i]);
+      double largest = 0.;
+      for (std::size_t i = 1; i + 1 < x.size(); ++i)
+        largest =
+          std::max(largest,
+                   std::abs(error[i + 1] - 2 * error[i] + error[i - 1]));
+      return largest / 4;
+    }
+
+
+
+    /**
+     * Middle between the last stick node along the flow and the next one; the
+     * leading edge if nothing sticks.
+     */
+    double
+    stick_boundary(const SteadyState<2>         &steady,
+                   const std::vector<NodeState> &states,
+                   const std::vector<double>    &x,
+                   const int                     flow)
+    {
+      const int n = x.size();
+      for (int k = 0; k < n; ++k)
+        {
+          const int i = flow > 0 ? n - 1 - k : k;
+          if (states[i] == NodeState::stick)
+            return k == 0 ? x[i] : (x[i] + x[i + flow]) / 2;
+        }
+      return flow > 0 ? steady.result.edge_begin_x : steady.result.edge_end_x;
+    }
+  } // namespace
+
+
+
+  LineReference
+  line_reference(const SceneParameters &scene, const SteadyState<2> &steady)
+  {
+    const PairConstants constants = pair_constants(scene);
+    LineReference reference{References::hertz_line(steady.result.normal_force /
+                                                     thickness(scene),
+                                                   constants.relative_radius,
+                                                   constants.contact_modulus),
+                            {},
+                            {}};
+    if (std::abs(constants.dundurs_beta) < 1e-12 &&
+        steady.problem.n_tangential > 0)
+      reference.carter.emplace(reference.hertz,
+                               constants.relative_radius,
+                               scene.contact.friction_coefficient,
+                               steady.creepage_x,
+                               scene.contact.flow());
+    if (is_elastic_disc(scene.wheel) && is_elastic_disc(scene.rail) &&
+        scene.contact.approach())
+      reference.normal_force =
+        References::load_of_two_clamped_annuli(annulus(scene.wheel),
+                                               annulus(scene.rail),
+                                               *scene.contact.approach()) *
+        thickness(scene);
+    return reference;
+  }
+
+
+
+  LineErrors
+  line_errors(const SceneParameters &scene,
+              const SteadyState<2>  &steady,
+              const LineReference   &reference)
+  {
+    std::vector<double> x;
+    for (const auto &position : steady.problem.positions)
+      x.push_back(position[0]);
+    const double a  = reference.hertz.half_width,
+                 p0 = reference.hertz.max_pressure,
+                 mu = scene.contact.friction_coefficient;
+    LineErrors errors;
+    if (reference.normal_force)
+      errors.normal_force =
+        steady.result.normal_force / *reference.normal_force - 1;
+    errors.pressure_l2 =
+      l2_error(
+        x,
+        steady.state.pressure,
+        [&](const double at) { return reference.hertz.pressure(at); },
+        a) /
+      p0;
+    if (!reference.carter)
+      return errors;
+    const References::Carter &carter = *reference.carter;
+    const auto traction = [&](const double at) { return carter.traction(at); };
+    errors.force = steady.result.force_x / (mu * steady.result.normal_force) -
+                   carter.force_ratio();
+    errors.traction_l2 =
+      l2_error(x, steady.state.traction, traction, a) / (mu * p0);
+    errors.sawtooth = sawtooth(x, steady.state.traction, traction) / (mu * p0);
+    const int  flow = scene.contact.flow();
+    const auto interval = carter.stick_interval();
+    errors.stick_boundary =
+      (stick_boundary(steady,
+                      node_states(tangential_problem(steady.problem,
+                                                     steady.state),
+                                  steady.state),
+                      x,
+                      flow) -
+       (flow > 0 ? interval.second : interval.first)) /
+      steady.grading.element_size_x;
+    return errors;
+  }
+} // namespace RollingContact

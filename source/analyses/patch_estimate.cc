@@ -1,0 +1,113 @@
+#include <rolling_contact/analyses/patch_estimate.h>
+#include <rolling_contact/references/contact_modulus.h>
+#include <rolling_contact/references/hertz_line.h>
+#include <rolling_contact/references/line_approach.h>
+
+#include <cmath>
+#include <limits>
+
+namespace RollingContact
+{
+  namespace
+  {
+    double
+    young_modulus(const BodyParameters &body)
+    {
+      return body.rigid ? std::numeric_limits<double>::infinity()
+                        : body.material.young_modulus;
+    }
+
+
+
+    double
+    signed_radius(const BodyParameters &body)
+    {
+      return body.radius == 0. ? std::numeric_limits<double>::infinity()
+                               : body.radius;
+    }
+
+
+
+    References::LineBody
+    line_body(const BodyParameters &body)
+    {
+      const bool disc = body.shape == "disc";
+      return {disc ? References::LineBody::Shape::disc
+                   : References::LineBody::Shape::block,
+              disc ? body.radius : body.block_depth,
+              young_modulus(body),
+              body.material.poisson_ratio,
+              body.rigid};
+    }
+
+
+
+    double
+    thickness(const SceneParameters &scene)
+    {
+      return scene.wheel.rigid ? scene.rail.thickness : scene.wheel.thickness;
+    }
+  } // namespace
+
+
+
+  PairConstants
+  pair_constants(const SceneParameters &scene)
+  {
+    const BodyParameters &wheel = scene.wheel, &rail = scene.rail;
+    PairConstants         constants;
+    constants.contact_modulus =
+      References::contact_modulus(young_modulus(wheel),
+                                  wheel.material.poisson_ratio,
+                                  young_modulus(rail),
+                                  rail.material.poisson_ratio);
+    constants.relative_radius =
+      References::relative_radius(signed_radius(wheel), signed_radius(rail));
+    const auto share = [](const BodyParameters &body, const double factor) {
+      return body.rigid ? 0. : factor / body.material.shear_modulus();
+    };
+    const double nu_w = wheel.material.poisson_ratio,
+                 nu_r = rail.material.poisson_ratio;
+    constants.dundurs_beta =
+      0.5 * (share(wheel, 1 - 2 * nu_w) - share(rail, 1 - 2 * nu_r)) /
+      (share(wheel, 1 - nu_w) + share(rail, 1 - nu_r));
+    return constants;
+  }
+
+
+
+  PatchEstimate
+  estimate_patch(const SceneParameters &scene)
+  {
+    const PairConstants constants = pair_constants(scene);
+    const auto          hertz     = [&](const double half_width) {
+      return References::hertz_line_of_half_width(half_width,
+                                                  constants.relative_radius,
+                                                  constants.contact_modulus);
+    };
+    PatchEstimate estimate;
+    if (const auto load = scene.contact.normal_load())
+      {
+        if (*load > 0.)
+          estimate.half_width_x =
+            References::hertz_line(*load / thickness(scene),
+                                   constants.relative_radius,
+                                   constants.contact_modulus)
+              .half_width;
+      }
+    else
+      estimate.half_width_x = References::half_width_of_approach(
+        [&](const double half_width) {
+          return References::compression(line_body(scene.wheel),
+                                         hertz(half_width)) +
+                 References::compression(line_body(scene.rail),
+                                         hertz(half_width));
+        },
+        constants.relative_radius,
+        *scene.contact.approach());
+    if (estimate.half_width_x > 0.)
+      estimate.normal_force =
+        hertz(estimate.half_width_x).load_per_length() * thickness(scene);
+    return estimate;
+  }
+} // namespace RollingContact

@@ -1,0 +1,196 @@
+#include <deal.II/lac/vector.h>
+
+#include <rolling_contact/analyses/patch_estimate.h>
+#include <rolling_contact/analyses/rolling_pair.h>
+#include <rolling_contact/base/exceptions.h>
+
+#include <cmath>
+
+namespace RollingContact
+{
+  using namespace dealii;
+
+  template <int dim>
+  RollingPair<dim>::RollingPair(const SceneParameters &scene,
+                                const Grading<dim>    &grading)
+    : scene(scene)
+  {
+    const auto build = [&](const BodyParameters &body) {
+      return std::make_shared<ElasticBody<dim>>(body.geometry(),
+                                                body.material,
+                                                body.thickness,
+                                                grading);
+    };
+    if (!scene.wheel.rigid)
+      wheel_body = build(scene.wheel);
+    if (!scene.rail.rigid)
+      rail_body = wheel_body &&
+                      scene.wheel.geometry() == scene.rail.geometry() &&
+                      scene.wheel.material == scene.rail.material
+                    ? wheel_body
+                    : build(scene.rail);
+    if (scene.contact.friction_coefficient > 0.)
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        components.push_back(d);
+    components.push_back(dim - 1);
+    pair_surfaces(grading.zone_x, grading.zone_y);
+  }
+
+
+
+  template <int dim>
+  void
+  RollingPair<dim>::pair_surfaces(const double extent_x, const double extent_y)
+  {
+    using Face = typename ElasticBody<dim>::SurfaceFace;
+    std::vector<Face> faces;
+    if (wheel_body)
+      wheel_body->surface(extent_x, extent_y, wheel_nodes, faces);
+    if (twins())
+      rail_nodes = wheel_nodes;
+    else if (rail_body)
+      rail_body->surface(extent_x, extent_y, rail_nodes, faces);
+    if (wheel_body && rail_body)
+      {
+        AssertThrow(wheel_nodes.size() == rail_nodes.size(),
+                    ExcMessage("The surfaces of wheel and rail carry different "
+                               "numbers of nodes."));
+        for (std::size_t i = 0; i < wheel_nodes.size(); ++i)
+          AssertThrow(wheel_nodes[i].position.distance(rail_nodes[i].position) <
+                        1e-9 * extent_x,
+                      ExcMessage("The surface nodes of wheel and rail do not "
+                                 "match."));
+      }
+
+    contact_trace              = Trace();
+    contact_trace.n_dimensions = dim - 1;
+    for (const auto &node : wheel_body ? wheel_nodes : rail_nodes)
+      contact_trace.nodes.push_back(
+        {{node.position[0], dim == 3 ? node.position[dim - 2] : 0.}});
+    for (const Face &face : faces)
+      {
+        Trace::Cell cell;
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          {
+            cell.lower[d] = face.lower[d];
+            cell.upper[d] = face.upper[d];
+          }
+        cell.corners = face.corners;
+        contact_trace.cells.push_back(cell);
+      }
+  }
+
+
+
+  namespace
+  {
+    /**
+     * Add a body's compliance, given in its own frame. In the wheel's frame z
+     * is mirrored: the blocks between tangential and normal components change
+     * sign.
+     */
+    void
+    add_compliance(const DenseMatrix &body,
+                   const bool         mirrored,
+                   const std::size_t  n_nodes,
+                   DenseMatrix       &pair)
+    {
+      const std::size_t n = body.n_rows(), first_normal = n - n_nodes;
+      for (std::size_t j = 0; j < n; ++j)
+        for (std::size_t i = 0; i < n; ++i)
+          {
+            const bool flips =
+              mirrored && ((i < first_normal) != (j < first_normal));
+            pair(i, j) += flips ? -body(i, j) : body(i, j);
+          }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  DenseMatrix
+  RollingPair<dim>::pair_compliance()
+  {
+    const std::size_t n_nodes = contact_trace.nodes.size();
+    DenseMatrix W(components.size() * n_nodes, components.size() * n_nodes);
+    if (wheel_body)
+      {
+        const DenseMatrix body =
+          wheel_body->compliance(wheel_nodes, components);
+        add_compliance(body, true, n_nodes, W);
+        if (twins())
+          add_compliance(body, false, n_nodes, W);
+      }
+    if (rail_body && !twins())
+      add_compliance(rail_body->compliance(rail_nodes, components),
+                     false,
+                     n_nodes,
+                     W);
+    return W;
+  }
+
+
+
+  template <int dim>
+  ContactProblem
+  RollingPair<dim>::contact_problem(const SlipOperatorKind slip_operator)
+  {
+    if (compliance.n_rows() == 0)
+      compliance = pair_compliance();
+    const ContactParameters &contact = scene.contact;
+    ContactProblem           problem;
+    problem.n_nodes      = contact_trace.nodes.size();
+    problem.n_tangential = components.size() - 1;
+    problem.positions    = contact_trace.nodes;
+    problem.W            = compliance;
+    problem.coupled      = !twins() && problem.n_tangential > 0;
+    problem.dundurs_beta = pair_constants(scene).dundurs_beta;
+    problem.H            = contact_matrix(contact_trace,
+                               contact.contact_matrices_kind(),
+                               dim == 2 ? (wheel_body ? scene.wheel.thickness
+                                                                 : scene.rail.thickness)
+                                                   : 1.);
+    if (problem.n_tangential > 0)
+      problem.slip_operator = SlipOperator(contact_trace,
+                                           slip_operator,
+                                           contact.contact_matrices_kind(),
+                                           contact.flow());
+    const BodyGeometry wheel = scene.wheel.geometry(),
+                       rail  = scene.rail.geometry();
+    for (const auto &node : contact_trace.nodes)
+      problem.gap.push_back(-wheel.surface_height(node[0], node[1]) -
+                            rail.surface_height(node[0], node[1]));
+    problem.friction.assign(problem.n_nodes, contact.friction_coefficient);
+    problem.set_creepages(contact.creepage_x, contact.creepage_y, contact.spin);
+    problem.normal_load = contact.normal_load();
+    problem.approach    = contact.approach().value_or(0.);
+    problem.finish();
+    return problem;
+  }
+
+
+
+  template <int dim>
+  Vector<double>
+  RollingPair<dim>::displacement(const Side            side,
+                                 const ContactProblem &problem,
+                                 const ContactState   &state) const
+  {
+    const bool          is_wheel = side == Side::wheel;
+    const auto         &nodes    = is_wheel ? wheel_nodes : rail_nodes;
+    std::vector<double> forces;
+    if (problem.n_tangential > 0)
+      forces = problem.H.multiply(state.traction);
+    for (double &force : forces)
+      force *= is_wheel ? 1. : -1.;
+    for (const double force : problem.H.multiply(state.pressure))
+      forces.push_back(-force);
+    return body(side)->recover(nodes, components, forces);
+  }
+
+
+
+  template class RollingPair<2>;
+  template class RollingPair<3>;
+} // namespace RollingContact

@@ -1,0 +1,59 @@
+#include <rolling_contact/analyses/scene_parameters.h>
+#include <rolling_contact/base/exceptions.h>
+
+#include <cmath>
+
+namespace RollingContact
+{
+  using namespace dealii;
+
+  SceneParameters::SceneParameters()
+    : ParameterAcceptor("/")
+    , wheel("Wheel")
+    , rail("Rail")
+  {
+    add_parameter("Dimension",
+                  dimension,
+                  "2 (x, z: rolling direction and normal, plane strain) or 3. "
+                  "Units: 1.",
+                  prm,
+                  Patterns::Integer(2, 2));
+    add_parameter(
+      "Analysis",
+      analysis,
+      "`quasi-static`: one steady rolling state; `accuracy study`: the "
+      "same state on many meshes, see section Accuracy study.",
+      prm,
+      Patterns::Selection("quasi-static|accuracy study"));
+  }
+
+
+
+  void
+  SceneParameters::check() const
+  {
+    wheel.check(dimension);
+    rail.check(dimension);
+    contact.check(dimension);
+    mesh.check();
+    study.check();
+    if (wheel.rigid && rail.rigid)
+      throw InputError("Wheel/Rigid = true and Rail/Rigid = true: at least one "
+                       "body must be elastic.");
+    if (dimension == 2 && !wheel.rigid && !rail.rigid &&
+        wheel.thickness != rail.thickness)
+      throw InputError(
+        "Wheel/Thickness = " + Patterns::Tools::to_string(wheel.thickness) +
+        " and Rail/Thickness = " + Patterns::Tools::to_string(rail.thickness) +
+        ": plane strain needs the same thickness in both.");
+    const auto curvature = [](const double radius) {
+      return radius == 0. ? 0. : 1 / radius;
+    };
+    if (curvature(wheel.radius) + curvature(rail.radius) <= 0.)
+      throw InputError(
+        "Wheel/Radius = " + Patterns::Tools::to_string(wheel.radius) +
+        " and Rail/Radius = " + Patterns::Tools::to_string(rail.radius) +
+        ": the profiles must curve away from each other, "
+        "1/R_wheel + 1/R_rail > 0.");
+  }
+} // namespace RollingContact

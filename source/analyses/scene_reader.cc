@@ -1,0 +1,124 @@
+#include <rolling_contact/analyses/scene_reader.h>
+#include <rolling_contact/base/exceptions.h>
+
+#include <fstream>
+#include <sstream>
+
+namespace RollingContact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    std::string
+    read_file(const std::string &name)
+    {
+      std::ifstream file(name);
+      if (!file)
+        throw InputError(name +
+                         ": cannot be read; give the path of a .prm file.");
+      std::ostringstream text;
+      text << file.rdbuf();
+      if (!file || file.bad())
+        throw InputError(name +
+                         ": cannot be read; give the path of a .prm file.");
+      return text.str();
+    }
+
+
+
+    /**
+     * What a deal.II exception says, in one line and without its frame.
+     */
+    std::string
+    message_of(const ExceptionBase &error)
+    {
+      std::ostringstream text;
+      error.print_info(text);
+      std::string        line, word;
+      std::istringstream words(text.str());
+      while (words >> word)
+        line += (line.empty() ? "" : " ") + word;
+      return line;
+    }
+
+
+
+    /**
+     * Set Section/Entry (or Entry) of @p prm; the entry must be declared.
+     */
+    void
+    apply_setting(const CommandLine::Setting &setting, ParameterHandler &prm)
+    {
+      std::vector<std::string> sections;
+      std::istringstream       path(setting.path);
+      for (std::string part; std::getline(path, part, '/');)
+        sections.push_back(part);
+      const std::string entry = sections.empty() ? "" : sections.back();
+      const std::string option =
+        "--set \"" + setting.path + "=" + setting.value + "\"";
+      if (!entry.empty())
+        sections.pop_back();
+      for (const std::string &section : sections)
+        prm.enter_subsection(section);
+      std::string problem;
+      try
+        {
+          prm.get(entry);
+          prm.set(entry, setting.value);
+        }
+      catch (const ParameterHandler::ExcEntryUndeclared &)
+        {
+          problem = "there is no such entry; see --print-parameters.";
+        }
+      catch (const ExceptionBase &error)
+        {
+          problem = message_of(error);
+        }
+      for (std::size_t k = 0; k < sections.size(); ++k)
+        prm.leave_subsection();
+      if (!problem.empty())
+        throw InputError(option + ": " + problem);
+    }
+  } // namespace
+
+
+
+  SceneText
+  read_scene(const CommandLine &command_line, SceneParameters &scene)
+  {
+    SceneText text;
+    text.original         = read_file(command_line.prm_file);
+    ParameterHandler &prm = ParameterAcceptor::prm;
+    ParameterAcceptor::declare_all_parameters();
+    try
+      {
+        std::istringstream input(text.original);
+        prm.parse_input(input, command_line.prm_file);
+      }
+    catch (const ExceptionBase &error)
+      {
+        throw InputError(command_line.prm_file + ": " + message_of(error));
+      }
+    for (const auto &setting : command_line.settings)
+      apply_setting(setting, prm);
+    ParameterAcceptor::parse_all_parameters();
+    scene.check();
+    std::ostringstream used;
+    prm.print_parameters(used, ParameterHandler::ShortText);
+    text.used = used.str();
+    return text;
+  }
+
+
+
+  std::string
+  documented_parameters()
+  {
+    SceneParameters scene;
+    ParameterAcceptor::declare_all_parameters();
+    std::ostringstream text;
+    ParameterAcceptor::prm.print_parameters(text, ParameterHandler::PRM);
+    return text.str();
+  }
+} // namespace RollingContact

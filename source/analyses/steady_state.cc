@@ -1,0 +1,187 @@
+#include <rolling_contact/analyses/steady_state.h>
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/interrupt.h>
+
+#include <chrono>
+#include <cmath>
+
+namespace RollingContact
+{
+  template <int dim>
+  Grading<dim>
+  make_grading(const SceneParameters &scene,
+               const double           half_width,
+               const unsigned int     elements_across_patch,
+               const double           offset)
+  {
+    const MeshParameters &mesh = scene.mesh;
+    Grading<dim>          grading;
+    grading.element_size_x    = 2 * half_width / elements_across_patch;
+    grading.element_size_y    = grading.element_size_x;
+    grading.zone_x            = std::max(mesh.candidate_zone * half_width,
+                              half_width + 4 * grading.element_size_x);
+    grading.zone_depth        = mesh.zone_depth * half_width;
+    grading.growth            = mesh.growth;
+    grading.offset            = offset;
+    grading.rim_levels        = mesh.rim_levels;
+    grading.leading_edge_x    = -scene.contact.flow() * half_width;
+    grading.trailing_edge_x   = -grading.leading_edge_x;
+    grading.leading_edge_only = mesh.rim_edges == "leading";
+    grading.rim_width         = 2 * grading.element_size_x;
+    return grading;
+  }
+
+
+
+  ContactState
+  initial_state(const ContactProblem &problem, const double half_width)
+  {
+    ContactState state;
+    state.pressure.assign(problem.n_nodes, 0.);
+    state.traction.assign(problem.n_tangential * problem.n_nodes, 0.);
+    for (unsigned int i = 0; i < problem.n_nodes; ++i)
+      if (std::abs(problem.positions[i][0]) < half_width)
+        state.pressure[i] = 1.;
+    return state;
+  }
+
+
+
+  namespace
+  {
+    /**
+     * Offset in elements that puts the leading edge where `upwind 2` has no
+     * first-order force error, upstream of the first contact node.
+     */
+    const double aligned_distance = 0.38;
+
+
+
+    /**
+     * Offset that leaves the found leading edge aligned_distance elements
+     * upstream of a node.
+     */
+    template <int dim>
+    double
+    aligned_offset(const SteadyState<dim> &steady, const int flow)
+    {
+      const double edge =
+        flow > 0 ? steady.result.edge_begin_x : steady.result.edge_end_x;
+      const double shift =
+        edge / steady.grading.element_size_x + flow * aligned_distance;
+      return shift - std::round(shift);
+    }
+
+
+
+    template <int dim>
+    SteadyState<dim>
+    solve_on(const SceneParameters &scene,
+             const Grading<dim>    &grading,
+             const double           half_width,
+             RunContext            &context)
+    {
+      throw_if_interrupted();
+      SteadyState<dim> steady;
+      steady.grading         = grading;
+      steady.elements_across = scene.mesh.elements_across_patch;
+      steady.slip_operator   = scene.contact.slip_operator;
+      steady.creepage_x      = scene.contact.creepage_x;
+      steady.creepage_y      = scene.contact.creepage_y;
+      steady.spin            = scene.contact.spin;
+      {
+        PhaseTimer::Scope phase(context.timer, "mesh and assembly");
+        steady.pair = std::make_unique<RollingPair<dim>>(scene, grading);
+      }
+      {
+        PhaseTimer::Scope phase(context.timer,
+                                "factorisation and condensation");
+        steady.problem =
+          steady.pair->contact_problem(scene.contact.slip_operator_kind());
+      }
+      PhaseTimer::Scope phase(context.timer, "contact solve");
+      steady.state = initial_state(steady.problem, half_width);
+      steady.solver =
+        make_contact_solver(scene.solver.solver, scene.solver.controls)
+          ->solve(steady.problem, steady.state);
+      steady.result = resultants(steady.problem, steady.state);
+      return steady;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  SteadyState<dim>
+  solve_steady_state(const SceneParameters &scene, RunContext &context)
+  {
+    const auto         start      = std::chrono::steady_clock::now();
+    const unsigned int max_meshes = 10;
+    double             half_width = estimate_patch(scene).half_width_x;
+    Grading<dim>       grading    = make_grading<dim>(scene,
+                                             half_width,
+                                             scene.mesh.elements_across_patch,
+                                             scene.mesh.offset());
+    bool               aligned = !scene.mesh.aligned(), resized = false;
+    for (unsigned int mesh = 0; mesh < max_meshes; ++mesh)
+      {
+        SteadyState<dim> steady = solve_on(scene, grading, half_width, context);
+        const Resultants &result = steady.result;
+        if (reaches_border(steady.pair->trace().border_nodes(),
+                           steady.problem,
+                           steady.state.pressure))
+          {
+            half_width *= 1.5;
+            grading = make_grading<dim>(scene,
+                                        half_width,
+                                        scene.mesh.elements_across_patch,
+                                        scene.mesh.offset());
+            context.log.message(
+              "The patch reaches the border of the candidate zone; the zone is "
+              "enlarged to " +
+              significant(grading.zone_x, 3) + " m on both sides.");
+            continue;
+          }
+        const double mismatch = result.half_width_x / half_width;
+        if (!resized && result.n_touching > 5 &&
+            (mismatch < 0.8 || mismatch > 1.2))
+          {
+            context.log.message("The patch is " + significant(mismatch, 3) +
+                                " times as long as estimated: the mesh is made "
+                                "again for it.");
+            half_width = result.half_width_x;
+            grading    = make_grading<dim>(scene,
+                                        half_width,
+                                        scene.mesh.elements_across_patch,
+                                        scene.mesh.offset());
+            resized    = true;
+            continue;
+          }
+        if (!aligned && result.n_touching > 5)
+          {
+            grading.offset = aligned_offset(steady, scene.contact.flow());
+            aligned        = true;
+            continue;
+          }
+        steady.wall_s = std::chrono::duration<double>(
+                          std::chrono::steady_clock::now() - start)
+                          .count();
+        return steady;
+      }
+    throw ConvergenceError(
+      "The patch still reaches the border of the candidate zone after " +
+      std::to_string(max_meshes) +
+      " enlargements: check radii, load and Mesh/Candidate zone.");
+  }
+
+
+
+  template struct SteadyState<2>;
+  template Grading<2>
+  make_grading(const SceneParameters &,
+               const double,
+               const unsigned int,
+               const double);
+  template SteadyState<2>
+  solve_steady_state(const SceneParameters &, RunContext &);
+} // namespace RollingContact

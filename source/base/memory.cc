@@ -1,0 +1,50 @@
+#include <rolling_contact/base/memory.h>
+
+#include <fstream>
+#include <limits>
+#include <string>
+
+namespace RollingContact
+{
+  namespace
+  {
+    /** The entry "key: 123 kB" of a file of /proc, in bytes. */
+    std::size_t
+    proc_entry(const std::string &file_name, const std::string &key)
+    {
+      std::ifstream file(file_name);
+      for (std::string word; file >> word;)
+        {
+          std::size_t kilobytes = 0;
+          if (word == key && file >> kilobytes)
+            return 1024 * kilobytes;
+          file.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
+        }
+      return 0;
+    }
+  } // namespace
+
+
+
+  std::size_t
+  peak_memory()
+  {
+    return proc_entry("/proc/self/status", "VmHWM:");
+  }
+
+
+
+  std::size_t
+  resident_memory()
+  {
+    return proc_entry("/proc/self/status", "VmRSS:");
+  }
+
+
+
+  std::size_t
+  available_memory()
+  {
+    return proc_entry("/proc/meminfo", "MemAvailable:");
+  }
+} // namespace RollingContact

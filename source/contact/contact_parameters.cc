@@ -1,0 +1,162 @@
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/contact/contact_parameters.h>
+
+#include <cmath>
+
+namespace RollingContact
+{
+  using namespace dealii;
+
+  ContactParameters::ContactParameters()
+    : ParameterAcceptor("/Contact")
+  {
+    const Patterns::Double any;
+    add_parameter(
+      "Normal load",
+      normal_load_entry,
+      "Force that presses the wheel on the rail; the approach follows. "
+      "Give this or `Approach`. Units: N.",
+      prm,
+      Patterns::Anything());
+    add_parameter(
+      "Approach",
+      approach_entry,
+      "Displacement of the wheel's hub towards the rail from first touch; "
+      "the load follows. Units: m.",
+      prm,
+      Patterns::Anything());
+    add_parameter("Friction coefficient",
+                  friction_coefficient,
+                  "Coulomb's mu; 0 leaves all of friction out. Units: 1.",
+                  prm,
+                  Patterns::Double(0.));
+    add_parameter(
+      "Creepage x",
+      creepage_x,
+      "Longitudinal creepage, sliding speed of the wheel over the rail "
+      "in x over the magnitude of the rolling speed. Units: 1.",
+      prm,
+      any);
+    add_parameter("Creepage y",
+                  creepage_y,
+                  "Lateral creepage, 3D only. Units: 1.",
+                  prm,
+                  any);
+    add_parameter(
+      "Spin",
+      spin,
+      "Spin creepage, angular velocity about z of the wheel over the rail "
+      "over the magnitude of the rolling speed, 3D only. Units: 1/m.",
+      prm,
+      any);
+    add_parameter(
+      "Speed",
+      speed,
+      "Rolling speed: material flows through the contact in the direction "
+      "of its sign along x. A steady state depends on the sign only. "
+      "Units: m/s.",
+      prm,
+      any);
+    add_parameter(
+      "Slip operator",
+      slip_operator,
+      "B1: `upwind 1`, `upwind 2`, `calibrated` (upwind 2 corrected at the "
+      "edges of the contact) or `galerkin` (Lai et al. 2017).",
+      prm,
+      Patterns::Selection("upwind 1|upwind 2|calibrated|galerkin"));
+    add_parameter("Contact matrices",
+                  contact_matrices,
+                  "H_n and H_t: `lumped`, or `consistent` (Lai et al. 2017).",
+                  prm,
+                  Patterns::Selection("lumped|consistent"));
+  }
+
+
+
+  namespace
+  {
+    std::optional<double>
+    number_or_empty(const std::string &entry,
+                    const std::string &text,
+                    const std::string &unit)
+    {
+      if (text.empty())
+        return {};
+      try
+        {
+          std::size_t  end   = 0;
+          const double value = std::stod(text, &end);
+          if (end == text.size() && std::isfinite(value))
+            return value;
+        }
+      catch (const std::logic_error &)
+        {}
+      throw InputError("Contact/" + entry + " = " + text +
+                       ": give a number in " + unit + ", or leave it empty.");
+    }
+  } // namespace
+
+
+
+  std::optional<double>
+  ContactParameters::normal_load() const
+  {
+    return number_or_empty("Normal load", normal_load_entry, "N");
+  }
+
+
+
+  std::optional<double>
+  ContactParameters::approach() const
+  {
+    return number_or_empty("Approach", approach_entry, "m");
+  }
+
+
+
+  void
+  ContactParameters::check(const unsigned int dimension) const
+  {
+    const auto load = normal_load();
+    if (load && approach())
+      throw InputError("Contact/Normal load = " + normal_load_entry +
+                       " and Contact/Approach = " + approach_entry +
+                       ": give one of them and leave the other empty.");
+    if (!load && !approach())
+      throw InputError(
+        "Contact/Normal load and Contact/Approach are both empty: "
+        "give the load in N or the approach in m.");
+    if (load && *load < 0.)
+      throw InputError("Contact/Normal load = " + normal_load_entry +
+                       ": contact cannot pull, give a load of at least 0 N.");
+    if (speed == 0.)
+      throw InputError("Contact/Speed = 0: rolling needs a direction, give a "
+                       "positive or negative speed.");
+    if (dimension == 2 && (creepage_y != 0. || spin != 0.))
+      throw InputError(
+        "Contact/" + std::string(spin != 0. ? "Spin" : "Creepage y") + " = " +
+        Patterns::Tools::to_string(spin != 0. ? spin : creepage_y) +
+        ": lateral creepage and spin exist in 3D only; set it to 0 "
+        "or take Dimension = 3.");
+  }
+
+
+
+  SlipOperatorKind
+  ContactParameters::kind_of_slip_operator(const std::string &name)
+  {
+    return name == "upwind 1"     ? SlipOperatorKind::upwind_1
+           : name == "upwind 2"   ? SlipOperatorKind::upwind_2
+           : name == "calibrated" ? SlipOperatorKind::calibrated
+                                  : SlipOperatorKind::galerkin;
+  }
+
+
+
+  ContactMatrices
+  ContactParameters::contact_matrices_kind() const
+  {
+    return contact_matrices == "lumped" ? ContactMatrices::lumped
+                                        : ContactMatrices::consistent;
+  }
+} // namespace RollingContact

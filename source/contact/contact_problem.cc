@@ -1,0 +1,364 @@
+#include <rolling_contact/contact/contact_problem.h>
+#include <rolling_contact/contact/edge_law.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace RollingContact
+{
+  namespace
+  {
+    /**
+     * The block of W on the given component times H.
+     */
+    DenseMatrix
+    compliance_of_density(const ContactProblem &problem,
+                          const std::size_t     first,
+                          const std::size_t     n)
+    {
+      DenseMatrix result(n, n);
+      for (std::size_t k = 0; k < n; ++k)
+        for (const auto &entry : problem.H[k % problem.n_nodes])
+          {
+            const std::size_t j = k - k % problem.n_nodes + entry.first;
+            for (std::size_t i = 0; i < n; ++i)
+              result(i, j) += problem.W(first + i, first + k) * entry.second;
+          }
+      return result;
+    }
+
+
+
+    /**
+     * Largest singular value of an operator from products with it and its
+     * transpose; to the few digits an augmentation parameter needs.
+     */
+    template <typename Product, typename TransposedProduct>
+    double
+    operator_norm(const std::size_t        n,
+                  const Product           &product,
+                  const TransposedProduct &transposed_product)
+    {
+      std::vector<double> x(n);
+      for (std::size_t i = 0; i < n; ++i)
+        x[i] = 1. + 0.5 * std::cos(1. + 7. * i);
+      double value = 0.;
+      for (unsigned int iteration = 0; iteration < 100; ++iteration)
+        {
+          const double length = norm(x);
+          if (length == 0.)
+            return 0.;
+          for (double &entry : x)
+            entry /= length;
+          x                     = transposed_product(product(x));
+          const double previous = value;
+          value                 = std::sqrt(norm(x));
+          if (std::abs(value - previous) < 1e-3 * value)
+            break;
+        }
+      return value;
+    }
+
+
+
+    std::vector<double>
+    block_product(const DenseMatrix         &W,
+                  const std::size_t          first_row,
+                  const std::size_t          first_column,
+                  const std::size_t          n_rows,
+                  const std::vector<double> &forces)
+    {
+      std::vector<double> result(n_rows, 0.);
+      W.multiply_block(first_row, first_column, forces, result);
+      return result;
+    }
+  } // namespace
+
+
+
+  void
+  ContactProblem::set_creepages(const double x,
+                                const double y,
+                                const double spin)
+  {
+    rigid_slip.resize(n_tangential * n_nodes);
+    for (std::size_t i = 0; i < rigid_slip.size(); ++i)
+      {
+        const auto &at = positions[i % n_nodes];
+        rigid_slip[i]  = i < n_nodes ? x - spin * at[1] : y + spin * at[0];
+      }
+  }
+
+
+
+  std::vector<double>
+  ContactProblem::normal_displacement(const std::vector<double> &pressure) const
+  {
+    const std::size_t first = n_tangential * n_nodes;
+    return block_product(W, first, first, n_nodes, H.multiply(pressure));
+  }
+
+
+
+  std::vector<double>
+  ContactProblem::normal_displacement_of_traction(
+    const std::vector<double> &traction) const
+  {
+    if (!coupled || n_tangential == 0)
+      return std::vector<double>(n_nodes, 0.);
+    return block_product(
+      W, n_tangential * n_nodes, 0, n_nodes, H.multiply(traction));
+  }
+
+
+
+  std::vector<double>
+  ContactProblem::tangential_displacement(
+    const std::vector<double> &traction) const
+  {
+    return block_product(W, 0, 0, n_tangential * n_nodes, H.multiply(traction));
+  }
+
+
+
+  std::vector<double>
+  ContactProblem::tangential_displacement_of_pressure(
+    const std::vector<double> &pressure) const
+  {
+    if (!coupled)
+      return std::vector<double>(n_tangential * n_nodes, 0.);
+    return block_product(W,
+                         0,
+                         n_tangential * n_nodes,
+                         n_tangential * n_nodes,
+                         H.multiply(pressure));
+  }
+
+
+
+  double
+  ContactProblem::resultant(const std::vector<double> &nodal_field,
+                            const unsigned int         component) const
+  {
+    double sum = 0.;
+    for (unsigned int i = 0; i < n_nodes; ++i)
+      sum += areas[i] * nodal_field[component * n_nodes + i];
+    return sum;
+  }
+
+
+
+  void
+  ContactProblem::finish()
+  {
+    areas       = H.multiply(std::vector<double>(n_nodes, 1.));
+    W_nn_H      = compliance_of_density(*this, n_tangential * n_nodes, n_nodes);
+    normal_norm = operator_norm(
+      n_nodes,
+      [&](const std::vector<double> &x) { return normal_displacement(x); },
+      [&](const std::vector<double> &x) {
+        const std::size_t first = n_tangential * n_nodes;
+        return H.multiply(block_product(W, first, first, n_nodes, x));
+      });
+    if (n_tangential > 0)
+      tangential_norm = operator_norm(
+        n_tangential * n_nodes,
+        [&](const std::vector<double> &x) {
+          return slip_operator.rows().multiply(tangential_displacement(x));
+        },
+        [&](const std::vector<double> &x) {
+          return H.multiply(
+            block_product(W,
+                          0,
+                          0,
+                          n_tangential * n_nodes,
+                          slip_operator.rows().multiply_transposed(x)));
+        });
+  }
+
+
+
+  TangentialProblem::TangentialProblem(const ContactProblem      &contact,
+                                       const std::vector<double> &pressure,
+                                       const std::vector<bool>   &linear_edges)
+    : contact(contact)
+    , B1(contact.slip_operator.rows())
+    , bound(contact.n_nodes)
+    , slip_at_zero(contact.rigid_slip)
+  {
+    if (contact.n_tangential == 0)
+      return;
+    for (unsigned int i = 0; i < contact.n_nodes; ++i)
+      bound[i] = contact.friction[i] * pressure[i];
+    if (contact.slip_operator.has_edge_law())
+      {
+        edge_rows.assign(contact.n_tangential, SparseRows(contact.n_nodes));
+        edge_constants.assign(slip_at_zero.size(), 0.);
+        apply_edge_law(pressure, linear_edges, *this);
+      }
+    const std::vector<double> coupling =
+      B1.multiply(contact.tangential_displacement_of_pressure(pressure));
+    for (std::size_t i = 0; i < slip_at_zero.size(); ++i)
+      slip_at_zero[i] += contact.slip_operator.flow_direction() * coupling[i];
+  }
+
+
+
+  std::vector<double>
+  TangentialProblem::material_slip(const std::vector<double> &traction) const
+  {
+    std::vector<double> s =
+      B1.multiply(contact.tangential_displacement(traction));
+    for (std::size_t i = 0; i < s.size(); ++i)
+      s[i] = slip_at_zero[i] + contact.slip_operator.flow_direction() * s[i];
+    return s;
+  }
+
+
+
+  std::vector<double>
+  TangentialProblem::slip(const std::vector<double> &traction) const
+  {
+    std::vector<double> s = material_slip(traction);
+    for (std::size_t i = 0; i < edge_constants.size(); ++i)
+      {
+        const std::size_t component = i / contact.n_nodes,
+                          node      = i % contact.n_nodes;
+        s[i] += edge_constants[i] + apply(edge_rows[component][node],
+                                          traction,
+                                          component * contact.n_nodes);
+      }
+    return s;
+  }
+
+
+
+  DenseMatrix
+  TangentialProblem::slip_compliance() const
+  {
+    const std::size_t n = contact.n_tangential * contact.n_nodes;
+    DenseMatrix       A = B1.multiply(compliance_of_density(contact, 0, n));
+    for (std::size_t j = 0; j < n; ++j)
+      for (std::size_t i = 0; i < n; ++i)
+        A(i, j) *= contact.slip_operator.flow_direction();
+    for (std::size_t c = 0; c < edge_rows.size(); ++c)
+      for (unsigned int i = 0; i < contact.n_nodes; ++i)
+        for (const auto &entry : edge_rows[c][i])
+          A(c * contact.n_nodes + i, c * contact.n_nodes + entry.first) +=
+            entry.second;
+    return A;
+  }
+
+
+
+  void
+  TangentialProblem::project(std::vector<double> &traction) const
+  {
+    const unsigned int n = contact.n_nodes, n_components = contact.n_tangential;
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        double size = 0.;
+        for (unsigned int c = 0; c < n_components; ++c)
+          size = std::hypot(size, traction[c * n + i]);
+        if (size > bound[i])
+          for (unsigned int c = 0; c < n_components; ++c)
+            traction[c * n + i] *= bound[i] / size;
+      }
+  }
+
+
+
+  std::vector<double>
+  normal_gap(const ContactProblem &contact, const ContactState &state)
+  {
+    std::vector<double>       u_n = contact.normal_displacement(state.pressure);
+    const std::vector<double> coupling =
+      contact.normal_displacement_of_traction(state.traction);
+    for (unsigned int i = 0; i < contact.n_nodes; ++i)
+      u_n[i] += contact.gap[i] - state.approach + coupling[i];
+    return u_n;
+  }
+
+
+
+  double
+  NaturalResidual::worst() const
+  {
+    return std::max(normal, tangential);
+  }
+
+
+
+  namespace
+  {
+    double
+    normal_residual(const ContactProblem &contact, const ContactState &state)
+    {
+      const std::vector<double> u_n = normal_gap(contact, state);
+      const double              rho =
+        contact.normal_norm > 0. ? 1 / contact.normal_norm : 0.;
+      double sum = 0.;
+      for (unsigned int i = 0; i < contact.n_nodes; ++i)
+        sum += contact.areas[i] *
+               std::abs(state.pressure[i] -
+                        std::max(0., state.pressure[i] - rho * u_n[i]));
+      double load = contact.resultant(state.pressure);
+      if (contact.normal_load)
+        {
+          sum += std::abs(load - *contact.normal_load);
+          load = *contact.normal_load;
+        }
+      return load > 0. ? sum / load : sum;
+    }
+
+
+
+    double
+    tangential_residual(const ContactProblem    &contact,
+                        const TangentialProblem &tangential,
+                        const ContactState      &state)
+    {
+      if (contact.n_tangential == 0)
+        return 0.;
+      const double friction_force = contact.resultant(tangential.bound);
+      if (friction_force <= 0. || contact.tangential_norm <= 0.)
+        return 0.;
+      const std::vector<double> s = tangential.slip(state.traction);
+      std::vector<double>       projected(state.traction);
+      for (std::size_t i = 0; i < projected.size(); ++i)
+        projected[i] -= s[i] / contact.tangential_norm;
+      tangential.project(projected);
+      double sum = 0.;
+      for (unsigned int i = 0; i < contact.n_nodes; ++i)
+        {
+          double size = 0.;
+          for (unsigned int c = 0; c < contact.n_tangential; ++c)
+            {
+              const std::size_t k = c * contact.n_nodes + i;
+              size = std::hypot(size, state.traction[k] - projected[k]);
+            }
+          sum += contact.areas[i] * size;
+        }
+      return sum / friction_force;
+    }
+  } // namespace
+
+
+
+  NaturalResidual
+  natural_residual(const ContactProblem    &contact,
+                   const TangentialProblem &tangential,
+                   const ContactState      &state)
+  {
+    return {normal_residual(contact, state),
+            tangential_residual(contact, tangential, state)};
+  }
+
+
+
+  TangentialProblem
+  tangential_problem(const ContactProblem &contact, const ContactState &state)
+  {
+    return TangentialProblem(contact, state.pressure, state.linear_edges);
+  }
+} // namespace RollingContact

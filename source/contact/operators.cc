@@ -1,0 +1,166 @@
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/contact/operators.h>
+
+#include <cmath>
+
+namespace RollingContact
+{
+  namespace
+  {
+    /**
+     * Integrals over one element, by directions: N_a N_b, and N_a dN_b/dx.
+     */
+    double
+    mass_integral(const double size, const unsigned int a, const unsigned int b)
+    {
+      return size * (a == b ? 1. / 3 : 1. / 6);
+    }
+
+    double
+    derivative_integral(const unsigned int b)
+    {
+      return b == 1 ? 0.5 : -0.5;
+    }
+
+
+
+    /**
+     * Sum element integrals into a matrix, corners replaced by the nodes they
+     * hang on. @p integral(cell, a, b) is the one of corners a and b.
+     */
+    template <typename Integral>
+    SparseRows
+    assemble(const Trace &trace, const Integral &integral)
+    {
+      SparseRows matrix(trace.nodes.size());
+      for (const Trace::Cell &cell : trace.cells)
+        for (unsigned int a = 0; a < cell.corners.size(); ++a)
+          for (unsigned int b = 0; b < cell.corners.size(); ++b)
+            for (const auto &row : cell.corners[a])
+              for (const auto &column : cell.corners[b])
+                matrix.add(row.first,
+                           column.first,
+                           row.second * column.second * integral(cell, a, b));
+      return matrix;
+    }
+
+
+
+    double
+    extent(const Trace::Cell &cell, const unsigned int d)
+    {
+      return cell.upper[d] - cell.lower[d];
+    }
+
+
+
+    SparseRows
+    mass_matrix(const Trace &trace, const double thickness)
+    {
+      return assemble(trace,
+                      [&](const Trace::Cell &cell,
+                          const unsigned int a,
+                          const unsigned int b) {
+                        double value = thickness;
+                        for (unsigned int d = 0; d < trace.n_dimensions; ++d)
+                          value *= mass_integral(extent(cell, d),
+                                                 (a >> d) & 1,
+                                                 (b >> d) & 1);
+                        return value;
+                      });
+    }
+
+
+
+    SparseRows
+    row_sums(const SparseRows &matrix)
+    {
+      SparseRows lumped(matrix.size());
+      for (unsigned int i = 0; i < matrix.size(); ++i)
+        for (const auto &entry : matrix[i])
+          lumped.add(i, i, entry.second);
+      return lumped;
+    }
+
+
+
+    void
+    add_scaled(SparseRows            &matrix,
+               const unsigned int     i,
+               const SparseRows::Row &weights,
+               const double           factor)
+    {
+      for (const auto &entry : weights)
+        matrix.add(i, entry.first, factor * entry.second);
+    }
+  } // namespace
+
+
+
+  SparseRows
+  contact_matrix(const Trace          &trace,
+                 const ContactMatrices kind,
+                 const double          thickness)
+  {
+    const SparseRows mass = mass_matrix(trace, thickness);
+    return kind == ContactMatrices::consistent ? mass : row_sums(mass);
+  }
+
+
+
+  UpstreamRows
+  upstream_rows(const Trace &trace, const int flow)
+  {
+    const unsigned int n = trace.nodes.size();
+    UpstreamRows       rows{SparseRows(n), SparseRows(n), std::vector<bool>(n)};
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const auto size = trace.element_size(i, -flow);
+        if (!size)
+          continue;
+        const double x = trace.nodes[i][0], y = trace.nodes[i][1];
+        const auto   near = trace.interpolation(x - flow * *size, y);
+        const auto   far  = trace.interpolation(x - 2 * flow * *size, y);
+        if (!near || !far)
+          continue;
+        rows.defined[i]   = true;
+        const double unit = flow / *size;
+        rows.order_1.add(i, i, unit);
+        add_scaled(rows.order_1, i, *near, -unit);
+        rows.order_2.add(i, i, 1.5 * unit);
+        add_scaled(rows.order_2, i, *near, -2 * unit);
+        add_scaled(rows.order_2, i, *far, 0.5 * unit);
+      }
+    return rows;
+  }
+
+
+
+  SparseRows
+  galerkin_rows(const Trace &trace, const ContactMatrices kind)
+  {
+    const SparseRows derivative = assemble(
+      trace,
+      [&](const Trace::Cell &cell, const unsigned int a, const unsigned int b) {
+        double value = derivative_integral(b & 1);
+        for (unsigned int d = 1; d < trace.n_dimensions; ++d)
+          value *= mass_integral(extent(cell, d), (a >> d) & 1, (b >> d) & 1);
+        return value;
+      });
+    const SparseRows H = contact_matrix(trace, kind, 1.);
+    SparseRows       rows(trace.nodes.size());
+    if (kind == ContactMatrices::lumped)
+      {
+        for (unsigned int i = 0; i < rows.size(); ++i)
+          add_scaled(rows, i, derivative[i], 1 / H[i][0].second);
+        return rows;
+      }
+    DenseMatrix mass = H.dense(), solution = derivative.dense();
+    if (!solve_positive_definite(mass, solution))
+      throw ConvergenceError("The contact matrix H is not positive definite.");
+    for (unsigned int i = 0; i < rows.size(); ++i)
+      for (unsigned int j = 0; j < rows.size(); ++j)
+        rows[i].emplace_back(j, solution(i, j));
+    return rows;
+  }
+} // namespace RollingContact

@@ -1,0 +1,164 @@
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/elasticity/body_parameters.h>
+
+namespace RollingContact
+{
+  using namespace dealii;
+
+  BodyParameters::BodyParameters(const std::string &section)
+    : ParameterAcceptor("/" + section)
+    , section(section)
+  {
+    const Patterns::Double any, not_negative(0.);
+    add_parameter("Shape",
+                  shape,
+                  "`disc`, clamped at its hub, or `block`, clamped at its "
+                  "bottom.",
+                  prm,
+                  Patterns::Selection("disc|block"));
+    add_parameter("Rigid",
+                  rigid,
+                  "A rigid body is a profile without mesh or compliance.");
+    add_parameter(
+      "Radius",
+      radius,
+      "Radius of the profile in the rolling direction. For a block, 0 "
+      "is flat and a negative radius is concave. Units: m.",
+      prm,
+      any);
+    add_parameter(
+      "Lateral radius",
+      lateral_radius,
+      "Radius of the profile across the rolling direction, 3D only; 0 "
+      "is flat, negative concave. Units: m.",
+      prm,
+      any);
+    add_parameter("Hub radius",
+                  hub_radius,
+                  "Radius of the clamped circle of a disc. Units: m.",
+                  prm,
+                  not_negative);
+    add_parameter("Block length",
+                  block_length,
+                  "Extent of a block in the rolling direction. Units: m.",
+                  prm,
+                  not_negative);
+    add_parameter(
+      "Block depth",
+      block_depth,
+      "Depth of a block, from the contact point to its clamped bottom. "
+      "Units: m.",
+      prm,
+      not_negative);
+    add_parameter("Thickness",
+                  thickness,
+                  "Thickness in 2D (plane strain), the same for both bodies. "
+                  "Units: m.",
+                  prm,
+                  not_negative);
+    add_parameter("Width",
+                  width,
+                  "Extent across the rolling direction, 3D only. Units: m.",
+                  prm,
+                  not_negative);
+    add_parameter("Young modulus",
+                  material.young_modulus,
+                  "Young's modulus. Units: Pa.",
+                  prm,
+                  not_negative);
+    add_parameter("Poisson ratio",
+                  material.poisson_ratio,
+                  "Poisson's ratio, at least 0 and below 0.5. Units: 1.",
+                  prm,
+                  Patterns::Double(0., 0.5));
+  }
+
+
+
+  namespace
+  {
+    void
+    require(const bool         condition,
+            const std::string &section,
+            const std::string &entry,
+            const double       value,
+            const std::string &allowed)
+    {
+      if (!condition)
+        throw InputError(section + "/" + entry + " = " +
+                         Patterns::Tools::to_string(value) + ": " + allowed);
+    }
+  } // namespace
+
+
+
+  void
+  BodyParameters::check(const unsigned int dimension) const
+  {
+    if (shape == "disc")
+      {
+        require(radius > 0.,
+                section,
+                "Radius",
+                radius,
+                "a disc needs a radius above 0 m; take Shape = block for a "
+                "flat or concave body.");
+        if (!rigid)
+          require(hub_radius > 0. && hub_radius < radius,
+                  section,
+                  "Hub radius",
+                  hub_radius,
+                  "it must lie above 0 m and below the Radius.");
+      }
+    if (rigid)
+      return;
+    if (shape == "block")
+      {
+        require(block_length > 0.,
+                section,
+                "Block length",
+                block_length,
+                "it must be above 0 m.");
+        require(block_depth > 0.,
+                section,
+                "Block depth",
+                block_depth,
+                "it must be above 0 m.");
+      }
+    require(material.young_modulus > 0.,
+            section,
+            "Young modulus",
+            material.young_modulus,
+            "it must be above 0 Pa; take Rigid = true for a rigid body.");
+    require(material.poisson_ratio < 0.5,
+            section,
+            "Poisson ratio",
+            material.poisson_ratio,
+            "it must be below 0.5; 0.4999 is as good as incompressible.");
+    if (dimension == 2)
+      require(thickness > 0.,
+              section,
+              "Thickness",
+              thickness,
+              "it must be above 0 m.");
+    else
+      require(width > 0., section, "Width", width, "it must be above 0 m.");
+  }
+
+
+
+  BodyGeometry
+  BodyParameters::geometry() const
+  {
+    BodyGeometry geometry;
+    geometry.shape          = shape == "disc" ? Shape::disc : Shape::block;
+    geometry.rigid          = rigid;
+    geometry.radius         = radius;
+    geometry.lateral_radius = lateral_radius;
+    geometry.hub_radius     = hub_radius;
+    geometry.length         = block_length;
+    geometry.depth          = block_depth;
+    geometry.width          = width;
+    return geometry;
+  }
+} // namespace RollingContact

@@ -1,0 +1,312 @@
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/sparse_matrix.h>
+#include <deal.II/lac/vector.h>
+#include <deal.II/numerics/vector_tools_boundary.h>
+
+#include <rolling_contact/elasticity/elastic_body.h>
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+
+namespace RollingContact
+{
+  using namespace dealii;
+
+  template <int dim>
+  ElasticBody<dim>::ElasticBody(const BodyGeometry &geometry,
+                                const Material     &material,
+                                const double        thickness,
+                                const Grading<dim> &grading)
+    : material(material)
+    , body_mesh(make_body_mesh<dim>(geometry, grading))
+    , element(FE_Q<dim>(1), dim)
+    , dofs(*body_mesh.triangulation)
+  {
+    const auto start = std::chrono::steady_clock::now();
+    distribute();
+    factor =
+      std::make_unique<Factorisation>(assemble(thickness), node_of_unknown);
+    assembly_s =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
+        .count() -
+      factor->size().analysis_s;
+  }
+
+
+
+  template <int dim>
+  void
+  ElasticBody<dim>::distribute()
+  {
+    dofs.distribute_dofs(element);
+    DoFTools::make_hanging_node_constraints(dofs, constraints);
+    DoFTools::make_zero_boundary_constraints(dofs, hub_boundary, constraints);
+    constraints.close();
+
+    unknown_of_dof.assign(dofs.n_dofs(), -1);
+    int unknown = 0;
+    for (types::global_dof_index i = 0; i < dofs.n_dofs(); ++i)
+      if (constraints.is_constrained(i))
+        ++n_constrained;
+      else
+        {
+          unknown_of_dof[i]    = unknown++;
+          const bool same_node = i % dim != 0 && !node_of_unknown.empty() &&
+                                 unknown_of_dof[i - 1] >= 0;
+          node_of_unknown.push_back(
+            node_of_unknown.empty() ? 0 : node_of_unknown.back() + !same_node);
+        }
+  }
+
+
+
+  /**
+   * B-bar by mean dilatation, K_ij = integral of 2 G dev(eps_i) : dev(eps_j) +
+   * V k mean(div phi_i) mean(div phi_j) with the bulk modulus k and the
+   * deviator of the three-dimensional strain, eps_yy = 0 in plane strain
+   * (Hughes 1980).
+   */
+  template <int dim>
+  void
+  ElasticBody<dim>::cell_stiffness(const FEValues<dim, dim> &values,
+                                   FullMatrix<double>       &stiffness) const
+  {
+    const FEValuesExtractors::Vector displacement(0);
+    const unsigned int               n = values.dofs_per_cell;
+    const double G = material.shear_modulus(), k = material.bulk_modulus();
+
+    std::vector<double>                  mean_dilatation(n, 0.);
+    std::vector<SymmetricTensor<2, dim>> strain(n);
+    std::vector<double>                  dilatation(n);
+    double                               volume = 0.;
+    stiffness                                   = 0.;
+    for (const unsigned int q : values.quadrature_point_indices())
+      {
+        const double JxW = values.JxW(q);
+        volume += JxW;
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            strain[i]     = values[displacement].symmetric_gradient(i, q);
+            dilatation[i] = trace(strain[i]);
+            mean_dilatation[i] += dilatation[i] * JxW;
+          }
+        for (unsigned int i = 0; i < n; ++i)
+          for (unsigned int j = 0; j <= i; ++j)
+            stiffness(i, j) +=
+              2 * G *
+              (strain[i] * strain[j] - dilatation[i] * dilatation[j] / 3) * JxW;
+      }
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j <= i; ++j)
+        {
+          stiffness(i, j) +=
+            k * mean_dilatation[i] * mean_dilatation[j] / volume;
+          stiffness(j, i) = stiffness(i, j);
+        }
+  }
+
+
+
+  namespace
+  {
+    /**
+     * The lower triangle of the unconstrained part of @p matrix.
+     */
+    SymmetricSparseMatrix
+    restrict_to_unknowns(const SparseMatrix<double> &matrix,
+                         const std::vector<int>     &unknown_of_dof,
+                         const std::size_t           n_unknowns)
+    {
+      SymmetricSparseMatrix result;
+      result.column_starts.reserve(n_unknowns + 1);
+      result.column_starts.push_back(0);
+      std::vector<std::pair<std::int64_t, double>> column;
+      for (std::size_t dof = 0; dof < unknown_of_dof.size(); ++dof)
+        {
+          const int j = unknown_of_dof[dof];
+          if (j < 0)
+            continue;
+          column.clear();
+          for (auto entry = matrix.begin(dof); entry != matrix.end(dof);
+               ++entry)
+            if (unknown_of_dof[entry->column()] >= j)
+              column.emplace_back(unknown_of_dof[entry->column()],
+                                  entry->value());
+          std::sort(column.begin(), column.end());
+          for (const auto &entry : column)
+            {
+              result.row_indices.push_back(entry.first);
+              result.values.push_back(entry.second);
+            }
+          result.column_starts.push_back(result.row_indices.size());
+        }
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  SymmetricSparseMatrix
+  ElasticBody<dim>::assemble(const double thickness)
+  {
+    SparsityPattern pattern;
+    {
+      DynamicSparsityPattern dynamic(dofs.n_dofs());
+      DoFTools::make_sparsity_pattern(dofs, dynamic, constraints, false);
+      pattern.copy_from(dynamic);
+    }
+    SparseMatrix<double> matrix(pattern);
+
+    FEValues<dim>                        values(element,
+                         QGauss<dim>(2),
+                         update_gradients | update_JxW_values);
+    FullMatrix<double>                   stiffness(element.dofs_per_cell);
+    std::vector<types::global_dof_index> cell_dofs(element.dofs_per_cell);
+    for (const auto &cell : dofs.active_cell_iterators())
+      {
+        values.reinit(cell);
+        cell_stiffness(values, stiffness);
+        if (dim == 2)
+          stiffness *= thickness;
+        cell->get_dof_indices(cell_dofs);
+        constraints.distribute_local_to_global(stiffness, cell_dofs, matrix);
+      }
+    return restrict_to_unknowns(matrix, unknown_of_dof, n_unknowns());
+  }
+
+
+
+  template <int dim>
+  void
+  ElasticBody<dim>::surface(const double              extent_x,
+                            const double              extent_y,
+                            std::vector<SurfaceNode> &nodes,
+                            std::vector<SurfaceFace> &faces) const
+  {
+    const auto surface_point = [](const Point<dim> &chart_point) {
+      Point<dim - 1> result;
+      for (int d = 0; d < dim - 1; ++d)
+        result[d] = chart_point[d];
+      return result;
+    };
+    const std::array<double, 2> extent{{extent_x, extent_y}};
+
+    std::map<types::global_dof_index, Point<dim - 1>> positions;
+    using Combination = std::vector<std::pair<types::global_dof_index, double>>;
+    std::vector<std::vector<Combination>> corners;
+    faces.clear();
+    for (const auto &cell : dofs.active_cell_iterators())
+      for (const unsigned int f : cell->face_indices())
+        if (cell->face(f)->at_boundary() &&
+            cell->face(f)->boundary_id() == contact_boundary)
+          {
+            const auto  box = body_mesh.chart_box(cell);
+            SurfaceFace face;
+            face.lower  = surface_point(box.first);
+            face.upper  = surface_point(box.second);
+            bool inside = true;
+            for (int d = 0; d < dim - 1; ++d)
+              inside = inside &&
+                       std::abs(face.lower[d] + face.upper[d]) / 2 <= extent[d];
+            if (!inside)
+              continue;
+            std::vector<Combination> face_corners;
+            for (const unsigned int v : cell->face(f)->vertex_indices())
+              {
+                const auto  dof  = cell->face(f)->vertex_dof_index(v, 0);
+                const auto *line = constraints.get_constraint_entries(dof);
+                Point<dim>  chart_point =
+                  body_mesh.chart->pull_back(cell->face(f)->vertex(v));
+                chart_point[0] = body_mesh.chart->centred_x(chart_point[0]);
+                if (line == nullptr)
+                  {
+                    positions[dof] = surface_point(chart_point);
+                    face_corners.push_back({{dof, 1.}});
+                  }
+                else
+                  face_corners.push_back(*line);
+              }
+            corners.push_back(face_corners);
+            faces.push_back(face);
+          }
+
+    std::vector<types::global_dof_index> order;
+    for (const auto &entry : positions)
+      order.push_back(entry.first);
+    std::sort(order.begin(), order.end(), [&](const auto a, const auto b) {
+      const auto &p = positions[a], &q = positions[b];
+      for (int d = 0; d < dim - 1; ++d)
+        if (std::abs(p[d] - q[d]) > 1e-9 * extent[d])
+          return p[d] < q[d];
+      return false;
+    });
+    std::map<types::global_dof_index, unsigned int> number;
+    nodes.clear();
+    for (const auto dof : order)
+      {
+        SurfaceNode node;
+        node.position = positions[dof];
+        for (int d = 0; d < dim; ++d)
+          node.dofs[d] = dof + d;
+        number[dof] = nodes.size();
+        nodes.push_back(node);
+      }
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      for (const Combination &corner : corners[f])
+        {
+          faces[f].corners.emplace_back();
+          for (const auto &entry : corner)
+            faces[f].corners.back().emplace_back(number.at(entry.first),
+                                                 entry.second);
+        }
+  }
+
+
+
+  template <int dim>
+  DenseMatrix
+  ElasticBody<dim>::compliance(const std::vector<SurfaceNode>  &nodes,
+                               const std::vector<unsigned int> &components)
+  {
+    factor->factorise();
+    std::vector<std::size_t> unknowns;
+    for (const unsigned int component : components)
+      for (const SurfaceNode &node : nodes)
+        unknowns.push_back(unknown_of_dof[node.dofs[component]]);
+    return factor->condense(unknowns);
+  }
+
+
+
+  template <int dim>
+  Vector<double>
+  ElasticBody<dim>::recover(const std::vector<SurfaceNode>  &nodes,
+                            const std::vector<unsigned int> &components,
+                            const std::vector<double>       &forces) const
+  {
+    std::vector<double> right_hand_side(n_unknowns(), 0.);
+    for (std::size_t c = 0; c < components.size(); ++c)
+      for (std::size_t n = 0; n < nodes.size(); ++n)
+        right_hand_side[unknown_of_dof[nodes[n].dofs[components[c]]]] +=
+          forces[c * nodes.size() + n];
+    const std::vector<double> solution = factor->solve(right_hand_side);
+    Vector<double>            displacement(dofs.n_dofs());
+    for (std::size_t i = 0; i < unknown_of_dof.size(); ++i)
+      if (unknown_of_dof[i] >= 0)
+        displacement[i] = solution[unknown_of_dof[i]];
+    constraints.distribute(displacement);
+    return displacement;
+  }
+
+
+
+  template class ElasticBody<2>;
+  template class ElasticBody<3>;
+} // namespace RollingContact

@@ -1,0 +1,312 @@
+#include <rolling_contact/mesh/body_mesh.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace RollingContact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /**
+     * Distance of the interval [lower, upper] from [begin, end].
+     */
+    double
+    interval_distance(const double lower,
+                      const double upper,
+                      const double begin,
+                      const double end)
+    {
+      return std::max({0., begin - upper, lower - end});
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  bool
+  Grading<dim>::refine(const Point<dim> &lower, const Point<dim> &upper) const
+  {
+    const double stretch_y = dim == 3 ? element_size_x / element_size_y : 1.;
+    double       size =
+      std::max(upper[0] - lower[0], upper[dim - 1] - lower[dim - 1]);
+    double distance = std::hypot(
+      interval_distance(lower[0], upper[0], -zone_x, zone_x),
+      interval_distance(lower[dim - 1], upper[dim - 1], -zone_depth, 0.));
+    if (dim == 3)
+      {
+        size = std::max(size, (upper[1] - lower[1]) * stretch_y);
+        distance =
+          std::hypot(distance,
+                     interval_distance(lower[1], upper[1], -zone_y, zone_y) *
+                       stretch_y);
+      }
+    const double tolerance = 1. + 1e-6;
+    if (size > tolerance * (element_size_x + growth * distance))
+      return true;
+    const auto too_large_at = [&](const double edge) {
+      const double finest = std::ldexp(element_size_x, -int(rim_levels));
+      const double away   = std::hypot(
+        interval_distance(
+          lower[0], upper[0], edge - rim_width, edge + rim_width),
+        interval_distance(lower[dim - 1], upper[dim - 1], -rim_width, 0.));
+      return size > tolerance * (finest + growth * away);
+    };
+    return rim_levels > 0 &&
+           (too_large_at(leading_edge_x) ||
+            (!leading_edge_only && too_large_at(trailing_edge_x)));
+  }
+
+
+
+  namespace
+  {
+    /**
+     * The largest power-of-two multiple of @p element_size not above @p limit.
+     */
+    double
+    coarse_size(const double element_size, const double limit)
+    {
+      return std::ldexp(
+        element_size,
+        std::max(0, int(std::floor(std::log2(limit / element_size)))));
+    }
+
+
+
+    /**
+     * Break points in [begin, end]: multiples of @p size from @p origin; the
+     * first and last interval take the remainder, at least half a @p size long.
+     */
+    std::vector<double>
+    break_points(const double begin,
+                 const double end,
+                 const double origin,
+                 const double size)
+    {
+      std::vector<double> points{begin};
+      const int           first = std::ceil((begin - origin) / size);
+      for (int k = first; origin + k * size < end; ++k)
+        if (origin + k * size > begin + size / 2 &&
+            origin + k * size < end - size / 2)
+          points.push_back(origin + k * size);
+      points.push_back(end);
+      return points;
+    }
+
+
+
+    std::vector<double>
+    equal_parts(const double begin, const double end, const unsigned int n)
+    {
+      std::vector<double> points(n + 1);
+      for (unsigned int i = 0; i <= n; ++i)
+        points[i] = begin + (end - begin) * i / n;
+      return points;
+    }
+
+
+
+    /**
+     * Break points along x: of a disc around the whole rim from the begin of
+     * the sector, in the manifold's x; of a block from end to end.
+     */
+    template <int dim>
+    std::vector<double>
+    break_points_x(const BodyGeometry   &geometry,
+                   const BodyChart<dim> &chart,
+                   const double          origin,
+                   const double          size)
+    {
+      if (geometry.shape == Shape::block)
+        return break_points(-geometry.length / 2,
+                            geometry.length / 2,
+                            origin,
+                            size);
+      const unsigned int n_rest =
+        std::max(4., std::round((chart.period() - 2 * size) / size));
+      std::vector<double> points{0., size};
+      for (const double x : equal_parts(2 * size, chart.period(), n_rest))
+        points.push_back(x);
+      return points;
+    }
+
+
+
+    /**
+     * Number the vertices of the boxes and glue the seam of a disc.
+     */
+    template <int dim>
+    void
+    create_coarse_mesh(const std::array<std::vector<double>, dim> &breaks,
+                       const BodyChart<dim>                       &chart,
+                       Triangulation<dim> &triangulation)
+    {
+      const bool           closed = chart.period() > 0.;
+      std::array<int, dim> n_cells, n_points;
+      for (int d = 0; d < dim; ++d)
+        {
+          n_cells[d]  = breaks[d].size() - 1;
+          n_points[d] = n_cells[d] + (d == 0 && closed ? 0 : 1);
+        }
+      const auto number = [&](const std::array<int, dim> &index) {
+        unsigned int result = 0;
+        for (int d = dim - 1; d >= 0; --d)
+          result = result * n_points[d] + index[d] % n_points[d];
+        return result;
+      };
+      const auto for_each = [](const std::array<int, dim> &extent,
+                               const auto                 &action) {
+        int total = 1;
+        for (const int n : extent)
+          total *= n;
+        for (int position = 0; position < total; ++position)
+          {
+            std::array<int, dim> index;
+            for (int d = 0, rest = position; d < dim; rest /= extent[d++])
+              index[d] = rest % extent[d];
+            action(index);
+          }
+      };
+
+      std::vector<Point<dim>> vertices;
+      for_each(n_points, [&](const std::array<int, dim> &index) {
+        Point<dim> point;
+        for (int d = 0; d < dim; ++d)
+          point[d] = breaks[d][index[d]];
+        vertices.push_back(chart.push_forward(point));
+      });
+      std::vector<CellData<dim>> cells;
+      for_each(n_cells, [&](const std::array<int, dim> &index) {
+        CellData<dim> cell;
+        for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
+          {
+            std::array<int, dim> corner = index;
+            for (int d = 0; d < dim; ++d)
+              corner[d] += (v >> d) & 1;
+            cell.vertices[v] = number(corner);
+          }
+        cells.push_back(cell);
+      });
+      triangulation.create_triangulation(vertices, cells, SubCellData());
+    }
+
+
+
+    template <int dim>
+    void
+    set_boundary_ids(const BodyGeometry   &geometry,
+                     const BodyChart<dim> &chart,
+                     Triangulation<dim>   &triangulation)
+    {
+      const double tolerance = 1e-6 * geometry.thickness_below();
+      for (const auto &cell : triangulation.active_cell_iterators())
+        for (const unsigned int f : cell->face_indices())
+          if (cell->face(f)->at_boundary())
+            {
+              bool on_surface = true, on_hub = true;
+              for (const unsigned int v : cell->face(f)->vertex_indices())
+                {
+                  const double w =
+                    chart.pull_back(cell->face(f)->vertex(v))[dim - 1];
+                  on_surface = on_surface && std::abs(w) < tolerance;
+                  on_hub     = on_hub &&
+                           std::abs(w + geometry.thickness_below()) < tolerance;
+                }
+              cell->face(f)->set_boundary_id(
+                on_surface ? contact_boundary
+                           : (on_hub ? hub_boundary : free_boundary));
+            }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::pair<Point<dim>, Point<dim>>
+  BodyMesh<dim>::chart_box(
+    const typename Triangulation<dim>::cell_iterator &cell) const
+  {
+    Point<dim> lower = chart->pull_back(cell->vertex(0)), upper = lower;
+    lower[0] = upper[0] = chart->centred_x(lower[0]);
+    const double period = chart->period(), reference = lower[0];
+    for (const unsigned int v : cell->vertex_indices())
+      {
+        Point<dim> corner = chart->pull_back(cell->vertex(v));
+        corner[0]         = chart->centred_x(corner[0]);
+        if (period > 0.)
+          corner[0] -= period * std::round((corner[0] - reference) / period);
+        for (int d = 0; d < dim; ++d)
+          {
+            lower[d] = std::min(lower[d], corner[d]);
+            upper[d] = std::max(upper[d], corner[d]);
+          }
+      }
+    return {lower, upper};
+  }
+
+
+
+  template <int dim>
+  BodyMesh<dim>
+  make_body_mesh(const BodyGeometry &geometry, const Grading<dim> &grading)
+  {
+    const double thickness = geometry.thickness_below();
+    const double limit     = geometry.shape == Shape::disc
+                               ? std::min(0.4 * geometry.radius, 1.5 * thickness)
+                               : std::min(geometry.length / 2, 1.5 * thickness);
+    const double size      = coarse_size(grading.element_size_x, limit);
+    const double origin    = grading.offset * grading.element_size_x;
+
+    BodyMesh<dim> mesh;
+    mesh.chart =
+      std::make_unique<BodyChart<dim>>(geometry, origin - size, origin + size);
+    mesh.triangulation = std::make_unique<Triangulation<dim>>(
+      Triangulation<dim>::limit_level_difference_at_vertices);
+
+    std::array<std::vector<double>, dim> breaks;
+    breaks[0] = break_points_x(geometry, *mesh.chart, origin, size);
+    breaks[dim - 1] =
+      equal_parts(-thickness, 0., std::max(1., std::round(thickness / size)));
+    if (dim == 3)
+      breaks[1] =
+        break_points(-geometry.width / 2,
+                     geometry.width / 2,
+                     0.,
+                     size * grading.element_size_y / grading.element_size_x);
+    create_coarse_mesh<dim>(breaks, *mesh.chart, *mesh.triangulation);
+    mesh.triangulation->set_all_manifold_ids(0);
+    mesh.triangulation->set_manifold(0, *mesh.chart);
+    set_boundary_ids(geometry, *mesh.chart, *mesh.triangulation);
+
+    for (bool refined = true; refined;)
+      {
+        refined = false;
+        for (const auto &cell : mesh.triangulation->active_cell_iterators())
+          {
+            const auto box = mesh.chart_box(cell);
+            if (grading.refine(box.first, box.second))
+              {
+                cell->set_refine_flag();
+                refined = true;
+              }
+          }
+        if (refined)
+          mesh.triangulation->execute_coarsening_and_refinement();
+      }
+    return mesh;
+  }
+
+
+
+  template struct Grading<2>;
+  template struct Grading<3>;
+  template struct BodyMesh<2>;
+  template struct BodyMesh<3>;
+  template BodyMesh<2>
+  make_body_mesh(const BodyGeometry &, const Grading<2> &);
+  template BodyMesh<3>
+  make_body_mesh(const BodyGeometry &, const Grading<3> &);
+} // namespace RollingContact

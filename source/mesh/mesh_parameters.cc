@@ -1,0 +1,90 @@
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/mesh/mesh_parameters.h>
+
+#include <cmath>
+
+namespace RollingContact
+{
+  using namespace dealii;
+
+  MeshParameters::MeshParameters()
+    : ParameterAcceptor("/Mesh")
+  {
+    add_parameter(
+      "Elements across patch",
+      elements_across_patch,
+      "Elements across the patch of the Hertz estimate, in the rolling "
+      "direction. Units: 1.",
+      prm,
+      Patterns::Integer(1, 100000));
+    add_parameter(
+      "Patch offset",
+      patch_offset,
+      "Shift of the mesh under the patch, in elements; `aligned` puts "
+      "the leading edge where upwind 2 is most accurate, 0.38 elements "
+      "upstream of a node. Units: 1.",
+      prm,
+      Patterns::Anything());
+    add_parameter(
+      "Candidate zone",
+      candidate_zone,
+      "Half-length of the zone of contact nodes, over the half-width of "
+      "the Hertz estimate. Units: 1.",
+      prm,
+      Patterns::Double(1.05, 20.));
+    add_parameter(
+      "Zone depth",
+      zone_depth,
+      "Depth of the zone of smallest elements, over the half-width of the "
+      "Hertz estimate. Units: 1.",
+      prm,
+      Patterns::Double(0., 20.));
+    add_parameter(
+      "Growth",
+      growth,
+      "Growth of the element size with the distance from that zone. "
+      "Units: 1.",
+      prm,
+      Patterns::Double(0.01, 10.));
+    add_parameter(
+      "Rim levels",
+      rim_levels,
+      "Further halvings of the element size at the rim of the patch. "
+      "Units: 1.",
+      prm,
+      Patterns::Integer(0, 10));
+    add_parameter("Rim edges",
+                  rim_edges,
+                  "Which part of the rim: `leading` or `both`.",
+                  prm,
+                  Patterns::Selection("leading|both"));
+  }
+
+
+
+  double
+  MeshParameters::offset() const
+  {
+    if (aligned())
+      return 0.;
+    try
+      {
+        std::size_t  end   = 0;
+        const double value = std::stod(patch_offset, &end);
+        if (end == patch_offset.size() && std::abs(value) <= 1.)
+          return value;
+      }
+    catch (const std::logic_error &)
+      {}
+    throw InputError("Mesh/Patch offset = " + patch_offset +
+                     ": give a number of elements from -1 to 1, or `aligned`.");
+  }
+
+
+
+  void
+  MeshParameters::check() const
+  {
+    offset();
+  }
+} // namespace RollingContact

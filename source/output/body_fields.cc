@@ -1,0 +1,204 @@
+#include <deal.II/base/data_out_base.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/symmetric_tensor.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <rolling_contact/output/body_fields.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace RollingContact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** Of the rows of a patch; the first dim are the displacement. */
+    template <int dim>
+    std::vector<std::string>
+    field_names()
+    {
+      std::vector<std::string> names(dim, "displacement");
+      names.insert(names.end(),
+                   {"stress_xx", "stress_yy", "stress_zz", "stress_xz"});
+      if (dim == 3)
+        names.insert(names.end(), {"stress_xy", "stress_yz"});
+      names.push_back("von_mises");
+      return names;
+    }
+
+
+
+    /** Mean over the cell; eps_yy = 0 in plane strain. */
+    template <int dim>
+    SymmetricTensor<2, 3>
+    mean_strain(const FEValues<dim> &values, const Vector<double> &displacement)
+    {
+      std::vector<Tensor<2, dim>> gradients(values.n_quadrature_points);
+      values[FEValuesExtractors::Vector(0)].get_function_gradients(displacement,
+                                                                   gradients);
+      Tensor<2, dim> mean;
+      double         volume = 0.;
+      for (const unsigned int q : values.quadrature_point_indices())
+        {
+          mean += values.JxW(q) * gradients[q];
+          volume += values.JxW(q);
+        }
+      mean /= volume;
+
+      const auto axis = [](const unsigned int d) {
+        return d == dim - 1 ? 2 : d;
+      };
+      SymmetricTensor<2, 3> strain;
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = 0; j <= i; ++j)
+          strain[axis(i)][axis(j)] = (mean[i][j] + mean[j][i]) / 2;
+      return strain;
+    }
+
+
+
+    /** sigma = 2 G dev(eps) + k tr(eps) I, as B-bar has it. */
+    SymmetricTensor<2, 3>
+    stress_of(const SymmetricTensor<2, 3> &strain, const Material &material)
+    {
+      return 2 * material.shear_modulus() * deviator(strain) +
+             material.bulk_modulus() * trace(strain) *
+               unit_symmetric_tensor<3>();
+    }
+
+
+
+    /** In the order of field_names(). */
+    template <int dim>
+    std::vector<double>
+    stress_fields(const SymmetricTensor<2, 3> &stress, const bool mirrored)
+    {
+      const double        sign = mirrored ? -1. : 1.;
+      std::vector<double> fields{stress[0][0],
+                                 stress[1][1],
+                                 stress[2][2],
+                                 sign * stress[0][2]};
+      if (dim == 3)
+        fields.insert(fields.end(), {stress[0][1], sign * stress[1][2]});
+      fields.push_back(std::sqrt(1.5) * deviator(stress).norm());
+      return fields;
+    }
+
+
+
+    /** A mirrored cell swaps its bottom and top to keep its orientation. */
+    template <int dim>
+    DataOutBase::Patch<dim, dim>
+    make_patch(const typename DoFHandler<dim>::active_cell_iterator &cell,
+               const Vector<double>      &displacement,
+               const BodyPlacement       &placement,
+               const std::vector<double> &stresses)
+    {
+      const double       sign = placement.mirrored ? -1. : 1.;
+      const unsigned int swap = placement.mirrored ? 1 << (dim - 1) : 0;
+
+      DataOutBase::Patch<dim, dim> patch;
+      patch.n_subdivisions = 1;
+      patch.data.reinit(dim + stresses.size(), cell->n_vertices());
+      for (const unsigned int v : cell->vertex_indices())
+        {
+          const unsigned int column = v ^ swap;
+          patch.vertices[column]    = cell->vertex(v);
+          patch.vertices[column][dim - 1] *= sign;
+          for (unsigned int d = 0; d < dim - 1; ++d)
+            patch.data(d, column) = displacement[cell->vertex_dof_index(v, d)];
+          patch.data(dim - 1, column) =
+            sign * displacement[cell->vertex_dof_index(v, dim - 1)] +
+            placement.shift_z;
+          for (std::size_t i = 0; i < stresses.size(); ++i)
+            patch.data(dim + i, column) = stresses[i];
+        }
+      return patch;
+    }
+
+
+
+    template <int dim>
+    std::vector<DataOutBase::Patch<dim, dim>>
+    make_patches(const ElasticBody<dim> &body,
+                 const Vector<double>   &displacement,
+                 const BodyPlacement    &placement)
+    {
+      const DoFHandler<dim> &dofs = body.dof_handler();
+      FEValues<dim>          values(dofs.get_fe(),
+                           QGauss<dim>(2),
+                           update_gradients | update_JxW_values);
+
+      std::vector<DataOutBase::Patch<dim, dim>> patches;
+      patches.reserve(dofs.get_triangulation().n_active_cells());
+      for (const auto &cell : dofs.active_cell_iterators())
+        {
+          values.reinit(cell);
+          const SymmetricTensor<2, 3> stress =
+            stress_of(mean_strain(values, displacement), body.elasticity());
+          patches.push_back(
+            make_patch<dim>(cell,
+                            displacement,
+                            placement,
+                            stress_fields<dim>(stress, placement.mirrored)));
+          patches.back().patch_index = patches.size() - 1;
+        }
+      return patches;
+    }
+
+
+
+    template <int dim>
+    DataOutBase::VtkFlags
+    vtk_flags()
+    {
+      DataOutBase::VtkFlags flags;
+      flags.print_date_and_time = false;
+      flags.compression_level   = DataOutBase::VtkFlags::default_compression;
+      for (const std::string &name : field_names<dim>())
+        flags.physical_units[name] = name == "displacement" ? "m" : "Pa";
+      return flags;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  write_body_fields(const ElasticBody<dim> &body,
+                    const Vector<double>   &displacement,
+                    const BodyPlacement    &placement,
+                    RunFolder              &folder,
+                    const std::string      &file_name)
+  {
+    AssertDimension(displacement.size(), body.dof_handler().n_dofs());
+    std::ostringstream vtu;
+    DataOutBase::write_vtu(
+      make_patches(body, displacement, placement),
+      field_names<dim>(),
+      {{0,
+        dim - 1,
+        "displacement",
+        DataComponentInterpretation::component_is_part_of_vector}},
+      vtk_flags<dim>(),
+      vtu);
+    folder.write_atomically(file_name, vtu.str());
+  }
+
+
+
+  template void
+  write_body_fields(const ElasticBody<2> &,
+                    const Vector<double> &,
+                    const BodyPlacement &,
+                    RunFolder &,
+                    const std::string &);
+  template void
+  write_body_fields(const ElasticBody<3> &,
+                    const Vector<double> &,
+                    const BodyPlacement &,
+                    RunFolder &,
+                    const std::string &);
+} // namespace RollingContact

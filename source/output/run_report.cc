@@ -1,0 +1,215 @@
+#include <rolling_contact/base/log.h>
+#include <rolling_contact/base/memory.h>
+#include <rolling_contact/base/platform.h>
+#include <rolling_contact/output/run_report.h>
+
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+namespace RollingContact
+{
+  namespace
+  {
+    /** Members of a JSON object: keys, and values already in JSON. */
+    using JsonMembers = std::vector<std::pair<std::string, std::string>>;
+
+    std::string
+    json_string(const std::string &text)
+    {
+      std::string result = "\"";
+      for (const char character : valid_utf8(text))
+        {
+          const auto byte = static_cast<unsigned char>(character);
+          if (character == '"' || character == '\\')
+            result += std::string("\\") + character;
+          else if (character == '\n')
+            result += "\\n";
+          else if (byte < 0x20 || byte == 0x7F)
+            {
+              char code[8];
+              std::snprintf(code, sizeof(code), "\\u%04x", byte);
+              result += code;
+            }
+          else
+            result += character;
+        }
+      return result + '"';
+    }
+
+
+
+    std::string
+    json_number(const double value)
+    {
+      return std::isfinite(value) ? significant(value, 9) : "null";
+    }
+
+
+
+    std::string
+    json_bool(const bool value)
+    {
+      return value ? "true" : "false";
+    }
+
+
+
+    /** Members in one line. */
+    std::string
+    json_object(const JsonMembers &members)
+    {
+      std::string text;
+      for (const auto &[key, value] : members)
+        text += (text.empty() ? "" : ", ") + json_string(key) + ": " + value;
+      return '{' + text + '}';
+    }
+
+
+
+    /** One value per line, within an object that is itself indented by 2. */
+    std::string
+    json_array(const std::vector<std::string> &values)
+    {
+      std::string text;
+      for (const std::string &value : values)
+        text += (text.empty() ? "\n    " : ",\n    ") + value;
+      return text.empty() ? "[]" : '[' + text + "\n  ]";
+    }
+
+
+
+    std::string
+    json_strings(const std::vector<std::string> &texts)
+    {
+      std::vector<std::string> values;
+      for (const std::string &text : texts)
+        values.push_back(json_string(text));
+      return json_array(values);
+    }
+
+
+
+    std::string
+    json_libraries(
+      const std::vector<std::pair<std::string, std::string>> &libraries)
+    {
+      std::vector<std::string> values;
+      for (const auto &[name, version] : libraries)
+        values.push_back(json_object(
+          {{"name", json_string(name)}, {"version", json_string(version)}}));
+      return json_array(values);
+    }
+
+
+
+    std::string
+    json_phases(const std::vector<PhaseTimer::Row> &phases)
+    {
+      std::vector<std::string> values;
+      for (const PhaseTimer::Row &phase : phases)
+        values.push_back(
+          json_object({{"phase", json_string(phase.name)},
+                       {"calls", std::to_string(phase.n_calls)},
+                       {"wall_seconds", json_number(phase.wall_seconds)},
+                       {"cpu_seconds", json_number(phase.cpu_seconds)}}));
+      return json_array(values);
+    }
+
+
+
+    std::string
+    json_objects(const std::vector<BuiltObject> &objects)
+    {
+      std::vector<std::string> values;
+      for (const BuiltObject &object : objects)
+        values.push_back(json_object({{"object", json_string(object.object)},
+                                      {"built", json_bool(object.built)},
+                                      {"bytes", std::to_string(object.bytes)},
+                                      {"seconds", json_number(object.seconds)},
+                                      {"reason", json_string(object.reason)}}));
+      return json_array(values);
+    }
+
+
+
+    std::string
+    status_name(const RunStatus status)
+    {
+      switch (status)
+        {
+          case RunStatus::running:
+            return "running";
+          case RunStatus::done:
+            return "done";
+          case RunStatus::not_converged:
+            return "not converged";
+          case RunStatus::failed:
+            return "failed";
+          case RunStatus::interrupted:
+            return "interrupted";
+        }
+      throw std::logic_error("Unknown status of a run.");
+    }
+
+
+
+    std::string
+    summary_line(const BuiltObject &object)
+    {
+      std::string line = "  " + object.object;
+      if (object.built)
+        {
+          line += ": " + human_bytes(static_cast<double>(object.bytes));
+          line += ", " + human_seconds(object.seconds);
+        }
+      if (!object.reason.empty())
+        line += " (" + object.reason + ')';
+      return line + '\n';
+    }
+  } // namespace
+
+
+
+  void
+  RunReport::write(RunFolder        &folder,
+                   const RunStatus   status,
+                   const PhaseTimer &timer) const
+  {
+    const std::vector<PhaseTimer::Row> phases = timer.rows();
+    const PhaseTimer::Row              total  = PhaseTimer::total(phases);
+
+    const JsonMembers members{{"version", json_string(version)},
+                              {"git_revision", json_string(git_revision)},
+                              {"status", json_string(status_name(status))},
+                              {"command_line", json_strings(command_line)},
+                              {"libraries", json_libraries(libraries)},
+                              {"host_cpus", std::to_string(n_host_cpus())},
+                              {"threads", std::to_string(n_threads)},
+                              {"ranks", std::to_string(n_ranks)},
+                              {"wall_seconds", json_number(total.wall_seconds)},
+                              {"cpu_seconds", json_number(total.cpu_seconds)},
+                              {"phases", json_phases(phases)},
+                              {"peak_memory_bytes",
+                               std::to_string(peak_memory())},
+                              {"objects", json_objects(objects)},
+                              {"warnings", json_strings(warnings)}};
+
+    std::string text;
+    for (const auto &[key, value] : members)
+      text += (text.empty() ? "" : ",\n  ") + json_string(key) + ": " + value;
+    folder.write_record(text);
+  }
+
+
+
+  std::string
+  RunReport::objects_summary() const
+  {
+    std::string built, left_out;
+    for (const BuiltObject &object : objects)
+      (object.built ? built : left_out) += summary_line(object);
+    return (built.empty() ? "" : "Built:\n" + built) +
+           (left_out.empty() ? "" : "Left out:\n" + left_out);
+  }
+} // namespace RollingContact

@@ -1,0 +1,29 @@
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/solvers/alternation.h>
+#include <rolling_contact/solvers/extragradient.h>
+#include <rolling_contact/solvers/fixed_point.h>
+#include <rolling_contact/solvers/normal_active_set.h>
+#include <rolling_contact/solvers/tangential_active_set.h>
+
+namespace RollingContact
+{
+  std::unique_ptr<ContactSolver>
+  make_contact_solver(const std::string &name, const SolverControls &controls)
+  {
+    if (name == "fixed point")
+      return std::make_unique<FixedPoint>(controls);
+    std::vector<std::unique_ptr<TangentialSolver>> tangential;
+    if (name == "active set" || name == "automatic")
+      tangential.push_back(std::make_unique<TangentialActiveSet>(controls));
+    if (name == "extragradient" || name == "automatic")
+      tangential.push_back(std::make_unique<Extragradient>(controls));
+    if (tangential.empty())
+      throw InputError("Contact/Solver = " + name +
+                       ": choose automatic, active set, extragradient or "
+                       "fixed point.");
+    return std::make_unique<Alternation>(std::make_unique<NormalActiveSet>(
+                                           controls),
+                                         std::move(tangential),
+                                         controls);
+  }
+} // namespace RollingContact

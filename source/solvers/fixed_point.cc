@@ -1,0 +1,100 @@
+#include <rolling_contact/solvers/fixed_point.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace RollingContact
+{
+  namespace
+  {
+    /**
+     * The approach for which sum areas max(0, p - rho (u + gap - approach)) is
+     * the load: the sum is piecewise linear and increasing in the approach.
+     */
+    double
+    approach_for_load(const ContactProblem      &problem,
+                      const std::vector<double> &trial,
+                      const double               rho)
+    {
+      std::vector<unsigned int> order(trial.size());
+      std::iota(order.begin(), order.end(), 0);
+      std::sort(order.begin(), order.end(), [&](const auto i, const auto j) {
+        return trial[i] > trial[j];
+      });
+      double area = 0., force = 0., level = 0.;
+      for (const unsigned int i : order)
+        {
+          if (area > 0. && trial[i] <= level)
+            break;
+          area += problem.areas[i];
+          force += problem.areas[i] * trial[i];
+          level = (force - *problem.normal_load) / area;
+        }
+      return -level / rho;
+    }
+
+
+
+    void
+    project_pressure(const ContactProblem &problem,
+                     const double          rho,
+                     ContactState         &state)
+    {
+      std::vector<double> trial = normal_gap(problem, state);
+      for (unsigned int i = 0; i < problem.n_nodes; ++i)
+        trial[i] = state.pressure[i] - rho * (trial[i] + state.approach);
+      state.approach = problem.normal_load
+                         ? approach_for_load(problem, trial, rho)
+                         : problem.approach;
+      for (unsigned int i = 0; i < problem.n_nodes; ++i)
+        state.pressure[i] = std::max(0., trial[i] + rho * state.approach);
+    }
+  } // namespace
+
+
+
+  SolverReport
+  FixedPoint::solve(const ContactProblem &problem, ContactState &state) const
+  {
+    SolverReport report;
+    report.solver = "fixed point";
+    state.pressure.resize(problem.n_nodes, 0.);
+    state.traction.resize(problem.n_tangential * problem.n_nodes, 0.);
+    if (!problem.normal_load)
+      state.approach = problem.approach;
+    const double rho_n = controls.normal_augmentation / problem.normal_norm;
+    const double rho_t =
+      problem.tangential_norm > 0.
+        ? controls.tangential_augmentation / problem.tangential_norm
+        : 0.;
+    while (report.iterations < controls.max_iterations)
+      {
+        ++report.iterations;
+        project_pressure(problem, rho_n, state);
+        const TangentialProblem friction = tangential_problem(problem, state);
+        if (problem.n_tangential > 0)
+          {
+            const std::vector<double> s = friction.slip(state.traction);
+            for (std::size_t i = 0; i < s.size(); ++i)
+              state.traction[i] -= rho_t * s[i];
+            friction.project(state.traction);
+          }
+        report.residual = natural_residual(problem, friction, state);
+        report.history.push_back(report.residual);
+        if (!std::isfinite(report.residual.worst()))
+          {
+            report.reason = "the iteration diverged";
+            return report;
+          }
+        if (report.residual.worst() <= controls.tolerance)
+          {
+            report.converged = true;
+            return report;
+          }
+      }
+    report.reason = "the fixed point reached its limit of " +
+                    std::to_string(controls.max_iterations) + " iterations";
+    return report;
+  }
+} // namespace RollingContact

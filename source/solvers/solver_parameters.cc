@@ -1,0 +1,44 @@
+#include <rolling_contact/solvers/solver_parameters.h>
+
+namespace RollingContact
+{
+  using namespace dealii;
+
+  SolverParameters::SolverParameters()
+    : ParameterAcceptor("/Contact")
+  {
+    add_parameter(
+      "Solver",
+      solver,
+      "`automatic` (active set, extragradient if that fails), `active "
+      "set`, `extragradient`, or `fixed point` (Lai et al. 2017).",
+      prm,
+      Patterns::Selection("automatic|active set|extragradient|fixed point"));
+    add_parameter(
+      "Tolerance",
+      controls.tolerance,
+      "Largest natural residual of a solved state, over N and mu N. "
+      "Units: 1.",
+      prm,
+      Patterns::Double(1e-15, 1.));
+    add_parameter("Maximal iterations",
+                  controls.max_iterations,
+                  "Limit of each iterative solver. Units: 1.",
+                  prm,
+                  Patterns::Integer(1));
+    add_parameter(
+      "Normal augmentation",
+      controls.normal_augmentation,
+      "rho_n of the fixed point times ||W_nn H||; it converges below 2. "
+      "Units: 1.",
+      prm,
+      Patterns::Double(1e-12, 1e6));
+    add_parameter(
+      "Tangential augmentation",
+      controls.tangential_augmentation,
+      "rho_t of the fixed point and the active set times ||B1 W_tt H||. "
+      "Units: 1.",
+      prm,
+      Patterns::Double(1e-12, 1e6));
+  }
+} // namespace RollingContact

@@ -1,0 +1,130 @@
+#include <rolling_contact/solvers/tangential_active_set.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace RollingContact
+{
+  namespace
+  {
+    /**
+     * State of a node in the active set: open and stick nodes are 0 and 2, slip
+     * nodes carry the sign of their traction.
+     */
+    enum class NodeState : signed char
+    {
+      slip_negative = -1,
+      open          = 0,
+      slip_positive = 1,
+      stick         = 2
+    };
+
+    using States = std::vector<NodeState>;
+
+    States
+    classify(const TangentialProblem   &problem,
+             const std::vector<double> &traction,
+             const std::vector<double> &slip,
+             const double               rho)
+    {
+      States states(traction.size());
+      for (std::size_t i = 0; i < states.size(); ++i)
+        {
+          const double trial = traction[i] - rho * slip[i];
+          states[i]          = problem.bound[i] <= 0.     ? NodeState::open
+                               : trial > problem.bound[i] ? NodeState::slip_positive
+                               : trial < -problem.bound[i] ? NodeState::slip_negative
+                                                           : NodeState::stick;
+        }
+      return states;
+    }
+
+
+
+    /**
+     * Traction of the given states: the bound where slip, zero slip where
+     * stick.
+     */
+    bool
+    solve_on(const TangentialProblem &problem,
+             const DenseMatrix       &slip_compliance,
+             const States            &states,
+             std::vector<double>     &traction)
+    {
+      std::vector<unsigned int> stick;
+      for (unsigned int i = 0; i < states.size(); ++i)
+        {
+          if (states[i] == NodeState::stick)
+            stick.push_back(i);
+          traction[i] = states[i] == NodeState::slip_positive ? problem.bound[i]
+                        : states[i] == NodeState::slip_negative
+                          ? -problem.bound[i]
+                          : 0.;
+        }
+      const std::vector<double> known = problem.slip(traction);
+      const std::size_t         n     = stick.size();
+      DenseMatrix               matrix(n, n), column(n, 1);
+      for (std::size_t j = 0; j < n; ++j)
+        for (std::size_t i = 0; i < n; ++i)
+          matrix(i, j) = slip_compliance(stick[i], stick[j]);
+      for (std::size_t i = 0; i < n; ++i)
+        column(i, 0) = -known[stick[i]];
+      if (!solve_general(matrix, column))
+        return false;
+      for (std::size_t i = 0; i < n; ++i)
+        traction[stick[i]] = column(i, 0);
+      return true;
+    }
+  } // namespace
+
+
+
+  SolverReport
+  TangentialActiveSet::solve(const TangentialProblem &problem,
+                             ContactState            &state) const
+  {
+    SolverReport report;
+    report.solver = "active set";
+    if (problem.contact.n_tangential != 1)
+      {
+        report.reason = "the active set handles one direction of friction";
+        return report;
+      }
+    const DenseMatrix slip_compliance = problem.slip_compliance();
+    const double      norm            = problem.contact.tangential_norm;
+    double rho = norm > 0. ? controls.tangential_augmentation / norm : 0.;
+    problem.project(state.traction);
+    std::set<States> visited;
+    States           states;
+    for (unsigned int halvings = 0; halvings < 12;)
+      {
+        const States next =
+          classify(problem, state.traction, problem.slip(state.traction), rho);
+        if (next == states)
+          {
+            report.converged = true;
+            break;
+          }
+        states = next;
+        if (!visited.insert(states).second)
+          {
+            ++halvings;
+            rho /= 2;
+            visited.clear();
+          }
+        if (report.iterations == controls.max_iterations)
+          break;
+        ++report.iterations;
+        if (!solve_on(problem, slip_compliance, states, state.traction))
+          {
+            report.reason = "the slip operator is singular on the stick nodes";
+            return report;
+          }
+      }
+    report.tangential_solves = report.iterations;
+    if (!report.converged)
+      report.reason = "the stick and slip sets did not settle";
+    return report;
+  }
+} // namespace RollingContact

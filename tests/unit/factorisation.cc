@@ -1,0 +1,159 @@
+#include <boost/test/unit_test.hpp>
+
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/elasticity/factorisation.h>
+
+#include <cmath>
+#include <map>
+
+using namespace RollingContact;
+
+BOOST_AUTO_TEST_SUITE(factorisation)
+
+namespace
+{
+  struct Problem
+  {
+    SymmetricSparseMatrix     matrix;
+    std::vector<unsigned int> node_of_unknown;
+  };
+
+  /**
+   * Coupled springs on a grid of @p n^3 nodes with two unknowns each: positive
+   * definite, with the sparsity of a 3D mesh.
+   */
+  Problem
+  grid(const int n, const double shift = 0.1)
+  {
+    Problem    problem;
+    const auto node = [n](const int i, const int j, const int k) {
+      return (k * n + j) * n + i;
+    };
+    std::vector<std::map<int, double>> columns(2 * n * n * n);
+    const auto add = [&](const int row, const int column, const double value) {
+      columns[std::min(row, column)][std::max(row, column)] += value;
+    };
+    for (int k = 0; k < n; ++k)
+      for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i)
+          {
+            const int here = node(i, j, k);
+            for (int c = 0; c < 2; ++c)
+              add(2 * here + c, 2 * here + c, shift + 0.01 * c);
+            add(2 * here + 1, 2 * here, 0.02);
+            for (const int there : {i + 1 < n ? node(i + 1, j, k) : -1,
+                                    j + 1 < n ? node(i, j + 1, k) : -1,
+                                    k + 1 < n ? node(i, j, k + 1) : -1})
+              if (there >= 0)
+                for (int c = 0; c < 2; ++c)
+                  {
+                    const double stiffness = 1. + 0.1 * c + 0.01 * (here % 7);
+                    add(2 * here + c, 2 * here + c, stiffness);
+                    add(2 * there + c, 2 * there + c, stiffness);
+                    add(2 * there + c, 2 * here + c, -stiffness);
+                    add(2 * there + 1 - c, 2 * here + c, 0.);
+                  }
+          }
+    problem.matrix.column_starts.push_back(0);
+    for (std::size_t j = 0; j < columns.size(); ++j)
+      {
+        for (const auto &entry : columns[j])
+          {
+            problem.matrix.row_indices.push_back(entry.first);
+            problem.matrix.values.push_back(entry.second);
+          }
+        problem.matrix.column_starts.push_back(problem.matrix.values.size());
+        problem.node_of_unknown.push_back(j / 2);
+      }
+    return problem;
+  }
+
+  std::vector<std::size_t>
+  surface_unknowns(const int n)
+  {
+    std::vector<std::size_t> unknowns;
+    for (int c = 0; c < 2; ++c)
+      for (int i = n * n * (n - 1) + 3; i < n * n * n - 2; ++i)
+        unknowns.push_back(2 * i + c);
+    return unknowns;
+  }
+} // namespace
+
+BOOST_AUTO_TEST_CASE(solve_satisfies_the_equations)
+{
+  const Problem problem = grid(6);
+  Factorisation factor(problem.matrix, problem.node_of_unknown);
+  factor.factorise();
+  const std::size_t   n = problem.matrix.size();
+  std::vector<double> b(n);
+  for (std::size_t i = 0; i < n; ++i)
+    b[i] = std::sin(1. + i);
+  const std::vector<double> x = factor.solve(b);
+  std::vector<double>       residual(b);
+  for (std::size_t j = 0; j < n; ++j)
+    for (auto k = problem.matrix.column_starts[j];
+         k < problem.matrix.column_starts[j + 1];
+         ++k)
+      {
+        const auto i = problem.matrix.row_indices[k];
+        residual[i] -= problem.matrix.values[k] * x[j];
+        if (i != static_cast<std::int64_t>(j))
+          residual[j] -= problem.matrix.values[k] * x[i];
+      }
+  BOOST_TEST(norm(residual) < 1e-12 * norm(b));
+}
+
+BOOST_AUTO_TEST_CASE(condensation_equals_plain_solves)
+{
+  const Problem problem = grid(9);
+  Factorisation factor(problem.matrix, problem.node_of_unknown);
+  factor.factorise();
+  const auto        unknowns = surface_unknowns(9);
+  const DenseMatrix W        = factor.condense(unknowns);
+  double            largest = 0., difference = 0.;
+  for (std::size_t j = 0; j < unknowns.size(); j += 5)
+    {
+      std::vector<double> unit(problem.matrix.size(), 0.);
+      unit[unknowns[j]]           = 1.;
+      const std::vector<double> x = factor.solve(unit);
+      for (std::size_t i = 0; i < unknowns.size(); ++i)
+        {
+          largest    = std::max(largest, std::abs(x[unknowns[i]]));
+          difference = std::max(difference, std::abs(x[unknowns[i]] - W(i, j)));
+          BOOST_REQUIRE_EQUAL(W(i, j), W(j, i));
+        }
+    }
+  BOOST_TEST(difference < 1e-12 * largest);
+}
+
+BOOST_AUTO_TEST_CASE(kept_columns_give_the_same_compliance)
+{
+  const Problem problem = grid(7);
+  Factorisation factor(problem.matrix, problem.node_of_unknown);
+  factor.factorise();
+  const auto        unknowns = surface_unknowns(7);
+  CondensedColumns  Y;
+  const DenseMatrix W = factor.condense(unknowns, &Y);
+  DenseMatrix       product(unknowns.size(), unknowns.size());
+  for (const auto &block : Y.blocks)
+    for (std::int64_t j = 0; j < block.n_columns; ++j)
+      for (std::int64_t i = 0; i < block.n_columns; ++i)
+        for (std::int64_t k = 0; k < block.n_rows; ++k)
+          product(Y.column_order[block.first_column + i],
+                  Y.column_order[block.first_column + j]) +=
+            block.values[k + i * block.n_rows] *
+            block.values[k + j * block.n_rows];
+  for (std::size_t j = 0; j < unknowns.size(); ++j)
+    for (std::size_t i = 0; i < unknowns.size(); ++i)
+      BOOST_TEST(std::abs(product(i, j) - W(i, j)) < 1e-12 * W(0, 0));
+  BOOST_TEST(Y.memory_consumption() > 0u);
+}
+
+BOOST_AUTO_TEST_CASE(an_indefinite_matrix_is_refused)
+{
+  const Problem problem = grid(4, -1.);
+  Factorisation factor(problem.matrix, problem.node_of_unknown);
+  BOOST_CHECK_THROW(factor.factorise(), ConvergenceError);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,621 @@
+#define BOOST_BIND_GLOBAL_PLACEHOLDERS
+#include <boost/property_tree/json_parser.hpp>
+#include <boost/property_tree/ptree.hpp>
+#include <boost/property_tree/xml_parser.hpp>
+#include <boost/test/unit_test.hpp>
+
+#include <signal.h>
+#include <unistd.h>
+
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/interrupt.h>
+#include <rolling_contact/base/log.h>
+#include <rolling_contact/base/memory.h>
+#include <rolling_contact/base/phase_timer.h>
+#include <rolling_contact/base/platform.h>
+#include <rolling_contact/base/run_folder.h>
+#include <rolling_contact/output/results_table.h>
+#include <rolling_contact/output/run_report.h>
+#include <rolling_contact/output/svg_plot.h>
+
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <sstream>
+#include <thread>
+
+namespace
+{
+  using namespace RollingContact;
+  namespace fs = std::filesystem;
+  using boost::property_tree::ptree;
+
+  /** A folder of its own for one test, gone at its end. */
+  struct ScratchFolder
+  {
+    ScratchFolder()
+    {
+      std::string name =
+        (fs::temp_directory_path() / "rolling_contact_XXXXXX").string();
+      BOOST_REQUIRE(mkdtemp(name.data()) != nullptr);
+      scratch = name;
+      folder  = scratch / "output" / "carter";
+    }
+
+    ~ScratchFolder()
+    {
+      std::error_code error;
+      fs::remove_all(scratch, error);
+    }
+
+    fs::path scratch;
+    fs::path folder;
+  };
+
+
+
+  std::string
+  read(const fs::path &file)
+  {
+    std::ifstream      stream(file);
+    std::ostringstream text;
+    text << stream.rdbuf();
+    return text.str();
+  }
+
+
+
+  void
+  write(const fs::path &file, const std::string &text)
+  {
+    fs::create_directories(file.parent_path());
+    std::ofstream(file) << text;
+  }
+
+
+
+  ptree
+  read_json(const fs::path &file)
+  {
+    ptree tree;
+    boost::property_tree::read_json(file.string(), tree);
+    return tree;
+  }
+
+
+
+  ptree
+  read_xml(const std::string &text)
+  {
+    std::istringstream stream(text);
+    ptree              tree;
+    boost::property_tree::read_xml(stream, tree);
+    return tree;
+  }
+
+
+
+  unsigned int
+  count(const std::string &text, const std::string &part)
+  {
+    unsigned int n_found = 0;
+    for (std::size_t i = text.find(part); i != std::string::npos;
+         i             = text.find(part, i + 1))
+      ++n_found;
+    return n_found;
+  }
+
+
+
+  std::size_t
+  n_entries(const fs::path &folder)
+  {
+    return std::distance(fs::directory_iterator(folder),
+                         fs::directory_iterator());
+  }
+
+
+
+  void
+  spin(const double seconds)
+  {
+    const auto begin = std::chrono::steady_clock::now();
+    while (std::chrono::steady_clock::now() - begin <
+           std::chrono::duration<double>(seconds))
+      ;
+  }
+
+
+
+  const PhaseTimer::Row &
+  row_of(const std::vector<PhaseTimer::Row> &rows, const std::string &name)
+  {
+    for (const PhaseTimer::Row &row : rows)
+      if (row.name == name)
+        return row;
+    throw std::out_of_range(name);
+  }
+} // namespace
+
+
+
+BOOST_AUTO_TEST_SUITE(output)
+
+BOOST_AUTO_TEST_CASE(numbers_as_text)
+{
+  BOOST_TEST(significant(1234.5678, 4) == "1235");
+  BOOST_TEST(significant(-1.25e-7, 9) == "-1.25e-07");
+  BOOST_TEST(significant(-0., 3) == "0");
+  BOOST_TEST(significant(std::nan(""), 3) == "nan");
+  BOOST_TEST(significant(-INFINITY, 3) == "-inf");
+  BOOST_TEST(scientific(123456., 3) == "1.23e+05");
+  BOOST_TEST(human_bytes(0) == "0 B");
+  BOOST_TEST(human_bytes(999999) == "1 MB");
+  BOOST_TEST(human_bytes(3.1e9) == "3.1 GB");
+  BOOST_TEST(human_seconds(0.0351) == "35 ms");
+  BOOST_TEST(human_seconds(13.72) == "13.7 s");
+  BOOST_TEST(human_seconds(119.7) == "2 min 00 s");
+  BOOST_TEST(human_seconds(3725) == "1 h 02 min");
+}
+
+
+
+BOOST_AUTO_TEST_CASE(wrapping_and_utf8)
+{
+  BOOST_TEST(wrapped("aa bb cc", 5) == "aa bb\n  cc");
+  BOOST_TEST(wrapped("  aa bb cc\nshort  line", 8) ==
+             "  aa bb\n    cc\nshort\n  line");
+  BOOST_TEST(wrapped("  a  table   row\n", 80) == "  a  table   row\n");
+  BOOST_TEST(wrapped("\u03BC\u03BC \u03BC\u03BC", 5) ==
+             "\u03BC\u03BC \u03BC\u03BC");
+  BOOST_TEST(wrapped("averyverylongword b", 5) == "averyverylongword\n  b");
+  BOOST_TEST(valid_utf8("\u03BC \xB5 \xED\xA0\x80") ==
+             "\u03BC \uFFFD \uFFFD\uFFFD\uFFFD");
+}
+
+
+
+BOOST_AUTO_TEST_CASE(log_levels)
+{
+  for (const Verbosity verbosity :
+       {Verbosity::quiet, Verbosity::normal, Verbosity::verbose})
+    {
+      std::ostringstream out, errors;
+      Log                log(verbosity, out, errors);
+      log.message("message");
+      log.detail("detail");
+      log.warning("slow BLAS");
+      log.error("broken");
+
+      BOOST_TEST(count(out.str(), "message") ==
+                 (verbosity != Verbosity::quiet));
+      BOOST_TEST(count(out.str(), "detail") ==
+                 (verbosity == Verbosity::verbose));
+      BOOST_TEST(errors.str() == "Warning: slow BLAS\nError: broken\n");
+      BOOST_TEST(log.warnings().size() == 1u);
+    }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(phases_sum_to_the_run)
+{
+  using Clock   = std::chrono::steady_clock;
+  using Seconds = std::chrono::duration<double>;
+
+  const auto before = Clock::now();
+  PhaseTimer timer;
+  const auto begin = Clock::now();
+  {
+    PhaseTimer::Scope outer(timer, "assembly");
+    spin(0.02);
+    {
+      PhaseTimer::Scope inner(timer, "factorisation");
+      std::thread([&]() {
+        PhaseTimer::Scope ignored(timer, "other thread");
+        spin(0.05);
+      }).join();
+    }
+    PhaseTimer::Scope again(timer, "factorisation");
+  }
+  spin(0.01);
+
+  const auto end   = Clock::now();
+  const auto rows  = timer.rows();
+  const auto after = Clock::now();
+  const auto total = PhaseTimer::total(rows);
+
+  BOOST_TEST(total.wall_seconds >= Seconds(end - begin).count() - 1e-6);
+  BOOST_TEST(total.wall_seconds <= Seconds(after - before).count() + 1e-6);
+  BOOST_TEST(rows.size() == 3u);
+  BOOST_TEST(rows.back().name == "other");
+  BOOST_TEST(row_of(rows, "factorisation").n_calls == 2u);
+  BOOST_TEST(row_of(rows, "factorisation").wall_seconds >= 0.05);
+  BOOST_TEST(row_of(rows, "factorisation").cpu_seconds > 1e-3);
+  BOOST_TEST(row_of(rows, "other").wall_seconds >= 0.01);
+  BOOST_TEST(row_of(rows, "assembly").wall_seconds >= 0.02);
+  BOOST_TEST(row_of(rows, "assembly").wall_seconds <=
+             total.wall_seconds - 0.06);
+
+  std::istringstream lines(timer.summary());
+  for (std::string line; std::getline(lines, line);)
+    BOOST_TEST(line.size() == 80u);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(memory_is_plausible)
+{
+  const std::size_t before = peak_memory();
+  BOOST_TEST(before > 1000000u);
+  BOOST_TEST(resident_memory() > 1000000u);
+  BOOST_TEST(available_memory() > 1000000u);
+
+  std::vector<char> block(50000000, 'x');
+  BOOST_TEST(resident_memory() > block.size());
+  std::vector<char>().swap(block);
+  BOOST_TEST(peak_memory() > 50000000u);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(interrupts)
+{
+  for (const int signal : {SIGINT, SIGTERM})
+    {
+      install_interrupt_handlers();
+      BOOST_TEST(!interrupted());
+      BOOST_CHECK_NO_THROW(throw_if_interrupted());
+      raise(signal);
+      BOOST_TEST(interrupted());
+      BOOST_CHECK_THROW(throw_if_interrupted(), Interrupted);
+
+      struct sigaction action = {};
+      sigaction(signal, nullptr, &action);
+      BOOST_TEST((action.sa_handler == SIG_DFL));
+    }
+  install_interrupt_handlers();
+  ::signal(SIGINT, SIG_DFL);
+  ::signal(SIGTERM, SIG_DFL);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(platform)
+{
+  const BlasLibrary blas = loaded_blas();
+  BOOST_TEST(!blas.name.empty());
+  BOOST_TEST((blas.name == "none") == blas.file.empty());
+  BOOST_TEST((blas.name == "reference BLAS") == blas.is_reference);
+  BOOST_CHECK_NO_THROW(use_one_solver_thread());
+  BOOST_TEST(n_host_cpus() >= 1u);
+  BOOST_TEST(library_versions().size() >= 4u);
+  for (const auto &[name, version] : library_versions())
+    BOOST_TEST(!version.empty(), name);
+}
+
+
+
+BOOST_FIXTURE_TEST_CASE(run_folder_is_created_by_open, ScratchFolder)
+{
+  RunFolder run(folder, "set A = 1", "set A = 1\nset B = 2");
+  BOOST_CHECK_NO_THROW(run.check());
+  BOOST_TEST(n_entries(scratch) == 0u);
+  BOOST_CHECK_THROW(run.temporary("a.csv"), std::logic_error);
+
+  run.open();
+  BOOST_TEST(read(folder / "original.prm") == "set A = 1");
+  BOOST_TEST(read(folder / "used.prm") == "set A = 1\nset B = 2");
+  const ptree record = read_json(folder / "run.json");
+  BOOST_TEST(record.front().first == "program");
+  BOOST_TEST(record.get<std::string>("program") == "rolling-contact");
+  BOOST_TEST(record.get<std::string>("status") == "running");
+  BOOST_TEST(RunFolder::default_path("prm/carter.2d.prm") ==
+             fs::path("output/carter.2d"));
+}
+
+
+
+BOOST_FIXTURE_TEST_CASE(files_appear_when_complete, ScratchFolder)
+{
+  {
+    RunFolder run(folder, "", "");
+    run.open();
+    write(run.temporary("bodies-0001.vtu"), "whole");
+    BOOST_TEST(!fs::exists(folder / "bodies-0001.vtu"));
+    BOOST_TEST(count(read(folder / "run.json"), "bodies-0001.vtu") == 1u);
+    run.publish("bodies-0001.vtu");
+    BOOST_TEST(read(folder / "bodies-0001.vtu") == "whole");
+
+    write(run.temporary("bodies-0002.vtu"), "half");
+    BOOST_TEST(run.files() == (std::vector<std::string>{"bodies-0001.vtu",
+                                                        "original.prm",
+                                                        "used.prm"}),
+               boost::test_tools::per_element());
+
+    BOOST_CHECK_THROW(run.publish("never-written.csv"), InputError);
+    for (const std::string name : {"", "../x", "a/b", ".x", "run.json", "a\""})
+      BOOST_CHECK_THROW(run.temporary(name), std::logic_error);
+  }
+  BOOST_TEST(n_entries(folder) == 4u);
+  BOOST_TEST(read_json(folder / "run.json").get_child("files").size() == 3u);
+}
+
+
+
+BOOST_FIXTURE_TEST_CASE(old_run_is_replaced_and_nothing_else, ScratchFolder)
+{
+  {
+    RunFolder run(folder, "old", "old");
+    run.open();
+    run.write_atomically("results.csv", "old");
+    run.write_atomically("bodies-0001.vtu", "old");
+  }
+  write(folder / "notes.txt", "mine");
+  write(scratch / "output" / "victim", "mine");
+  std::string record = read(folder / "run.json");
+  record.insert(record.find("\"bodies"), "\"../victim\", ");
+  write(folder / "run.json", record);
+  // A run that died left these behind; the second is not in its list.
+  write(folder / ".bodies-0001.vtu.part", "half");
+  write(folder / "interface.pvd", "old");
+
+  RunFolder run(folder, "new", "new");
+  run.open();
+  BOOST_TEST(read(folder / "original.prm") == "new");
+  BOOST_TEST(read(folder / "notes.txt") == "mine");
+  BOOST_TEST(read(scratch / "output" / "victim") == "mine");
+  BOOST_TEST(n_entries(folder) == 4u);
+}
+
+
+
+BOOST_FIXTURE_TEST_CASE(a_crash_while_replacing_can_be_resumed, ScratchFolder)
+{
+  write(folder / "run.json",
+        "{\"program\": \"rolling-contact\", \"status\": \"running\", "
+        "\"files\": [\"bodies-0001.vtu\", \"blocked\"]}");
+  write(folder / "bodies-0001.vtu", "old");
+  // A folder of a listed name is left alone.
+  write(folder / "blocked" / "inner", "mine");
+
+  RunFolder run(folder, "", "");
+  run.open();
+  BOOST_TEST(!fs::exists(folder / "bodies-0001.vtu"));
+  BOOST_TEST(read(folder / "blocked" / "inner") == "mine");
+}
+
+
+
+BOOST_FIXTURE_TEST_CASE(foreign_folders_are_refused, ScratchFolder)
+{
+  const auto refuses = [](const fs::path &path) {
+    RunFolder run(path, "new", "new");
+    BOOST_CHECK_THROW(run.check(), InputError);
+    BOOST_CHECK_THROW(run.open(), InputError);
+  };
+
+  write(folder / "original.prm", "mine");
+  refuses(folder);
+  for (const std::string record : {"not JSON",
+                                   "{}",
+                                   "[]",
+                                   "{\"program\": \"other\"}",
+                                   "{\"name\": \"rolling-contact\"}",
+                                   "{\"a\": 1, \"program\": "
+                                   "\"rolling-contact\"}"})
+    {
+      write(folder / "run.json", record);
+      refuses(folder);
+      BOOST_TEST(read(folder / "run.json") == record);
+    }
+  BOOST_TEST(read(folder / "original.prm") == "mine");
+  BOOST_TEST(n_entries(folder) == 2u);
+
+  refuses(folder / "original.prm");
+  refuses(folder / "original.prm" / "below");
+  refuses("");
+
+  RunFolder long_name(scratch / std::string(300, 'x'), "", "");
+  BOOST_CHECK_THROW(long_name.open(), InputError);
+  RunFolder in_proc("/proc/no/such/folder", "", "");
+  BOOST_CHECK_THROW(in_proc.open(), InputError);
+}
+
+
+
+BOOST_FIXTURE_TEST_CASE(folder_of_a_going_run_is_refused, ScratchFolder)
+{
+  // Counts as empty: a first run died before its mark was complete.
+  write(folder / ".run.json.part", "");
+  RunFolder first(folder, "first", "first");
+  first.open();
+  RunFolder second(folder, "second", "second");
+  BOOST_CHECK_THROW(second.open(), InputError);
+  BOOST_TEST(read(folder / "original.prm") == "first");
+}
+
+
+
+BOOST_FIXTURE_TEST_CASE(results_csv, ScratchFolder)
+{
+  RunFolder run(folder, "", "");
+  run.open();
+  ResultsTable table(run);
+  table.set("level", 0u);
+  table.set("solver", "active set, \"warm\"");
+  table.set("force_x_N", -141000.123456789);
+  table.set("converged", true);
+  table.end_row();
+  BOOST_TEST(read(folder / "results.csv") ==
+             "level,solver,force_x_N,converged\n"
+             "0,\"active set, \"\"warm\"\"\",-141000.123,true\n");
+
+  table.set("level", -1);
+  table.set("level", 1);
+  table.set("new", 1.f);
+  table.set("force_x_N", std::nan(""));
+  table.end_row();
+  table.set("level", 2);
+  BOOST_TEST(read(folder / "results.csv") ==
+             "level,solver,force_x_N,converged,new\n"
+             "0,\"active set, \"\"warm\"\"\",-141000.123,true,\n"
+             "1,,nan,,1\n");
+  BOOST_TEST(table.n_rows() == 2u);
+  BOOST_TEST(table.screen_table({"level", "force_x_N", "absent", "solver"}) ==
+             "level  force_x_N              solver\n"
+             "    0  -1.41e+05  active set, \"warm\"\n"
+             "    1        nan                   -\n");
+}
+
+
+
+BOOST_FIXTURE_TEST_CASE(long_results_are_complete_at_the_end, ScratchFolder)
+{
+  RunFolder run(folder, "", "");
+  run.open();
+  {
+    ResultsTable table(run, "history.csv");
+    for (int i = 0; i < 1500; ++i)
+      {
+        table.set("time_s", 0.1 * i);
+        table.end_row();
+      }
+    BOOST_TEST(count(read(folder / "history.csv"), "\n") >= 1001u);
+  }
+  BOOST_TEST(count(read(folder / "history.csv"), "\n") == 1501u);
+}
+
+
+
+BOOST_FIXTURE_TEST_CASE(run_report, ScratchFolder)
+{
+  RunFolder run(folder, "", "");
+  run.open();
+  PhaseTimer timer;
+  {
+    PhaseTimer::Scope scope(timer, "setup");
+  }
+
+  RunReport report;
+  report.version      = "1.0";
+  report.git_revision = "abc";
+  report.command_line = {"rolling-contact", "a \"b\"\\\n\x01\xB5.prm"};
+  report.libraries    = {{"Boost", "1.74"}};
+  report.n_threads    = 2;
+  report.objects      = {{"wheel", true, 8000, 0.5, ""},
+                         {"rail", true, 0, std::nan(""), ""},
+                         {"mass matrix", false, 0, 0., "no dynamics"}};
+  report.warnings     = {"slow BLAS"};
+
+  report.write(run, RunStatus::not_converged, timer);
+  run.write_atomically("results.csv", "");
+
+  const ptree record = read_json(folder / "run.json");
+  BOOST_TEST(record.front().first == "program");
+  BOOST_TEST(record.get<std::string>("status") == "not converged");
+  BOOST_TEST(record.get<unsigned int>("threads") == 2u);
+  BOOST_TEST(record.get<double>("peak_memory_bytes") > 1e6);
+  BOOST_TEST(record.get_child("files").size() == 3u);
+  BOOST_TEST(record.get_child("command_line").back().second.data() ==
+             "a \"b\"\\\n\x01\uFFFD.prm");
+  BOOST_TEST(record.get_child("warnings").front().second.data() == "slow BLAS");
+
+  double wall = 0.;
+  for (const auto &phase : record.get_child("phases"))
+    wall += phase.second.get<double>("wall_seconds");
+  BOOST_TEST(std::abs(wall - record.get<double>("wall_seconds")) <= 1e-8);
+
+  const ptree &rail = std::next(record.get_child("objects").begin())->second;
+  BOOST_TEST(rail.get<std::string>("seconds") == "null");
+  const ptree &mass = record.get_child("objects").back().second;
+  BOOST_TEST(mass.get<bool>("built") == false);
+  BOOST_TEST(mass.get<std::string>("reason") == "no dynamics");
+
+  BOOST_TEST(report.objects_summary() == "Built:\n"
+                                         "  wheel: 8 kB, 500 ms\n"
+                                         "  rail: 0 B, nan s\n"
+                                         "Left out:\n"
+                                         "  mass matrix (no dynamics)\n");
+}
+
+
+
+BOOST_AUTO_TEST_CASE(plot_is_valid_and_escaped)
+{
+  const double gap = std::nan("");
+  SvgPlot      plot("p < q & r", "x \x01 (m)", "p (Pa) \xB5");
+  plot.add_band("stick zone", -1., 0.5);
+  plot.add_curve("first", {0., 1., 2., 3., 4.}, {1., 2., gap, 2., 1.});
+  plot.add_curve("second", {0., 4.}, {0., 2e6}, CurveStyle::line_and_points);
+  plot.add_curve("reference", {0., 4.}, {1., 1.}, CurveStyle::reference);
+
+  const std::string svg = plot.svg();
+  BOOST_TEST(read_xml(svg).get<std::string>("svg.title") == "p < q & r");
+  BOOST_TEST(count(svg, "<polyline") == 4u);
+  BOOST_TEST(count(svg, "<polygon") == 3u);
+  BOOST_TEST(count(svg, ">stick zone<") == 1u);
+  BOOST_TEST(count(svg, "nan") == 0u);
+  BOOST_TEST(count(svg, "\u00D710<tspan") == 1u);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(plot_of_degenerate_data)
+{
+  const double infinity   = std::numeric_limits<double>::infinity();
+  const double not_number = std::nan("");
+  using Values            = std::vector<double>;
+  const std::vector<std::pair<Values, Values>> cases{
+    {{}, {}},
+    {{3.}, {5.}},
+    {{0.}, {0.}},
+    {{0., 1.}, {7., 7.}},
+    {{not_number, 1.}, {1., infinity}},
+    {{-1e299, 1e299}, {1e-310, 3e-310}},
+    {{1e9, 1e9 + 1e-6}, {1e-20, 1e20}}};
+
+  for (const auto scale : {AxisScale::linear, AxisScale::logarithmic})
+    for (const auto &[x, y] : cases)
+      for (const auto style : {CurveStyle::line, CurveStyle::points})
+        {
+          SvgPlot plot("", "x", "y");
+          plot.set_scales(scale, scale);
+          plot.add_band("band", -infinity, infinity);
+          plot.add_band("", not_number, 0.);
+          plot.add_curve("curve", x, y, style);
+          const std::string svg = plot.svg();
+          BOOST_CHECK_NO_THROW(read_xml(svg));
+          BOOST_TEST(count(svg, "nan") + count(svg, "inf") == 0u);
+          BOOST_TEST(svg.size() < 20000u);
+          if (x.size() == 1 && x[0] == 3.)
+            BOOST_TEST(count(svg, "<circle") ==
+                       (style == CurveStyle::points ? 2u : 1u));
+        }
+
+  SvgPlot plot("", "x", "y");
+  BOOST_CHECK_THROW(plot.add_curve("", {1.}, {}), std::invalid_argument);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(plot_legend_keeps_clear_of_data)
+{
+  const auto legend_left = [](const std::vector<double> &y) {
+    SvgPlot plot("", "x", "y");
+    plot.add_curve("a longer label", {0., 1., 2., 3., 4., 5.}, y);
+    const std::string svg      = plot.svg();
+    const std::size_t legend   = svg.find("fill-opacity=\"0.9\"");
+    const std::size_t position = svg.rfind("x=\"", legend);
+    return std::stod(svg.substr(position + 3));
+  };
+  // Empty corners: top right, top left, none of the four.
+  BOOST_TEST(legend_left({5., 4., 3., 2., 1., 0.}) > 400.);
+  BOOST_TEST(legend_left({5., 4., 3., 2., 1., 0.}) < 600.);
+  BOOST_TEST(legend_left({0., 1., 2., 3., 4., 5.}) < 100.);
+  BOOST_TEST(legend_left({5., 0., 5., 0., 5., 0.}) > 618.);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
