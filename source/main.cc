@@ -10,6 +10,7 @@
 #include <rolling_contact/base/platform.h>
 
 #include <iostream>
+#include <sstream>
 
 namespace RollingContact
 {
@@ -175,6 +176,13 @@ main(int argc, char *argv[])
   catch (const Interrupted &error)
     {
       return exit_code(ExitCode::not_converged, error.what());
+    }
+  catch (const dealii::ExceptionBase &error)
+    {
+      std::ostringstream reason;
+      error.print_info(reason);
+      return exit_code(ExitCode::internal_error,
+                       "internal error: " + reason.str());
     }
   catch (const std::exception &error)
     {

@@ -1,4 +1,5 @@
 #include <rolling_contact/analyses/line_reference.h>
+#include <rolling_contact/contact/patch_edge.h>
 #include <rolling_contact/references/annuli_approach.h>
 
 #include <algorithm>
@@ -37,8 +38,7 @@ namespace RollingContact
 
 
     /**
-     * sqrt(integral (f - reference)^2 dx / a), f linear between the nodes, by
-     * Simpson's rule on eight parts of each element.
+     * sqrt(integral (f - reference)^2 dx / a) by the trapezoidal rule.
      */
     double
     l2_error(const std::vector<double>                 &x,
@@ -46,20 +46,14 @@ namespace RollingContact
              const std::function<double(const double)> &reference,
              const double                               half_width)
     {
-      const unsigned int n_parts = 8;
-      double             sum     = 0.;
-      for (std::size_t i = 0; i + 1 < x.size(); ++i)
-        for (unsigned int k = 0; k <= n_parts; ++k)
-          {
-            const double s     = double(k) / n_parts,
-                         value = (1 - s) * nodal[i] + s * nodal[i + 1],
-                         error =
-                           value - reference((1 - s) * x[i] + s * x[i + 1]),
-                         weight = k == 0 || k == n_parts ? 1.
-                                  : k % 2 == 1           ? 4.
-                                                         : 2.;
-            sum += weight / (3. * n_parts) * (x[i + 1] - x[i]) * error * error;
-          }
+      double sum = 0., previous = 0.;
+      for (std::size_t i = 0; i < x.size(); ++i)
+        {
+          const double square = std::pow(nodal[i] - reference(x[i]), 2);
+          if (i > 0)
+            sum += (x[i] - x[i - 1]) * (previous + square) / 2;
+          previous = square;
+        }
       return std::sqrt(sum / half_width);
     }
 
@@ -84,22 +78,33 @@ namespace RollingContact
 
 
     /**
-     * Middle between the last stick node along the flow and the next one; the
-     * leading edge if nothing sticks.
+     * Where the stick zone ends along the flow: mu p - |q| falls to zero there
+     * as the pressure does at its edge. The leading edge if nothing sticks.
      */
     double
-    stick_boundary(const SteadyState<2>         &steady,
-                   const std::vector<NodeState> &states,
-                   const std::vector<double>    &x,
-                   const int                     flow)
+    stick_boundary(const SteadyState<2>      &steady,
+                   const std::vector<double> &x,
+                   const int                  flow)
     {
-      const int n = x.size();
+      const TangentialProblem tangential =
+        tangential_problem(steady.problem, steady.state);
+      const auto          states = node_states(tangential, steady.state);
+      std::vector<double> stick_x, margin;
+      const int           n = x.size();
       for (int k = 0; k < n; ++k)
         {
           const int i = flow > 0 ? n - 1 - k : k;
           if (states[i] == NodeState::stick)
-            return k == 0 ? x[i] : (x[i] + x[i + flow]) / 2;
+            {
+              stick_x.push_back(x[i]);
+              margin.push_back(tangential.bound[i] -
+                               std::abs(steady.state.traction[i]));
+            }
+          else if (!stick_x.empty())
+            break;
         }
+      if (!stick_x.empty())
+        return patch_edge(stick_x, margin);
       return flow > 0 ? steady.result.edge_begin_x : steady.result.edge_end_x;
     }
   } // namespace
@@ -167,16 +172,10 @@ namespace RollingContact
       l2_error(x, steady.state.traction, traction, a) / (mu * p0);
     errors.sawtooth = sawtooth(x, steady.state.traction, traction) / (mu * p0);
     const int  flow = scene.contact.flow();
-    const auto interval = carter.stick_interval();
-    errors.stick_boundary =
-      (stick_boundary(steady,
-                      node_states(tangential_problem(steady.problem,
-                                                     steady.state),
-                                  steady.state),
-                      x,
-                      flow) -
-       (flow > 0 ? interval.second : interval.first)) /
-      steady.grading.element_size_x;
+    const auto interval   = carter.stick_interval();
+    errors.stick_boundary = (stick_boundary(steady, x, flow) -
+                             (flow > 0 ? interval.second : interval.first)) /
+                            steady.grading.element_size_x;
     return errors;
   }
 } // namespace RollingContact

@@ -14,14 +14,11 @@ namespace RollingContact
     read_file(const std::string &name)
     {
       std::ifstream file(name);
-      if (!file)
+      if (!file || file.peek() == std::ifstream::traits_type::eof())
         throw InputError(name +
-                         ": cannot be read; give the path of a .prm file.");
+                         ": cannot be read or is empty; give the path of a .prm file.");
       std::ostringstream text;
       text << file.rdbuf();
-      if (!file || file.bad())
-        throw InputError(name +
-                         ": cannot be read; give the path of a .prm file.");
       return text.str();
     }
 

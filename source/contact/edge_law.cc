@@ -1,4 +1,5 @@
 #include <rolling_contact/contact/edge_law.h>
+#include <rolling_contact/contact/patch_edge.h>
 
 #include <algorithm>
 #include <cmath>
@@ -184,28 +185,6 @@ namespace RollingContact
 
 
     /**
-     * Where p^2, a parabola through the third to fifth nodes from an end,
-     * vanishes.
-     */
-    double
-    extrapolated_edge(const std::array<double, 3> &x,
-                      const std::array<double, 3> &pressure)
-    {
-      const double y0  = pressure[0] * pressure[0],
-                   y1  = pressure[1] * pressure[1],
-                   y2  = pressure[2] * pressure[2];
-      const double d01 = (y1 - y0) / (x[1] - x[0]),
-                   d12 = (y2 - y1) / (x[2] - x[1]),
-                   c = (d12 - d01) / (x[2] - x[0]), b = d01 - c * (x[1] - x[0]);
-      const double discriminant = b * b - 4 * c * y0;
-      if (discriminant <= 0.)
-        return x[0] - y0 / b;
-      return x[0] - 2 * y0 / (b + std::copysign(std::sqrt(discriminant), b));
-    }
-
-
-
-    /**
      * q_n: the traction that answers the tangential displacement of the
      * pressure near the edge, on the run.
      */
@@ -220,20 +199,19 @@ namespace RollingContact
       std::vector<double>       field(n, 0.);
       if (!contact.coupled || n < 10 || edge.offset > 0)
         return field;
-      const double begin =
-        extrapolated_edge({{edge.along(2), edge.along(3), edge.along(4)}},
-                          {{p[2], p[3], p[4]}});
-      const double end = extrapolated_edge(
-        {{edge.along(n - 3), edge.along(n - 4), edge.along(n - 5)}},
-        {{p[n - 3], p[n - 4], p[n - 5]}});
+      std::vector<double> x(n), x_reversed, p_reversed(p.rbegin(), p.rend());
+      for (std::size_t k = 0; k < n; ++k)
+        x[k] = edge.along(k);
+      x_reversed.assign(x.rbegin(), x.rend());
+      const double        begin  = patch_edge(x, p);
+      const double        end    = patch_edge(x_reversed, p_reversed);
       const double        margin = 0.02 * (edge.along(1) - edge.along(0));
       std::vector<double> nodal(contact.n_nodes, 0.);
       for (std::size_t k = 0; k < n; ++k)
         {
-          const double x = edge.along(k);
-          if (x > begin + margin && x < end - margin)
+          if (x[k] > begin + margin && x[k] < end - margin)
             field[k] = edge.flow * contact.dundurs_beta / pi * p[k] *
-                       std::log((x - begin) / (end - x));
+                       std::log((x[k] - begin) / (end - x[k]));
           nodal[run[k]] = field[k];
         }
       std::vector<double> displacement = displacement_of(contact, nodal, 0);
@@ -379,7 +357,8 @@ namespace RollingContact
           {
             const EdgeProblem edge(contact, run, c);
             add_law(edge,
-                    companion(edge, frictional, displacements[c]),
+                    linear ? companion(edge, frictional, displacements[c]) :
+                             on_run(run, frictional),
                     coupling_traction(edge, frictional),
                     linear,
                     problem.edge_rows[c],

@@ -1,3 +1,4 @@
+#include <rolling_contact/contact/patch_edge.h>
 #include <rolling_contact/contact/resultants.h>
 
 #include <algorithm>
@@ -152,21 +153,6 @@ namespace RollingContact
     add_work(problem, tangential, state, result);
     add_sizes(problem, node_states(tangential, state), state, result);
     return result;
-  }
-
-
-
-  double
-  patch_edge(const std::vector<double> &x, const std::vector<double> &pressure)
-  {
-    if (x.size() < 2)
-      return x.empty() ? 0. : x[0];
-    const std::size_t first = x.size() < 6 ? 0 : 1;
-    const double      inner = pressure[first + 1] * pressure[first + 1],
-                 outer      = pressure[first] * pressure[first];
-    if (inner <= outer)
-      return x[0];
-    return x[first] - (x[first + 1] - x[first]) * outer / (inner - outer);
   }
 
 

@@ -211,10 +211,11 @@ namespace RollingContact
             SurfaceFace face;
             face.lower  = surface_point(box.first);
             face.upper  = surface_point(box.second);
-            bool inside = true;
+            bool inside = true; // by its middle, not decided by rounding
             for (int d = 0; d < dim - 1; ++d)
-              inside = inside &&
-                       std::abs(face.lower[d] + face.upper[d]) / 2 <= extent[d];
+              inside =
+                inside && std::abs(face.lower[d] + face.upper[d]) / 2 <=
+                            extent[d] + 0.01 * (face.upper[d] - face.lower[d]);
             if (!inside)
               continue;
             std::vector<Combination> face_corners;

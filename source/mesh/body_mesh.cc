@@ -255,8 +255,8 @@ namespace RollingContact
   {
     const double thickness = geometry.thickness_below();
     const double limit     = geometry.shape == Shape::disc
-                               ? std::min(0.4 * geometry.radius, 1.5 * thickness)
-                               : std::min(geometry.length / 2, 1.5 * thickness);
+                               ? std::min(0.4 * geometry.radius, thickness)
+                               : std::min(geometry.length / 3, thickness);
     const double size      = coarse_size(grading.element_size_x, limit);
     const double origin    = grading.offset * grading.element_size_x;
 
@@ -268,8 +268,9 @@ namespace RollingContact
 
     std::array<std::vector<double>, dim> breaks;
     breaks[0] = break_points_x(geometry, *mesh.chart, origin, size);
+    // cells never deeper than long, so that x alone decides on the surface nodes
     breaks[dim - 1] =
-      equal_parts(-thickness, 0., std::max(1., std::round(thickness / size)));
+      equal_parts(-thickness, 0., std::max(1., std::ceil(thickness / size - 1e-6)));
     if (dim == 3)
       breaks[1] =
         break_points(-geometry.width / 2,

@@ -101,6 +101,7 @@ namespace RollingContact
 
       DataOutBase::Patch<dim, dim> patch;
       patch.n_subdivisions = 1;
+      patch.reference_cell = ReferenceCells::get_hypercube<dim>();
       patch.data.reinit(dim + stresses.size(), cell->n_vertices());
       for (const unsigned int v : cell->vertex_indices())
         {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <sstream>
 
 namespace RollingContact
@@ -108,6 +107,7 @@ namespace RollingContact
 
       DataOutBase::Patch<dim - 1, dim> patch;
       patch.n_subdivisions = 1;
+      patch.reference_cell = ReferenceCells::get_hypercube<dim - 1>();
       patch.data.reinit(n_fields, cell.corners.size());
       for (std::size_t v = 0; v < cell.corners.size(); ++v)
         {

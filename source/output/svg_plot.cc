@@ -226,7 +226,7 @@ namespace RollingContact
         style == CurveStyle::points || style == CurveStyle::line_and_points;
       const double spacing =
         (layout.area.right - layout.area.left) / content.curves[index].x.size();
-      const double radius = std::clamp(0.3 * spacing, 1.4, 3.2);
+      const double radius = std::clamp(0.4 * spacing, 1.8, 3.2);
 
       for (const std::vector<PlotPoint> &piece : layout.curve_pieces[index])
         {

@@ -95,9 +95,10 @@ namespace RollingContact
     const double      norm            = problem.contact.tangential_norm;
     double rho = norm > 0. ? controls.tangential_augmentation / norm : 0.;
     problem.project(state.traction);
-    std::set<States> visited;
-    States           states;
-    for (unsigned int halvings = 0; halvings < 12;)
+    const unsigned int max_halvings = 12, patience = 100;
+    std::set<States>   visited;
+    States             states;
+    for (unsigned int halvings = 0; halvings < max_halvings;)
       {
         const States next =
           classify(problem, state.traction, problem.slip(state.traction), rho);
@@ -107,7 +108,7 @@ namespace RollingContact
             break;
           }
         states = next;
-        if (!visited.insert(states).second)
+        if (!visited.insert(states).second || visited.size() > patience)
           {
             ++halvings;
             rho /= 2;

@@ -26,9 +26,9 @@ namespace RollingContact
 
   /**
    * Differences from the reference: forces over mu N, tractions over mu p0,
-   * lengths in elements. With x in units of a,
-   * L2 = sqrt(integral (f - f_ref)^2 dx / a), f piecewise linear;
-   * sawtooth = max |e(i+1) - 2 e(i) + e(i-1)| / 4, e the error at the nodes.
+   * lengths in elements. With x in units of a and the error e known at the
+   * nodes, L2 = sqrt(integral e^2 dx / a) by the trapezoidal rule and sawtooth
+   * = max |e(i+1) - 2 e(i) + e(i-1)| / 4.
    */
   struct LineErrors
   {

@@ -48,14 +48,6 @@ namespace RollingContact
   resultants(const ContactProblem &problem, const ContactState &state);
 
   /**
-   * Where the pressure of the touching nodes in [begin, end) of one line along
-   * x ends: p^2 is linear at a Hertzian edge, extrapolated from the second and
-   * third node, or the first two if there are fewer than six.
-   */
-  double
-  patch_edge(const std::vector<double> &x, const std::vector<double> &pressure);
-
-  /**
    * True if a node touches whose surroundings are not all on the trace: the
    * candidate zone is too small for the patch.
    */

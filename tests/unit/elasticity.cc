@@ -1,0 +1,214 @@
+#include <deal.II/lac/vector.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <rolling_contact/elasticity/elastic_body.h>
+#include <rolling_contact/references/clamped_annulus.h>
+
+#include <cmath>
+
+using namespace RollingContact;
+
+BOOST_AUTO_TEST_SUITE(elasticity)
+
+namespace
+{
+  const double half_width = 4e-3;
+
+  Grading<2>
+  grading(const unsigned int n_elements, const double growth)
+  {
+    Grading<2> result;
+    result.element_size_x = 2 * half_width / n_elements;
+    result.zone_x         = 1.5 * half_width;
+    result.zone_depth     = 0.75 * half_width;
+    result.growth         = growth;
+    return result;
+  }
+
+  BodyGeometry
+  disc(const double radius, const double hub_radius)
+  {
+    BodyGeometry geometry;
+    geometry.radius     = radius;
+    geometry.hub_radius = hub_radius;
+    return geometry;
+  }
+
+  BodyGeometry
+  block(const double radius)
+  {
+    BodyGeometry geometry;
+    geometry.shape  = Shape::block;
+    geometry.radius = radius;
+    geometry.length = 0.4;
+    geometry.depth  = 0.2;
+    return geometry;
+  }
+
+  struct Surface
+  {
+    explicit Surface(const ElasticBody<2> &body)
+    {
+      body.surface(1.5 * half_width, 0., nodes, faces);
+    }
+
+    std::vector<ElasticBody<2>::SurfaceNode> nodes;
+    std::vector<ElasticBody<2>::SurfaceFace> faces;
+  };
+
+  /**
+   * Rim displacement under the Hertz pressure, over that of the exact annulus.
+   */
+  double
+  compression_ratio(const double poisson_ratio, const double growth)
+  {
+    const Material    material{210e9, poisson_ratio};
+    ElasticBody<2>    body(disc(0.46, 0.08), material, 1., grading(48, growth));
+    const Surface     surface(body);
+    const std::size_t n = surface.nodes.size();
+    std::vector<double> forces(n, 0.);
+    double              load = 0., middle = 0.;
+    for (std::size_t i = 0; i + 1 < n; ++i)
+      for (unsigned int k = 0; k < 200; ++k)
+        {
+          const double left = surface.nodes[i].position[0],
+                       h    = surface.nodes[i + 1].position[0] - left,
+                       s = (k + 0.5) / 200, x = (left + s * h) / half_width,
+                       f = x * x < 1. ? std::sqrt(1 - x * x) * h / 200 : 0.;
+          forces[i] -= (1 - s) * f;
+          forces[i + 1] -= s * f;
+          load += f;
+        }
+    const DenseMatrix W = body.compliance(surface.nodes, {1});
+    for (std::size_t i = 0; i < n; ++i)
+      if (std::abs(surface.nodes[i].position[0]) < 1e-9)
+        for (std::size_t j = 0; j < n; ++j)
+          middle += W(i, j) * forces[j];
+    const double exact =
+      References::ClampedAnnulus({0.46, 0.08, 210e9, poisson_ratio})
+        .radial_displacement(half_width);
+    return middle / (load * exact);
+  }
+} // namespace
+
+BOOST_AUTO_TEST_CASE(compression_of_a_disc_converges_to_the_exact_series)
+{
+  const double coarse = compression_ratio(0.3, 0.2) - 1,
+               fine   = compression_ratio(0.3, 0.1) - 1;
+  BOOST_TEST(std::abs(fine) < 4e-3);
+  BOOST_TEST(std::abs(fine) < std::abs(coarse) / 2.5);
+}
+
+BOOST_AUTO_TEST_CASE(incompressible_bodies_do_not_lock)
+{
+  BOOST_TEST(std::abs(compression_ratio(0.4999, 0.1) - 1) < 1e-2);
+}
+
+BOOST_AUTO_TEST_CASE(surfaces_of_any_radii_match)
+{
+  const Material material{210e9, 0.3};
+  Grading<2>     shifted = grading(24, 0.3);
+  shifted.offset         = 0.37;
+  shifted.rim_levels     = 2;
+  shifted.leading_edge_x = -half_width;
+  shifted.rim_width      = 2 * shifted.element_size_x;
+  const ElasticBody<2> reference(disc(0.46, 0.08), material, 1., shifted);
+  const Surface        expected(reference);
+  BOOST_TEST(expected.nodes.size() > 40u);
+  for (const BodyGeometry &geometry :
+       {disc(0.05, 0.01), disc(5., 1.), block(0.), block(0.3), block(-0.6)})
+    {
+      const ElasticBody<2> body(geometry, material, 1., shifted);
+      const Surface        surface(body);
+      BOOST_TEST_CONTEXT("radius " << geometry.radius) BOOST_REQUIRE_EQUAL(surface.nodes.size(), expected.nodes.size());
+      for (std::size_t i = 0; i < surface.nodes.size(); ++i)
+        BOOST_TEST(std::abs(surface.nodes[i].position[0] -
+                            expected.nodes[i].position[0]) <
+                   1e-10 * half_width);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(surface_vertices_lie_on_the_profile)
+{
+  for (const BodyGeometry &geometry :
+       {disc(0.46, 0.08), block(0.3), block(-0.6)})
+    {
+      const BodyMesh<2> mesh    = make_body_mesh<2>(geometry, grading(24, 0.3));
+      double            largest = 0.;
+      unsigned int      n_faces = 0;
+      for (const auto &cell : mesh.triangulation->active_cell_iterators())
+        for (const unsigned int f : cell->face_indices())
+          if (cell->face(f)->at_boundary() &&
+              cell->face(f)->boundary_id() == contact_boundary)
+            for (const unsigned int v : {0, 1})
+              {
+                const auto &vertex = cell->face(f)->vertex(v);
+                if (std::abs(vertex[0]) > 2 * half_width)
+                  continue;
+                ++n_faces;
+                largest =
+                  std::max(largest,
+                           std::abs(vertex[1] -
+                                    geometry.surface_height(vertex[0], 0.)));
+              }
+      BOOST_TEST(n_faces > 40u);
+      BOOST_TEST(largest < 1e-12);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(compliance_is_symmetric_positive_and_equals_recovery)
+{
+  ElasticBody<2> body(disc(0.46, 0.08), {210e9, 0.3}, 0.02, grading(12, 0.4));
+  const Surface  surface(body);
+  const std::vector<unsigned int> components{0, 1};
+  const DenseMatrix   W = body.compliance(surface.nodes, components);
+  const std::size_t   n = surface.nodes.size();
+  std::vector<double> forces(2 * n);
+  for (std::size_t i = 0; i < 2 * n; ++i)
+    forces[i] = std::sin(1. + i);
+  std::vector<double> displacement(2 * n);
+  W.multiply_block(0, 0, forces, displacement);
+  BOOST_TEST(dot(forces, displacement) > 0.);
+  const dealii::Vector<double> field =
+    body.recover(surface.nodes, components, forces);
+  for (std::size_t c = 0; c < 2; ++c)
+    for (std::size_t i = 0; i < n; ++i)
+      BOOST_TEST(std::abs(field[surface.nodes[i].dofs[c]] -
+                          displacement[c * n + i]) < 1e-12 * W(0, 0) * n);
+  for (std::size_t j = 0; j < 2 * n; ++j)
+    for (std::size_t i = 0; i < j; ++i)
+      BOOST_TEST(W(i, j) == W(j, i));
+}
+
+BOOST_AUTO_TEST_CASE(mirroring_x_mirrors_the_compliance)
+{
+  ElasticBody<2>    body(disc(0.46, 0.08), {210e9, 0.3}, 1., grading(12, 0.4));
+  const Surface     surface(body);
+  const DenseMatrix W       = body.compliance(surface.nodes, {0, 1});
+  const std::size_t n       = surface.nodes.size();
+  double            largest = 0.;
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      {
+        largest =
+          std::max(largest, std::abs(W(i, j) - W(n - 1 - i, n - 1 - j)));
+        largest = std::max(largest,
+                           std::abs(W(i, n + j) + W(n - 1 - i, 2 * n - 1 - j)));
+      }
+  BOOST_TEST(largest < 1e-9 * W(0, 0));
+}
+
+BOOST_AUTO_TEST_CASE(profiles)
+{
+  BOOST_TEST(crown_depth(0., 0.3) == 0.);
+  BOOST_TEST(std::abs(crown_depth(0.5, 0.2) - (0.5 - std::sqrt(0.25 - 0.04))) <
+             1e-15);
+  BOOST_TEST(crown_depth(-0.5, 0.2) == -crown_depth(0.5, 0.2));
+  const double below = crown_depth(0.5, 0.25 - 1e-9),
+               above = crown_depth(0.5, 0.25 + 1e-9);
+  BOOST_TEST(above > below);
+  BOOST_TEST(above - below < 2e-9);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

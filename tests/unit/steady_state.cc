@@ -1,0 +1,344 @@
+#include <boost/test/unit_test.hpp>
+
+#include <rolling_contact/analyses/line_reference.h>
+#include <rolling_contact/analyses/steady_state.h>
+#include <rolling_contact/base/exceptions.h>
+
+#include <cmath>
+#include <functional>
+#include <sstream>
+
+using namespace RollingContact;
+
+BOOST_AUTO_TEST_SUITE(steady_state)
+
+namespace
+{
+  /**
+   * The inferred data set S2D at 24 elements, changed by @p change, solved.
+   */
+  struct Run
+  {
+    explicit Run(const std::function<void(SceneParameters &)> &change)
+      : folder("never_opened", "", "")
+      , results(folder)
+      , log(Verbosity::normal, said, said)
+    {
+      scene.mesh.elements_across_patch = 24;
+      scene.contact.approach_entry     = "0.22e-3";
+      change(scene);
+      scene.check();
+      RunContext context{folder, results, report, timer, log};
+      steady = solve_steady_state<2>(scene, context);
+      BOOST_TEST(steady.solver.converged);
+    }
+
+    double
+    force() const
+    {
+      return steady.result.force_x /
+             (scene.contact.friction_coefficient * steady.result.normal_force);
+    }
+
+    LineErrors
+    errors() const
+    {
+      return line_errors(scene, steady, line_reference(scene, steady));
+    }
+
+    std::ostringstream said;
+    RunFolder          folder;
+    ResultsTable       results;
+    RunReport          report;
+    PhaseTimer         timer;
+    Log                log;
+    SceneParameters    scene;
+    SteadyState<2>     steady;
+  };
+
+  /**
+   * Largest difference of two nodal fields, over the largest of the first.
+   */
+  double
+  difference(const std::vector<double> &x,
+             const std::vector<double> &y,
+             const bool                 reversed = false,
+             const double               sign     = 1.)
+  {
+    BOOST_REQUIRE_EQUAL(x.size(), y.size());
+    double largest = 0., scale = 0.;
+    for (std::size_t i = 0; i < x.size(); ++i)
+      {
+        const double other = sign * y[reversed ? y.size() - 1 - i : i];
+        largest            = std::max(largest, std::abs(x[i] - other));
+        scale              = std::max(scale, std::abs(x[i]));
+      }
+    return largest / scale;
+  }
+} // namespace
+
+BOOST_AUTO_TEST_CASE(load_of_the_clamped_discs)
+{
+  const Run coarse([](SceneParameters &scene) { scene.mesh.growth = 0.2; });
+  const Run standard([](SceneParameters &) {});
+  const Run fine([](SceneParameters &scene) { scene.mesh.growth = 0.05; });
+  BOOST_TEST(std::abs(*standard.errors().normal_force) < 5e-3);
+  BOOST_TEST(std::abs(*standard.errors().normal_force) <
+             std::abs(*coarse.errors().normal_force) / 2.5);
+  BOOST_TEST(std::abs(*fine.errors().normal_force) <
+             std::abs(*standard.errors().normal_force) / 2.5);
+}
+
+BOOST_AUTO_TEST_CASE(partial_slip_follows_carter)
+{
+  double mean_force = 0., mean_l2 = 0.;
+  for (const double offset : {0., 0.2, 0.4, 0.6, 0.8})
+    {
+      const Run        run([&](SceneParameters &scene) {
+        scene.mesh.elements_across_patch = 48;
+        scene.mesh.patch_offset          = std::to_string(offset);
+        scene.contact.creepage_x         = 0.0017;
+      });
+      const LineErrors errors = run.errors();
+      BOOST_TEST(std::abs(errors.force) < 1e-3);
+      BOOST_TEST(errors.sawtooth < 0.035);
+      BOOST_TEST(std::abs(errors.stick_boundary) <= 0.5);
+      BOOST_TEST(run.steady.result.energy_error() < 0.01);
+      mean_force += errors.force / 5;
+      mean_l2 += errors.traction_l2 / 5;
+    }
+  BOOST_TEST(std::abs(mean_force) < 5e-4);
+  BOOST_TEST(mean_l2 < 1e-2);
+}
+
+BOOST_AUTO_TEST_CASE(pure_rolling_and_full_slip)
+{
+  const Run rolling(
+    [](SceneParameters &scene) { scene.contact.creepage_x = 0.; });
+  for (const double q : rolling.steady.state.traction)
+    BOOST_TEST(std::abs(q) < 1e-9 * rolling.steady.result.max_pressure);
+  const Run slip(
+    [](SceneParameters &scene) { scene.contact.creepage_x = 0.008; });
+  BOOST_TEST(std::abs(slip.force() + 1.) < 1e-9);
+}
+
+BOOST_AUTO_TEST_CASE(the_flow_reversed_is_the_mirror_image)
+{
+  for (const bool unequal : {false, true})
+    {
+      const auto scene_of = [&](const int flow) {
+        return [=](SceneParameters &scene) {
+          if (unequal)
+            {
+              scene.rail.material.young_modulus = 70e9;
+              scene.rail.radius                 = 0.3;
+            }
+          scene.contact.speed      = flow;
+          scene.contact.creepage_x = flow * 0.001;
+          scene.mesh.patch_offset  = flow > 0 ? "0.25" : "-0.25";
+        };
+      };
+      const Run forward(scene_of(1)), backward(scene_of(-1));
+      BOOST_TEST(difference(forward.steady.state.pressure,
+                            backward.steady.state.pressure,
+                            true) < 1e-7);
+      BOOST_TEST(difference(forward.steady.state.traction,
+                            backward.steady.state.traction,
+                            true,
+                            -1.) < 1e-7);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(swapping_wheel_and_rail_changes_nothing)
+{
+  // The same bodies in the other roles slide the other way over each other.
+  const Run first([](SceneParameters &scene) {
+    scene.rail.material.young_modulus = 70e9;
+    scene.contact.creepage_x          = 0.001;
+  });
+  const Run second([](SceneParameters &scene) {
+    scene.wheel.material.young_modulus = 70e9;
+    scene.contact.creepage_x           = -0.001;
+  });
+  BOOST_TEST(difference(first.steady.state.pressure,
+                        second.steady.state.pressure) < 1e-8);
+  BOOST_TEST(difference(first.steady.state.traction,
+                        second.steady.state.traction,
+                        false,
+                        -1.) < 1e-8);
+}
+
+BOOST_AUTO_TEST_CASE(twins_equal_two_separate_bodies)
+{
+  const Run twins(
+    [](SceneParameters &scene) { scene.contact.creepage_x = 0.002; });
+  BOOST_TEST(twins.steady.pair->twins());
+  const Run separate([](SceneParameters &scene) {
+    scene.contact.creepage_x          = 0.002;
+    scene.rail.material.young_modulus = std::nextafter(210e9, 1.);
+  });
+  BOOST_TEST(!separate.steady.pair->twins());
+  BOOST_TEST(std::abs(twins.force() - separate.force()) < 1e-9);
+  BOOST_TEST(difference(twins.steady.state.pressure,
+                        separate.steady.state.pressure) < 1e-9);
+}
+
+BOOST_AUTO_TEST_CASE(millimetres_give_the_same_scaled_result)
+{
+  const auto scene_of = [](const double length, const double stress) {
+    return [=](SceneParameters &scene) {
+      for (BodyParameters *body : {&scene.wheel, &scene.rail})
+        {
+          body->radius *= length;
+          body->hub_radius *= length;
+          body->thickness *= length;
+          body->material.young_modulus *= stress;
+        }
+      scene.rail.material.young_modulus /= 3;
+      std::ostringstream approach;
+      approach.precision(17);
+      approach << 0.22e-3 * length;
+      scene.contact.approach_entry = approach.str();
+      scene.contact.creepage_x     = 0.001;
+    };
+  };
+  const Run metres(scene_of(1., 1.)), millimetres(scene_of(1e3, 1e-6));
+  BOOST_TEST(std::abs(metres.force() - millimetres.force()) < 1e-9);
+  BOOST_TEST(std::abs(metres.steady.result.normal_force /
+                        millimetres.steady.result.normal_force -
+                      1) < 1e-9);
+  BOOST_TEST(metres.steady.solver.iterations ==
+             millimetres.steady.solver.iterations);
+}
+
+BOOST_AUTO_TEST_CASE(load_and_approach_are_inverse)
+{
+  const Run by_approach(
+    [](SceneParameters &scene) { scene.contact.creepage_x = 0.001; });
+  const Run by_load([&](SceneParameters &scene) {
+    std::ostringstream load;
+    load.precision(17);
+    load << by_approach.steady.result.normal_force;
+    scene.contact.approach_entry.clear();
+    scene.contact.normal_load_entry = load.str();
+    scene.contact.creepage_x        = 0.001;
+  });
+  // not the same mesh: the estimates of the patch differ by 2 %
+  BOOST_TEST(std::abs(by_load.steady.state.approach / 0.22e-3 - 1) < 2e-3);
+  BOOST_TEST(std::abs(by_load.force() - by_approach.force()) < 1e-3);
+}
+
+BOOST_AUTO_TEST_CASE(unequal_materials_pull_in_free_rolling)
+{
+  const Run run([](SceneParameters &scene) {
+    scene.rail.material = {70e9, 0.34};
+  });
+  BOOST_TEST(run.force() < -0.1);
+  BOOST_TEST(run.steady.problem.coupled);
+}
+
+BOOST_AUTO_TEST_CASE(a_frictionless_contact_builds_no_tangential_compliance)
+{
+  const Run run(
+    [](SceneParameters &scene) { scene.contact.friction_coefficient = 0.; });
+  BOOST_TEST(run.steady.problem.W.n_rows() == run.steady.problem.n_nodes);
+  BOOST_TEST(run.steady.result.force_x == 0.);
+}
+
+BOOST_AUTO_TEST_CASE(a_rigid_rail_is_never_meshed)
+{
+  const Run run([](SceneParameters &scene) {
+    scene.rail.rigid                   = true;
+    scene.contact.friction_coefficient = 0.;
+    scene.contact.approach_entry.clear();
+    scene.contact.normal_load_entry = "100e3";
+  });
+  BOOST_TEST(run.steady.pair->body(Side::rail) == nullptr);
+  BOOST_TEST(std::abs(run.steady.result.half_width_x /
+                        line_reference(run.scene, run.steady).hertz.half_width -
+                      1) < 0.01);
+}
+
+BOOST_AUTO_TEST_CASE(a_block_is_a_half_plane_near_the_patch)
+{
+  const Run           run([](SceneParameters &scene) {
+    scene.rail.shape  = "block";
+    scene.rail.radius = 0.;
+    scene.contact.approach_entry.clear();
+    scene.contact.normal_load_entry = "50e3";
+  });
+  const LineReference reference = line_reference(run.scene, run.steady);
+  BOOST_TEST(
+    std::abs(run.steady.result.max_pressure / reference.hertz.max_pressure -
+             1) < 5e-3);
+}
+
+BOOST_AUTO_TEST_CASE(a_wrong_estimate_is_mended)
+{
+  // A thin ring bends: the patch is far longer than that of a solid disc.
+  const Run run([](SceneParameters &scene) {
+    scene.wheel.hub_radius = scene.rail.hub_radius = 0.455;
+    scene.mesh.candidate_zone                      = 1.1;
+    scene.contact.approach_entry                   = "2e-5";
+  });
+  BOOST_TEST(run.steady.result.n_touching > 10u);
+  BOOST_TEST(!run.said.str().empty());
+  BOOST_TEST(!reaches_border(run.steady.pair->trace().border_nodes(),
+                             run.steady.problem,
+                             run.steady.state.pressure));
+}
+
+BOOST_AUTO_TEST_CASE(an_aligned_mesh_puts_the_edge_upstream_of_a_node)
+{
+  const Run run([](SceneParameters &scene) {
+    scene.mesh.elements_across_patch = 48;
+    scene.mesh.patch_offset          = "aligned";
+    scene.contact.slip_operator      = "upwind 2";
+    scene.contact.creepage_x         = 0.0017;
+  });
+  BOOST_TEST(std::abs(run.errors().force) < 1.5e-3);
+}
+
+BOOST_AUTO_TEST_CASE(patches_of_few_elements_have_a_result)
+{
+  for (const unsigned int n : {1, 2, 3, 5})
+    {
+      const Run run([&](SceneParameters &scene) {
+        scene.mesh.elements_across_patch = n;
+        scene.contact.creepage_x         = 0.002;
+      });
+      BOOST_TEST(run.steady.result.n_touching >= 1u);
+      BOOST_TEST(std::abs(run.force()) <= 1. + 1e-12);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(rules_across_entries)
+{
+  const auto refused =
+    [](const std::function<void(SceneParameters &)> &change) {
+      SceneParameters scene;
+      scene.contact.approach_entry = "1e-4";
+      scene.check();
+      change(scene);
+      BOOST_CHECK_THROW(scene.check(), InputError);
+    };
+  refused([](auto &scene) { scene.wheel.radius = -1.; });
+  refused([](auto &scene) { scene.wheel.hub_radius = 1.; });
+  refused([](auto &scene) { scene.rail.material.poisson_ratio = 0.5; });
+  refused([](auto &scene) { scene.rail.thickness = 1.; });
+  refused([](auto &scene) { scene.contact.normal_load_entry = "1"; });
+  refused([](auto &scene) { scene.contact.approach_entry = ""; });
+  refused([](auto &scene) { scene.contact.approach_entry = "nan"; });
+  refused([](auto &scene) { scene.contact.approach_entry = "1 mm"; });
+  refused([](auto &scene) { scene.contact.spin = 1.; });
+  refused([](auto &scene) { scene.contact.creepage_y = 1.; });
+  refused([](auto &scene) { scene.contact.speed = 0.; });
+  refused([](auto &scene) { scene.mesh.patch_offset = "near"; });
+  refused([](auto &scene) { scene.wheel.rigid = scene.rail.rigid = true; });
+  refused([](auto &scene) {
+    scene.rail.shape  = "block";
+    scene.rail.radius = -0.3;
+  });
+}
+
+BOOST_AUTO_TEST_SUITE_END()
