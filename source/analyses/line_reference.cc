@@ -120,6 +120,7 @@ namespace RollingContact
                                                    constants.relative_radius,
                                                    constants.contact_modulus),
                             {},
+                            steady.pair->twins(),
                             {}};
     if (std::abs(constants.dundurs_beta) < 1e-12 &&
         steady.problem.n_tangential > 0)
@@ -162,7 +163,7 @@ namespace RollingContact
         [&](const double at) { return reference.hertz.pressure(at); },
         a) /
       p0;
-    if (!reference.carter)
+    if (!reference.carter || !reference.carter_is_exact)
       return errors;
     const References::Carter &carter = *reference.carter;
     const auto traction = [&](const double at) { return carter.traction(at); };

@@ -67,7 +67,7 @@ namespace RollingContact
           table.set("reference_normal_force_N", *reference.normal_force);
           table.set("error_normal_force", *errors.normal_force);
         }
-      if (!reference.carter)
+      if (!reference.carter || !reference.carter_is_exact)
         return;
       table.set("reference_force_x/muN", reference.carter->force_ratio());
       table.set("error_force_x/muN", errors.force);
@@ -393,7 +393,7 @@ namespace RollingContact
           if (errors.normal_force)
             log.message("load against the exact clamped discs: " +
                         significant(100 * *errors.normal_force, 3) + " %");
-          if (reference.carter)
+          if (reference.carter && reference.carter_is_exact)
             log.message("force against Carter: " + scientific(errors.force, 2) +
                         " mu N; traction L2 error " +
                         scientific(errors.traction_l2, 2) + " mu p0");

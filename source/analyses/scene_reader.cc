@@ -15,8 +15,8 @@ namespace RollingContact
     {
       std::ifstream file(name);
       if (!file || file.peek() == std::ifstream::traits_type::eof())
-        throw InputError(name +
-                         ": cannot be read or is empty; give the path of a .prm file.");
+        throw InputError(
+          name + ": cannot be read or is empty; give the path of a .prm file.");
       std::ostringstream text;
       text << file.rdbuf();
       return text.str();

@@ -357,8 +357,8 @@ namespace RollingContact
           {
             const EdgeProblem edge(contact, run, c);
             add_law(edge,
-                    linear ? companion(edge, frictional, displacements[c]) :
-                             on_run(run, frictional),
+                    linear ? companion(edge, frictional, displacements[c])
+                           : on_run(run, frictional),
                     coupling_traction(edge, frictional),
                     linear,
                     problem.edge_rows[c],

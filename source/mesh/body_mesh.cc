@@ -268,9 +268,12 @@ namespace RollingContact
 
     std::array<std::vector<double>, dim> breaks;
     breaks[0] = break_points_x(geometry, *mesh.chart, origin, size);
-    // cells never deeper than long, so that x alone decides on the surface nodes
+    // cells never deeper than long, so that x alone decides on the surface
+    // nodes
     breaks[dim - 1] =
-      equal_parts(-thickness, 0., std::max(1., std::ceil(thickness / size - 1e-6)));
+      equal_parts(-thickness,
+                  0.,
+                  std::max(1., std::ceil(thickness / size - 1e-6)));
     if (dim == 3)
       breaks[1] =
         break_points(-geometry.width / 2,

@@ -121,7 +121,8 @@ BOOST_AUTO_TEST_CASE(surfaces_of_any_radii_match)
     {
       const ElasticBody<2> body(geometry, material, 1., shifted);
       const Surface        surface(body);
-      BOOST_TEST_CONTEXT("radius " << geometry.radius) BOOST_REQUIRE_EQUAL(surface.nodes.size(), expected.nodes.size());
+      BOOST_TEST_CONTEXT("radius " << geometry.radius)
+      BOOST_REQUIRE_EQUAL(surface.nodes.size(), expected.nodes.size());
       for (std::size_t i = 0; i < surface.nodes.size(); ++i)
         BOOST_TEST(std::abs(surface.nodes[i].position[0] -
                             expected.nodes[i].position[0]) <

@@ -11,13 +11,16 @@ namespace RollingContact
 {
   /**
    * Closed forms a 2D state is compared with, at the computed load: Hertz
-   * always, Carter when normal and tangential problem uncouple (Dundurs' beta =
-   * 0), the exact load of two clamped discs when the approach is given.
+   * always, Carter when half-planes of these materials uncouple (Dundurs' beta
+   * = 0), the exact load of two clamped discs when the approach is given.
+   * Carter is exact for mirror-identical bodies; others differ from it by their
+   * unequal bulk strains.
    */
   struct LineReference
   {
     References::HertzLine             hertz;
     std::optional<References::Carter> carter;
+    bool                              carter_is_exact = false;
     std::optional<double>             normal_force; ///< N
   };
 
