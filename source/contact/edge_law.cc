@@ -39,20 +39,24 @@ namespace RollingContact
 
     /**
      * How many nodes from the edge are corrected, and over how many more the
-     * displacement is fitted, for a run of @p n nodes.
+     * displacement is fitted, for a run of @p n_touching nodes. Coupled
+     * contacts take a narrower window: their pressure is not Hertz's, and less
+     * quadratic away from the edge.
      */
     struct Window
     {
-      explicit Window(const std::size_t n)
-        : n_corrected(n < 6    ? 0
-                      : n < 16 ? std::max<std::size_t>(2, n / 3)
-                               : std::min<std::size_t>(10, n / 3))
-        , n_fitted(n < 6    ? 0
-                   : n < 16 ? std::max<std::size_t>(3, n / 3)
-                            : n_corrected)
-      {}
+      Window(const std::size_t n_touching, const bool coupled)
+      {
+        if (n_touching < 6)
+          return;
+        const std::size_t n =
+          coupled ? std::max<std::size_t>(6, 3 * n_touching / 8) : n_touching;
+        n_corrected = std::clamp<std::size_t>(n / 3, 2, 10);
+        n_fitted    = std::max<std::size_t>(n_corrected, 3);
+      }
 
-      std::size_t n_corrected, n_fitted;
+      std::size_t n_corrected = 0;
+      std::size_t n_fitted    = 0;
     };
 
 
@@ -105,7 +109,7 @@ namespace RollingContact
       smooth(const std::vector<double> &displacement,
              std::vector<double>       &field) const
       {
-        const Window      window(run.size());
+        const Window      window(run.size(), contact.coupled);
         const std::size_t m = window.n_corrected, n = m + window.n_fitted;
         if (m == 0)
           return;
