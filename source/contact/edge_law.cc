@@ -39,18 +39,20 @@ namespace RollingContact
 
     /**
      * How many nodes from the edge are corrected, and over how many more the
-     * displacement is fitted, for a run of @p n_touching nodes. Coupled
-     * contacts take a narrower window: their pressure is not Hertz's, and less
-     * quadratic away from the edge.
+     * displacement is fitted, for a run of @p n_touching nodes. Coupling makes
+     * the pressure less Hertzian and the displacement less quadratic away from
+     * the edge: the window narrows to 3/8 at Dundurs' beta = 0.05 and above.
      */
     struct Window
     {
-      Window(const std::size_t n_touching, const bool coupled)
+      Window(const std::size_t n_touching, const double dundurs_beta)
       {
         if (n_touching < 6)
           return;
+        const double narrowing =
+          1 - 0.625 * std::min(1., std::abs(dundurs_beta) / 0.05);
         const std::size_t n =
-          coupled ? std::max<std::size_t>(6, 3 * n_touching / 8) : n_touching;
+          std::max<std::size_t>(6, std::lround(narrowing * n_touching));
         n_corrected = std::clamp<std::size_t>(n / 3, 2, 10);
         n_fitted    = std::max<std::size_t>(n_corrected, 3);
       }
@@ -109,7 +111,7 @@ namespace RollingContact
       smooth(const std::vector<double> &displacement,
              std::vector<double>       &field) const
       {
-        const Window      window(run.size(), contact.coupled);
+        const Window      window(run.size(), contact.dundurs_beta);
         const std::size_t m = window.n_corrected, n = m + window.n_fitted;
         if (m == 0)
           return;
