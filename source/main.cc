@@ -1,6 +1,7 @@
 #include <deal.II/base/exceptions.h>
 
 #include <rolling_contact/analyses/accuracy_study.h>
+#include <rolling_contact/analyses/creep_curve.h>
 #include <rolling_contact/analyses/quasi_static.h>
 #include <rolling_contact/analyses/scene_reader.h>
 #include <rolling_contact/base/command_line.h>
@@ -30,13 +31,16 @@ namespace RollingContact
 
 
 
+    template <int dim>
     void
     run_analysis(const SceneParameters &scene, RunContext &context)
     {
-      if (scene.analysis == "accuracy study")
+      if (scene.analysis == "creep curve")
+        CreepCurve<dim>(scene, context).run();
+      else if (scene.analysis == "accuracy study")
         AccuracyStudy(scene, context).run();
       else
-        QuasiStatic<2>(scene, context).run();
+        QuasiStatic<dim>(scene, context).run();
     }
 
 
@@ -95,7 +99,10 @@ namespace RollingContact
       warn_about_blas(log);
       try
         {
-          run_analysis(scene, context);
+          if (scene.dimension == 2)
+            run_analysis<2>(scene, context);
+          else
+            run_analysis<3>(scene, context);
         }
       catch (const ConvergenceError &)
         {

@@ -24,8 +24,8 @@ namespace RollingContact
   AccuracyStudy::run()
   {
     const PairConstants constants = pair_constants(scene);
-    half_width                    = estimate_patch(scene).half_width_x;
-    saturation = scene.contact.friction_coefficient * half_width /
+    patch                         = estimate_patch(scene);
+    saturation = scene.contact.friction_coefficient * patch.half_width_x /
                  constants.relative_radius;
     if (saturation <= 0.)
       throw InputError("Analysis = accuracy study needs contact and friction: "
@@ -51,7 +51,7 @@ namespace RollingContact
         SteadyState<2> steady;
         steady.elements_across = elements;
         steady.grading =
-          make_grading<2>(scene, half_width, elements, double(k) / n_offsets);
+          make_grading<2>(scene, patch, elements, double(k) / n_offsets);
         {
           PhaseTimer::Scope phase(context.timer, "mesh and assembly");
           steady.pair = std::make_unique<RollingPair<2>>(scene, steady.grading);
@@ -85,7 +85,7 @@ namespace RollingContact
             PhaseTimer::Scope phase(context.timer, "contact solve");
             steady.creepage_x = creepage * saturation;
             steady.problem.set_creepages(steady.creepage_x, 0., 0.);
-            steady.state = initial_state(steady.problem, half_width);
+            steady.state = initial_state(steady.problem, patch);
             steady.solver =
               make_contact_solver(scene.solver.solver, scene.solver.controls)
                 ->solve(steady.problem, steady.state);

@@ -1,5 +1,6 @@
 #include <rolling_contact/analyses/patch_estimate.h>
 #include <rolling_contact/references/contact_modulus.h>
+#include <rolling_contact/references/hertz_ellipse.h>
 #include <rolling_contact/references/hertz_line.h>
 #include <rolling_contact/references/line_approach.h>
 
@@ -20,10 +21,9 @@ namespace RollingContact
 
 
     double
-    signed_radius(const BodyParameters &body)
+    finite_or_flat(const double radius)
     {
-      return body.radius == 0. ? std::numeric_limits<double>::infinity()
-                               : body.radius;
+      return radius == 0. ? std::numeric_limits<double>::infinity() : radius;
     }
 
 
@@ -62,7 +62,12 @@ namespace RollingContact
                                   young_modulus(rail),
                                   rail.material.poisson_ratio);
     constants.relative_radius =
-      References::relative_radius(signed_radius(wheel), signed_radius(rail));
+      References::relative_radius(finite_or_flat(wheel.radius),
+                                  finite_or_flat(rail.radius));
+    if (scene.dimension == 3)
+      constants.lateral_relative_radius =
+        References::relative_radius(finite_or_flat(wheel.lateral_radius),
+                                    finite_or_flat(rail.lateral_radius));
     const auto share = [](const BodyParameters &body, const double factor) {
       return body.rigid ? 0. : factor / body.material.shear_modulus();
     };
@@ -76,9 +81,38 @@ namespace RollingContact
 
 
 
+  namespace
+  {
+    PatchEstimate
+    estimate_ellipse(const SceneParameters &scene)
+    {
+      const PairConstants constants = pair_constants(scene);
+      const double        A         = 0.5 / constants.relative_radius,
+                   B                = 0.5 / constants.lateral_relative_radius;
+      PatchEstimate estimate;
+      estimate.normal_force = scene.contact.normal_load().value_or(
+        References::load_of_hertz_ellipse(scene.contact.approach().value_or(0.),
+                                          A,
+                                          B,
+                                          constants.contact_modulus));
+      if (estimate.normal_force > 0.)
+        {
+          const References::HertzEllipse hertz = References::hertz_ellipse(
+            estimate.normal_force, A, B, constants.contact_modulus);
+          estimate.half_width_x = hertz.half_width_x;
+          estimate.half_width_y = hertz.half_width_y;
+        }
+      return estimate;
+    }
+  } // namespace
+
+
+
   PatchEstimate
   estimate_patch(const SceneParameters &scene)
   {
+    if (scene.dimension == 3)
+      return estimate_ellipse(scene);
     const PairConstants constants = pair_constants(scene);
     const auto          hertz     = [&](const double half_width) {
       return References::hertz_line_of_half_width(half_width,

@@ -1,5 +1,6 @@
 #include <deal.II/lac/vector.h>
 
+#include <rolling_contact/analyses/ellipse_reference.h>
 #include <rolling_contact/analyses/line_reference.h>
 #include <rolling_contact/analyses/quasi_static.h>
 #include <rolling_contact/base/exceptions.h>
@@ -75,6 +76,32 @@ namespace RollingContact
       table.set("error_sawtooth", errors.sawtooth);
       table.set("error_stick_boundary_elements", errors.stick_boundary);
     }
+
+
+
+    void
+    set_ellipse_columns(const SceneParameters &scene,
+                        const SteadyState<3>  &steady,
+                        ResultsTable          &table)
+    {
+      if (steady.result.normal_force <= 0.)
+        return;
+      const EllipseReference reference =
+        ellipse_reference(scene,
+                          steady.result.normal_force,
+                          {steady.creepage_x, steady.creepage_y, steady.spin});
+      table.set("reference_half_width_x_m", reference.hertz.half_width_x);
+      table.set("reference_half_width_y_m", reference.hertz.half_width_y);
+      table.set("reference_max_pressure_Pa", reference.hertz.max_pressure);
+      table.set("reference_approach_m", reference.hertz.approach);
+      if (steady.problem.n_tangential == 0)
+        return;
+      table.set("kalker_force_x_N", reference.linear.x);
+      table.set("kalker_force_y_N", reference.linear.y);
+      table.set("kalker_spin_moment_Nm", reference.linear.spin_moment);
+      table.set("shen_force_x_N", reference.saturated.x);
+      table.set("shen_force_y_N", reference.saturated.y);
+    }
   } // namespace
 
 
@@ -105,6 +132,8 @@ namespace RollingContact
     set_solver_columns(steady.solver, table);
     if constexpr (dim == 2)
       set_reference_columns(scene, steady, table);
+    else
+      set_ellipse_columns(scene, steady, table);
     table.set("wall_s", steady.wall_s);
     table.end_row();
   }
@@ -205,7 +234,13 @@ namespace RollingContact
         return;
       }
     const SteadyState<dim> steady = solve_steady_state<dim>(scene, context);
-    describe_bodies(steady);
+    describe_bodies(steady, context);
+    context.report.objects.push_back(
+      {"body fields (one backward solve each)",
+       scene.output.body_fields,
+       0,
+       0.,
+       scene.output.body_fields ? "" : "Output/Body fields"});
     add_result_row(scene, steady, context);
     write_fields(steady);
     summarise(steady);
@@ -240,7 +275,7 @@ namespace RollingContact
 
   template <int dim>
   void
-  QuasiStatic<dim>::describe_bodies(const SteadyState<dim> &steady)
+  describe_bodies(const SteadyState<dim> &steady, RunContext &context)
   {
     auto &objects = context.report.objects;
     for (const Side side : {Side::wheel, Side::rail})
@@ -277,11 +312,6 @@ namespace RollingContact
                        0.,
                        problem.n_tangential > 0 ? "" : "frictionless"});
     objects.push_back({"mass, damping, B2", false, 0, 0., "quasi-static"});
-    objects.push_back({"body fields (one backward solve each)",
-                       scene.output.body_fields,
-                       0,
-                       0.,
-                       scene.output.body_fields ? "" : "Output/Body fields"});
   }
 
 
@@ -403,6 +433,13 @@ namespace RollingContact
 
 
   template class QuasiStatic<2>;
+  template class QuasiStatic<3>;
+  template void
+  describe_bodies(const SteadyState<2> &, RunContext &);
+  template void
+  describe_bodies(const SteadyState<3> &, RunContext &);
+  template void
+  add_result_row(const SceneParameters &, const SteadyState<3> &, RunContext &);
   template void
   add_result_row(const SceneParameters &, const SteadyState<2> &, RunContext &);
 } // namespace RollingContact

@@ -17,7 +17,7 @@ namespace RollingContact
                   "2 (x, z: rolling direction and normal, plane strain) or 3. "
                   "Units: 1.",
                   prm,
-                  Patterns::Integer(2, 2));
+                  Patterns::Integer(2, 3));
     add_parameter(
       "Analysis",
       analysis,
@@ -37,6 +37,7 @@ namespace RollingContact
     contact.check(dimension);
     mesh.check();
     study.check();
+    creep_curve.check();
     if (wheel.rigid && rail.rigid)
       throw InputError("Wheel/Rigid = true and Rail/Rigid = true: at least one "
                        "body must be elastic.");
@@ -46,9 +47,21 @@ namespace RollingContact
         "Wheel/Thickness = " + Patterns::Tools::to_string(wheel.thickness) +
         " and Rail/Thickness = " + Patterns::Tools::to_string(rail.thickness) +
         ": plane strain needs the same thickness in both.");
+    if (dimension == 3 && analysis == "accuracy study")
+      throw InputError(
+        "Analysis = accuracy study: it exists for Dimension = 2.");
     const auto curvature = [](const double radius) {
       return radius == 0. ? 0. : 1 / radius;
     };
+    if (dimension == 3 &&
+        curvature(wheel.lateral_radius) + curvature(rail.lateral_radius) <= 0.)
+      throw InputError(
+        "Wheel/Lateral radius = " +
+        Patterns::Tools::to_string(wheel.lateral_radius) +
+        " and Rail/Lateral radius = " +
+        Patterns::Tools::to_string(rail.lateral_radius) +
+        ": the patch would reach the edges of the bodies; the profiles must "
+        "curve away from each other across, 1/R_wheel + 1/R_rail > 0.");
     if (curvature(wheel.radius) + curvature(rail.radius) <= 0.)
       throw InputError(
         "Wheel/Radius = " + Patterns::Tools::to_string(wheel.radius) +

@@ -10,22 +10,29 @@ namespace RollingContact
   template <int dim>
   Grading<dim>
   make_grading(const SceneParameters &scene,
-               const double           half_width,
+               const PatchEstimate   &patch,
                const unsigned int     elements_across_patch,
                const double           offset)
   {
     const MeshParameters &mesh = scene.mesh;
     Grading<dim>          grading;
-    grading.element_size_x    = 2 * half_width / elements_across_patch;
-    grading.element_size_y    = grading.element_size_x;
-    grading.zone_x            = std::max(mesh.candidate_zone * half_width,
-                              half_width + 4 * grading.element_size_x);
-    grading.zone_depth        = mesh.zone_depth * half_width;
-    grading.growth            = mesh.growth;
-    grading.offset            = offset;
-    grading.rim_levels        = mesh.rim_levels;
-    grading.leading_edge_x    = -scene.contact.flow() * half_width;
-    grading.trailing_edge_x   = -grading.leading_edge_x;
+    const unsigned int    elements_y = mesh.elements_across_patch_y > 0
+                                         ? mesh.elements_across_patch_y
+                                         : elements_across_patch;
+    const auto zone = [&](const double half_width, const double size) {
+      return std::max(mesh.candidate_zone * half_width, half_width + 3 * size);
+    };
+    const double half_width = patch.half_width_x;
+    grading.element_size_x  = 2 * half_width / elements_across_patch;
+    grading.element_size_y  = 2 * patch.half_width_y / elements_y;
+    grading.zone_x          = zone(half_width, grading.element_size_x);
+    grading.zone_y          = zone(patch.half_width_y, grading.element_size_y);
+    grading.zone_depth      = mesh.zone_depth * half_width;
+    grading.growth          = mesh.growth;
+    grading.offset          = offset;
+    grading.rim_levels      = mesh.rim_levels;
+    grading.leading_edge_x  = -scene.contact.flow() * half_width;
+    grading.trailing_edge_x = -grading.leading_edge_x;
     grading.leading_edge_only = mesh.rim_edges == "leading";
     grading.rim_width         = 2 * grading.element_size_x;
     return grading;
@@ -34,16 +41,22 @@ namespace RollingContact
 
 
   ContactState
-  initial_state(const ContactProblem &problem, const double half_width)
+  initial_state(const ContactProblem &problem, const PatchEstimate &patch)
   {
     ContactState state;
     state.pressure.assign(problem.n_nodes, 0.);
     state.traction.assign(problem.n_tangential * problem.n_nodes, 0.);
     // a node at the very edge must not depend on rounding
-    const double inside = (1 - 1e-6) * half_width;
+    const double inside = 1 - 1e-6;
     for (unsigned int i = 0; i < problem.n_nodes; ++i)
-      if (std::abs(problem.positions[i][0]) < inside)
-        state.pressure[i] = 1.;
+      {
+        const double x = problem.positions[i][0] / patch.half_width_x,
+                     y = patch.half_width_y > 0.
+                           ? problem.positions[i][1] / patch.half_width_y
+                           : 0.;
+        if (std::hypot(x, y) < inside)
+          state.pressure[i] = 1.;
+      }
     return state;
   }
 
@@ -80,7 +93,7 @@ namespace RollingContact
     SteadyState<dim>
     solve_on(const SceneParameters &scene,
              const Grading<dim>    &grading,
-             const double           half_width,
+             const PatchEstimate   &patch,
              RunContext            &context)
     {
       throw_if_interrupted();
@@ -102,7 +115,7 @@ namespace RollingContact
           steady.pair->contact_problem(scene.contact.slip_operator_kind());
       }
       PhaseTimer::Scope phase(context.timer, "contact solve");
-      steady.state = initial_state(steady.problem, half_width);
+      steady.state = initial_state(steady.problem, patch);
       steady.solver =
         make_contact_solver(scene.solver.solver, scene.solver.controls)
           ->solve(steady.problem, steady.state);
@@ -119,44 +132,44 @@ namespace RollingContact
   {
     const auto         start      = std::chrono::steady_clock::now();
     const unsigned int max_meshes = 10;
-    double             half_width = estimate_patch(scene).half_width_x;
-    Grading<dim>       grading    = make_grading<dim>(scene,
-                                             half_width,
-                                             scene.mesh.elements_across_patch,
-                                             scene.mesh.offset());
-    bool               aligned = !scene.mesh.aligned(), resized = false;
+    PatchEstimate      patch      = estimate_patch(scene);
+    const auto         grade      = [&]() {
+      return make_grading<dim>(scene,
+                               patch,
+                               scene.mesh.elements_across_patch,
+                               scene.mesh.offset());
+    };
+    Grading<dim> grading = grade();
+    bool         aligned = !scene.mesh.aligned(), resized = false;
     for (unsigned int mesh = 0; mesh < max_meshes; ++mesh)
       {
-        SteadyState<dim> steady = solve_on(scene, grading, half_width, context);
+        SteadyState<dim>  steady = solve_on(scene, grading, patch, context);
         const Resultants &result = steady.result;
         if (reaches_border(steady.pair->trace().border_nodes(),
                            steady.problem,
                            steady.state.pressure))
           {
-            half_width *= 1.5;
-            grading = make_grading<dim>(scene,
-                                        half_width,
-                                        scene.mesh.elements_across_patch,
-                                        scene.mesh.offset());
+            patch.half_width_x *= 1.5;
+            patch.half_width_y *= 1.5;
+            grading = grade();
             context.log.message(
               "The patch reaches the border of the candidate zone; the zone is "
               "enlarged to " +
               significant(grading.zone_x, 3) + " m on both sides.");
             continue;
           }
-        const double mismatch = result.half_width_x / half_width;
+        const double mismatch = result.half_width_x / patch.half_width_x;
         if (!resized && result.n_touching > 5 &&
             (mismatch < 0.8 || mismatch > 1.2))
           {
             context.log.message("The patch is " + significant(mismatch, 3) +
                                 " times as long as estimated: the mesh is made "
                                 "again for it.");
-            half_width = result.half_width_x;
-            grading    = make_grading<dim>(scene,
-                                        half_width,
-                                        scene.mesh.elements_across_patch,
-                                        scene.mesh.offset());
-            resized    = true;
+            patch.half_width_x = result.half_width_x;
+            patch.half_width_y =
+              dim == 3 ? result.half_width_y : patch.half_width_y;
+            grading = grade();
+            resized = true;
             continue;
           }
         if (!aligned && result.n_touching > 5)
@@ -181,9 +194,17 @@ namespace RollingContact
   template struct SteadyState<2>;
   template Grading<2>
   make_grading(const SceneParameters &,
-               const double,
+               const PatchEstimate &,
                const unsigned int,
                const double);
   template SteadyState<2>
+  solve_steady_state(const SceneParameters &, RunContext &);
+  template struct SteadyState<3>;
+  template Grading<3>
+  make_grading(const SceneParameters &,
+               const PatchEstimate &,
+               const unsigned int,
+               const double);
+  template SteadyState<3>
   solve_steady_state(const SceneParameters &, RunContext &);
 } // namespace RollingContact

@@ -232,31 +232,12 @@ namespace RollingContact
 
 
     /**
-     * The inside derivative at node 1, d/dx, and one-element differences where
-     * the upstream points leave the contact.
+     * d/dx at node 1 from nodes 1, 2 and 3.
      */
     void
-    replace_slip_rows(const EdgeProblem &edge, TangentialProblem &problem)
+    take_inside_derivative(const EdgeProblem &edge, TangentialProblem &problem)
     {
-      const Run &run  = edge.run;
-      const auto half = [](const double a, const double b) {
-        return 0.5 * (a + b);
-      };
-      for (std::size_t k = 1; k < run.size(); ++k)
-        {
-          const double d = edge.along(k) - edge.along(k - 1);
-          if (edge.along(k) - 2 * d > edge.along(0) - 1e-9 * d)
-            break;
-          problem.B1[run[k]] = {{run[k], edge.flow / d},
-                                {run[k - 1], -edge.flow / d}};
-          for (std::size_t i = run[k]; i < problem.slip_at_zero.size();
-               i += edge.contact.n_nodes)
-            problem.slip_at_zero[i] =
-              half(edge.contact.rigid_slip[i],
-                   edge.contact.rigid_slip[i - run[k] + run[k - 1]]);
-        }
-      if (run.size() < 3)
-        return;
+      const Run   &run    = edge.run;
       const double h      = edge.along(1) - edge.along(0),
                    h2     = edge.along(2) - edge.along(1);
       const double second = edge.flow * (h + h2) / (h * h2),
@@ -269,6 +250,34 @@ namespace RollingContact
 
 
     /**
+     * The inside derivative at node 1, and one-element differences where the
+     * upstream points leave the contact.
+     */
+    void
+    replace_slip_rows(const EdgeProblem &edge, TangentialProblem &problem)
+    {
+      const Run &run = edge.run;
+      for (std::size_t k = 1; k < run.size(); ++k)
+        {
+          const double d = edge.along(k) - edge.along(k - 1);
+          if (edge.along(k) - 2 * d > edge.along(0) - 1e-9 * d)
+            break;
+          problem.B1[run[k]] = {{run[k], edge.flow / d},
+                                {run[k - 1], -edge.flow / d}};
+          for (std::size_t i = run[k]; i < problem.slip_at_zero.size();
+               i += edge.contact.n_nodes)
+            problem.slip_at_zero[i] =
+              (edge.contact.rigid_slip[i] +
+               edge.contact.rigid_slip[i - run[k] + run[k - 1]]) /
+              2;
+        }
+      if (run.size() >= 3)
+        take_inside_derivative(edge, problem);
+    }
+
+
+
+    /**
      * kappa L of one component at node 1.
      */
     void
@@ -276,8 +285,7 @@ namespace RollingContact
             const std::vector<double> &field,
             const std::vector<double> &coupling,
             const bool                 linear,
-            SparseRows                &rows,
-            double                    &constant)
+            TangentialProblem         &problem)
     {
       const double h = edge.along(1) - edge.along(0),
                    r = linear ? h / (edge.along(2) - edge.along(1)) : 0.;
@@ -287,13 +295,37 @@ namespace RollingContact
         {kappa,
          -kappa * (1 + r) * field[0] / field[1],
          kappa * r * field[0] / field[2]}};
-      constant = 0.;
-      rows[edge.run[0]].clear();
+      const std::size_t component = edge.offset / edge.contact.n_nodes;
+      SparseRows::Row  &row       = problem.edge_rows[component][edge.run[0]];
+      double &constant = problem.edge_constants[edge.offset + edge.run[0]];
+      constant         = 0.;
+      row.clear();
       for (unsigned int k = 0; k < (linear ? 3u : 2u); ++k)
         {
-          rows[edge.run[0]].emplace_back(edge.run[k], weights[k]);
+          row.emplace_back(edge.run[k], weights[k]);
           constant -= weights[k] * coupling[k];
         }
+    }
+
+
+
+    /**
+     * A first node that barely touches carries friction in the proportion of
+     * the next node, by the constant law.
+     */
+    void
+    follow_next_node(const ContactProblem      &contact,
+                     const Run                 &run,
+                     const std::vector<double> &pressure,
+                     TangentialProblem         &problem)
+    {
+      take_inside_derivative(EdgeProblem(contact, run, 0), problem);
+      for (unsigned int c = 0; c < contact.n_tangential; ++c)
+        add_law(EdgeProblem(contact, run, c),
+                on_run(run, pressure),
+                std::vector<double>(run.size(), 0.),
+                false,
+                problem);
     }
 
 
@@ -336,19 +368,27 @@ namespace RollingContact
                  TangentialProblem         &problem)
   {
     const ContactProblem &contact = problem.contact;
-    std::vector<Run>      runs = touching_runs(contact.slip_operator, pressure);
-    std::vector<double>   frictional = pressure;
+    const auto            linear  = [&](const unsigned int node) {
+      return !linear_edges.empty() && linear_edges[node];
+    };
+    std::vector<Run>    runs = touching_runs(contact.slip_operator, pressure);
+    std::vector<double> frictional = pressure;
     auto displacements = displacements_of_pressure(contact, frictional);
-    bool dropped       = false;
+    bool released      = false;
     for (Run &run : runs)
       if (run.size() >= 6 &&
-          drops_first_node(contact, run, frictional, displacements))
+          drops_first_node(contact, run, pressure, displacements))
         {
-          problem.bound[run[0]] = frictional[run[0]] = 0.;
+          if (linear(run[1]))
+            {
+              problem.bound[run[0]] = frictional[run[0]] = 0.;
+              released                                   = true;
+            }
+          else
+            follow_next_node(contact, run, pressure, problem);
           run.erase(run.begin());
-          dropped = true;
         }
-    if (dropped)
+    if (released)
       displacements = displacements_of_pressure(contact, frictional);
 
     for (const Run &run : runs)
@@ -358,17 +398,16 @@ namespace RollingContact
           continue;
         problem.edges.push_back(
           {{{run[0], run[1], run[2]}}, static_cast<unsigned int>(run.size())});
-        const bool linear = !linear_edges.empty() && linear_edges[run[0]];
         for (unsigned int c = 0; c < contact.n_tangential; ++c)
           {
             const EdgeProblem edge(contact, run, c);
             add_law(edge,
-                    linear ? companion(edge, frictional, displacements[c])
-                           : on_run(run, frictional),
+                    linear(run[0])
+                      ? companion(edge, frictional, displacements[c])
+                      : on_run(run, frictional),
                     coupling_traction(edge, frictional),
-                    linear,
-                    problem.edge_rows[c],
-                    problem.edge_constants[c * contact.n_nodes + run[0]]);
+                    linear(run[0]),
+                    problem);
           }
       }
   }

@@ -8,6 +8,9 @@
 #include <deal.II/lac/vector.h>
 #include <deal.II/numerics/vector_tools_boundary.h>
 
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/log.h>
+#include <rolling_contact/base/memory.h>
 #include <rolling_contact/elasticity/elastic_body.h>
 
 #include <algorithm>
@@ -183,6 +186,83 @@ namespace RollingContact
 
 
 
+  namespace
+  {
+    using Combination = std::vector<std::pair<types::global_dof_index, double>>;
+
+    template <int dim>
+    Point<dim - 1>
+    without_depth(const Point<dim> &chart_point)
+    {
+      Point<dim - 1> result;
+      for (int d = 0; d < dim - 1; ++d)
+        result[d] = chart_point[d];
+      return result;
+    }
+
+
+
+    /**
+     * True if the middle of a box lies in the ellipse of the given semi-axes,
+     * by a margin that keeps rounding from deciding.
+     */
+    template <int dim>
+    bool
+    in_ellipse(const Point<dim>            &lower,
+               const Point<dim>            &upper,
+               const std::array<double, 2> &semi_axes)
+    {
+      double sum = 0.;
+      for (int d = 0; d < dim - 1; ++d)
+        {
+          const double middle = std::abs(lower[d] + upper[d]) / 2,
+                       margin = 0.01 * (upper[d] - lower[d]);
+          sum += std::pow(std::max(0., middle - margin) / semi_axes[d], 2);
+        }
+      return sum <= 1.;
+    }
+
+
+
+    /**
+     * The keys of @p positions by ascending x, then y.
+     */
+    template <int dim>
+    std::vector<types::global_dof_index>
+    sorted(const std::map<types::global_dof_index, Point<dim>> &positions,
+           const std::array<double, 2>                         &scale)
+    {
+      std::vector<types::global_dof_index> order;
+      for (const auto &entry : positions)
+        order.push_back(entry.first);
+      std::sort(order.begin(), order.end(), [&](const auto a, const auto b) {
+        const auto &p = positions.at(a), &q = positions.at(b);
+        for (int d = 0; d < dim; ++d)
+          if (std::abs(p[d] - q[d]) > 1e-9 * scale[d])
+            return p[d] < q[d];
+        return false;
+      });
+      return order;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  ElasticBody<dim>::for_each_surface_face(
+    const std::function<void(const CellIterator &, const unsigned int)> &action)
+    const
+  {
+    for (const auto &cell : dofs.active_cell_iterators())
+      for (const unsigned int f : cell->face_indices())
+        if (cell->face(f)->at_boundary() &&
+            cell->face(f)->boundary_id() == contact_boundary)
+          action(cell, f);
+  }
+
+
+
   template <int dim>
   void
   ElasticBody<dim>::surface(const double              extent_x,
@@ -190,73 +270,46 @@ namespace RollingContact
                             std::vector<SurfaceNode> &nodes,
                             std::vector<SurfaceFace> &faces) const
   {
-    const auto surface_point = [](const Point<dim> &chart_point) {
-      Point<dim - 1> result;
-      for (int d = 0; d < dim - 1; ++d)
-        result[d] = chart_point[d];
-      return result;
-    };
     const std::array<double, 2> extent{{extent_x, extent_y}};
+    std::map<types::global_dof_index, Point<dim - 1>> vertices, used;
+    for_each_surface_face([&](const CellIterator &cell, const unsigned int f) {
+      for (const unsigned int v : cell->face(f)->vertex_indices())
+        {
+          Point<dim> at = body_mesh.chart->pull_back(cell->face(f)->vertex(v));
+          at[0]         = body_mesh.chart->centred_x(at[0]);
+          vertices[cell->face(f)->vertex_dof_index(v, 0)] = without_depth(at);
+        }
+    });
 
-    std::map<types::global_dof_index, Point<dim - 1>> positions;
-    using Combination = std::vector<std::pair<types::global_dof_index, double>>;
     std::vector<std::vector<Combination>> corners;
     faces.clear();
-    for (const auto &cell : dofs.active_cell_iterators())
-      for (const unsigned int f : cell->face_indices())
-        if (cell->face(f)->at_boundary() &&
-            cell->face(f)->boundary_id() == contact_boundary)
-          {
-            const auto  box = body_mesh.chart_box(cell);
-            SurfaceFace face;
-            face.lower  = surface_point(box.first);
-            face.upper  = surface_point(box.second);
-            bool inside = true; // by its middle, not decided by rounding
-            for (int d = 0; d < dim - 1; ++d)
-              inside =
-                inside && std::abs(face.lower[d] + face.upper[d]) / 2 <=
-                            extent[d] + 0.01 * (face.upper[d] - face.lower[d]);
-            if (!inside)
-              continue;
-            std::vector<Combination> face_corners;
-            for (const unsigned int v : cell->face(f)->vertex_indices())
-              {
-                const auto  dof  = cell->face(f)->vertex_dof_index(v, 0);
-                const auto *line = constraints.get_constraint_entries(dof);
-                Point<dim>  chart_point =
-                  body_mesh.chart->pull_back(cell->face(f)->vertex(v));
-                chart_point[0] = body_mesh.chart->centred_x(chart_point[0]);
-                if (line == nullptr)
-                  {
-                    positions[dof] = surface_point(chart_point);
-                    face_corners.push_back({{dof, 1.}});
-                  }
-                else
-                  face_corners.push_back(*line);
-              }
-            corners.push_back(face_corners);
-            faces.push_back(face);
-          }
-
-    std::vector<types::global_dof_index> order;
-    for (const auto &entry : positions)
-      order.push_back(entry.first);
-    std::sort(order.begin(), order.end(), [&](const auto a, const auto b) {
-      const auto &p = positions[a], &q = positions[b];
-      for (int d = 0; d < dim - 1; ++d)
-        if (std::abs(p[d] - q[d]) > 1e-9 * extent[d])
-          return p[d] < q[d];
-      return false;
+    for_each_surface_face([&](const CellIterator &cell, const unsigned int f) {
+      const auto box = body_mesh.chart_box(cell);
+      if (!in_ellipse(box.first, box.second, extent))
+        return;
+      faces.push_back(
+        {without_depth(box.first), without_depth(box.second), {}});
+      corners.emplace_back();
+      for (const unsigned int v : cell->face(f)->vertex_indices())
+        {
+          const auto  dof  = cell->face(f)->vertex_dof_index(v, 0);
+          const auto *line = constraints.get_constraint_entries(dof);
+          corners.back().push_back(line == nullptr ? Combination{{dof, 1.}}
+                                                   : *line);
+          for (const auto &entry : corners.back().back())
+            used[entry.first] = vertices.at(entry.first);
+        }
     });
+
     std::map<types::global_dof_index, unsigned int> number;
     nodes.clear();
-    for (const auto dof : order)
+    for (const auto dof : sorted(used, extent))
       {
+        number[dof] = nodes.size();
         SurfaceNode node;
-        node.position = positions[dof];
+        node.position = used[dof];
         for (int d = 0; d < dim; ++d)
           node.dofs[d] = dof + d;
-        number[dof] = nodes.size();
         nodes.push_back(node);
       }
     for (std::size_t f = 0; f < faces.size(); ++f)
@@ -276,6 +329,14 @@ namespace RollingContact
   ElasticBody<dim>::compliance(const std::vector<SurfaceNode>  &nodes,
                                const std::vector<unsigned int> &components)
   {
+    const double bytes = factor->size().memory_consumption();
+    if (available_memory() > 0 && bytes > 0.7 * available_memory())
+      throw InputError(
+        "The factor of a body with " + std::to_string(n_unknowns()) +
+        " unknowns needs " + human_bytes(bytes) + ", more than 70 % of the " +
+        human_bytes(available_memory()) +
+        " free: take fewer Mesh/Elements across patch or a larger "
+        "Mesh/Growth.");
     factor->factorise();
     std::vector<std::size_t> unknowns;
     for (const unsigned int component : components)

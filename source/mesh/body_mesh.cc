@@ -29,20 +29,25 @@ namespace RollingContact
   bool
   Grading<dim>::refine(const Point<dim> &lower, const Point<dim> &upper) const
   {
-    const double stretch_y = dim == 3 ? element_size_x / element_size_y : 1.;
-    double       size =
+    double size =
       std::max(upper[0] - lower[0], upper[dim - 1] - lower[dim - 1]);
-    double distance = std::hypot(
-      interval_distance(lower[0], upper[0], -zone_x, zone_x),
-      interval_distance(lower[dim - 1], upper[dim - 1], -zone_depth, 0.));
+    const auto nearest = [&](const unsigned int d) {
+      return interval_distance(lower[d], upper[d], 0., 0.);
+    };
+    double outside = interval_distance(lower[0], upper[0], -zone_x, zone_x);
     if (dim == 3)
       {
-        size = std::max(size, (upper[1] - lower[1]) * stretch_y);
-        distance =
-          std::hypot(distance,
-                     interval_distance(lower[1], upper[1], -zone_y, zone_y) *
-                       stretch_y);
+        size =
+          std::max(size,
+                   (upper[1] - lower[1]) * element_size_x / element_size_y);
+        outside =
+          std::max(0.,
+                   std::hypot(nearest(0) / zone_x, nearest(1) / zone_y) - 1) *
+          zone_x;
       }
+    const double distance = std::hypot(
+      outside,
+      interval_distance(lower[dim - 1], upper[dim - 1], -zone_depth, 0.));
     const double tolerance = 1. + 1e-6;
     if (size > tolerance * (element_size_x + growth * distance))
       return true;
@@ -257,8 +262,13 @@ namespace RollingContact
     const double limit     = geometry.shape == Shape::disc
                                ? std::min(0.4 * geometry.radius, thickness)
                                : std::min(geometry.length / 3, thickness);
-    const double size      = coarse_size(grading.element_size_x, limit);
-    const double origin    = grading.offset * grading.element_size_x;
+    const double limit_y =
+      dim == 3
+        ? geometry.width / 3 * grading.element_size_x / grading.element_size_y
+        : limit;
+    const double size =
+      coarse_size(grading.element_size_x, std::min(limit, limit_y));
+    const double origin = grading.offset * grading.element_size_x;
 
     BodyMesh<dim> mesh;
     mesh.chart =

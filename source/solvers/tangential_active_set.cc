@@ -1,3 +1,4 @@
+#include <rolling_contact/solvers/semismooth_newton.h>
 #include <rolling_contact/solvers/tangential_active_set.h>
 
 #include <algorithm>
@@ -84,13 +85,10 @@ namespace RollingContact
   TangentialActiveSet::solve(const TangentialProblem &problem,
                              ContactState            &state) const
   {
+    if (problem.contact.n_tangential == 2)
+      return SemismoothNewton(controls).solve(problem, state);
     SolverReport report;
-    report.solver = "active set";
-    if (problem.contact.n_tangential != 1)
-      {
-        report.reason = "the active set handles one direction of friction";
-        return report;
-      }
+    report.solver                     = "active set";
     const DenseMatrix slip_compliance = problem.slip_compliance();
     const double      norm            = problem.contact.tangential_norm;
     double rho = norm > 0. ? controls.tangential_augmentation / norm : 0.;

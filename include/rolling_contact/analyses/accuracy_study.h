@@ -74,7 +74,8 @@ namespace RollingContact
 
     const SceneParameters             &scene;
     RunContext                        &context;
-    double                             half_width = 0., saturation = 0.;
+    PatchEstimate                      patch;
+    double                             saturation = 0.;
     std::map<Key, std::vector<Sample>> samples;
   };
 } // namespace RollingContact

@@ -13,6 +13,7 @@ namespace RollingContact
   struct PatchEstimate
   {
     double half_width_x = 0.;
+    double half_width_y = 0.; ///< 3D
     double normal_force = 0.;
   };
 
@@ -24,8 +25,9 @@ namespace RollingContact
    */
   struct PairConstants
   {
-    double contact_modulus = 0.;
-    double relative_radius = 0.;
+    double contact_modulus         = 0.;
+    double relative_radius         = 0.; ///< in the rolling direction
+    double lateral_relative_radius = 0.; ///< 3D
     double dundurs_beta = 0.; ///< 0 if normal and tangential problem uncouple
   };
 

@@ -27,9 +27,6 @@ namespace RollingContact
     report_no_contact();
 
     void
-    describe_bodies(const SteadyState<dim> &steady);
-
-    void
     summarise(const SteadyState<dim> &steady);
 
     void
@@ -38,6 +35,14 @@ namespace RollingContact
     const SceneParameters &scene;
     RunContext            &context;
   };
+
+  /**
+   * Log the sizes and cost of the bodies and note in run.json what was built
+   * and what the scene did not need.
+   */
+  template <int dim>
+  void
+  describe_bodies(const SteadyState<dim> &steady, RunContext &context);
 
   /**
    * The columns of results.csv that every analysis of steady states fills; ends

@@ -1,6 +1,7 @@
 #ifndef rolling_contact_analyses_scene_parameters_h
 #define rolling_contact_analyses_scene_parameters_h
 
+#include <rolling_contact/analyses/creep_curve_parameters.h>
 #include <rolling_contact/analyses/study_parameters.h>
 #include <rolling_contact/contact/contact_parameters.h>
 #include <rolling_contact/elasticity/body_parameters.h>
@@ -26,13 +27,14 @@ namespace RollingContact
     unsigned int dimension = 2;
     std::string  analysis  = "quasi-static";
 
-    BodyParameters    wheel;
-    BodyParameters    rail;
-    ContactParameters contact;
-    SolverParameters  solver;
-    MeshParameters    mesh;
-    StudyParameters   study;
-    OutputParameters  output;
+    BodyParameters       wheel;
+    BodyParameters       rail;
+    ContactParameters    contact;
+    SolverParameters     solver;
+    MeshParameters       mesh;
+    CreepCurveParameters creep_curve;
+    StudyParameters      study;
+    OutputParameters     output;
   };
 } // namespace RollingContact
 

@@ -30,12 +30,12 @@ namespace RollingContact
   };
 
   /**
-   * Element sizes for a patch of this half-width (m); offset in elements.
+   * Element sizes for a patch of this size; offset in elements.
    */
   template <int dim>
   Grading<dim>
   make_grading(const SceneParameters &scene,
-               const double           half_width,
+               const PatchEstimate   &patch,
                const unsigned int     elements_across_patch,
                const double           offset);
 
@@ -43,7 +43,7 @@ namespace RollingContact
    * What the solvers start from: contact on the estimated patch, no traction.
    */
   ContactState
-  initial_state(const ContactProblem &problem, const double half_width);
+  initial_state(const ContactProblem &problem, const PatchEstimate &patch);
 
   /**
    * Mesh, condense and solve. The mesh is made for the Hertz estimate and made

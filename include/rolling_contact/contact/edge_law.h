@@ -24,10 +24,13 @@ namespace RollingContact
    * The linear law holds where the first three of at least four nodes stick,
    * see sticking_edges(); s of the whole line is the known one in full slip. p
    * is the discrete companion of the pressure in the tangential compliance, see
-   * edge_law.cc. A first node whose companion pulls carries no friction and the
-   * next one counts as first. With normal-tangential coupling L acts on q -
-   * q_n, where q_n answers the tangential displacement of the pressure near the
-   * edge: q_n = beta/pi p ln((x - x_l)/(x_r - x)) + corrections, beta Dundurs'.
+   * edge_law.cc. A first
+   * node whose companion pulls barely touches, and the next one counts as
+   * first: it carries no friction where the linear law holds, and follows the
+   * next node by the constant law elsewhere. With normal-tangential coupling L
+   * acts on q - q_n, where q_n answers the tangential displacement of the
+   * pressure near the edge: q_n = beta/pi p ln((x - x_l)/(x_r - x)) +
+   * corrections, beta Dundurs'.
    */
   void
   apply_edge_law(const std::vector<double> &pressure,

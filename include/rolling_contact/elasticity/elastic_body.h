@@ -10,6 +10,7 @@
 #include <rolling_contact/elasticity/material.h>
 #include <rolling_contact/mesh/body_mesh.h>
 
+#include <functional>
 #include <memory>
 
 namespace RollingContact
@@ -120,6 +121,13 @@ namespace RollingContact
     }
 
   private:
+    using CellIterator = typename dealii::DoFHandler<dim>::active_cell_iterator;
+
+    void
+    for_each_surface_face(
+      const std::function<void(const CellIterator &, const unsigned int)>
+        &action) const;
+
     void
     distribute();
 

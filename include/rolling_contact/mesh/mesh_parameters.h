@@ -32,13 +32,14 @@ namespace RollingContact
     void
     check() const;
 
-    unsigned int elements_across_patch = 48;
-    std::string  patch_offset          = "0";
-    double       candidate_zone        = 1.5;
-    double       zone_depth            = 0.75;
-    double       growth                = 0.1;
-    unsigned int rim_levels            = 0;
-    std::string  rim_edges             = "leading";
+    unsigned int elements_across_patch   = 48;
+    unsigned int elements_across_patch_y = 0;
+    std::string  patch_offset            = "0";
+    double       candidate_zone          = 1.5;
+    double       zone_depth              = 0.75;
+    double       growth                  = 0.1;
+    unsigned int rim_levels              = 0;
+    std::string  rim_edges               = "leading";
   };
 } // namespace RollingContact
 

@@ -1,0 +1,46 @@
+#ifndef rolling_contact_analyses_creep_curve_h
+#define rolling_contact_analyses_creep_curve_h
+
+#include <rolling_contact/analyses/steady_state.h>
+
+namespace RollingContact
+{
+  /**
+   * Analysis = creep curve: steady states along a path of creepages on one
+   * mesh, with one factorisation and one condensation, each point started from
+   * the one before. One row per point in results.csv, and a plot of |T|/(mu N)
+   * with the references. Throws ConvergenceError at the first point that is not
+   * solved; the rows before it are kept.
+   */
+  template <int dim>
+  class CreepCurve
+  {
+  public:
+    CreepCurve(const SceneParameters &scene, RunContext &context)
+      : scene(scene)
+      , context(context)
+    {}
+
+    void
+    run();
+
+  private:
+    void
+    solve_point(const References::Creepages &creepages,
+                SteadyState<dim>            &steady);
+
+    void
+    report_progress(const std::size_t n_done,
+                    const std::size_t n_points,
+                    const double      seconds);
+
+    void
+    plot(const std::vector<References::Creepages> &points) const;
+
+    const SceneParameters &scene;
+    RunContext            &context;
+    std::vector<double>    force, linear, saturated; ///< |T| / (mu N)
+  };
+} // namespace RollingContact
+
+#endif

@@ -1,0 +1,30 @@
+#ifndef rolling_contact_solvers_semismooth_newton_h
+#define rolling_contact_solvers_semismooth_newton_h
+
+#include <rolling_contact/solvers/contact_solver.h>
+
+namespace RollingContact
+{
+  /**
+   * Semismooth Newton iteration on q = Proj(q - rho_t s(q)), the active set of
+   * discs: where |z| <= mu p, z = q - rho_t s, the step asks for zero slip,
+   * elsewhere it follows the projection q = mu p z/|z| and its derivative
+   * (Alart and Curnier 1991). One dense solve on the touching nodes per
+   * iteration. Gives up when the residual stops falling.
+   */
+  class SemismoothNewton : public TangentialSolver
+  {
+  public:
+    explicit SemismoothNewton(const SolverControls &controls)
+      : controls(controls)
+    {}
+
+    SolverReport
+    solve(const TangentialProblem &problem, ContactState &state) const override;
+
+  private:
+    SolverControls controls;
+  };
+} // namespace RollingContact
+
+#endif

@@ -1,0 +1,172 @@
+#include <rolling_contact/analyses/creep_curve.h>
+#include <rolling_contact/analyses/ellipse_reference.h>
+#include <rolling_contact/analyses/line_reference.h>
+#include <rolling_contact/analyses/quasi_static.h>
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/interrupt.h>
+#include <rolling_contact/output/svg_plot.h>
+
+#include <chrono>
+#include <cmath>
+
+namespace RollingContact
+{
+  namespace
+  {
+    double
+    seconds_since(const std::chrono::steady_clock::time_point start)
+    {
+      return std::chrono::duration<double>(std::chrono::steady_clock::now() -
+                                           start)
+        .count();
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  CreepCurve<dim>::run()
+  {
+    const auto points = scene.creep_curve.points();
+    if (scene.contact.friction_coefficient <= 0. ||
+        estimate_patch(scene).half_width_x <= 0.)
+      throw InputError(
+        "Analysis = creep curve needs contact and friction: check "
+        "Contact/Approach, Contact/Normal load and "
+        "Contact/Friction coefficient.");
+    SteadyState<dim> steady = solve_steady_state<dim>(scene, context);
+    describe_bodies(steady, context);
+    const auto start = std::chrono::steady_clock::now();
+    for (std::size_t k = 0; k < points.size(); ++k)
+      {
+        throw_if_interrupted();
+        const auto point_start = std::chrono::steady_clock::now();
+        solve_point(points[k], steady);
+        steady.wall_s = seconds_since(point_start);
+        add_result_row(scene, steady, context);
+        if (!steady.solver.converged)
+          throw ConvergenceError(
+            "Creep curve, point " + std::to_string(k + 1) + " of " +
+            std::to_string(points.size()) + ": " + steady.solver.reason +
+            ". Natural residual " +
+            scientific(steady.solver.residual.worst(), 3) + ", required " +
+            scientific(scene.solver.controls.tolerance, 3) + ".");
+        report_progress(k + 1, points.size(), seconds_since(start));
+      }
+    context.log.message(context.results.screen_table({"creepage_x",
+                                                      "creepage_y",
+                                                      "spin_1/m",
+                                                      "force_x_N",
+                                                      "force_y_N",
+                                                      "traction_coefficient",
+                                                      "stick_area_m2",
+                                                      "iterations"}));
+    context.log.message(std::to_string(points.size()) + " points in " +
+                        human_seconds(seconds_since(start)) +
+                        " after meshing, factorisation and condensation.");
+    if (scene.output.plot)
+      plot(points);
+  }
+
+
+
+  template <int dim>
+  void
+  CreepCurve<dim>::solve_point(const References::Creepages &creepages,
+                               SteadyState<dim>            &steady)
+  {
+    PhaseTimer::Scope phase(context.timer, "contact solve");
+    steady.creepage_x = creepages.x;
+    steady.creepage_y = creepages.y;
+    steady.spin       = creepages.spin;
+    steady.problem.set_creepages(creepages.x, creepages.y, creepages.spin);
+    steady.solver =
+      make_contact_solver(scene.solver.solver, scene.solver.controls)
+        ->solve(steady.problem, steady.state);
+    steady.result = resultants(steady.problem, steady.state);
+
+    const double friction_force =
+      scene.contact.friction_coefficient * steady.result.normal_force;
+    force.push_back(std::hypot(steady.result.force_x, steady.result.force_y) /
+                    friction_force);
+    if constexpr (dim == 3)
+      {
+        const EllipseReference reference =
+          ellipse_reference(scene, steady.result.normal_force, creepages);
+        linear.push_back(std::hypot(reference.linear.x, reference.linear.y) /
+                         friction_force);
+        saturated.push_back(
+          std::hypot(reference.saturated.x, reference.saturated.y) /
+          friction_force);
+      }
+    else if (const auto carter = line_reference(scene, steady).carter)
+      saturated.push_back(std::abs(carter->force_ratio()));
+  }
+
+
+
+  template <int dim>
+  void
+  CreepCurve<dim>::report_progress(const std::size_t n_done,
+                                   const std::size_t n_points,
+                                   const double      seconds)
+  {
+    const double left = seconds / n_done * (n_points - n_done);
+    if (left > 5.)
+      context.log.message("point " + std::to_string(n_done) + " of " +
+                          std::to_string(n_points) + ", about " +
+                          human_seconds(left) + " left");
+  }
+
+
+
+  template <int dim>
+  void
+  CreepCurve<dim>::plot(const std::vector<References::Creepages> &points) const
+  {
+    const auto spread = [&](const auto &component) {
+      return component(points.back()) - component(points.front());
+    };
+    const auto x    = [](const auto &point) { return point.x; };
+    const auto y    = [](const auto &point) { return point.y; };
+    const auto spin = [](const auto &point) { return point.spin; };
+
+    std::vector<double> abscissa;
+    for (const auto &point : points)
+      abscissa.push_back(spread(y) != 0.   ? 100 * point.y
+                         : spread(x) != 0. ? 100 * point.x
+                                           : point.spin);
+    const std::string label = spread(y) != 0.      ? "lateral creepage (%)"
+                              : spread(x) != 0.    ? "longitudinal creepage (%)"
+                              : spread(spin) != 0. ? "spin (1/m)"
+                                                   : "creepage";
+    SvgPlot           figure("Creep curve", label, "|T| / (\u03bcN)");
+    figure.add_curve("finite elements",
+                     abscissa,
+                     force,
+                     CurveStyle::line_and_points);
+    if (dim == 3)
+      {
+        std::vector<double> shown_x, shown;
+        for (std::size_t k = 0; k < linear.size(); ++k)
+          if (linear[k] <= 1.2)
+            {
+              shown_x.push_back(abscissa[k]);
+              shown.push_back(linear[k]);
+            }
+        figure.add_curve("Kalker, linear", shown_x, shown, CurveStyle::dashed);
+      }
+    if (saturated.size() == abscissa.size())
+      figure.add_curve(dim == 3 ? "Shen, Hedrick, Elkins" : "Carter",
+                       abscissa,
+                       saturated,
+                       CurveStyle::reference);
+    figure.write(context.folder, "creep_curve.svg");
+  }
+
+
+
+  template class CreepCurve<2>;
+  template class CreepCurve<3>;
+} // namespace RollingContact

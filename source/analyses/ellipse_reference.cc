@@ -1,0 +1,42 @@
+#include <rolling_contact/analyses/ellipse_reference.h>
+#include <rolling_contact/references/contact_modulus.h>
+
+#include <limits>
+
+namespace RollingContact
+{
+  EllipseReference
+  ellipse_reference(const SceneParameters       &scene,
+                    const double                 normal_force,
+                    const References::Creepages &creepages)
+  {
+    const PairConstants constants = pair_constants(scene);
+    const auto          modulus   = [](const BodyParameters &body) {
+      return body.rigid ? std::numeric_limits<double>::infinity()
+                                   : body.material.young_modulus;
+    };
+    const References::CombinedElasticity elasticity =
+      References::combined_elasticity(modulus(scene.wheel),
+                                      scene.wheel.material.poisson_ratio,
+                                      modulus(scene.rail),
+                                      scene.rail.material.poisson_ratio);
+    EllipseReference reference{
+      References::hertz_ellipse(normal_force,
+                                0.5 / constants.relative_radius,
+                                0.5 / constants.lateral_relative_radius,
+                                constants.contact_modulus),
+      {},
+      {}};
+    const int flow = scene.contact.flow();
+    reference.linear =
+      References::kalker_forces(creepages, reference.hertz, elasticity, flow);
+    if (scene.contact.friction_coefficient > 0.)
+      reference.saturated =
+        References::shen_hedrick_elkins(creepages,
+                                        reference.hertz,
+                                        elasticity,
+                                        scene.contact.friction_coefficient,
+                                        flow);
+    return reference;
+  }
+} // namespace RollingContact
