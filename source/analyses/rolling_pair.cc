@@ -3,12 +3,35 @@
 #include <rolling_contact/analyses/patch_estimate.h>
 #include <rolling_contact/analyses/rolling_pair.h>
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/platform.h>
 
 #include <cmath>
+#include <future>
 
 namespace RollingContact
 {
   using namespace dealii;
+
+  namespace
+  {
+    /**
+     * Run two actions at the same time, each with one thread for its linear
+     * algebra. An exception of either reaches the caller.
+     */
+    template <typename First, typename Second>
+    void
+    in_two_threads(const First &first, const Second &second)
+    {
+      std::future<void> other = std::async(std::launch::async, [&]() {
+        use_one_solver_thread();
+        second();
+      });
+      first();
+      other.get();
+    }
+  } // namespace
+
+
 
   template <int dim>
   RollingPair<dim>::RollingPair(const SceneParameters &scene,
@@ -21,14 +44,20 @@ namespace RollingContact
                                                 body.thickness,
                                                 grading);
     };
-    if (!scene.wheel.rigid)
-      wheel_body = build(scene.wheel);
-    if (!scene.rail.rigid)
-      rail_body = wheel_body &&
-                      scene.wheel.geometry() == scene.rail.geometry() &&
-                      scene.wheel.material == scene.rail.material
-                    ? wheel_body
-                    : build(scene.rail);
+    const bool twins = !scene.wheel.rigid &&
+                       scene.wheel.geometry() == scene.rail.geometry() &&
+                       scene.wheel.material == scene.rail.material;
+    in_two_threads(
+      [&]() {
+        if (!scene.wheel.rigid)
+          wheel_body = build(scene.wheel);
+      },
+      [&]() {
+        if (!scene.rail.rigid && !twins)
+          rail_body = build(scene.rail);
+      });
+    if (twins)
+      rail_body = wheel_body;
     if (scene.contact.friction_coefficient > 0.)
       for (unsigned int d = 0; d < dim - 1; ++d)
         components.push_back(d);
@@ -114,19 +143,20 @@ namespace RollingContact
   {
     const std::size_t n_nodes = contact_trace.nodes.size();
     DenseMatrix W(components.size() * n_nodes, components.size() * n_nodes);
+    DenseMatrix wheel, rail;
+    in_two_threads(
+      [&]() {
+        if (wheel_body)
+          wheel = wheel_body->compliance(wheel_nodes, components);
+      },
+      [&]() {
+        if (rail_body && !twins())
+          rail = rail_body->compliance(rail_nodes, components);
+      });
     if (wheel_body)
-      {
-        const DenseMatrix body =
-          wheel_body->compliance(wheel_nodes, components);
-        add_compliance(body, true, n_nodes, W);
-        if (twins())
-          add_compliance(body, false, n_nodes, W);
-      }
-    if (rail_body && !twins())
-      add_compliance(rail_body->compliance(rail_nodes, components),
-                     false,
-                     n_nodes,
-                     W);
+      add_compliance(wheel, true, n_nodes, W);
+    if (rail_body)
+      add_compliance(twins() ? wheel : rail, false, n_nodes, W);
     return W;
   }
 

@@ -21,10 +21,11 @@ namespace RollingContact
     add_parameter(
       "Analysis",
       analysis,
-      "`quasi-static`: one steady rolling state; `accuracy study`: the "
-      "same state on many meshes, see section Accuracy study.",
+      "`quasi-static`: one steady rolling state; `creep curve`: many creepages, "
+      "see section Creep curve; `accuracy study` (2D): the same state on many "
+      "meshes, see section Accuracy study.",
       prm,
-      Patterns::Selection("quasi-static|accuracy study"));
+      Patterns::Selection("quasi-static|creep curve|accuracy study"));
   }
 
 

@@ -126,10 +126,10 @@ namespace RollingContact
     std::vector<NodeState> states(problem.n_nodes, NodeState::open);
     for (unsigned int i = 0; i < problem.n_nodes; ++i)
       if (state.pressure[i] > 0.)
-        states[i] =
-          traction_size(problem, state, i) < (1 - 1e-9) * tangential.bound[i]
-            ? NodeState::stick
-            : NodeState::slip;
+        states[i] = traction_size(problem, state, i) <
+                        (1 - 1e-9) * problem.friction[i] * state.pressure[i]
+                      ? NodeState::stick
+                      : NodeState::slip;
     return states;
   }
 

@@ -13,7 +13,7 @@ namespace RollingContact
   };
 
   /**
-   * Open where p = 0, slip where |q| has reached its bound, stick else.
+   * Open where p = 0, slip where |q| has reached mu p, stick else.
    */
   std::vector<NodeState>
   node_states(const TangentialProblem &tangential, const ContactState &state);
