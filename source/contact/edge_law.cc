@@ -416,25 +416,24 @@ namespace RollingContact
 
   std::vector<bool>
   sticking_edges(const TangentialProblem   &problem,
-                 const std::vector<double> &traction)
+                 const std::vector<double> &traction,
+                 const unsigned int         first)
   {
     std::vector<bool>  result;
-    const unsigned int n = problem.contact.n_nodes;
+    const unsigned int n      = problem.contact.n_nodes;
+    const auto         sticks = [&](const unsigned int node) {
+      double size = 0.;
+      for (unsigned int c = 0; c < problem.contact.n_tangential; ++c)
+        size = std::hypot(size, traction[c * n + node]);
+      return size < (1 - 1e-9) * problem.bound[node];
+    };
     for (const ContactEdge &edge : problem.edges)
-      {
-        bool sticks = edge.n_touching >= 4;
-        for (const unsigned int node : edge.nodes)
-          {
-            double size = 0.;
-            for (unsigned int c = 0; c < problem.contact.n_tangential; ++c)
-              size = std::hypot(size, traction[c * n + node]);
-            sticks = sticks && size < (1 - 1e-9) * problem.bound[node];
-          }
-        if (!sticks)
-          continue;
-        result.resize(n, false);
-        result[edge.nodes[0]] = true;
-      }
+      if (edge.n_touching >= 4 &&
+          std::all_of(edge.nodes.begin() + first, edge.nodes.end(), sticks))
+        {
+          result.resize(n, false);
+          result[edge.nodes[0]] = true;
+        }
     return result;
   }
 } // namespace RollingContact

@@ -2,6 +2,8 @@
 #include <rolling_contact/solvers/alternation.h>
 #include <rolling_contact/solvers/anderson.h>
 
+#include <algorithm>
+
 namespace RollingContact
 {
   Alternation::Alternation(
@@ -42,11 +44,32 @@ namespace RollingContact
 
 
 
+  namespace
+  {
+    /**
+     * The edges marked in both; empty if there is none.
+     */
+    std::vector<bool>
+    common_edges(const std::vector<bool> &first,
+                 const std::vector<bool> &second)
+    {
+      std::vector<bool> common(std::min(first.size(), second.size()));
+      for (std::size_t i = 0; i < common.size(); ++i)
+        common[i] = first[i] && second[i];
+      return std::find(common.begin(), common.end(), true) == common.end()
+               ? std::vector<bool>()
+               : common;
+    }
+  } // namespace
+
+
+
   bool
   Alternation::solve_friction(const ContactProblem &problem,
                               ContactState         &state,
                               SolverReport         &report) const
   {
+    const unsigned int max_rounds = 4;
     if (problem.n_tangential == 0)
       return true;
     if (!state.linear_edges.empty())
@@ -60,9 +83,23 @@ namespace RollingContact
     const TangentialProblem constant_law = tangential_problem(problem, state);
     if (!solve_with_any(constant_law, state, report))
       return false;
-    state.linear_edges = sticking_edges(constant_law, state.traction);
-    return state.linear_edges.empty() ||
-           solve_with_any(tangential_problem(problem, state), state, report);
+    state.linear_edges = sticking_edges(constant_law, state.traction, 1);
+    for (unsigned int round = 0; round < max_rounds; ++round)
+      {
+        if (state.linear_edges.empty())
+          return round == 0 ||
+                 solve_with_any(tangential_problem(problem, state),
+                                state,
+                                report);
+        const TangentialProblem linear_law = tangential_problem(problem, state);
+        if (!solve_with_any(linear_law, state, report))
+          return false;
+        const auto sticking = sticking_edges(linear_law, state.traction);
+        if (sticking == state.linear_edges)
+          return true;
+        state.linear_edges = common_edges(sticking, state.linear_edges);
+      }
+    return solve_with_any(tangential_problem(problem, state), state, report);
   }
 
 

@@ -38,12 +38,15 @@ namespace RollingContact
                  TangentialProblem         &problem);
 
   /**
-   * True at the first node of each edge where the linear law holds at this
-   * traction; empty if there is none.
+   * True at the first node of each edge of at least four touching nodes whose
+   * first three nodes, from the one numbered @p first on, stick at this
+   * traction; empty if there is none. The linear law holds where all three
+   * stick under it.
    */
   std::vector<bool>
   sticking_edges(const TangentialProblem   &problem,
-                 const std::vector<double> &traction);
+                 const std::vector<double> &traction,
+                 const unsigned int         first = 0);
 } // namespace RollingContact
 
 #endif
