@@ -17,6 +17,12 @@ namespace RollingContact
       "direction. Units: 1.",
       prm,
       Patterns::Integer(1, 100000));
+    add_parameter("Elements across patch y",
+                  elements_across_patch_y,
+                  "The same across the rolling direction, 3D only; 0: as many "
+                  "as in it. Units: 1.",
+                  prm,
+                  Patterns::Integer(0, 100000));
     add_parameter(
       "Patch offset",
       patch_offset,
