@@ -1,6 +1,6 @@
 #include <rolling_contact/analyses/accuracy_study.h>
 #include <rolling_contact/analyses/line_reference.h>
-#include <rolling_contact/analyses/quasi_static.h>
+#include <rolling_contact/analyses/result_row.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/output/svg_plot.h>

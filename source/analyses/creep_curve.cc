@@ -2,6 +2,7 @@
 #include <rolling_contact/analyses/ellipse_reference.h>
 #include <rolling_contact/analyses/line_reference.h>
 #include <rolling_contact/analyses/quasi_static.h>
+#include <rolling_contact/analyses/result_row.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/output/svg_plot.h>

@@ -69,7 +69,7 @@ namespace RollingContact
     {
       std::vector<double> values;
       std::istringstream  input(text);
-      for (std::string part; std::getline(input, part, separator);)
+      for (std::string part; std::getline(input >> std::ws, part, separator);)
         values.push_back(number(entry, text, part));
       return values;
     }

@@ -1,13 +1,13 @@
 #include <deal.II/lac/vector.h>
 
-#include <rolling_contact/analyses/ellipse_reference.h>
 #include <rolling_contact/analyses/line_reference.h>
 #include <rolling_contact/analyses/quasi_static.h>
+#include <rolling_contact/analyses/result_row.h>
+#include <rolling_contact/analyses/traction_plot.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/output/body_fields.h>
 #include <rolling_contact/output/interface_fields.h>
 #include <rolling_contact/output/pvd.h>
-#include <rolling_contact/output/svg_plot.h>
 
 #include <cmath>
 
@@ -15,210 +15,10 @@ namespace RollingContact
 {
   namespace
   {
-    void
-    set_resultant_columns(const Resultants &result, ResultsTable &table)
-    {
-      table.set("normal_force_N", result.normal_force);
-      table.set("force_x_N", result.force_x);
-      table.set("force_y_N", result.force_y);
-      table.set("spin_moment_Nm", result.spin_moment);
-      table.set("traction_coefficient", result.traction_coefficient);
-      table.set("max_pressure_Pa", result.max_pressure);
-      table.set("contact_area_m2", result.contact_area);
-      table.set("stick_area_m2", result.stick_area);
-      table.set("half_width_x_m", result.half_width_x);
-      table.set("half_width_y_m", result.half_width_y);
-      table.set("nodes_in_contact", result.n_touching);
-      table.set("creep_work_J/m", result.creep_work);
-      table.set("dissipation_J/m", result.dissipation);
-      table.set("energy_error", result.energy_error());
-    }
-
-
-
-    void
-    set_solver_columns(const SolverReport &solver, ResultsTable &table)
-    {
-      table.set("residual_normal", solver.residual.normal);
-      table.set("residual_tangential", solver.residual.tangential);
-      table.set("iterations", solver.iterations);
-      table.set("normal_solves", solver.normal_solves);
-      table.set("tangential_solves", solver.tangential_solves);
-      table.set("passes", solver.passes);
-      table.set("solver", solver.solver);
-      table.set("converged", solver.converged);
-    }
-
-
-
-    void
-    set_reference_columns(const SceneParameters &scene,
-                          const SteadyState<2>  &steady,
-                          ResultsTable          &table)
-    {
-      if (steady.result.normal_force <= 0.)
-        return;
-      const LineReference reference = line_reference(scene, steady);
-      const LineErrors    errors    = line_errors(scene, steady, reference);
-      table.set("reference_half_width_x_m", reference.hertz.half_width);
-      table.set("reference_max_pressure_Pa", reference.hertz.max_pressure);
-      table.set("error_pressure_l2", errors.pressure_l2);
-      if (errors.normal_force)
-        {
-          table.set("reference_normal_force_N", *reference.normal_force);
-          table.set("error_normal_force", *errors.normal_force);
-        }
-      if (!reference.carter || !reference.carter_is_exact)
-        return;
-      table.set("reference_force_x/muN", reference.carter->force_ratio());
-      table.set("error_force_x/muN", errors.force);
-      table.set("error_traction_l2", errors.traction_l2);
-      table.set("error_sawtooth", errors.sawtooth);
-      table.set("error_stick_boundary_elements", errors.stick_boundary);
-    }
-
-
-
-    void
-    set_ellipse_columns(const SceneParameters &scene,
-                        const SteadyState<3>  &steady,
-                        ResultsTable          &table)
-    {
-      if (steady.result.normal_force <= 0.)
-        return;
-      const EllipseReference reference =
-        ellipse_reference(scene,
-                          steady.result.normal_force,
-                          {steady.creepage_x, steady.creepage_y, steady.spin});
-      table.set("reference_half_width_x_m", reference.hertz.half_width_x);
-      table.set("reference_half_width_y_m", reference.hertz.half_width_y);
-      table.set("reference_max_pressure_Pa", reference.hertz.max_pressure);
-      table.set("reference_approach_m", reference.hertz.approach);
-      if (steady.problem.n_tangential == 0)
-        return;
-      table.set("kalker_force_x_N", reference.linear.x);
-      table.set("kalker_force_y_N", reference.linear.y);
-      table.set("kalker_spin_moment_Nm", reference.linear.spin_moment);
-      table.set("shen_force_x_N", reference.saturated.x);
-      table.set("shen_force_y_N", reference.saturated.y);
-    }
-  } // namespace
-
-
-
-  template <int dim>
-  void
-  add_result_row(const SceneParameters  &scene,
-                 const SteadyState<dim> &steady,
-                 RunContext             &context)
-  {
-    ResultsTable &table      = context.results;
-    std::size_t   n_unknowns = 0;
-    for (const Side side : {Side::wheel, Side::rail})
-      if (steady.pair->body(side) != nullptr &&
-          !(side == Side::rail && steady.pair->twins()))
-        n_unknowns += steady.pair->body(side)->n_unknowns();
-    table.set("level", 0);
-    table.set("dofs", n_unknowns);
-    table.set("contact_nodes", steady.problem.n_nodes);
-    table.set("elements_across", steady.elements_across);
-    table.set("patch_offset", steady.grading.offset);
-    table.set("slip_operator", steady.slip_operator);
-    table.set("creepage_x", steady.creepage_x);
-    table.set("creepage_y", steady.creepage_y);
-    table.set("spin_1/m", steady.spin);
-    table.set("approach_m", steady.state.approach);
-    set_resultant_columns(steady.result, table);
-    set_solver_columns(steady.solver, table);
-    if constexpr (dim == 2)
-      set_reference_columns(scene, steady, table);
-    else
-      set_ellipse_columns(scene, steady, table);
-    table.set("wall_s", steady.wall_s);
-    table.end_row();
-  }
-
-
-
-  namespace
-  {
     std::string
     name_of(const Side side)
     {
       return side == Side::wheel ? "wheel" : "rail";
-    }
-
-
-
-    /**
-     * p/p0 and q/(mu p0) along the patch, with Hertz and Carter.
-     */
-    void
-    plot_line_tractions(const SceneParameters &scene,
-                        const SteadyState<2>  &steady,
-                        RunFolder             &folder)
-    {
-      const LineReference reference = line_reference(scene, steady);
-      const double        a         = reference.hertz.half_width,
-                   p0               = reference.hertz.max_pressure,
-                   bound            = scene.contact.friction_coefficient * p0;
-      const bool     friction       = steady.problem.n_tangential > 0;
-      const unsigned n_fine         = 1000;
-      const double   extent         = 1.15;
-
-      std::vector<double> x, pressure, traction, lower_bound;
-      for (unsigned int i = 0; i < steady.problem.n_nodes; ++i)
-        {
-          const double at = steady.problem.positions[i][0] / a;
-          if (std::abs(at) > extent)
-            continue;
-          x.push_back(at);
-          pressure.push_back(steady.state.pressure[i] / p0);
-          traction.push_back(friction ? steady.state.traction[i] / bound : 0.);
-          lower_bound.push_back(
-            std::copysign(pressure.back(), steady.result.force_x));
-        }
-      std::vector<double> fine_x, hertz, carter;
-      for (unsigned int k = 0; k <= n_fine; ++k)
-        {
-          fine_x.push_back(extent * (2. * k / n_fine - 1));
-          hertz.push_back(reference.hertz.pressure(fine_x.back() * a) / p0);
-          if (reference.carter)
-            carter.push_back(reference.carter->traction(fine_x.back() * a) /
-                             bound);
-        }
-
-      SvgPlot plot(friction
-                     ? "T / (\u03bcN) = " +
-                         significant(steady.result.force_x /
-                                       (scene.contact.friction_coefficient *
-                                        steady.result.normal_force),
-                                     4) +
-                         " at creepage " + significant(steady.creepage_x, 4)
-                     : "Frictionless contact",
-                   "x / a, material flows " +
-                     std::string(scene.contact.flow() > 0 ? "to the right"
-                                                          : "to the left"),
-                   "p / p\u2080,   q / (\u03bcp\u2080)");
-      if (reference.carter)
-        {
-          const auto stick = reference.carter->stick_interval();
-          if (stick.second > stick.first)
-            plot.add_band("stick (Carter)", stick.first / a, stick.second / a);
-        }
-      plot.add_curve("Hertz", fine_x, hertz, CurveStyle::reference);
-      if (reference.carter)
-        plot.add_curve("Carter", fine_x, carter, CurveStyle::reference);
-      plot.add_curve("pressure p", x, pressure, CurveStyle::points);
-      if (friction)
-        {
-          plot.add_curve("traction q on the wheel",
-                         x,
-                         traction,
-                         CurveStyle::points);
-          plot.add_curve("bound \u03bcp", x, lower_bound, CurveStyle::line);
-        }
-      plot.write(folder, "tractions.svg");
     }
   } // namespace
 
@@ -258,16 +58,7 @@ namespace RollingContact
   void
   QuasiStatic<dim>::report_no_contact()
   {
-    ResultsTable &table = context.results;
-    table.set("level", 0);
-    table.set("creepage_x", scene.contact.creepage_x);
-    table.set("creepage_y", scene.contact.creepage_y);
-    table.set("spin_1/m", scene.contact.spin);
-    table.set("approach_m", scene.contact.approach().value_or(0.));
-    set_resultant_columns(Resultants(), table);
-    table.set("solver", std::string("none"));
-    table.set("converged", true);
-    table.end_row();
+    add_open_row(scene, context.results);
     context.log.message("The bodies do not touch: all forces are zero.");
   }
 
@@ -438,8 +229,4 @@ namespace RollingContact
   describe_bodies(const SteadyState<2> &, RunContext &);
   template void
   describe_bodies(const SteadyState<3> &, RunContext &);
-  template void
-  add_result_row(const SceneParameters &, const SteadyState<3> &, RunContext &);
-  template void
-  add_result_row(const SceneParameters &, const SteadyState<2> &, RunContext &);
 } // namespace RollingContact

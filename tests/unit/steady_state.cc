@@ -1,7 +1,6 @@
-#include <boost/test/unit_test.hpp>
+#include "scene_run.h"
 
 #include <rolling_contact/analyses/line_reference.h>
-#include <rolling_contact/analyses/steady_state.h>
 #include <rolling_contact/base/exceptions.h>
 
 #include <cmath>
@@ -17,27 +16,21 @@ namespace
   /**
    * The inferred data set S2D at 24 elements, changed by @p change, solved.
    */
-  struct Run
+  struct Run : public SceneRun<2>
   {
-    explicit Run(const std::function<void(SceneParameters &)> &change)
-      : folder("never_opened", "", "")
-      , results(folder)
-      , log(Verbosity::normal, said, said)
-    {
-      scene.mesh.elements_across_patch = 24;
-      scene.contact.approach_entry     = "0.22e-3";
-      change(scene);
-      scene.check();
-      RunContext context{folder, results, report, timer, log};
-      steady = solve_steady_state<2>(scene, context);
-      BOOST_TEST(steady.solver.converged);
-    }
+    explicit Run(const Change &change)
+      : SceneRun<2>(
+          [](SceneParameters &scene) {
+            scene.mesh.elements_across_patch = 24;
+            scene.contact.approach_entry     = "0.22e-3";
+          },
+          change)
+    {}
 
     double
     force() const
     {
-      return steady.result.force_x /
-             (scene.contact.friction_coefficient * steady.result.normal_force);
+      return force_x();
     }
 
     LineErrors
@@ -45,15 +38,6 @@ namespace
     {
       return line_errors(scene, steady, line_reference(scene, steady));
     }
-
-    std::ostringstream said;
-    RunFolder          folder;
-    ResultsTable       results;
-    RunReport          report;
-    PhaseTimer         timer;
-    Log                log;
-    SceneParameters    scene;
-    SteadyState<2>     steady;
   };
 
   /**

@@ -1,7 +1,6 @@
-#include <boost/test/unit_test.hpp>
+#include "scene_run.h"
 
 #include <rolling_contact/analyses/ellipse_reference.h>
-#include <rolling_contact/analyses/steady_state.h>
 #include <rolling_contact/base/exceptions.h>
 
 #include <cmath>
@@ -17,43 +16,21 @@ namespace
   /**
    * The inferred data set S3D on a coarse mesh, changed by @p change, solved.
    */
-  struct Run
+  struct Run : public SceneRun<3>
   {
-    explicit Run(const std::function<void(SceneParameters &)> &change)
-      : folder("never_opened", "", "")
-      , results(folder)
-      , log(Verbosity::normal, said, said)
-    {
-      scene.dimension                  = 3;
-      scene.mesh.elements_across_patch = 10;
-      scene.mesh.candidate_zone        = 1.25;
-      scene.mesh.growth                = 0.7;
-      scene.wheel.lateral_radius = scene.rail.lateral_radius = 0.3;
-      scene.contact.normal_load_entry                        = "36059";
-      change(scene);
-      scene.check();
-      RunContext context{folder, results, report, timer, log};
-      steady = solve_steady_state<3>(scene, context);
-      BOOST_TEST(steady.solver.converged);
-    }
-
-    double
-    force_x() const
-    {
-      return steady.result.force_x / friction_force();
-    }
-
-    double
-    force_y() const
-    {
-      return steady.result.force_y / friction_force();
-    }
-
-    double
-    friction_force() const
-    {
-      return scene.contact.friction_coefficient * steady.result.normal_force;
-    }
+    explicit Run(const Change &change)
+      : SceneRun<3>(
+          [](SceneParameters &scene) {
+            scene.dimension                  = 3;
+            scene.mesh.elements_across_patch = 10;
+            scene.mesh.candidate_zone        = 1.25;
+            scene.mesh.growth                = 0.7;
+            scene.wheel.lateral_radius       = 0.3;
+            scene.rail.lateral_radius        = 0.3;
+            scene.contact.normal_load_entry  = "36059";
+          },
+          change)
+    {}
 
     EllipseReference
     reference() const
@@ -64,15 +41,6 @@ namespace
                                 steady.creepage_y,
                                 steady.spin});
     }
-
-    std::ostringstream said;
-    RunFolder          folder;
-    ResultsTable       results;
-    RunReport          report;
-    PhaseTimer         timer;
-    Log                log;
-    SceneParameters    scene;
-    SteadyState<3>     steady;
   };
 
   std::function<void(SceneParameters &)>

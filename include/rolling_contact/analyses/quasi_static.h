@@ -43,16 +43,6 @@ namespace RollingContact
   template <int dim>
   void
   describe_bodies(const SteadyState<dim> &steady, RunContext &context);
-
-  /**
-   * The columns of results.csv that every analysis of steady states fills; ends
-   * the row.
-   */
-  template <int dim>
-  void
-  add_result_row(const SceneParameters  &scene,
-                 const SteadyState<dim> &steady,
-                 RunContext             &context);
 } // namespace RollingContact
 
 #endif

@@ -1,57 +1,15 @@
 #ifndef rolling_contact_elasticity_factorisation_h
 #define rolling_contact_elasticity_factorisation_h
 
-#include <rolling_contact/base/dense_matrix.h>
+#include <rolling_contact/elasticity/condensation.h>
+#include <rolling_contact/elasticity/symmetric_sparse_matrix.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <vector>
 
 namespace RollingContact
 {
-  /**
-   * Lower triangle of a sparse symmetric matrix by compressed columns, row
-   * indices ascending in each column, diagonal entries present.
-   */
-  struct SymmetricSparseMatrix
-  {
-    std::vector<std::int64_t> column_starts;
-    std::vector<std::int64_t> row_indices;
-    std::vector<double>       values;
-
-    std::size_t
-    size() const
-    {
-      return column_starts.empty() ? 0 : column_starts.size() - 1;
-    }
-  };
-
-  /**
-   * Y = L^-1 E for the unit columns E of the contact unknowns, kept as one
-   * dense block for each supernode on the elimination-tree paths of these
-   * columns. Columns are sorted by elimination order, so that the columns alive
-   * in a supernode, those of its subtree, are the contiguous range
-   * [first_column, first_column + n_columns).
-   */
-  struct CondensedColumns
-  {
-    struct Block
-    {
-      std::int64_t        first_row    = 0;
-      std::int64_t        n_rows       = 0;
-      std::int64_t        first_column = 0;
-      std::int64_t        n_columns    = 0;
-      std::vector<double> values;
-    };
-
-    std::vector<Block>        blocks;
-    std::vector<std::int64_t> column_order;
-
-    std::size_t
-    memory_consumption() const;
-  };
-
   /**
    * K = P^T L L^T P by CHOLMOD's supernodal factorisation, ordered by METIS on
    * the graph of the nodes. Owns L. Serves K of the quasi-static and

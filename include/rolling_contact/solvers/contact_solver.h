@@ -58,10 +58,17 @@ namespace RollingContact
   class NormalSolver
   {
   public:
+    explicit NormalSolver(const SolverControls &controls)
+      : controls(controls)
+    {}
+
     virtual ~NormalSolver() = default;
 
     virtual SolverReport
     solve(const ContactProblem &problem, ContactState &state) const = 0;
+
+  protected:
+    SolverControls controls;
   };
 
   /**
@@ -70,10 +77,17 @@ namespace RollingContact
   class TangentialSolver
   {
   public:
+    explicit TangentialSolver(const SolverControls &controls)
+      : controls(controls)
+    {}
+
     virtual ~TangentialSolver() = default;
 
     virtual SolverReport
     solve(const TangentialProblem &problem, ContactState &state) const = 0;
+
+  protected:
+    SolverControls controls;
   };
 
   /**

@@ -14,15 +14,10 @@ namespace RollingContact
   class Extragradient : public TangentialSolver
   {
   public:
-    explicit Extragradient(const SolverControls &controls)
-      : controls(controls)
-    {}
+    using TangentialSolver::TangentialSolver;
 
     SolverReport
     solve(const TangentialProblem &problem, ContactState &state) const override;
-
-  private:
-    SolverControls controls;
   };
 } // namespace RollingContact
 

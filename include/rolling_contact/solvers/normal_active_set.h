@@ -14,15 +14,10 @@ namespace RollingContact
   class NormalActiveSet : public NormalSolver
   {
   public:
-    explicit NormalActiveSet(const SolverControls &controls)
-      : controls(controls)
-    {}
+    using NormalSolver::NormalSolver;
 
     SolverReport
     solve(const ContactProblem &problem, ContactState &state) const override;
-
-  private:
-    SolverControls controls;
   };
 } // namespace RollingContact
 

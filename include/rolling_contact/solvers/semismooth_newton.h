@@ -15,15 +15,10 @@ namespace RollingContact
   class SemismoothNewton : public TangentialSolver
   {
   public:
-    explicit SemismoothNewton(const SolverControls &controls)
-      : controls(controls)
-    {}
+    using TangentialSolver::TangentialSolver;
 
     SolverReport
     solve(const TangentialProblem &problem, ContactState &state) const override;
-
-  private:
-    SolverControls controls;
   };
 } // namespace RollingContact
 

@@ -1,0 +1,25 @@
+#ifndef rolling_contact_analyses_result_row_h
+#define rolling_contact_analyses_result_row_h
+
+#include <rolling_contact/analyses/steady_state.h>
+
+namespace RollingContact
+{
+  /**
+   * One row of results.csv for a steady state, with its references; ends the
+   * row.
+   */
+  template <int dim>
+  void
+  add_result_row(const SceneParameters  &scene,
+                 const SteadyState<dim> &steady,
+                 RunContext             &context);
+
+  /**
+   * The row of bodies that do not touch: zeros.
+   */
+  void
+  add_open_row(const SceneParameters &scene, ResultsTable &table);
+} // namespace RollingContact
+
+#endif
