@@ -10,10 +10,15 @@ namespace RollingContact
 {
   namespace
   {
+    /**
+     * True for the bodies whose exact compression is known: thinner rings are
+     * outside the series' range.
+     */
     bool
-    is_elastic_disc(const BodyParameters &body)
+    has_exact_compression(const BodyParameters &body)
     {
-      return !body.rigid && body.shape == "disc";
+      return !body.rigid && body.shape == "disc" &&
+             body.hub_radius < 0.999 * body.radius;
     }
 
 
@@ -129,8 +134,8 @@ namespace RollingContact
                                scene.contact.friction_coefficient,
                                steady.creepage_x,
                                scene.contact.flow());
-    if (is_elastic_disc(scene.wheel) && is_elastic_disc(scene.rail) &&
-        scene.contact.approach())
+    if (has_exact_compression(scene.wheel) &&
+        has_exact_compression(scene.rail) && scene.contact.approach())
       reference.normal_force =
         References::load_of_two_clamped_annuli(annulus(scene.wheel),
                                                annulus(scene.rail),

@@ -4,6 +4,7 @@
 #include <rolling_contact/references/hertz_line.h>
 #include <rolling_contact/references/line_approach.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -38,6 +39,27 @@ namespace RollingContact
               young_modulus(body),
               body.material.poisson_ratio,
               body.rigid};
+    }
+
+
+
+    /**
+     * What an estimate may reach: the relative radius and the size of the
+     * bodies.
+     */
+    double
+    largest_half_width(const SceneParameters &scene,
+                       const double           relative_radius)
+    {
+      double largest = relative_radius;
+      for (const BodyParameters *body : {&scene.wheel, &scene.rail})
+        if (!body->rigid)
+          largest =
+            std::min(largest,
+                     body->shape == "disc"
+                       ? body->radius
+                       : std::min(body->block_length / 2, body->block_depth));
+      return largest;
     }
 
 
@@ -137,7 +159,7 @@ namespace RollingContact
                  References::compression(line_body(scene.rail),
                                          hertz(half_width));
         },
-        constants.relative_radius,
+        largest_half_width(scene, constants.relative_radius),
         *scene.contact.approach());
     if (estimate.half_width_x > 0.)
       estimate.normal_force =

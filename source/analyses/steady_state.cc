@@ -139,8 +139,8 @@ namespace RollingContact
         {
           if (body->rigid)
             continue;
-          const double length =
-            body->shape == "disc" ? 0.8 * body->radius : body->block_length / 2;
+          const double length = body->shape == "disc" ? 0.55 * body->radius
+                                                      : body->block_length / 2;
           if (grading.zone_x > length)
             throw InputError(
               body->section + ": the contact zone reaches " +

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace RollingContact
 {
@@ -284,7 +285,10 @@ namespace RollingContact
   double
   NaturalResidual::worst() const
   {
-    return std::max(normal, tangential);
+    // a comparison with NaN must not pass for convergence
+    return std::isfinite(normal) && std::isfinite(tangential)
+             ? std::max(normal, tangential)
+             : std::numeric_limits<double>::infinity();
   }
 
 

@@ -1,3 +1,6 @@
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/log.h>
+#include <rolling_contact/base/memory.h>
 #include <rolling_contact/mesh/body_mesh.h>
 
 #include <algorithm>
@@ -116,26 +119,52 @@ namespace RollingContact
 
     /**
      * Break points along x: of a disc around the whole rim from the begin of
-     * the sector, in the manifold's x; of a block from end to end.
+     * the sector of @p n_sector cells, in the manifold's x; of a block from end
+     * to end.
      */
     template <int dim>
     std::vector<double>
     break_points_x(const BodyGeometry   &geometry,
                    const BodyChart<dim> &chart,
                    const double          origin,
-                   const double          size)
+                   const double          size,
+                   const unsigned int    n_sector)
     {
       if (geometry.shape == Shape::block)
         return break_points(-geometry.length / 2,
                             geometry.length / 2,
                             origin,
                             size);
+      const double       sector = n_sector * size;
       const unsigned int n_rest =
-        std::max(4., std::round((chart.period() - 2 * size) / size));
-      std::vector<double> points{0., size};
-      for (const double x : equal_parts(2 * size, chart.period(), n_rest))
+        std::max(4., std::round((chart.period() - sector) / size));
+      std::vector<double> points = equal_parts(0., sector, n_sector);
+      points.pop_back();
+      for (const double x : equal_parts(sector, chart.period(), n_rest))
         points.push_back(x);
       return points;
+    }
+
+
+
+    /**
+     * Throws InputError if a mesh of @p n_cells would need more than 70 % of
+     * the free memory, by the kilobytes of a cell seen in runs: mesh,
+     * stiffness, factor and condensation.
+     */
+    template <int dim>
+    void
+    check_memory(const double n_cells)
+    {
+      const double bytes = n_cells * (dim == 2 ? 6e3 : 45e3);
+      const double free  = available_memory();
+      if (free > 0. && bytes > 0.7 * free)
+        throw InputError(
+          "The mesh of a body would have " + significant(n_cells, 2) +
+          " cells or more and need about " + human_bytes(bytes) +
+          ", more than 70 % of the " + human_bytes(free) +
+          " free: take fewer Mesh/Elements across patch, a larger "
+          "Mesh/Growth or a smaller Mesh/Candidate zone.");
     }
 
 
@@ -271,13 +300,20 @@ namespace RollingContact
     const double origin = grading.offset * grading.element_size_x;
 
     BodyMesh<dim> mesh;
-    mesh.chart =
-      std::make_unique<BodyChart<dim>>(geometry, origin - size, origin + size);
+    // the sector covers the zone of contact nodes and stays off the equator
+    const double half_sector =
+      std::max(1.,
+               std::min(std::ceil(1.2 * grading.zone_x / size),
+                        std::floor(0.97 * std::abs(geometry.radius) / size)));
+    mesh.chart         = std::make_unique<BodyChart<dim>>(geometry,
+                                                  origin - half_sector * size,
+                                                  origin + half_sector * size);
     mesh.triangulation = std::make_unique<Triangulation<dim>>(
       Triangulation<dim>::limit_level_difference_at_vertices);
 
     std::array<std::vector<double>, dim> breaks;
-    breaks[0] = break_points_x(geometry, *mesh.chart, origin, size);
+    breaks[0] =
+      break_points_x(geometry, *mesh.chart, origin, size, 2 * half_sector);
     // cells never deeper than long, so that x alone decides on the surface
     // nodes
     breaks[dim - 1] =
@@ -295,19 +331,21 @@ namespace RollingContact
     mesh.triangulation->set_manifold(0, *mesh.chart);
     set_boundary_ids(geometry, *mesh.chart, *mesh.triangulation);
 
-    for (bool refined = true; refined;)
+    for (unsigned int n_flagged = 1; n_flagged > 0;)
       {
-        refined = false;
+        n_flagged = 0;
         for (const auto &cell : mesh.triangulation->active_cell_iterators())
           {
             const auto box = mesh.chart_box(cell);
             if (grading.refine(box.first, box.second))
               {
                 cell->set_refine_flag();
-                refined = true;
+                ++n_flagged;
               }
           }
-        if (refined)
+        check_memory<dim>(mesh.triangulation->n_active_cells() +
+                          (std::pow(2., dim) - 1) * n_flagged);
+        if (n_flagged > 0)
           mesh.triangulation->execute_coarsening_and_refinement();
       }
     return mesh;

@@ -3,6 +3,7 @@
 #include <rolling_contact/solvers/anderson.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace RollingContact
 {
@@ -127,7 +128,11 @@ namespace RollingContact
         report.residual =
           natural_residual(problem, tangential_problem(problem, state), state);
         report.history.push_back(report.residual);
-        if (!solved)
+        if (!std::isfinite(report.residual.worst()))
+          report.reason = std::isfinite(report.residual.normal)
+                            ? "the traction is not a number"
+                            : "the pressure is not a number";
+        if (!solved || !std::isfinite(report.residual.worst()))
           return report;
         if (report.residual.worst() <= controls.tolerance)
           {

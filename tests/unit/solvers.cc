@@ -331,6 +331,19 @@ BOOST_AUTO_TEST_CASE(fixed_point_of_the_paper_does_not_pretend)
   BOOST_TEST(solution.report.residual.worst() > 1e-6);
 }
 
+BOOST_AUTO_TEST_CASE(a_number_that_is_none_is_no_solution)
+{
+  for (const char *solver : {"automatic", "fixed point"})
+    {
+      Options        options;
+      ContactProblem problem                  = half_plane_problem(options);
+      problem.rigid_slip[problem.n_nodes / 2] = std::nan("");
+      const Solution solution                 = solve(problem, solver);
+      BOOST_TEST(!solution.report.converged);
+      BOOST_TEST(!solution.report.reason.empty());
+    }
+}
+
 BOOST_AUTO_TEST_CASE(separate_patches_are_found)
 {
   Options options;

@@ -185,6 +185,9 @@ namespace RollingContact
     double normal     = 0.;
     double tangential = 0.;
 
+    /**
+     * The larger of them, infinite if either is not a number.
+     */
     double
     worst() const;
   };
