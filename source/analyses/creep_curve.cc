@@ -5,26 +5,13 @@
 #include <rolling_contact/analyses/result_row.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/interrupt.h>
+#include <rolling_contact/base/stopwatch.h>
 #include <rolling_contact/output/svg_plot.h>
 
-#include <chrono>
 #include <cmath>
 
 namespace RollingContact
 {
-  namespace
-  {
-    double
-    seconds_since(const std::chrono::steady_clock::time_point start)
-    {
-      return std::chrono::duration<double>(std::chrono::steady_clock::now() -
-                                           start)
-        .count();
-    }
-  } // namespace
-
-
-
   template <int dim>
   void
   CreepCurve<dim>::run()
@@ -38,13 +25,13 @@ namespace RollingContact
         "Contact/Friction coefficient.");
     SteadyState<dim> steady = solve_steady_state<dim>(scene, context);
     describe_bodies(steady, context);
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     for (std::size_t k = 0; k < points.size(); ++k)
       {
         throw_if_interrupted();
-        const auto point_start = std::chrono::steady_clock::now();
+        const Stopwatch point_watch;
         solve_point(points[k], steady);
-        steady.wall_s = seconds_since(point_start);
+        steady.wall_s = point_watch.seconds();
         add_result_row(scene, steady, context);
         if (!steady.solver.converged)
           throw ConvergenceError(
@@ -53,7 +40,7 @@ namespace RollingContact
             ". Natural residual " +
             scientific(steady.solver.residual.worst(), 3) + ", required " +
             scientific(scene.solver.controls.tolerance, 3) + ".");
-        report_progress(k + 1, points.size(), seconds_since(start));
+        report_progress(k + 1, points.size(), watch.seconds());
       }
     context.log.message(context.results.screen_table({"creepage_x",
                                                       "creepage_y",
@@ -64,7 +51,7 @@ namespace RollingContact
                                                       "stick_area_m2",
                                                       "iterations"}));
     context.log.message(std::to_string(points.size()) + " points in " +
-                        human_seconds(seconds_since(start)) +
+                        human_seconds(watch.seconds()) +
                         " after meshing, factorisation and condensation.");
     if (scene.output.plot)
       plot(points);

@@ -34,14 +34,6 @@ namespace RollingContact
 
 
 
-    double
-    thickness(const SceneParameters &scene)
-    {
-      return scene.wheel.rigid ? scene.rail.thickness : scene.wheel.thickness;
-    }
-
-
-
     /**
      * sqrt(integral (f - reference)^2 dx / a) by the trapezoidal rule.
      */
@@ -121,7 +113,7 @@ namespace RollingContact
   {
     const PairConstants constants = pair_constants(scene);
     LineReference reference{References::hertz_line(steady.result.normal_force /
-                                                     thickness(scene),
+                                                     scene.thickness(),
                                                    constants.relative_radius,
                                                    constants.contact_modulus),
                             {},
@@ -140,7 +132,7 @@ namespace RollingContact
         References::load_of_two_clamped_annuli(annulus(scene.wheel),
                                                annulus(scene.rail),
                                                *scene.contact.approach()) *
-        thickness(scene);
+        scene.thickness();
     return reference;
   }
 

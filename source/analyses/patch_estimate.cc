@@ -64,11 +64,6 @@ namespace RollingContact
 
 
 
-    double
-    thickness(const SceneParameters &scene)
-    {
-      return scene.wheel.rigid ? scene.rail.thickness : scene.wheel.thickness;
-    }
   } // namespace
 
 
@@ -146,7 +141,7 @@ namespace RollingContact
       {
         if (*load > 0.)
           estimate.half_width_x =
-            References::hertz_line(*load / thickness(scene),
+            References::hertz_line(*load / scene.thickness(),
                                    constants.relative_radius,
                                    constants.contact_modulus)
               .half_width;
@@ -163,7 +158,7 @@ namespace RollingContact
         *scene.contact.approach());
     if (estimate.half_width_x > 0.)
       estimate.normal_force =
-        hertz(estimate.half_width_x).load_per_length() * thickness(scene);
+        hertz(estimate.half_width_x).load_per_length() * scene.thickness();
     return estimate;
   }
 } // namespace RollingContact

@@ -178,9 +178,7 @@ namespace RollingContact
     problem.dundurs_beta = pair_constants(scene).dundurs_beta;
     problem.H            = contact_matrix(contact_trace,
                                contact.contact_matrices_kind(),
-                               dim == 2 ? (wheel_body ? scene.wheel.thickness
-                                                                 : scene.rail.thickness)
-                                                   : 1.);
+                               dim == 2 ? scene.thickness() : 1.);
     if (problem.n_tangential > 0)
       problem.slip_operator = SlipOperator(contact_trace,
                                            slip_operator,

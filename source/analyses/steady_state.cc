@@ -1,8 +1,8 @@
 #include <rolling_contact/analyses/steady_state.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/interrupt.h>
+#include <rolling_contact/base/stopwatch.h>
 
-#include <chrono>
 #include <cmath>
 
 namespace RollingContact
@@ -164,7 +164,7 @@ namespace RollingContact
   SteadyState<dim>
   solve_steady_state(const SceneParameters &scene, RunContext &context)
   {
-    const auto         start      = std::chrono::steady_clock::now();
+    const Stopwatch    watch;
     const unsigned int max_meshes = 10;
     PatchEstimate      patch      = estimate_patch(scene);
     const auto         grade      = [&]() {
@@ -213,9 +213,7 @@ namespace RollingContact
             aligned        = true;
             continue;
           }
-        steady.wall_s = std::chrono::duration<double>(
-                          std::chrono::steady_clock::now() - start)
-                          .count();
+        steady.wall_s = watch.seconds();
         return steady;
       }
     throw ConvergenceError(

@@ -125,6 +125,17 @@ namespace RollingContact
                 block_depth,
                 "it must be above 0 m.");
       }
+    const BodyGeometry shape_of_body = geometry();
+    const double       fall =
+      -shape_of_body.surface_height(shape == "block" ? block_length / 2 : 0.,
+                                    dimension == 3 ? width / 2 : 0.);
+    if (fall >= 0.9 * shape_of_body.thickness_below())
+      throw InputError(
+        section + ": at its ends the profile lies " +
+        Patterns::Tools::to_string(fall) +
+        " m below the contact point, and the body is only " +
+        Patterns::Tools::to_string(shape_of_body.thickness_below()) +
+        " m thick there: take larger radii, a narrower or a thicker body.");
     require(material.young_modulus > 0.,
             section,
             "Young modulus",

@@ -11,10 +11,10 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/log.h>
 #include <rolling_contact/base/memory.h>
+#include <rolling_contact/base/stopwatch.h>
 #include <rolling_contact/elasticity/elastic_body.h>
 
 #include <algorithm>
-#include <chrono>
 #include <map>
 
 namespace RollingContact
@@ -31,14 +31,11 @@ namespace RollingContact
     , element(FE_Q<dim>(1), dim)
     , dofs(*body_mesh.triangulation)
   {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     distribute();
     factor =
       std::make_unique<Factorisation>(assemble(thickness), node_of_unknown);
-    assembly_s =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
-        .count() -
-      factor->size().analysis_s;
+    assembly_s = watch.seconds() - factor->size().analysis_s;
   }
 
 

@@ -1,11 +1,11 @@
 #include <cholmod.h>
 
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/stopwatch.h>
 #include <rolling_contact/elasticity/dissection.h>
 #include <rolling_contact/elasticity/factorisation.h>
 
 #include <algorithm>
-#include <chrono>
 #include <numeric>
 #include <string>
 
@@ -17,13 +17,6 @@ namespace RollingContact
     static_assert(sizeof(Index) == sizeof(SuiteSparse_long),
                   "CHOLMOD's long interface works on 64-bit indices.");
 
-    double
-    seconds_since(const std::chrono::steady_clock::time_point start)
-    {
-      return std::chrono::duration<double>(std::chrono::steady_clock::now() -
-                                           start)
-        .count();
-    }
   } // namespace
 
 
@@ -82,9 +75,9 @@ namespace RollingContact
                                const std::vector<unsigned int> &node_of_unknown)
     : implementation(std::make_unique<Implementation>())
   {
-    const auto start = std::chrono::steady_clock::now();
-    auto      &own   = *implementation;
-    own.matrix       = std::move(matrix);
+    const Stopwatch watch;
+    auto           &own = *implementation;
+    own.matrix          = std::move(matrix);
     std::vector<Index> permutation =
       dissection_order(own.matrix, node_of_unknown);
     cholmod_sparse A = own.view();
@@ -100,7 +93,7 @@ namespace RollingContact
     own.size.n_unknowns   = own.matrix.size();
     own.size.n_entries    = own.L->is_super ? own.L->xsize : own.common.lnz;
     own.size.n_operations = own.common.fl;
-    own.size.analysis_s   = seconds_since(start);
+    own.size.analysis_s   = watch.seconds();
   }
 
 
@@ -108,8 +101,8 @@ namespace RollingContact
   void
   Factorisation::factorise()
   {
-    const auto start = std::chrono::steady_clock::now();
-    auto      &own   = *implementation;
+    const Stopwatch watch;
+    auto           &own = *implementation;
     if (own.matrix.size() == 0)
       return;
     cholmod_sparse A = own.view();
@@ -125,7 +118,7 @@ namespace RollingContact
         std::to_string(own.L->minor) +
         "): the body is not held, or the material is unstable.");
     own.matrix        = SymmetricSparseMatrix();
-    own.size.factor_s = seconds_since(start);
+    own.size.factor_s = watch.seconds();
   }
 
 
@@ -157,9 +150,9 @@ namespace RollingContact
   Factorisation::condense(const std::vector<std::size_t> &unknowns,
                           CondensedColumns               *columns) const
   {
-    const auto  start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     DenseMatrix W = condensed_compliance(*implementation->L, unknowns, columns);
-    implementation->size.condensation_s = seconds_since(start);
+    implementation->size.condensation_s = watch.seconds();
     return W;
   }
 

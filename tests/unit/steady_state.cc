@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_CASE(partial_slip_follows_carter)
         scene.contact.creepage_x         = 0.0017;
       });
       const LineErrors errors = run.errors();
-      BOOST_TEST(std::abs(errors.force) < 1e-3);
+      BOOST_TEST(std::abs(errors.force) < 5e-4);
       BOOST_TEST(errors.sawtooth < 0.035);
       BOOST_TEST(std::abs(errors.stick_boundary) <= 0.5);
       BOOST_TEST(run.steady.result.energy_error() < 0.01);
@@ -319,6 +319,11 @@ BOOST_AUTO_TEST_CASE(rules_across_entries)
   refused([](auto &scene) { scene.contact.speed = 0.; });
   refused([](auto &scene) { scene.mesh.patch_offset = "near"; });
   refused([](auto &scene) { scene.wheel.rigid = scene.rail.rigid = true; });
+  refused([](auto &scene) {
+    scene.rail.shape       = "block";
+    scene.rail.radius      = 0.1;
+    scene.rail.block_depth = 0.2;
+  });
   refused([](auto &scene) {
     scene.rail.shape  = "block";
     scene.rail.radius = -0.3;

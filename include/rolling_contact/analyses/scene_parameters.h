@@ -24,6 +24,15 @@ namespace RollingContact
     void
     check() const;
 
+    /**
+     * Thickness in 2D of the bodies that are not rigid. Units: m.
+     */
+    double
+    thickness() const
+    {
+      return wheel.rigid ? rail.thickness : wheel.thickness;
+    }
+
     unsigned int dimension = 2;
     std::string  analysis  = "quasi-static";
 

@@ -4,7 +4,7 @@
 namespace RollingContact
 {
   /**
-   * Isotropic linear elasticity. Units: Pa, kg/m^3.
+   * Isotropic linear elasticity. Units: Pa, 1.
    */
   struct Material
   {
