@@ -1,3 +1,4 @@
+#include <rolling_contact/analyses/adaptive_levels.h>
 #include <rolling_contact/analyses/creep_curve.h>
 #include <rolling_contact/analyses/ellipse_reference.h>
 #include <rolling_contact/analyses/line_reference.h>
@@ -23,7 +24,8 @@ namespace RollingContact
         "Analysis = creep curve needs contact and friction: check "
         "Contact/Approach, Contact/Normal load and "
         "Contact/Friction coefficient.");
-    SteadyState<dim> steady = solve_steady_state<dim>(scene, context);
+    SteadyState<dim> steady =
+      AdaptiveLevels<dim>(scene, context).run([](const auto &) {});
     describe_bodies(steady, context);
     const Stopwatch watch;
     for (std::size_t k = 0; k < points.size(); ++k)

@@ -1,5 +1,6 @@
 #include <deal.II/lac/vector.h>
 
+#include <rolling_contact/analyses/adaptive_levels.h>
 #include <rolling_contact/analyses/line_reference.h>
 #include <rolling_contact/analyses/quasi_static.h>
 #include <rolling_contact/analyses/result_row.h>
@@ -33,7 +34,10 @@ namespace RollingContact
         report_no_contact();
         return;
       }
-    const SteadyState<dim> steady = solve_steady_state<dim>(scene, context);
+    const SteadyState<dim> steady = AdaptiveLevels<dim>(scene, context)
+                                      .run([&](const SteadyState<dim> &level) {
+                                        add_result_row(scene, level, context);
+                                      });
     describe_bodies(steady, context);
     context.report.objects.push_back(
       {"body fields (one backward solve each)",
@@ -41,7 +45,6 @@ namespace RollingContact
        0,
        0.,
        scene.output.body_fields ? "" : "Output/Body fields"});
-    add_result_row(scene, steady, context);
     write_fields(steady);
     summarise(steady);
     if (!steady.solver.converged)

@@ -93,6 +93,28 @@ namespace RollingContact
       table.set("shen_force_x_N", reference.saturated.x);
       table.set("shen_force_y_N", reference.saturated.y);
     }
+
+
+
+    /**
+     * Change and extrapolation over refinement levels, where there are any.
+     */
+    template <int dim>
+    void
+    set_level_columns(const SteadyState<dim> &steady, ResultsTable &table)
+    {
+      if (!steady.change || !steady.limit)
+        return;
+      const auto &limit = steady.limit->limit.values;
+      table.set("change", *steady.change);
+      table.set("estimated_error", steady.limit->value_error);
+      table.set("extrapolated_normal_force_N",
+                limit[LevelValues::normal_force]);
+      table.set("extrapolated_force_x_N", limit[LevelValues::force_x]);
+      table.set("extrapolated_force_y_N", limit[LevelValues::force_y]);
+      table.set("extrapolated_approach_m", limit[LevelValues::approach]);
+      table.set("extrapolation_error", steady.limit->limit_error);
+    }
   } // namespace
 
 
@@ -109,7 +131,7 @@ namespace RollingContact
       if (steady.pair->body(side) != nullptr &&
           !(side == Side::rail && steady.pair->twins()))
         n_unknowns += steady.pair->body(side)->n_unknowns();
-    table.set("level", 0);
+    table.set("level", steady.level);
     table.set("dofs", n_unknowns);
     table.set("contact_nodes", steady.problem.n_nodes);
     table.set("elements_across", steady.elements_across);
@@ -125,6 +147,7 @@ namespace RollingContact
       set_reference_columns(scene, steady, table);
     else
       set_ellipse_columns(scene, steady, table);
+    set_level_columns(steady, table);
     table.set("wall_s", steady.wall_s);
     table.end_row();
   }

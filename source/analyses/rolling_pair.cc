@@ -3,6 +3,8 @@
 #include <rolling_contact/analyses/patch_estimate.h>
 #include <rolling_contact/analyses/rolling_pair.h>
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/log.h>
+#include <rolling_contact/base/memory.h>
 #include <rolling_contact/base/platform.h>
 
 #include <cmath>
@@ -137,11 +139,39 @@ namespace RollingContact
 
 
 
+  namespace
+  {
+    /**
+     * Throws InputError if the dense matrices of contact space, W of each body
+     * and of the pair and products of it, do not fit into 70 % of the free
+     * memory.
+     */
+    void
+    check_contact_memory(const std::size_t n_nodes,
+                         const std::size_t n_components)
+    {
+      const double n = double(n_nodes) * n_components, n_matrices = 5;
+      const double bytes = n_matrices * n * n * sizeof(double);
+      const double free  = available_memory();
+      if (free > 0. && bytes > 0.7 * free)
+        throw InputError("The " + std::to_string(n_nodes) +
+                         " contact nodes need about " + human_bytes(bytes) +
+                         " for their compliance, more than 70 % of the " +
+                         human_bytes(free) +
+                         " free: take fewer Mesh/Elements across patch, a "
+                         "smaller Mesh/Candidate zone or a smaller "
+                         "Mesh/Contact node budget.");
+    }
+  } // namespace
+
+
+
   template <int dim>
   DenseMatrix
   RollingPair<dim>::pair_compliance()
   {
     const std::size_t n_nodes = contact_trace.nodes.size();
+    check_contact_memory(n_nodes, components.size());
     DenseMatrix W(components.size() * n_nodes, components.size() * n_nodes);
     DenseMatrix wheel, rail;
     in_two_threads(

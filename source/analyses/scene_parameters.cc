@@ -48,6 +48,11 @@ namespace RollingContact
         "Wheel/Thickness = " + Patterns::Tools::to_string(wheel.thickness) +
         " and Rail/Thickness = " + Patterns::Tools::to_string(rail.thickness) +
         ": plane strain needs the same thickness in both.");
+    if (analysis == "accuracy study" && mesh.adaptive_levels > 0)
+      throw InputError(
+        "Mesh/Adaptive levels = " + std::to_string(mesh.adaptive_levels) +
+        ": an accuracy study has its own meshes (Accuracy study/Elements "
+        "across patch); set it to 0.");
     if (dimension == 3 && analysis == "accuracy study")
       throw InputError(
         "Analysis = accuracy study: it exists for Dimension = 2.");

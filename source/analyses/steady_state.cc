@@ -86,43 +86,44 @@ namespace RollingContact
         edge / steady.grading.element_size_x + flow * aligned_distance;
       return shift - std::round(shift);
     }
-
-
-
-    template <int dim>
-    SteadyState<dim>
-    solve_on(const SceneParameters &scene,
-             const Grading<dim>    &grading,
-             const PatchEstimate   &patch,
-             RunContext            &context)
-    {
-      throw_if_interrupted();
-      SteadyState<dim> steady;
-      steady.grading         = grading;
-      steady.elements_across = scene.mesh.elements_across_patch;
-      steady.slip_operator   = scene.contact.slip_operator;
-      steady.creepage_x      = scene.contact.creepage_x;
-      steady.creepage_y      = scene.contact.creepage_y;
-      steady.spin            = scene.contact.spin;
-      {
-        PhaseTimer::Scope phase(context.timer, "mesh and assembly");
-        steady.pair = std::make_unique<RollingPair<dim>>(scene, grading);
-      }
-      {
-        PhaseTimer::Scope phase(context.timer,
-                                "factorisation and condensation");
-        steady.problem =
-          steady.pair->contact_problem(scene.contact.slip_operator_kind());
-      }
-      PhaseTimer::Scope phase(context.timer, "contact solve");
-      steady.state = initial_state(steady.problem, patch);
-      steady.solver =
-        make_contact_solver(scene.solver.solver, scene.solver.controls)
-          ->solve(steady.problem, steady.state);
-      steady.result = resultants(steady.problem, steady.state);
-      return steady;
-    }
   } // namespace
+
+
+
+  template <int dim>
+  SteadyState<dim>
+  solve_on(const SceneParameters                                     &scene,
+           const Grading<dim>                                        &grading,
+           const std::function<ContactState(const ContactProblem &)> &start,
+           RunContext                                                &context)
+  {
+    throw_if_interrupted();
+    const Stopwatch  watch;
+    SteadyState<dim> steady;
+    steady.grading         = grading;
+    steady.elements_across = scene.mesh.elements_across_patch;
+    steady.slip_operator   = scene.contact.slip_operator;
+    steady.creepage_x      = scene.contact.creepage_x;
+    steady.creepage_y      = scene.contact.creepage_y;
+    steady.spin            = scene.contact.spin;
+    {
+      PhaseTimer::Scope phase(context.timer, "mesh and assembly");
+      steady.pair = std::make_unique<RollingPair<dim>>(scene, grading);
+    }
+    {
+      PhaseTimer::Scope phase(context.timer, "factorisation and condensation");
+      steady.problem =
+        steady.pair->contact_problem(scene.contact.slip_operator_kind());
+    }
+    PhaseTimer::Scope phase(context.timer, "contact solve");
+    steady.state = start(steady.problem);
+    steady.solver =
+      make_contact_solver(scene.solver.solver, scene.solver.controls)
+        ->solve(steady.problem, steady.state);
+    steady.result = resultants(steady.problem, steady.state);
+    steady.wall_s = watch.seconds();
+    return steady;
+  }
 
 
 
@@ -178,11 +179,15 @@ namespace RollingContact
     for (unsigned int mesh = 0; mesh < max_meshes; ++mesh)
       {
         check_room(scene, grading);
-        SteadyState<dim>  steady = solve_on(scene, grading, patch, context);
+        SteadyState<dim> steady = solve_on<dim>(
+          scene,
+          grading,
+          [&](const ContactProblem &problem) {
+            return initial_state(problem, patch);
+          },
+          context);
         const Resultants &result = steady.result;
-        if (reaches_border(steady.pair->trace().border_nodes(),
-                           steady.problem,
-                           steady.state.pressure))
+        if (zone_too_small(steady))
           {
             patch.half_width_x *= 1.5;
             patch.half_width_y *= 1.5;
@@ -230,6 +235,16 @@ namespace RollingContact
                const PatchEstimate &,
                const unsigned int,
                const double);
+  template SteadyState<2>
+  solve_on(const SceneParameters &,
+           const Grading<2> &,
+           const std::function<ContactState(const ContactProblem &)> &,
+           RunContext &);
+  template SteadyState<3>
+  solve_on(const SceneParameters &,
+           const Grading<3> &,
+           const std::function<ContactState(const ContactProblem &)> &,
+           RunContext &);
   template SteadyState<2>
   solve_steady_state(const SceneParameters &, RunContext &);
   template struct SteadyState<3>;

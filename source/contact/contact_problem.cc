@@ -159,7 +159,8 @@ namespace RollingContact
       [&](const std::vector<double> &x) { return normal_displacement(x); },
       [&](const std::vector<double> &x) {
         const std::size_t first = n_tangential * n_nodes;
-        return H.multiply(block_product(W, first, first, n_nodes, x));
+        return H.multiply_transposed(
+          block_product(W, first, first, n_nodes, x));
       });
     if (n_tangential > 0)
       tangential_norm = operator_norm(
@@ -168,7 +169,7 @@ namespace RollingContact
           return slip_operator.rows().multiply(tangential_displacement(x));
         },
         [&](const std::vector<double> &x) {
-          return H.multiply(
+          return H.multiply_transposed(
             block_product(W,
                           0,
                           0,

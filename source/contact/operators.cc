@@ -84,6 +84,89 @@ namespace RollingContact
 
 
 
+    /**
+     * Moments of a nodal shape function about its node: integral of
+     * N_i (x - x_i), and a spread of the neighbours it overlaps, sum of m_ij
+     * (x_j - x_i)(x_j - x_i)^T.
+     */
+    struct ShapeMoments
+    {
+      ShapeMoments(const Trace           &trace,
+                   const SparseRows::Row &mass_row,
+                   const unsigned int     i)
+      {
+        for (const auto &entry : mass_row)
+          for (unsigned int d = 0; d < trace.n_dimensions; ++d)
+            {
+              const double arm =
+                trace.nodes[entry.first][d] - trace.nodes[i][d];
+              first[d] += entry.second * arm;
+              for (unsigned int e = 0; e < trace.n_dimensions; ++e)
+                spread[d][e] +=
+                  entry.second * arm *
+                  (trace.nodes[entry.first][e] - trace.nodes[i][e]);
+            }
+        if (trace.n_dimensions == 1)
+          spread[1][1] = spread[0][0];
+      }
+
+      /**
+       * first^T spread^-1, or none for a symmetric shape function.
+       */
+      std::optional<std::array<double, 2>>
+      imbalance(const double area) const
+      {
+        const double tolerance =
+          1e-9 * std::sqrt(area * (spread[0][0] + spread[1][1]));
+        if (std::abs(first[0]) + std::abs(first[1]) < tolerance)
+          return {};
+        const double determinant =
+          spread[0][0] * spread[1][1] - spread[0][1] * spread[1][0];
+        return {
+          {{(spread[1][1] * first[0] - spread[0][1] * first[1]) / determinant,
+            (spread[0][0] * first[1] - spread[1][0] * first[0]) /
+              determinant}}};
+      }
+
+      std::array<double, 2>                first{};
+      std::array<std::array<double, 2>, 2> spread{};
+    };
+
+
+
+    /**
+     * Row sums, made exact on linear fields: where element sizes change at a
+     * node, its shape function is lopsided, and a nodal force in proportion to
+     * the nodal value alone is that of a load moved aside. What a linear field
+     * lacks, first moment times gradient, is added with the gradient fitted to
+     * the neighbours. On equal elements nothing is added.
+     */
+    SparseRows
+    balanced_row_sums(const Trace &trace, const SparseRows &mass)
+    {
+      SparseRows lumped = row_sums(mass);
+      const auto border = trace.border_nodes();
+      for (unsigned int i = 0; i < mass.size(); ++i)
+        {
+          const auto imbalance =
+            ShapeMoments(trace, mass[i], i).imbalance(lumped[i][0].second);
+          if (border[i] || !imbalance)
+            continue;
+          for (const auto &entry : mass[i])
+            {
+              double weight = 0.;
+              for (unsigned int d = 0; d < trace.n_dimensions; ++d)
+                weight += entry.second * (*imbalance)[d] *
+                          (trace.nodes[entry.first][d] - trace.nodes[i][d]);
+              lumped.add(i, entry.first, weight);
+              lumped.add(i, i, -weight);
+            }
+        }
+      return lumped;
+    }
+
+
+
     void
     add_scaled(SparseRows            &matrix,
                const unsigned int     i,
@@ -103,7 +186,8 @@ namespace RollingContact
                  const double          thickness)
   {
     const SparseRows mass = mass_matrix(trace, thickness);
-    return kind == ContactMatrices::consistent ? mass : row_sums(mass);
+    return kind == ContactMatrices::consistent ? mass
+                                               : balanced_row_sums(trace, mass);
   }
 
 
@@ -151,8 +235,9 @@ namespace RollingContact
     SparseRows       rows(trace.nodes.size());
     if (kind == ContactMatrices::lumped)
       {
+        const auto areas = H.multiply(std::vector<double>(rows.size(), 1.));
         for (unsigned int i = 0; i < rows.size(); ++i)
-          add_scaled(rows, i, derivative[i], 1 / H[i][0].second);
+          add_scaled(rows, i, derivative[i], 1 / areas[i]);
         return rows;
       }
     DenseMatrix mass = H.dense(), solution = derivative.dense();

@@ -64,6 +64,32 @@ namespace RollingContact
                   "Which part of the rim: `leading` or `both`.",
                   prm,
                   Patterns::Selection("leading|both"));
+    add_parameter("Adaptive levels",
+                  adaptive_levels,
+                  "Solve again on at most so many refined meshes. Units: 1.",
+                  prm,
+                  Patterns::Integer(0, 20));
+    add_parameter(
+      "Level marking",
+      level_marking,
+      "What a level refines: `adaptive` halves the elements at the leading "
+      "edge, between stick and slip, at the rest of the rim and, in the bulk, "
+      "where the strain jumps most; `uniform` halves all.",
+      prm,
+      Patterns::Selection("adaptive|uniform"));
+    add_parameter("Contact node budget",
+                  contact_node_budget,
+                  "Levels end before the mesh has more contact nodes than "
+                  "this. Units: 1.",
+                  prm,
+                  Patterns::Integer(3, 100000));
+    add_parameter(
+      "Target change",
+      target_change,
+      "Levels end when forces change less than this from one to the next, "
+      "relative to N and to mu N; 0: never. Units: 1.",
+      prm,
+      Patterns::Double(0., 1.));
   }
 
 

@@ -1,12 +1,14 @@
 #ifndef rolling_contact_analyses_steady_state_h
 #define rolling_contact_analyses_steady_state_h
 
+#include <rolling_contact/analyses/level_history.h>
 #include <rolling_contact/analyses/patch_estimate.h>
 #include <rolling_contact/analyses/rolling_pair.h>
 #include <rolling_contact/analyses/run_context.h>
 #include <rolling_contact/contact/resultants.h>
 #include <rolling_contact/solvers/contact_solver.h>
 
+#include <functional>
 #include <memory>
 
 namespace RollingContact
@@ -20,6 +22,7 @@ namespace RollingContact
     std::unique_ptr<RollingPair<dim>> pair;
     Grading<dim>                      grading;
     unsigned int                      elements_across = 0;
+    unsigned int                      level           = 0;
     std::string                       slip_operator;
     double         creepage_x = 0., creepage_y = 0., spin = 0.;
     ContactProblem problem;
@@ -27,6 +30,9 @@ namespace RollingContact
     SolverReport   solver;
     Resultants     result;
     double         wall_s = 0.;
+
+    std::optional<double>     change; ///< from the level before
+    std::optional<LevelLimit> limit;  ///< of the levels up to this
   };
 
   /**
@@ -44,6 +50,29 @@ namespace RollingContact
    */
   ContactState
   initial_state(const ContactProblem &problem, const PatchEstimate &patch);
+
+  /**
+   * Mesh, condense and solve the scene's state on this grading, from the state
+   * that @p start makes for the problem.
+   */
+  template <int dim>
+  SteadyState<dim>
+  solve_on(const SceneParameters                                     &scene,
+           const Grading<dim>                                        &grading,
+           const std::function<ContactState(const ContactProblem &)> &start,
+           RunContext                                                &context);
+
+  /**
+   * True if the patch reaches the border of the candidate zone.
+   */
+  template <int dim>
+  bool
+  zone_too_small(const SteadyState<dim> &steady)
+  {
+    return reaches_border(steady.pair->trace().border_nodes(),
+                          steady.problem,
+                          steady.state.pressure);
+  }
 
   /**
    * Mesh, condense and solve. The mesh is made for the Hertz estimate and made

@@ -21,7 +21,8 @@ namespace RollingContact
 
   /**
    * H: nodal forces from nodal values of pressure or traction, eq. (12) of Lai
-   * et al. 2017, integral of N^T N, or its row sums when lumped. @p thickness
+   * et al. 2017, integral of N^T N, or its row sums when lumped, balanced where
+   * element sizes change so that linear fields stay exact. @p thickness
    * multiplies the length in 2D. Units: m^2.
    */
   SparseRows

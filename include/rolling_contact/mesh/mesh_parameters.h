@@ -40,6 +40,10 @@ namespace RollingContact
     double       growth                  = 0.1;
     unsigned int rim_levels              = 0;
     std::string  rim_edges               = "leading";
+    unsigned int adaptive_levels         = 0;
+    std::string  level_marking           = "adaptive";
+    unsigned int contact_node_budget     = 2000;
+    double       target_change           = 1e-3;
   };
 } // namespace RollingContact
 

@@ -1,0 +1,82 @@
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/numerics/error_estimator.h>
+
+#include <rolling_contact/elasticity/error_indicator.h>
+
+#include <algorithm>
+
+namespace RollingContact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /**
+     * The shortest head of the boxes, sorted by descending indicator, that
+     * carries @p fraction of the sum of squares.
+     */
+    template <int dim>
+    std::vector<RefinedBox<dim>>
+    heaviest(std::vector<std::pair<double, RefinedBox<dim>>> weighted,
+             const double                                    fraction)
+    {
+      std::sort(weighted.begin(),
+                weighted.end(),
+                [](const auto &a, const auto &b) { return a.first > b.first; });
+      double left = 0.;
+      for (const auto &entry : weighted)
+        left += fraction * entry.first * entry.first;
+      std::vector<RefinedBox<dim>> boxes;
+      for (const auto &entry : weighted)
+        {
+          if (left <= 0.)
+            break;
+          left -= entry.first * entry.first;
+          boxes.push_back(entry.second);
+        }
+      return boxes;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<RefinedBox<dim>>
+  bulk_boxes(const ElasticBody<dim> &body,
+             const Vector<double>   &displacement,
+             const Grading<dim>     &grading,
+             const double            fraction)
+  {
+    const auto   &dofs = body.dof_handler();
+    Vector<float> indicators(dofs.get_triangulation().n_active_cells());
+    KellyErrorEstimator<dim>::estimate(
+      dofs, QGauss<dim - 1>(2), {}, displacement, indicators);
+
+    std::vector<std::pair<double, RefinedBox<dim>>> weighted;
+    for (const auto &cell : dofs.active_cell_iterators())
+      {
+        const auto   box  = body.mesh().chart_box(cell);
+        const double half = grading.size_in_x(box.first, box.second) / 2;
+        const double zone = grading.element_size_x;
+        const bool   outside =
+          grading.allowed_size(box.first, box.second) > 1.01 * zone;
+        if (outside && 2 * half > 0.99 * zone)
+          weighted.push_back({indicators[cell->active_cell_index()],
+                              {box.first, box.second, half}});
+      }
+    return heaviest(std::move(weighted), fraction);
+  }
+
+
+
+  template std::vector<RefinedBox<2>>
+  bulk_boxes(const ElasticBody<2> &,
+             const Vector<double> &,
+             const Grading<2> &,
+             const double);
+  template std::vector<RefinedBox<3>>
+  bulk_boxes(const ElasticBody<3> &,
+             const Vector<double> &,
+             const Grading<3> &,
+             const double);
+} // namespace RollingContact
