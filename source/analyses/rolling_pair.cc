@@ -17,13 +17,22 @@ namespace RollingContact
   namespace
   {
     /**
-     * Run two actions at the same time, each with one thread for its linear
-     * algebra. An exception of either reaches the caller.
+     * Run one action for each body, with two threads at the same time, each
+     * with one thread for its linear algebra. An exception of either reaches
+     * the caller.
      */
     template <typename First, typename Second>
     void
-    in_two_threads(const First &first, const Second &second)
+    for_both_bodies(const unsigned int n_threads,
+                    const First       &first,
+                    const Second      &second)
     {
+      if (n_threads == 1)
+        {
+          first();
+          second();
+          return;
+        }
       std::future<void> other = std::async(std::launch::async, [&]() {
         use_one_solver_thread();
         second();
@@ -49,7 +58,8 @@ namespace RollingContact
     const bool twins = !scene.wheel.rigid &&
                        scene.wheel.geometry() == scene.rail.geometry() &&
                        scene.wheel.material == scene.rail.material;
-    in_two_threads(
+    for_both_bodies(
+      scene.body_threads,
       [&]() {
         if (!scene.wheel.rigid)
           wheel_body = build(scene.wheel);
@@ -174,7 +184,8 @@ namespace RollingContact
     check_contact_memory(n_nodes, components.size());
     DenseMatrix W(components.size() * n_nodes, components.size() * n_nodes);
     DenseMatrix wheel, rail;
-    in_two_threads(
+    for_both_bodies(
+      scene.body_threads,
       [&]() {
         if (wheel_body)
           wheel = wheel_body->compliance(wheel_nodes, components);

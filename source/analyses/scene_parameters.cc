@@ -26,6 +26,12 @@ namespace RollingContact
       "meshes, see section Accuracy study.",
       prm,
       Patterns::Selection("quasi-static|creep curve|accuracy study"));
+    add_parameter("Body threads",
+                  body_threads,
+                  "2: wheel and rail at the same time; 1: one after the other, "
+                  "with the same numbers. Units: 1.",
+                  prm,
+                  Patterns::Integer(1, 2));
   }
 
 

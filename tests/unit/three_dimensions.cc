@@ -166,6 +166,21 @@ BOOST_AUTO_TEST_CASE(swapping_wheel_and_rail_reverses_the_forces)
   BOOST_TEST(std::abs(first.force_y() + second.force_y()) < 1e-8);
 }
 
+BOOST_AUTO_TEST_CASE(two_threads_give_the_numbers_of_one)
+{
+  const auto with_threads = [](const unsigned int n) {
+    return [=](SceneParameters &scene) {
+      scene.body_threads                = n;
+      scene.rail.material.young_modulus = 100e9;
+      scene.contact.creepage_y          = 0.002;
+    };
+  };
+  const Run one(with_threads(1)), two(with_threads(2));
+  BOOST_TEST(std::abs(one.force_y() - two.force_y()) < 1e-12);
+  BOOST_TEST(std::abs(one.steady.state.approach - two.steady.state.approach) <
+             1e-12 * one.steady.state.approach);
+}
+
 BOOST_AUTO_TEST_CASE(solvers_agree)
 {
   const auto scene_of = [](const std::string &solver) {

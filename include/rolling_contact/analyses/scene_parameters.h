@@ -33,8 +33,9 @@ namespace RollingContact
       return wheel.rigid ? rail.thickness : wheel.thickness;
     }
 
-    unsigned int dimension = 2;
-    std::string  analysis  = "quasi-static";
+    unsigned int dimension    = 2;
+    std::string  analysis     = "quasi-static";
+    unsigned int body_threads = 2;
 
     BodyParameters       wheel;
     BodyParameters       rail;
