@@ -8,6 +8,63 @@
 
 namespace RollingContact
 {
+  void
+  CondensedColumns::add_product(const double               scale,
+                                const std::vector<double> &r,
+                                std::vector<double>       &z) const
+  {
+    std::vector<double> sorted(column_order.size());
+    for (std::size_t c = 0; c < sorted.size(); ++c)
+      sorted[c] = r[column_order[c]];
+    for (const Block &block : blocks)
+      {
+        const int    n_rows = block.n_rows, n_columns = block.n_columns;
+        const int    stride = 1;
+        const double one    = 1.;
+        dgemv_("N",
+               &n_rows,
+               &n_columns,
+               &scale,
+               block.values.data(),
+               &n_rows,
+               sorted.data() + block.first_column,
+               &stride,
+               &one,
+               z.data() + block.first_row,
+               &stride);
+      }
+  }
+
+
+
+  std::vector<double>
+  CondensedColumns::transposed_product(const std::vector<double> &z) const
+  {
+    std::vector<double> sorted(column_order.size(), 0.), result(sorted.size());
+    for (const Block &block : blocks)
+      {
+        const int    n_rows = block.n_rows, n_columns = block.n_columns;
+        const int    stride = 1;
+        const double one    = 1.;
+        dgemv_("T",
+               &n_rows,
+               &n_columns,
+               &one,
+               block.values.data(),
+               &n_rows,
+               z.data() + block.first_row,
+               &stride,
+               &one,
+               sorted.data() + block.first_column,
+               &stride);
+      }
+    for (std::size_t c = 0; c < sorted.size(); ++c)
+      result[column_order[c]] = sorted[c];
+    return result;
+  }
+
+
+
   std::size_t
   CondensedColumns::memory_consumption() const
   {

@@ -1,6 +1,8 @@
 #include <cholmod.h>
 
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/log.h>
+#include <rolling_contact/base/memory.h>
 #include <rolling_contact/base/stopwatch.h>
 #include <rolling_contact/elasticity/dissection.h>
 #include <rolling_contact/elasticity/factorisation.h>
@@ -17,6 +19,37 @@ namespace RollingContact
     static_assert(sizeof(Index) == sizeof(SuiteSparse_long),
                   "CHOLMOD's long interface works on 64-bit indices.");
 
+
+
+    void
+    check_memory(const Factorisation::Size &size)
+    {
+      const double bytes = size.memory_consumption();
+      if (available_memory() > 0 && bytes > 0.7 * available_memory())
+        throw InputError(
+          "The factor of a body with " + std::to_string(size.n_unknowns) +
+          " unknowns needs " + human_bytes(bytes) + ", more than 70 % of the " +
+          human_bytes(available_memory()) +
+          " free: take fewer Mesh/Elements across patch or a larger "
+          "Mesh/Growth.");
+    }
+
+
+
+    /**
+     * CHOLMOD's view of a vector.
+     */
+    cholmod_dense
+    view(std::vector<double> &vector)
+    {
+      cholmod_dense view{};
+      view.nrow = view.d = view.nzmax = vector.size();
+      view.ncol                       = 1;
+      view.x                          = vector.data();
+      view.xtype                      = CHOLMOD_REAL;
+      view.dtype                      = CHOLMOD_DOUBLE;
+      return view;
+    }
   } // namespace
 
 
@@ -27,6 +60,7 @@ namespace RollingContact
     cholmod_factor       *L = nullptr;
     SymmetricSparseMatrix matrix;
     mutable Size          size;
+    std::vector<double>   workspace; ///< of the half-solves
 
     Implementation()
     {
@@ -105,6 +139,8 @@ namespace RollingContact
     auto           &own = *implementation;
     if (own.matrix.size() == 0)
       return;
+    if (own.L->xtype == CHOLMOD_PATTERN)
+      check_memory(own.size);
     cholmod_sparse A = own.view();
     cholmod_l_factorize(&A, own.L, &own.common);
     if (own.common.status == CHOLMOD_OUT_OF_MEMORY)
@@ -117,8 +153,18 @@ namespace RollingContact
         "The stiffness matrix is not positive definite (column " +
         std::to_string(own.L->minor) +
         "): the body is not held, or the material is unstable.");
-    own.matrix        = SymmetricSparseMatrix();
+    own.matrix = SymmetricSparseMatrix();
+    own.workspace.resize(own.L->maxesize);
     own.size.factor_s = watch.seconds();
+  }
+
+
+
+  void
+  Factorisation::factorise(SymmetricSparseMatrix matrix)
+  {
+    implementation->matrix = std::move(matrix);
+    factorise();
   }
 
 
@@ -126,22 +172,42 @@ namespace RollingContact
   std::vector<double>
   Factorisation::solve(const std::vector<double> &right_hand_side) const
   {
-    auto               &own = *implementation;
-    cholmod_dense       b{};
-    std::vector<double> values = right_hand_side;
-    b.nrow = b.d = b.nzmax = values.size();
-    b.ncol                 = 1;
-    b.x                    = values.data();
-    b.xtype                = CHOLMOD_REAL;
-    b.dtype                = CHOLMOD_DOUBLE;
-    cholmod_dense *solution =
-      cholmod_l_solve(CHOLMOD_A, own.L, &b, &own.common);
-    if (solution == nullptr)
+    std::vector<double> z, x;
+    solve_forward(right_hand_side, z);
+    solve_backward(z, x);
+    return x;
+  }
+
+
+
+  void
+  Factorisation::solve_forward(const std::vector<double> &b,
+                               std::vector<double>       &z) const
+  {
+    auto        &own         = *implementation;
+    const Index *permutation = static_cast<const Index *>(own.L->Perm);
+    z.resize(b.size());
+    for (std::size_t i = 0; i < z.size(); ++i)
+      z[i] = b[permutation[i]];
+    cholmod_dense solution = view(z), workspace = view(own.workspace);
+    if (!cholmod_l_super_lsolve(own.L, &solution, &workspace, &own.common))
       throw std::runtime_error("CHOLMOD could not solve.");
-    const double *begin = static_cast<const double *>(solution->x);
-    values.assign(begin, begin + right_hand_side.size());
-    cholmod_l_free_dense(&solution, &own.common);
-    return values;
+  }
+
+
+
+  void
+  Factorisation::solve_backward(std::vector<double> &z,
+                                std::vector<double> &x) const
+  {
+    auto         &own      = *implementation;
+    cholmod_dense solution = view(z), workspace = view(own.workspace);
+    if (!cholmod_l_super_ltsolve(own.L, &solution, &workspace, &own.common))
+      throw std::runtime_error("CHOLMOD could not solve.");
+    const Index *permutation = static_cast<const Index *>(own.L->Perm);
+    x.resize(z.size());
+    for (std::size_t i = 0; i < x.size(); ++i)
+      x[permutation[i]] = z[i];
   }
 
 

@@ -32,6 +32,20 @@ namespace RollingContact
     std::vector<Block>        blocks;
     std::vector<std::int64_t> column_order;
 
+    /**
+     * z += scale Y r, z in elimination order.
+     */
+    void
+    add_product(const double               scale,
+                const std::vector<double> &r,
+                std::vector<double>       &z) const;
+
+    /**
+     * Y^T z, z in elimination order.
+     */
+    std::vector<double>
+    transposed_product(const std::vector<double> &z) const;
+
     std::size_t
     memory_consumption() const;
   };

@@ -49,18 +49,38 @@ namespace RollingContact
     Factorisation(Factorisation &&) noexcept;
 
     /**
-     * Compute L, once, and release the matrix. Throws ConvergenceError when the
-     * matrix is not positive definite, InputError when L does not fit in
-     * memory.
+     * Compute L and release the matrix. Throws ConvergenceError when the matrix
+     * is not positive definite, InputError when L needs more than 70 % of the
+     * free memory.
      */
     void
     factorise();
+
+    /**
+     * The same for another matrix with the pattern of the first: the order and
+     * the analysis are kept.
+     */
+    void
+    factorise(SymmetricSparseMatrix matrix);
 
     /**
      * K^-1 b: one forward and one backward solve.
      */
     std::vector<double>
     solve(const std::vector<double> &right_hand_side) const;
+
+    /**
+     * z = L^-1 P b, in elimination order. Allocates nothing when @p z has its
+     * size. One half-solve at a time: they share a workspace.
+     */
+    void
+    solve_forward(const std::vector<double> &b, std::vector<double> &z) const;
+
+    /**
+     * x = P^T L^-T z, overwriting @p z.
+     */
+    void
+    solve_backward(std::vector<double> &z, std::vector<double> &x) const;
 
     /**
      * W = E^T K^-1 E = Y^T Y for the given unknowns, in their order. Y is

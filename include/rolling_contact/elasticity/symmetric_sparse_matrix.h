@@ -22,7 +22,33 @@ namespace RollingContact
     {
       return column_starts.empty() ? 0 : column_starts.size() - 1;
     }
+
+    /**
+     * result = S x, for @p result of the size of @p x.
+     */
+    void
+    multiply(const std::vector<double> &x, std::vector<double> &result) const;
+
+    std::size_t
+    memory_consumption() const
+    {
+      return (column_starts.capacity() + row_indices.capacity()) *
+               sizeof(std::int64_t) +
+             values.capacity() * sizeof(double);
+    }
   };
+
+  SymmetricSparseMatrix
+  diagonal_matrix(const std::vector<double> &entries);
+
+  /**
+   * a A + b B on the union of both patterns, for matrices of the same size.
+   */
+  SymmetricSparseMatrix
+  linear_combination(const double                 a,
+                     const SymmetricSparseMatrix &A,
+                     const double                 b,
+                     const SymmetricSparseMatrix &B);
 } // namespace RollingContact
 
 #endif

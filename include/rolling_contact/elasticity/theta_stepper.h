@@ -1,0 +1,158 @@
+#ifndef rolling_contact_elasticity_theta_stepper_h
+#define rolling_contact_elasticity_theta_stepper_h
+
+#include <rolling_contact/elasticity/theta_system.h>
+
+#include <memory>
+#include <vector>
+
+namespace RollingContact
+{
+  /**
+   * Energies after a step, and what the step did. With dv, du the changes of
+   * velocity and displacement,
+   *   change of (kinetic + strain) = contact_work + load_work - damping
+   *                                  - numerical_dissipation + balance_error,
+   * balance_error being rounding. Units: J.
+   */
+  struct StepEnergy
+  {
+    double kinetic               = 0.; ///< v^T M v / 2
+    double strain                = 0.; ///< u^T K u / 2
+    double contact_work          = 0.; ///< h r . v_th
+    double load_work             = 0.; ///< h f . v_th
+    double damping               = 0.; ///< h v_th^T C v_th
+    double numerical_dissipation = 0.; ///< (theta - 1/2)(|dv|_M^2 + |du|_K^2)
+    double balance_error         = 0.;
+  };
+
+  /**
+   * One body in time, u1 = u0 + h v_th with v_th = theta v1 + (1 - theta) v0,
+   *   A v_th = M v0 - theta h K u0 + theta h (f + E r),
+   * f constant nodal loads, r the reactions on the contact unknowns. A step is
+   * begin_step(), one forward solve, then the contact solve by the caller, then
+   * end_step(), one backward solve; in between, nothing but Y^T z and Y r. Owns
+   * the state (u, v); ThetaSystem owns the matrices.
+   */
+  class ThetaStepper
+  {
+  public:
+    /**
+     * At rest and undeformed.
+     */
+    explicit ThetaStepper(std::shared_ptr<ThetaSystem> system);
+
+    /**
+     * Abandons a step that has begun. Units: s.
+     */
+    void
+    set_time_step(const double h);
+
+    /**
+     * Abandons a step that has begun. Units: m, m/s.
+     */
+    void
+    set_state(const std::vector<double> &displacement,
+              const std::vector<double> &velocity);
+
+    /**
+     * Nodal loads of all unknowns from now on; none if empty. Units: N.
+     */
+    void
+    set_loads(const std::vector<double> &loads);
+
+    void
+    begin_step();
+
+    /**
+     * Forget a step that has begun; the state is that before it.
+     */
+    void
+    abandon_step()
+    {
+      begun_step = 0.;
+    }
+
+    /**
+     * Take the step with the given reactions on the contact unknowns. Units: N.
+     */
+    void
+    end_step(const std::vector<double> &reactions);
+
+    const std::vector<double> &
+    displacement() const
+    {
+      return u;
+    }
+
+    const std::vector<double> &
+    velocity() const
+    {
+      return v;
+    }
+
+    /**
+     * Kinetic and strain energy are those of the state, the rest those of the
+     * last step.
+     */
+    const StepEnergy &
+    energy() const
+    {
+      return step_energy;
+    }
+
+    /**
+     * The state on the contact unknowns.
+     */
+    std::vector<double>
+    contact_displacement() const;
+
+    std::vector<double>
+    contact_velocity() const;
+
+    /**
+     * What the step that has begun leads to on the contact unknowns without
+     * reactions: v_th, v1 and u1.
+     */
+    const std::vector<double> &
+    free_contact_theta_velocity() const;
+
+    std::vector<double>
+    free_contact_velocity() const;
+
+    std::vector<double>
+    free_contact_displacement() const;
+
+    const ThetaSystem &
+    system() const
+    {
+      return *matrices;
+    }
+
+    /**
+     * Bytes of the vectors; the matrices count on their own.
+     */
+    std::size_t
+    memory_consumption() const;
+
+  private:
+    void
+    require_begun() const;
+
+    void
+    move_displacement();
+
+    void
+    change_velocity();
+
+    std::vector<double>
+    on_contact(const std::vector<double> &values) const;
+
+    std::shared_ptr<ThetaSystem> matrices;
+    std::vector<double>          u, v, Ku, Mv, f, z, work, free_theta_velocity;
+    double                       begun_step = 0.; ///< h, 0 if none has begun
+    StepEnergy                   step_energy;
+  };
+} // namespace RollingContact
+
+#endif
