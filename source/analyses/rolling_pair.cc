@@ -50,10 +50,12 @@ namespace RollingContact
     : scene(scene)
   {
     const auto build = [&](const BodyParameters &body) {
-      return std::make_shared<ElasticBody<dim>>(body.geometry(),
-                                                body.material,
-                                                body.thickness,
-                                                grading);
+      auto result = std::make_shared<ElasticBody<dim>>(body.geometry(),
+                                                       body.material,
+                                                       body.thickness,
+                                                       grading);
+      result->analyse();
+      return result;
     };
     const bool twins = !scene.wheel.rigid &&
                        scene.wheel.geometry() == scene.rail.geometry() &&

@@ -12,7 +12,7 @@ namespace RollingContact
     const Patterns::Double any, not_negative(0.);
     add_parameter("Shape",
                   shape,
-                  "`disc`, clamped at its hub, or `block`, clamped at its "
+                  "`disc`, held at its inner circle, or `block`, held at its "
                   "bottom.",
                   prm,
                   Patterns::Selection("disc|block"));
@@ -35,7 +35,7 @@ namespace RollingContact
       any);
     add_parameter("Hub radius",
                   hub_radius,
-                  "Radius of the clamped circle of a disc. Units: m.",
+                  "Radius of the inner circle of a disc. Units: m.",
                   prm,
                   not_negative);
     add_parameter("Block length",
@@ -43,13 +43,12 @@ namespace RollingContact
                   "Extent of a block in the rolling direction. Units: m.",
                   prm,
                   not_negative);
-    add_parameter(
-      "Block depth",
-      block_depth,
-      "Depth of a block, from the contact point to its clamped bottom. "
-      "Units: m.",
-      prm,
-      not_negative);
+    add_parameter("Block depth",
+                  block_depth,
+                  "Depth of a block, from the contact point to its bottom. "
+                  "Units: m.",
+                  prm,
+                  not_negative);
     add_parameter("Thickness",
                   thickness,
                   "Thickness in 2D (plane strain), the same for both bodies. "
@@ -61,6 +60,13 @@ namespace RollingContact
                   "Extent across the rolling direction, 3D only. Units: m.",
                   prm,
                   not_negative);
+    add_parameter("Hub",
+                  hub,
+                  "What the inner circle of a disc or the bottom of a block "
+                  "does: `clamped`, or `free` in a transient analysis, where "
+                  "inertia alone holds the body.",
+                  prm,
+                  Patterns::Selection("clamped|free"));
     add_parameter("Young modulus",
                   material.young_modulus,
                   "Young's modulus. Units: Pa.",
@@ -71,6 +77,11 @@ namespace RollingContact
                   "Poisson's ratio, at least 0 and below 0.5. Units: 1.",
                   prm,
                   Patterns::Double(0., 0.5));
+    add_parameter("Density",
+                  material.density,
+                  "Mass density, for analyses with inertia. Units: kg/m^3.",
+                  prm,
+                  not_negative);
   }
 
 
@@ -110,6 +121,9 @@ namespace RollingContact
                   hub_radius,
                   "it must lie above 0 m and below the Radius.");
       }
+    if (rigid && hub == "free")
+      throw InputError(section + "/Hub = free: a rigid body is held; take "
+                                 "Rigid = false or Hub = clamped.");
     if (rigid)
       return;
     if (shape == "block")
@@ -146,6 +160,11 @@ namespace RollingContact
             "Poisson ratio",
             material.poisson_ratio,
             "it must be below 0.5; 0.4999 is as good as incompressible.");
+    require(material.density > 0.,
+            section,
+            "Density",
+            material.density,
+            "it must be above 0 kg/m^3.");
     if (dimension == 2)
       require(thickness > 0.,
               section,
@@ -170,6 +189,7 @@ namespace RollingContact
     geometry.length         = block_length;
     geometry.depth          = block_depth;
     geometry.width          = width;
+    geometry.hub_clamped    = hub == "clamped";
     return geometry;
   }
 } // namespace RollingContact

@@ -1,16 +1,9 @@
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/fe_values.h>
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
-#include <deal.II/lac/full_matrix.h>
-#include <deal.II/lac/sparse_matrix.h>
 #include <deal.II/lac/vector.h>
 #include <deal.II/numerics/vector_tools_boundary.h>
 
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/base/log.h>
-#include <rolling_contact/base/memory.h>
 #include <rolling_contact/base/stopwatch.h>
 #include <rolling_contact/elasticity/elastic_body.h>
 
@@ -27,15 +20,15 @@ namespace RollingContact
                                 const double        thickness,
                                 const Grading<dim> &grading)
     : material(material)
+    , thickness(thickness)
+    , hub_clamped(geometry.hub_clamped)
     , body_mesh(make_body_mesh<dim>(geometry, grading))
     , element(FE_Q<dim>(1), dim)
     , dofs(*body_mesh.triangulation)
   {
     const Stopwatch watch;
     distribute();
-    factor =
-      std::make_unique<Factorisation>(assemble(thickness), node_of_unknown);
-    assembly_s = watch.seconds() - factor->size().analysis_s;
+    assembly_s = watch.seconds();
   }
 
 
@@ -46,7 +39,8 @@ namespace RollingContact
   {
     dofs.distribute_dofs(element);
     DoFTools::make_hanging_node_constraints(dofs, constraints);
-    DoFTools::make_zero_boundary_constraints(dofs, hub_boundary, constraints);
+    if (hub_clamped)
+      DoFTools::make_zero_boundary_constraints(dofs, hub_boundary, constraints);
     constraints.close();
 
     unknown_of_dof.assign(dofs.n_dofs(), -1);
@@ -62,123 +56,6 @@ namespace RollingContact
           node_of_unknown.push_back(
             node_of_unknown.empty() ? 0 : node_of_unknown.back() + !same_node);
         }
-  }
-
-
-
-  /**
-   * B-bar by mean dilatation, K_ij = integral of 2 G dev(eps_i) : dev(eps_j) +
-   * V k mean(div phi_i) mean(div phi_j) with the bulk modulus k and the
-   * deviator of the three-dimensional strain, eps_yy = 0 in plane strain
-   * (Hughes 1980).
-   */
-  template <int dim>
-  void
-  ElasticBody<dim>::cell_stiffness(const FEValues<dim, dim> &values,
-                                   FullMatrix<double>       &stiffness) const
-  {
-    const FEValuesExtractors::Vector displacement(0);
-    const unsigned int               n = values.dofs_per_cell;
-    const double G = material.shear_modulus(), k = material.bulk_modulus();
-
-    std::vector<double>                  mean_dilatation(n, 0.);
-    std::vector<SymmetricTensor<2, dim>> strain(n);
-    std::vector<double>                  dilatation(n);
-    double                               volume = 0.;
-    stiffness                                   = 0.;
-    for (const unsigned int q : values.quadrature_point_indices())
-      {
-        const double JxW = values.JxW(q);
-        volume += JxW;
-        for (unsigned int i = 0; i < n; ++i)
-          {
-            strain[i]     = values[displacement].symmetric_gradient(i, q);
-            dilatation[i] = trace(strain[i]);
-            mean_dilatation[i] += dilatation[i] * JxW;
-          }
-        for (unsigned int i = 0; i < n; ++i)
-          for (unsigned int j = 0; j <= i; ++j)
-            stiffness(i, j) +=
-              2 * G *
-              (strain[i] * strain[j] - dilatation[i] * dilatation[j] / 3) * JxW;
-      }
-    for (unsigned int i = 0; i < n; ++i)
-      for (unsigned int j = 0; j <= i; ++j)
-        {
-          stiffness(i, j) +=
-            k * mean_dilatation[i] * mean_dilatation[j] / volume;
-          stiffness(j, i) = stiffness(i, j);
-        }
-  }
-
-
-
-  namespace
-  {
-    /**
-     * The lower triangle of the unconstrained part of @p matrix.
-     */
-    SymmetricSparseMatrix
-    restrict_to_unknowns(const SparseMatrix<double> &matrix,
-                         const std::vector<int>     &unknown_of_dof,
-                         const std::size_t           n_unknowns)
-    {
-      SymmetricSparseMatrix result;
-      result.column_starts.reserve(n_unknowns + 1);
-      result.column_starts.push_back(0);
-      std::vector<std::pair<std::int64_t, double>> column;
-      for (std::size_t dof = 0; dof < unknown_of_dof.size(); ++dof)
-        {
-          const int j = unknown_of_dof[dof];
-          if (j < 0)
-            continue;
-          column.clear();
-          for (auto entry = matrix.begin(dof); entry != matrix.end(dof);
-               ++entry)
-            if (unknown_of_dof[entry->column()] >= j)
-              column.emplace_back(unknown_of_dof[entry->column()],
-                                  entry->value());
-          std::sort(column.begin(), column.end());
-          for (const auto &entry : column)
-            {
-              result.row_indices.push_back(entry.first);
-              result.values.push_back(entry.second);
-            }
-          result.column_starts.push_back(result.row_indices.size());
-        }
-      return result;
-    }
-  } // namespace
-
-
-
-  template <int dim>
-  SymmetricSparseMatrix
-  ElasticBody<dim>::assemble(const double thickness)
-  {
-    SparsityPattern pattern;
-    {
-      DynamicSparsityPattern dynamic(dofs.n_dofs());
-      DoFTools::make_sparsity_pattern(dofs, dynamic, constraints, false);
-      pattern.copy_from(dynamic);
-    }
-    SparseMatrix<double> matrix(pattern);
-
-    FEValues<dim>                        values(element,
-                         QGauss<dim>(2),
-                         update_gradients | update_JxW_values);
-    FullMatrix<double>                   stiffness(element.dofs_per_cell);
-    std::vector<types::global_dof_index> cell_dofs(element.dofs_per_cell);
-    for (const auto &cell : dofs.active_cell_iterators())
-      {
-        values.reinit(cell);
-        cell_stiffness(values, stiffness);
-        if (dim == 2)
-          stiffness *= thickness;
-        cell->get_dof_indices(cell_dofs);
-        constraints.distribute_local_to_global(stiffness, cell_dofs, matrix);
-      }
-    return restrict_to_unknowns(matrix, unknown_of_dof, n_unknowns());
   }
 
 
@@ -322,24 +199,99 @@ namespace RollingContact
 
 
   template <int dim>
+  Discretisation<dim>
+  ElasticBody<dim>::discretisation() const
+  {
+    return {
+      dofs, constraints, unknown_of_dof, n_unknowns(), material, thickness};
+  }
+
+
+
+  template <int dim>
+  SymmetricSparseMatrix
+  ElasticBody<dim>::stiffness() const
+  {
+    return assemble_stiffness(discretisation());
+  }
+
+
+
+  template <int dim>
+  SymmetricSparseMatrix
+  ElasticBody<dim>::mass(const MassKind kind) const
+  {
+    return assemble_mass(discretisation(), kind);
+  }
+
+
+
+  template <int dim>
+  std::vector<std::size_t>
+  ElasticBody<dim>::unknowns(const std::vector<SurfaceNode>  &nodes,
+                             const std::vector<unsigned int> &components) const
+  {
+    std::vector<std::size_t> result;
+    for (const unsigned int component : components)
+      for (const SurfaceNode &node : nodes)
+        result.push_back(unknown_of_dof[node.dofs[component]]);
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  ElasticBody<dim>::uniform(const unsigned int component,
+                            const double       value) const
+  {
+    std::vector<double> result(n_unknowns(), 0.);
+    for (std::size_t i = 0; i < unknown_of_dof.size(); ++i)
+      if (unknown_of_dof[i] >= 0 && i % dim == component)
+        result[unknown_of_dof[i]] = value;
+    return result;
+  }
+
+
+
+  template <int dim>
+  Vector<double>
+  ElasticBody<dim>::field(const std::vector<double> &values) const
+  {
+    Vector<double> result(dofs.n_dofs());
+    for (std::size_t i = 0; i < unknown_of_dof.size(); ++i)
+      if (unknown_of_dof[i] >= 0)
+        result[i] = values[unknown_of_dof[i]];
+    constraints.distribute(result);
+    return result;
+  }
+
+
+
+  template <int dim>
+  void
+  ElasticBody<dim>::analyse()
+  {
+    if (factor != nullptr)
+      return;
+    if (!hub_clamped)
+      throw InputError("Hub = free: a body that nothing holds has no static "
+                       "compliance; take Hub = clamped.");
+    const Stopwatch watch;
+    factor = std::make_unique<Factorisation>(stiffness(), node_of_unknown);
+    assembly_s += watch.seconds() - factor->size().analysis_s;
+  }
+
+
+
+  template <int dim>
   DenseMatrix
   ElasticBody<dim>::compliance(const std::vector<SurfaceNode>  &nodes,
                                const std::vector<unsigned int> &components)
   {
-    const double bytes = factor->size().memory_consumption();
-    if (available_memory() > 0 && bytes > 0.7 * available_memory())
-      throw InputError(
-        "The factor of a body with " + std::to_string(n_unknowns()) +
-        " unknowns needs " + human_bytes(bytes) + ", more than 70 % of the " +
-        human_bytes(available_memory()) +
-        " free: take fewer Mesh/Elements across patch or a larger "
-        "Mesh/Growth.");
+    analyse();
     factor->factorise();
-    std::vector<std::size_t> unknowns;
-    for (const unsigned int component : components)
-      for (const SurfaceNode &node : nodes)
-        unknowns.push_back(unknown_of_dof[node.dofs[component]]);
-    return factor->condense(unknowns);
+    return factor->condense(unknowns(nodes, components));
   }
 
 
@@ -351,17 +303,10 @@ namespace RollingContact
                             const std::vector<double>       &forces) const
   {
     std::vector<double> right_hand_side(n_unknowns(), 0.);
-    for (std::size_t c = 0; c < components.size(); ++c)
-      for (std::size_t n = 0; n < nodes.size(); ++n)
-        right_hand_side[unknown_of_dof[nodes[n].dofs[components[c]]]] +=
-          forces[c * nodes.size() + n];
-    const std::vector<double> solution = factor->solve(right_hand_side);
-    Vector<double>            displacement(dofs.n_dofs());
-    for (std::size_t i = 0; i < unknown_of_dof.size(); ++i)
-      if (unknown_of_dof[i] >= 0)
-        displacement[i] = solution[unknown_of_dof[i]];
-    constraints.distribute(displacement);
-    return displacement;
+    const auto          loaded = unknowns(nodes, components);
+    for (std::size_t i = 0; i < loaded.size(); ++i)
+      right_hand_side[loaded[i]] += forces[i];
+    return field(factor->solve(right_hand_side));
   }
 
 

@@ -31,7 +31,8 @@ namespace RollingContact
                              body.hub_radius,
                              body.length,
                              body.depth,
-                             body.width);
+                             body.width,
+                             body.hub_clamped);
     };
     return key(*this) == key(other);
   }

@@ -36,6 +36,7 @@ namespace RollingContact
     double      block_depth    = 0.5;
     double      thickness      = 0.02;
     double      width          = 0.1;
+    std::string hub            = "clamped";
     Material    material       = {210e9, 0.3};
   };
 } // namespace RollingContact

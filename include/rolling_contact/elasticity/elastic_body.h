@@ -6,6 +6,7 @@
 #include <deal.II/lac/affine_constraints.h>
 
 #include <rolling_contact/base/dense_matrix.h>
+#include <rolling_contact/elasticity/body_matrices.h>
 #include <rolling_contact/elasticity/factorisation.h>
 #include <rolling_contact/elasticity/material.h>
 #include <rolling_contact/mesh/body_mesh.h>
@@ -16,10 +17,11 @@
 namespace RollingContact
 {
   /**
-   * One elastic body in its own frame (z out of the body), hub clamped: linear
-   * elements with B-bar, in 2D plane strain with a thickness. Owns mesh,
-   * unknowns, stiffness and its factorisation; contact space sees it only
-   * through compliance() and recover().
+   * One elastic body in its own frame (z out of the body), hub clamped or free:
+   * linear elements with B-bar, in 2D plane strain with a thickness. Owns mesh,
+   * unknowns and the factorisation of K; contact space sees it only through
+   * compliance() and recover(). Dynamics asks for stiffness() and mass(), which
+   * are assembled on demand and not kept.
    */
   template <int dim>
   class ElasticBody
@@ -46,7 +48,7 @@ namespace RollingContact
     };
 
     /**
-     * Mesh, distribute and assemble. @p thickness is used in 2D. Units: m.
+     * Mesh and distribute. @p thickness is used in 2D. Units: m.
      */
     ElasticBody(const BodyGeometry &geometry,
                 const Material     &material,
@@ -62,6 +64,13 @@ namespace RollingContact
             const double              extent_y,
             std::vector<SurfaceNode> &nodes,
             std::vector<SurfaceFace> &faces) const;
+
+    /**
+     * Assemble K and analyse its factorisation for compliance(), which does so
+     * itself if need be. Throws InputError if the hub is free.
+     */
+    void
+    analyse();
 
     /**
      * Compliance of the given nodes: displacement of component @p components[i]
@@ -80,6 +89,58 @@ namespace RollingContact
     recover(const std::vector<SurfaceNode>  &nodes,
             const std::vector<unsigned int> &components,
             const std::vector<double>       &forces) const;
+
+    /**
+     * K of the unknowns, assembled anew. Units: N/m.
+     */
+    SymmetricSparseMatrix
+    stiffness() const;
+
+    /**
+     * M of the unknowns. Units: kg.
+     */
+    SymmetricSparseMatrix
+    mass(const MassKind kind = MassKind::lumped) const;
+
+    /**
+     * The node of each unknown, for the order of elimination.
+     */
+    const std::vector<unsigned int> &
+    nodes_of_unknowns() const
+    {
+      return node_of_unknown;
+    }
+
+    /**
+     * Number of the unknown behind a degree of freedom, -1 if it is
+     * constrained.
+     */
+    int
+    unknown(const dealii::types::global_dof_index dof) const
+    {
+      return unknown_of_dof[dof];
+    }
+
+    /**
+     * The unknown of component @p components[i] at node n, at i * N + n.
+     */
+    std::vector<std::size_t>
+    unknowns(const std::vector<SurfaceNode>  &nodes,
+             const std::vector<unsigned int> &components) const;
+
+    /**
+     * The unknowns of a field that is @p value in one component and zero in the
+     * others, away from a clamped hub.
+     */
+    std::vector<double>
+    uniform(const unsigned int component, const double value) const;
+
+    /**
+     * The field of given unknowns on all nodes, hanging and clamped ones
+     * included.
+     */
+    dealii::Vector<double>
+    field(const std::vector<double> &values) const;
 
     const dealii::DoFHandler<dim> &
     dof_handler() const
@@ -131,14 +192,12 @@ namespace RollingContact
     void
     distribute();
 
-    SymmetricSparseMatrix
-    assemble(const double thickness);
-
-    void
-    cell_stiffness(const dealii::FEValues<dim, dim> &values,
-                   dealii::FullMatrix<double>       &stiffness) const;
+    Discretisation<dim>
+    discretisation() const;
 
     Material                          material;
+    double                            thickness;
+    bool                              hub_clamped;
     BodyMesh<dim>                     body_mesh;
     dealii::FESystem<dim>             element;
     dealii::DoFHandler<dim>           dofs;

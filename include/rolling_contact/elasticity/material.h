@@ -4,12 +4,13 @@
 namespace RollingContact
 {
   /**
-   * Isotropic linear elasticity. Units: Pa, 1.
+   * Isotropic linear elasticity. Units: Pa, 1, kg/m^3.
    */
   struct Material
   {
     double young_modulus = 0.;
     double poisson_ratio = 0.;
+    double density       = 7800.;
 
     double
     shear_modulus() const
@@ -27,7 +28,7 @@ namespace RollingContact
     operator==(const Material &other) const
     {
       return young_modulus == other.young_modulus &&
-             poisson_ratio == other.poisson_ratio;
+             poisson_ratio == other.poisson_ratio && density == other.density;
     }
   };
 } // namespace RollingContact

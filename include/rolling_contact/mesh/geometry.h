@@ -26,12 +26,13 @@ namespace RollingContact
   {
     Shape  shape          = Shape::disc;
     bool   rigid          = false;
-    double radius         = 0.; ///< in the rolling direction; 0 flat
-    double lateral_radius = 0.; ///< across; 0 flat
-    double hub_radius     = 0.; ///< of the clamped circle of a disc
-    double length         = 0.; ///< of a block, in the rolling direction
-    double depth          = 0.; ///< of a block, down to its clamped bottom
-    double width          = 0.; ///< across, 3D only
+    double radius         = 0.;   ///< in the rolling direction; 0 flat
+    double lateral_radius = 0.;   ///< across; 0 flat
+    double hub_radius     = 0.;   ///< of the inner circle of a disc
+    double length         = 0.;   ///< of a block, in the rolling direction
+    double depth          = 0.;   ///< of a block, down to its bottom, the hub
+    double width          = 0.;   ///< across, 3D only
+    bool   hub_clamped    = true; ///< otherwise nothing holds the body
 
     /**
      * Thickness of material under the contact point.
