@@ -4,6 +4,10 @@
 #include <limits>
 #include <string>
 
+#ifdef __GLIBC__
+#  include <malloc.h>
+#endif
+
 namespace RollingContact
 {
   namespace
@@ -46,5 +50,15 @@ namespace RollingContact
   available_memory()
   {
     return proc_entry("/proc/meminfo", "MemAvailable:");
+  }
+
+
+
+  void
+  release_free_memory()
+  {
+#ifdef __GLIBC__
+    malloc_trim(0);
+#endif
   }
 } // namespace RollingContact

@@ -57,11 +57,28 @@ namespace RollingContact
 
 
     /**
+     * The components that a matrix couples: all, or each with itself.
+     */
+    template <int dim>
+    Table<2, DoFTools::Coupling>
+    couplings(const bool all)
+    {
+      Table<2, DoFTools::Coupling> table(dim, dim);
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = 0; j < dim; ++j)
+          table(i, j) = all || i == j ? DoFTools::always : DoFTools::none;
+      return table;
+    }
+
+
+
+    /**
      * Sum up cell matrices with the constraints eliminated.
      */
     template <int dim>
     SymmetricSparseMatrix
     assemble(const Discretisation<dim>                       &body,
+             const Table<2, DoFTools::Coupling>              &couplings,
              const Quadrature<dim>                           &quadrature,
              const UpdateFlags                                update_flags,
              const std::function<void(const FEValues<dim> &,
@@ -70,10 +87,8 @@ namespace RollingContact
       SparsityPattern pattern;
       {
         DynamicSparsityPattern dynamic(body.dofs.n_dofs());
-        DoFTools::make_sparsity_pattern(body.dofs,
-                                        dynamic,
-                                        body.constraints,
-                                        false);
+        DoFTools::make_sparsity_pattern(
+          body.dofs, couplings, dynamic, body.constraints, false);
         pattern.copy_from(dynamic);
       }
       SparseMatrix<double> matrix(pattern);
@@ -222,6 +237,7 @@ namespace RollingContact
   assemble_stiffness(const Discretisation<dim> &body)
   {
     return assemble<dim>(body,
+                         couplings<dim>(true),
                          QGauss<dim>(2),
                          update_gradients,
                          [&](const FEValues<dim> &values,
@@ -239,6 +255,7 @@ namespace RollingContact
     if (kind == MassKind::lumped)
       return lumped_mass(body);
     return assemble<dim>(body,
+                         couplings<dim>(false),
                          QGauss<dim>(3),
                          update_values,
                          [&](const FEValues<dim> &values,

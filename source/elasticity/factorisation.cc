@@ -124,6 +124,7 @@ namespace RollingContact
     if (own.L == nullptr)
       throw std::runtime_error("CHOLMOD could not analyse the matrix (status " +
                                std::to_string(own.common.status) + ").");
+    release_free_memory();
     own.size.n_unknowns   = own.matrix.size();
     own.size.n_entries    = own.L->is_super ? own.L->xsize : own.common.lnz;
     own.size.n_operations = own.common.fl;
@@ -154,6 +155,7 @@ namespace RollingContact
         std::to_string(own.L->minor) +
         "): the body is not held, or the material is unstable.");
     own.matrix = SymmetricSparseMatrix();
+    release_free_memory();
     own.workspace.resize(own.L->maxesize);
     own.size.factor_s = watch.seconds();
   }
@@ -218,6 +220,7 @@ namespace RollingContact
   {
     const Stopwatch watch;
     DenseMatrix W = condensed_compliance(*implementation->L, unknowns, columns);
+    release_free_memory();
     implementation->size.condensation_s = watch.seconds();
     return W;
   }

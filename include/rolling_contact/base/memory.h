@@ -17,6 +17,11 @@ namespace RollingContact
    * (MemAvailable); 0 if unknown. Knows no limit set by a batch system. */
   std::size_t
   available_memory();
+
+  /** Give freed pages back to the system, which the C library keeps otherwise
+   * (glibc only). For moments when much was freed in small pieces. */
+  void
+  release_free_memory();
 } // namespace RollingContact
 
 #endif
