@@ -6,6 +6,7 @@
 #include <rolling_contact/analyses/result_row.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/interrupt.h>
+#include <rolling_contact/base/progress.h>
 #include <rolling_contact/base/stopwatch.h>
 #include <rolling_contact/output/svg_plot.h>
 
@@ -28,6 +29,7 @@ namespace RollingContact
       AdaptiveLevels<dim>(scene, context).run([](const auto &) {});
     describe_bodies(steady, context);
     const Stopwatch watch;
+    Progress        progress(context.log, "point", points.size());
     for (std::size_t k = 0; k < points.size(); ++k)
       {
         throw_if_interrupted();
@@ -42,7 +44,7 @@ namespace RollingContact
             ". Natural residual " +
             scientific(steady.solver.residual.worst(), 3) + ", required " +
             scientific(scene.solver.controls.tolerance, 3) + ".");
-        report_progress(k + 1, points.size(), watch.seconds());
+        progress.report(k + 1);
       }
     context.log.message(context.results.screen_table({"creepage_x",
                                                       "creepage_y",
@@ -92,21 +94,6 @@ namespace RollingContact
       }
     else if (const auto carter = line_reference(scene, steady).carter)
       saturated.push_back(std::abs(carter->force_ratio()));
-  }
-
-
-
-  template <int dim>
-  void
-  CreepCurve<dim>::report_progress(const std::size_t n_done,
-                                   const std::size_t n_points,
-                                   const double      seconds)
-  {
-    const double left = seconds / n_done * (n_points - n_done);
-    if (left > 5.)
-      context.log.message("point " + std::to_string(n_done) + " of " +
-                          std::to_string(n_points) + ", about " +
-                          human_seconds(left) + " left");
   }
 
 

@@ -30,11 +30,6 @@ namespace RollingContact
                 SteadyState<dim>            &steady);
 
     void
-    report_progress(const std::size_t n_done,
-                    const std::size_t n_points,
-                    const double      seconds);
-
-    void
     plot(const std::vector<References::Creepages> &points) const;
 
     const SceneParameters &scene;
