@@ -13,7 +13,7 @@ namespace RollingContact
   {
     const char *usage =
       "Usage: rolling-contact FILE.prm [--set \"Section/Entry=value\"]... "
-      "[--output DIR]";
+      "[--output DIR] [--resume]";
 
     options::options_description
     visible_options()
@@ -26,6 +26,8 @@ namespace RollingContact
         "repeatable")("output",
                       options::value<std::string>(),
                       "folder of the run (default: output/<stem of FILE>)")(
+        "resume",
+        "continue the transient run in the folder from its last checkpoint")(
         "validate", "read and check the parameters, write nothing")(
         "print-parameters", "print every parameter with its documentation")(
         "version", "print the version")("help", "print this text");
@@ -94,6 +96,7 @@ namespace RollingContact
     show_version     = values.count("version") > 0;
     validate_only    = values.count("validate") > 0;
     print_parameters = values.count("print-parameters") > 0;
+    resume           = values.count("resume") > 0;
     if (values.count("output") > 0)
       output_folder = values["output"].as<std::string>();
     if (values.count("set") > 0)

@@ -1,15 +1,13 @@
-#define BOOST_BIND_GLOBAL_PLACEHOLDERS
-#include <boost/property_tree/json_parser.hpp>
-#include <boost/property_tree/ptree.hpp>
-
 #include <fcntl.h>
 #include <sys/file.h>
 #include <unistd.h>
 
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/files.h>
+#include <rolling_contact/base/old_run.h>
+#include <rolling_contact/base/prm_entries.h>
 #include <rolling_contact/base/run_folder.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -20,73 +18,12 @@ namespace RollingContact
 
   namespace
   {
-    const std::string record_name  = "run.json";
-    const std::string program_name = "rolling-contact";
-
     /** Names every run may leave, whether or not its list has them. */
     const std::set<std::string> fixed_names{"original.prm",
                                             "used.prm",
                                             "results.csv",
                                             "bodies.pvd",
                                             "interface.pvd"};
-
-    struct OldRun
-    {
-      bool                  is_ours = false;
-      std::set<std::string> files;
-    };
-
-
-
-    bool
-    is_plain_name(const std::string &name)
-    {
-      const std::string allowed =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._-";
-      return !name.empty() && name.front() != '.' &&
-             name.find_first_not_of(allowed) == std::string::npos;
-    }
-
-
-
-    OldRun
-    read_old_run(const fs::path &folder)
-    {
-      namespace property_tree = boost::property_tree;
-
-      OldRun old_run;
-      try
-        {
-          property_tree::ptree record;
-          property_tree::read_json((folder / record_name).string(), record);
-          old_run.is_ours = !record.empty() &&
-                            record.front().first == "program" &&
-                            record.front().second.data() == program_name;
-          if (const auto files = record.get_child_optional("files"))
-            for (const auto &entry : *files)
-              old_run.files.insert(entry.second.data());
-        }
-      catch (const property_tree::ptree_error &)
-        {
-          old_run.is_ours = false;
-        }
-      return old_run;
-    }
-
-
-
-    /** Whether a first run died before it could leave its mark, or nothing was
-     * ever there. */
-    bool
-    is_empty_folder(const fs::path &folder)
-    {
-      return std::all_of(fs::directory_iterator(folder),
-                         fs::directory_iterator(),
-                         [](const fs::directory_entry &entry) {
-                           return entry.path().filename() ==
-                                  "." + record_name + ".part";
-                         });
-    }
 
 
 
@@ -101,35 +38,10 @@ namespace RollingContact
 
 
     [[noreturn]] void
-    throw_write_error(const fs::path &file, const std::string &reason)
+    refuse_to_resume(const fs::path &folder, const std::string &reason)
     {
-      throw InputError("Cannot write \"" + file.string() + "\": " + reason +
-                       ". Free some space or mend the permissions, or name "
-                       "another folder with --output.");
-    }
-
-
-
-    fs::path
-    nearest_existing(fs::path path)
-    {
-      std::error_code error;
-      while (!fs::exists(path, error) && path != path.parent_path())
-        path = path.parent_path();
-      return path;
-    }
-
-
-
-    /** Removes a file or a link; leaves folders alone. */
-    void
-    remove_file(const fs::path &file)
-    {
-      std::error_code     error;
-      const fs::file_type type = fs::symlink_status(file, error).type();
-      if (type == fs::file_type::regular || type == fs::file_type::symlink)
-        if (!fs::remove(file, error) && error)
-          throw_write_error(file, error.message());
+      throw InputError("Cannot resume the run in \"" + folder.string() +
+                       "\": " + reason + " Start it without --resume.");
     }
   } // namespace
 
@@ -207,13 +119,37 @@ namespace RollingContact
 
     // The mark comes first, with the old list: after a crash anywhere below
     // the next run knows what is left to remove.
-    for (const std::string &name : read_old_run(folder).files)
-      if (is_plain_name(name))
-        claimed_files.insert(name);
+    claimed_files = read_old_run(folder).files;
     claimed_files.insert(fixed_names.begin(), fixed_names.end());
     write_run_json();
     remove_old_files();
 
+    write_atomically("original.prm", original_prm);
+    write_atomically("used.prm", used_prm);
+  }
+
+
+
+  void
+  RunFolder::reopen(const Resumption &resumption)
+  {
+    check();
+    if (!fs::is_directory(folder))
+      refuse_to_resume(folder, "there is no such folder.");
+    lock();
+    const fs::path used = final_path("used.prm");
+    if (!fs::is_regular_file(final_path(resumption.checkpoint)) ||
+        !fs::is_regular_file(used))
+      refuse_to_resume(folder,
+                       "it holds no checkpoint (no " + resumption.checkpoint +
+                         ").");
+    refuse_changed_entries(prm_entries(read_bytes(used)),
+                           prm_entries(used_prm),
+                           resumption.may_differ);
+
+    claimed_files = read_old_run(folder).files;
+    adopt_old_files(resumption.growing_file);
+    write_run_json();
     write_atomically("original.prm", original_prm);
     write_atomically("used.prm", used_prm);
   }
@@ -236,9 +172,36 @@ namespace RollingContact
     if (!is_plain_name(name) || name == record_name)
       throw std::logic_error("Not a name for a file of a run: " + name);
 
+    begun_files.insert(name);
     if (claimed_files.insert(name).second)
       write_run_json();
     return temporary_path(name);
+  }
+
+
+
+  fs::path
+  RunFolder::continued(const std::string &name, const std::uintmax_t n_bytes)
+  {
+    const fs::path  growing = temporary_path(name), whole = final_path(name);
+    std::error_code error;
+    if (size_of(growing) < n_bytes)
+      {
+        if (size_of(whole) < n_bytes)
+          refuse_to_resume(folder,
+                           name + " has less than the " +
+                             std::to_string(n_bytes) +
+                             " bytes it had at the checkpoint.");
+        fs::copy_file(whole,
+                      growing,
+                      fs::copy_options::overwrite_existing,
+                      error);
+      }
+    if (!error)
+      fs::resize_file(growing, n_bytes, error);
+    if (error)
+      throw_write_error(growing, error.message());
+    return temporary(name);
   }
 
 
@@ -250,7 +213,18 @@ namespace RollingContact
     fs::rename(temporary_path(name), final_path(name), error);
     if (error)
       throw_write_error(final_path(name), error.message());
+    begun_files.erase(name);
     published_files.insert(name);
+  }
+
+
+
+  void
+  RunFolder::publish_durably(const std::string &name)
+  {
+    synchronise(temporary_path(name));
+    publish(name);
+    synchronise(folder);
   }
 
 
@@ -260,6 +234,7 @@ namespace RollingContact
   {
     temporary(name);
     write_text(name, text);
+    begun_files.erase(name);
     published_files.insert(name);
   }
 
@@ -353,6 +328,8 @@ namespace RollingContact
   void
   RunFolder::remove_old_files()
   {
+    // First what reopen() insists on: half a run cannot be resumed.
+    remove_file(final_path("used.prm"));
     for (const std::string &name : claimed_files)
       {
         remove_file(final_path(name));
@@ -364,15 +341,34 @@ namespace RollingContact
 
 
   void
+  RunFolder::adopt_old_files(const std::string &growing_file)
+  {
+    const std::set<std::string> old_files = claimed_files;
+    for (const std::string &name : old_files)
+      {
+        if (name != growing_file)
+          remove_file(temporary_path(name));
+        if (fs::is_regular_file(final_path(name)))
+          published_files.insert(name);
+        else if (name != growing_file)
+          claimed_files.erase(name);
+      }
+  }
+
+
+
+  void
   RunFolder::remove_unpublished_files()
   {
     remove_file(temporary_path(record_name));
-    for (const std::string &name : claimed_files)
-      remove_file(temporary_path(name));
-    if (claimed_files != published_files)
+    const std::size_t n_claimed = claimed_files.size();
+    for (const std::string &name : begun_files)
       {
-        claimed_files = published_files;
-        write_run_json();
+        remove_file(temporary_path(name));
+        if (published_files.count(name) == 0)
+          claimed_files.erase(name);
       }
+    if (claimed_files.size() != n_claimed)
+      write_run_json();
   }
 } // namespace RollingContact

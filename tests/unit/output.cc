@@ -4,6 +4,7 @@
 #include <boost/property_tree/xml_parser.hpp>
 #include <boost/test/unit_test.hpp>
 
+#include "scratch_folder.h"
 #include <signal.h>
 #include <unistd.h>
 
@@ -21,7 +22,6 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <sstream>
 #include <thread>
@@ -31,50 +31,6 @@ namespace
   using namespace RollingContact;
   namespace fs = std::filesystem;
   using boost::property_tree::ptree;
-
-  /** A folder of its own for one test, gone at its end. */
-  struct ScratchFolder
-  {
-    ScratchFolder()
-    {
-      std::string name =
-        (fs::temp_directory_path() / "rolling_contact_XXXXXX").string();
-      BOOST_REQUIRE(mkdtemp(name.data()) != nullptr);
-      scratch = name;
-      folder  = scratch / "output" / "carter";
-    }
-
-    ~ScratchFolder()
-    {
-      std::error_code error;
-      fs::remove_all(scratch, error);
-    }
-
-    fs::path scratch;
-    fs::path folder;
-  };
-
-
-
-  std::string
-  read(const fs::path &file)
-  {
-    std::ifstream      stream(file);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return text.str();
-  }
-
-
-
-  void
-  write(const fs::path &file, const std::string &text)
-  {
-    fs::create_directories(file.parent_path());
-    std::ofstream(file) << text;
-  }
-
-
 
   ptree
   read_json(const fs::path &file)

@@ -34,6 +34,7 @@ namespace RollingContact
     bool                     show_version     = false;
     bool                     validate_only    = false;
     bool                     print_parameters = false;
+    bool                     resume           = false;
   };
 } // namespace RollingContact
 

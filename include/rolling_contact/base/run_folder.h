@@ -1,6 +1,7 @@
 #ifndef rolling_contact_base_run_folder_h
 #define rolling_contact_base_run_folder_h
 
+#include <cstdint>
 #include <filesystem>
 #include <set>
 #include <string>
@@ -15,6 +16,9 @@ namespace RollingContact
    * name and ends with the list of files, so that the next run knows what it
    * may remove, even after a crash; what stands between comes from others
    * (RunReport). Belongs to the first MPI rank.
+   *
+   * A run that was interrupted or killed can be continued: reopen() in place of
+   * open(). The lock is the kernel's and dies with the process that holds it.
    */
   class RunFolder
   {
@@ -47,6 +51,26 @@ namespace RollingContact
     void
     open();
 
+    /** What of an old run may differ and what it left for the new one. */
+    struct Resumption
+    {
+      /** Entries of used.prm, or sections as "Section/". */
+      std::set<std::string> may_differ;
+      /** Without this published file there is nothing to resume. */
+      std::string checkpoint;
+      /** Its temporary form is kept for the new run to continue. */
+      std::string growing_file;
+    };
+
+    /**
+     * Continues the run that is in the folder: its published files stay.
+     * Throws InputError, and leaves the folder as it is, if this program did
+     * not make it, it has no checkpoint, its used.prm differs from the scene
+     * (naming the entry and both values), or its run is still going.
+     */
+    void
+    reopen(const Resumption &resumption);
+
     const std::filesystem::path &
     get_path() const;
 
@@ -59,6 +83,18 @@ namespace RollingContact
      * of that name in one step. Throws InputError if there is no such file. */
     void
     publish(const std::string &name);
+
+    /**
+     * Like temporary() for the growing file of the run that is continued: its
+     * first n_bytes, from what a killed run left or from the published file,
+     * which stays. Throws InputError if neither is that long.
+     */
+    std::filesystem::path
+    continued(const std::string &name, const std::uintmax_t n_bytes);
+
+    /** publish(), and the file and its name outlive a loss of power. */
+    void
+    publish_durably(const std::string &name);
 
     /** temporary() and publish() for a text; InputError if the disk is full. */
     void
@@ -87,6 +123,8 @@ namespace RollingContact
     void
     remove_old_files();
     void
+    adopt_old_files(const std::string &growing_file);
+    void
     remove_unpublished_files();
 
     const std::filesystem::path folder;
@@ -94,7 +132,8 @@ namespace RollingContact
     const std::string           used_prm;
 
     std::string           record;
-    std::set<std::string> claimed_files;
+    std::set<std::string> claimed_files; ///< as listed in run.json
+    std::set<std::string> begun_files;   ///< temporary so far, by this run
     std::set<std::string> published_files;
     /** File descriptor that holds the lock; -1 unless open. */
     int lock_descriptor;

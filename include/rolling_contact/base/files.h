@@ -1,0 +1,37 @@
+#ifndef rolling_contact_base_files_h
+#define rolling_contact_base_files_h
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace RollingContact
+{
+  /** Throws InputError: the file cannot be written, why, and what helps. */
+  [[noreturn]] void
+  throw_write_error(const std::filesystem::path &file,
+                    const std::string           &reason);
+
+  /** The whole file; empty if it cannot be read. */
+  std::string
+  read_bytes(const std::filesystem::path &file);
+
+  /** 0 if there is no such file. */
+  std::uintmax_t
+  size_of(const std::filesystem::path &file);
+
+  /** Returns when what was written to the file, or the names in the folder,
+   * are on the disk. Throws InputError. */
+  void
+  synchronise(const std::filesystem::path &file_or_folder);
+
+  /** Removes a file or a link; leaves folders alone. Throws InputError. */
+  void
+  remove_file(const std::filesystem::path &file);
+
+  /** The path itself or the nearest folder above it that exists. */
+  std::filesystem::path
+  nearest_existing(std::filesystem::path path);
+} // namespace RollingContact
+
+#endif

@@ -1,0 +1,83 @@
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/files.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+namespace RollingContact
+{
+  namespace fs = std::filesystem;
+
+  void
+  throw_write_error(const fs::path &file, const std::string &reason)
+  {
+    throw InputError("Cannot write \"" + file.string() + "\": " + reason +
+                     ". Free some space or mend the permissions, or name "
+                     "another folder with --output.");
+  }
+
+
+
+  std::string
+  read_bytes(const fs::path &file)
+  {
+    std::ifstream      stream(file, std::ios::binary);
+    std::ostringstream text;
+    text << stream.rdbuf();
+    return text.str();
+  }
+
+
+
+  std::uintmax_t
+  size_of(const fs::path &file)
+  {
+    std::error_code      error;
+    const std::uintmax_t size = fs::file_size(file, error);
+    return error ? 0 : size;
+  }
+
+
+
+  void
+  synchronise(const fs::path &file_or_folder)
+  {
+    const int descriptor = ::open(file_or_folder.c_str(), O_RDONLY | O_CLOEXEC);
+    // File systems that cannot do it for this kind of file say EINVAL.
+    const bool done =
+      descriptor >= 0 && (fsync(descriptor) == 0 || errno == EINVAL);
+    const int reason = errno;
+    if (descriptor >= 0)
+      close(descriptor);
+    if (!done)
+      throw_write_error(file_or_folder, std::strerror(reason));
+  }
+
+
+
+  void
+  remove_file(const fs::path &file)
+  {
+    std::error_code     error;
+    const fs::file_type type = fs::symlink_status(file, error).type();
+    if (type == fs::file_type::regular || type == fs::file_type::symlink)
+      if (!fs::remove(file, error) && error)
+        throw_write_error(file, error.message());
+  }
+
+
+
+  fs::path
+  nearest_existing(fs::path path)
+  {
+    std::error_code error;
+    while (!fs::exists(path, error) && path != path.parent_path())
+      path = path.parent_path();
+    return path;
+  }
+} // namespace RollingContact

@@ -1,0 +1,533 @@
+#include <boost/test/unit_test.hpp>
+
+#include "scratch_folder.h"
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <rolling_contact/base/command_line.h>
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/old_run.h>
+#include <rolling_contact/base/progress.h>
+#include <rolling_contact/output/checkpoint.h>
+
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <random>
+
+namespace
+{
+  using namespace RollingContact;
+  namespace fs = std::filesystem;
+
+  const std::string scene = "set Dimension = 2\n"
+                            "subsection Output\n  set Plot = true\nend\n"
+                            "subsection Time\n"
+                            "  set End time  = 1\n"
+                            "  set Time step = 1e-3\n"
+                            "end\n";
+
+  const RunFolder::Resumption resumption{{"Output/", "Time/End time"},
+                                         checkpoint_name,
+                                         history_name};
+
+  const std::vector<std::string> columns{"step", "time_s", "force_x_N"};
+
+  std::string
+  replaced(std::string        text,
+           const std::string &old_part,
+           const std::string &new_part)
+  {
+    text.replace(text.find(old_part), old_part.size(), new_part);
+    return text;
+  }
+
+
+
+  /** What an InputError says; empty if there was none. */
+  std::string
+  complaint(const std::function<void()> &action)
+  {
+    try
+      {
+        action();
+      }
+    catch (const InputError &error)
+      {
+        return error.what();
+      }
+    return {};
+  }
+
+
+
+  bool
+  contains(const std::string &text, const std::string &part)
+  {
+    return text.find(part) != std::string::npos;
+  }
+
+
+
+  /**
+   * Like a time integration: a chaotic sequence, a row and a field per step, a
+   * checkpoint every seventh.
+   */
+  void
+  march(const fs::path     &folder,
+        const bool          resume,
+        const std::uint64_t last_step = 200)
+  {
+    RunFolder  run(folder, scene, scene);
+    Checkpoint state;
+    state.wheel.displacement = {0.3};
+    std::optional<HistoryTable> history;
+    if (resume)
+      {
+        run.reopen(resumption);
+        state = read_checkpoint(run);
+        history.emplace(run, history_name, columns, state.history);
+      }
+    else
+      {
+        run.open();
+        history.emplace(run, history_name, columns);
+      }
+    double &x = state.wheel.displacement[0];
+    while (state.step < last_step)
+      {
+        ++state.step;
+        state.time += 0.1;
+        x = 3.99 * x * (1 - x);
+        history->add_row({1. * state.step, state.time, x});
+        const std::string name = "body-" + std::to_string(state.step) + ".vtu";
+        run.write_atomically(name, std::to_string(x));
+        state.body_fields.push_back({state.time, 0, "wheel", name});
+        write_pvd(state.body_fields, run, "bodies.pvd");
+        if (state.step % 7 == 0)
+          {
+            state.history = history->flush();
+            write_checkpoint(state, run);
+          }
+      }
+    history->publish();
+  }
+
+
+
+  /** All files of a folder but run.json; its list is "listed". */
+  std::map<std::string, std::string>
+  contents(const fs::path &folder)
+  {
+    std::map<std::string, std::string> files;
+    for (const auto &entry : fs::directory_iterator(folder))
+      if (entry.path().filename() != record_name)
+        files[entry.path().filename()] = read(entry.path());
+    for (const std::string &name : read_old_run(folder).files)
+      files["listed"] += name + ' ';
+    return files;
+  }
+
+
+
+  /** Runs an action in a process of its own. */
+  pid_t
+  in_child(const std::function<void()> &action)
+  {
+    const pid_t child = fork();
+    if (child == 0)
+      {
+        int code = 0;
+        try
+          {
+            action();
+          }
+        catch (const std::exception &)
+          {
+            code = 1;
+          }
+        _exit(code);
+      }
+    BOOST_REQUIRE(child > 0);
+    return child;
+  }
+
+
+
+  int
+  status_of(const pid_t child)
+  {
+    int status = 0;
+    BOOST_REQUIRE(waitpid(child, &status, 0) == child);
+    return status;
+  }
+
+
+
+  bool
+  same_bits(const double first, const double second)
+  {
+    return std::memcmp(&first, &second, sizeof(double)) == 0;
+  }
+} // namespace
+
+
+
+BOOST_AUTO_TEST_SUITE(resume)
+
+BOOST_AUTO_TEST_CASE(entries_of_a_prm_text)
+{
+  const PrmEntries entries = prm_entries(
+    "# comment\nset A b = 1 # 2\n\nsubsection S t\n  set C =\n"
+    "  subsection U\n    set D = x=y\n  end\n  set E = 3\nend\nset F = 4\n");
+  const PrmEntries expected{{"A b", "1 # 2"},
+                            {"F", "4"},
+                            {"S t/C", ""},
+                            {"S t/E", "3"},
+                            {"S t/U/D", "x=y"}};
+  BOOST_TEST((entries == expected));
+}
+
+
+
+BOOST_AUTO_TEST_CASE(changed_entries_are_refused)
+{
+  const PrmEntries old_entries{{"Time/Theta", "0.5"},
+                               {"Time/End time", "1"},
+                               {"Output/Plot", "true"},
+                               {"Contact/Approach", "0.0001"}};
+  const auto change = [&](const std::string &entry, const std::string &value) {
+    PrmEntries entries = old_entries;
+    entries[entry]     = value;
+    return complaint([&]() {
+      refuse_changed_entries(old_entries, entries, resumption.may_differ);
+    });
+  };
+  BOOST_TEST(change("Time/Theta", "0.5") == "");
+  BOOST_TEST(change("Contact/Approach", "1e-4") == "");
+  BOOST_TEST(change("Time/End time", "2") == "");
+  BOOST_TEST(change("Output/Plot", "false") == "");
+  BOOST_TEST(contains(change("Time/Theta", "0.51"),
+                      "Time/Theta was \"0.5\" when the run began and is "
+                      "\"0.51\" now"));
+  BOOST_TEST(contains(change("Contact/Approach", ""), "is \"\" now"));
+  BOOST_TEST(contains(change("Time/New", "1"), "Time/New was missing"));
+  BOOST_TEST(
+    contains(complaint([&]() { refuse_changed_entries(old_entries, {}, {}); }),
+             "Contact/Approach was \"0.0001\""));
+}
+
+
+
+BOOST_FIXTURE_TEST_CASE(checkpoints_keep_every_bit, ScratchFolder)
+{
+  RunFolder run(folder, scene, scene);
+  run.open();
+  Checkpoint state;
+  state.tables   = {{"Time/Speed (table)", "12 rows"}};
+  state.step     = 1234567890123u;
+  state.time     = 0.1 + 0.2;
+  state.wheel    = {{-0., std::numeric_limits<double>::denorm_min(), 1. / 3},
+                    {std::nextafter(1., 2.), INFINITY, std::nan("7")}};
+  state.pressure = {1e300, -1e-300};
+  state.traction = {M_PI};
+  state.approach = std::nextafter(2.2e-4, 0.);
+  state.linear_edges = {true, false, true};
+  state.n_impacts    = 8;
+  state.history      = {17, 4321};
+  state.body_fields  = {{0.1, 1, "rail", "rail-0001.vtu"}};
+  write_checkpoint(Checkpoint(), run);
+  write_checkpoint(state, run);
+
+  const Checkpoint copy = read_checkpoint(run);
+  BOOST_TEST((copy.tables == state.tables));
+  BOOST_TEST(copy.step == state.step);
+  BOOST_TEST(same_bits(copy.time, state.time));
+  BOOST_TEST(same_bits(copy.approach, state.approach));
+  for (unsigned int i = 0; i < 3; ++i)
+    {
+      BOOST_TEST(
+        same_bits(copy.wheel.displacement[i], state.wheel.displacement[i]));
+      BOOST_TEST(same_bits(copy.wheel.velocity[i], state.wheel.velocity[i]));
+    }
+  BOOST_TEST(copy.rail.displacement.empty());
+  BOOST_TEST((copy.pressure == state.pressure));
+  BOOST_TEST((copy.traction == state.traction));
+  BOOST_TEST((copy.linear_edges == state.linear_edges));
+  BOOST_TEST(copy.n_impacts == 8u);
+  BOOST_TEST(copy.history.n_rows == 17u);
+  BOOST_TEST(copy.history.n_bytes == 4321u);
+  BOOST_REQUIRE(copy.body_fields.size() == 1u);
+  BOOST_TEST(copy.body_fields[0].file == "rail-0001.vtu");
+  BOOST_TEST(copy.body_fields[0].part == 1u);
+}
+
+
+
+BOOST_FIXTURE_TEST_CASE(damaged_checkpoints_are_refused, ScratchFolder)
+{
+  RunFolder run(folder, scene, scene);
+  run.open();
+  const fs::path file = folder / checkpoint_name;
+  BOOST_TEST(contains(complaint([&]() { read_checkpoint(run); }),
+                      file.string() + "\": it is missing"));
+  Checkpoint state;
+  state.wheel.displacement = {1., 2., 3.};
+  write_checkpoint(state, run);
+  const std::string whole = read(file);
+
+  for (std::size_t i = 0; i < whole.size(); ++i)
+    {
+      std::string damaged = whole;
+      damaged[i] ^= 0x10;
+      write(file, damaged);
+      const std::string said = complaint([&]() { read_checkpoint(run); });
+      BOOST_REQUIRE_MESSAGE(contains(said, file.string()), "byte " << i);
+      write(file, whole.substr(0, i));
+      BOOST_REQUIRE_THROW(read_checkpoint(run), InputError);
+    }
+  write(file, whole + '\0');
+  BOOST_CHECK_THROW(read_checkpoint(run), InputError);
+  write(file, whole);
+  BOOST_TEST(read_checkpoint(run).wheel.displacement.size() == 3u);
+}
+
+
+
+BOOST_FIXTURE_TEST_CASE(reopening_refuses_what_cannot_be_resumed, ScratchFolder)
+{
+  const auto reopen = [&](const std::string &prm) {
+    return complaint([&]() {
+      RunFolder run(folder, prm, prm);
+      run.reopen(resumption);
+    });
+  };
+  BOOST_TEST(contains(reopen(scene), "there is no such folder"));
+  BOOST_TEST(!fs::exists(folder));
+  write(folder / "thesis.tex", "mine");
+  BOOST_TEST(contains(reopen(scene), "did not write"));
+  fs::remove_all(folder);
+  {
+    RunFolder run(folder, scene, scene);
+    run.open();
+    BOOST_TEST(contains(reopen(scene), "another run is writing"));
+  }
+  BOOST_TEST(contains(reopen(scene), "holds no checkpoint"));
+
+  march(folder, false, 14);
+  const auto        before = contents(folder);
+  const std::string record = read(folder / record_name);
+  BOOST_TEST(contains(reopen(replaced(scene, "1e-3", "2e-3")),
+                      "Time/Time step was \"1e-3\" when the run began and is "
+                      "\"2e-3\" now"));
+  BOOST_TEST((contents(folder) == before));
+  BOOST_TEST(read(folder / record_name) == record);
+
+  const std::string longer = replaced(scene, "End time  = 1", "End time = 2");
+  BOOST_TEST(reopen(longer) == "");
+  BOOST_TEST(read(folder / "used.prm") == longer);
+  BOOST_TEST(read(folder / "history.csv") == before.at("history.csv"));
+  BOOST_TEST(read(folder / "body-5.vtu") == before.at("body-5.vtu"));
+}
+
+
+
+BOOST_FIXTURE_TEST_CASE(starting_anew_leaves_nothing_to_resume, ScratchFolder)
+{
+  march(folder, false, 14);
+  RunFolder run(folder, scene, scene);
+  run.open();
+  BOOST_TEST(!fs::exists(folder / checkpoint_name));
+  BOOST_TEST(!fs::exists(folder / history_name));
+}
+
+
+
+BOOST_FIXTURE_TEST_CASE(histories_continue_byte_for_byte, ScratchFolder)
+{
+  march(folder, false, 100);
+  const std::string whole = read(folder / history_name);
+  BOOST_TEST(whole.substr(0, 22) == "step,time_s,force_x_N\n");
+
+  // Stopped after step 45, published with it; the checkpoint is that of 42.
+  march(folder, false, 45);
+  BOOST_TEST(read(folder / history_name) ==
+             whole.substr(0, read(folder / history_name).size()));
+  march(folder, true, 100);
+  BOOST_TEST(read(folder / history_name) == whole);
+
+  // A resumed run that fails before it continues the history loses no row.
+  march(folder, false, 45);
+  fs::rename(folder / history_name, folder / ".history.csv.part");
+  {
+    RunFolder run(folder, scene, scene);
+    run.reopen(resumption);
+    BOOST_TEST(
+      contains(complaint([&]() {
+                 HistoryTable(run, history_name, columns, {1000, 100000});
+               }),
+               "history.csv has less than the 100000 bytes"));
+  }
+  march(folder, true, 100);
+  BOOST_TEST(read(folder / history_name) == whole);
+}
+
+
+
+BOOST_FIXTURE_TEST_CASE(history_rows, ScratchFolder)
+{
+  RunFolder run(folder, scene, scene);
+  run.open();
+  {
+    HistoryTable history(run, history_name, columns);
+    history.add_row({999999999., 1. / 3, -1e-7});
+    BOOST_TEST(history.flush().n_rows == 1u);
+    BOOST_TEST(!fs::exists(folder / history_name));
+    BOOST_TEST(read(folder / ".history.csv.part") ==
+               "step,time_s,force_x_N\n999999999,0.333333333,-1e-07\n");
+    BOOST_CHECK_THROW(history.add_row({1., 2.}), std::logic_error);
+    history.add_row({2., std::nan(""), 0.});
+  }
+  const std::string text = read(folder / history_name);
+  BOOST_TEST(text == "step,time_s,force_x_N\n999999999,0.333333333,-1e-07\n"
+                     "2,nan,0\n");
+  BOOST_CHECK_THROW(
+    HistoryTable(run, history_name, {"other", "columns"}, {2, text.size()}),
+    InputError);
+  BOOST_CHECK_THROW(
+    HistoryTable(run, history_name, columns, {1, text.size() - 3}), InputError);
+}
+
+
+
+BOOST_FIXTURE_TEST_CASE(lock_of_a_dead_process, ScratchFolder)
+{
+  int  ready[2];
+  char byte = 0;
+  BOOST_REQUIRE(pipe(ready) == 0);
+  const pid_t child = in_child([&]() {
+    RunFolder run(folder, scene, scene);
+    run.open();
+    write_checkpoint({}, run);
+    if (write(ready[1], "x", 1) == 1)
+      pause();
+  });
+  BOOST_REQUIRE(read(ready[0], &byte, 1) == 1);
+  RunFolder run(folder, scene, scene);
+  BOOST_TEST(contains(complaint([&]() { run.reopen(resumption); }),
+                      "another run is writing"));
+  kill(child, SIGKILL);
+  status_of(child);
+  BOOST_TEST(complaint([&]() { run.reopen(resumption); }) == "");
+  close(ready[0]);
+  close(ready[1]);
+}
+
+
+
+BOOST_FIXTURE_TEST_CASE(killed_at_random_times, ScratchFolder)
+{
+  march(scratch / "whole", false);
+  const auto expected = contents(scratch / "whole");
+
+  std::mt19937                       random(4);
+  std::uniform_int_distribution<int> microseconds(0, 40000);
+  unsigned int                       n_killed = 0, n_resumed = 0;
+  for (bool done = false; !done;)
+    {
+      const bool  resume = fs::exists(folder / checkpoint_name);
+      const pid_t child  = in_child([&]() { march(folder, resume); });
+      if (n_killed < 40)
+        {
+          usleep(microseconds(random));
+          kill(child, SIGKILL);
+        }
+      const int status = status_of(child);
+      BOOST_REQUIRE((WIFSIGNALED(status) || WEXITSTATUS(status) == 0));
+      n_killed += WIFSIGNALED(status);
+      n_resumed += resume;
+      done = WIFEXITED(status);
+    }
+  BOOST_TEST_MESSAGE(n_killed << " kills, " << n_resumed << " resumptions");
+  BOOST_TEST(n_resumed > 0u);
+  BOOST_TEST((contents(folder) == expected));
+}
+
+
+
+BOOST_FIXTURE_TEST_CASE(killed_while_starting_anew, ScratchFolder)
+{
+  march(scratch / "whole", false, 80);
+  march(scratch / "old", false, 76);
+  const auto expected = contents(scratch / "whole");
+  fs::create_directories(folder.parent_path());
+
+  std::mt19937                       random(5);
+  std::uniform_int_distribution<int> microseconds(0, 4000);
+  unsigned int                       n_old_runs = 0;
+  for (unsigned int i = 0; i < 40; ++i)
+    {
+      fs::remove_all(folder);
+      fs::copy(scratch / "old", folder);
+      const pid_t child = in_child([&]() {
+        RunFolder run(folder, scene, scene);
+        run.open();
+        pause();
+      });
+      usleep(microseconds(random));
+      kill(child, SIGKILL);
+      status_of(child);
+      const bool is_old_run =
+        complaint([&]() { march(folder, true, 80); }).empty();
+      if (is_old_run)
+        BOOST_REQUIRE((contents(folder) == expected));
+      n_old_runs += is_old_run;
+    }
+  BOOST_TEST_MESSAGE(n_old_runs << " of 40 not begun anew");
+}
+
+
+
+BOOST_AUTO_TEST_CASE(progress_lines)
+{
+  std::ostringstream out, errors;
+  Log                log(Verbosity::normal, out, errors);
+  Progress           rare(log, "step", 1000);
+  for (unsigned int i = 1; i <= 1000; ++i)
+    rare.report(i);
+  BOOST_TEST(out.str() == "");
+
+  Progress eager(log, "step", 4, 1, 0.);
+  for (unsigned int i = 2; i <= 4; ++i)
+    eager.report(i);
+  BOOST_TEST(contains(out.str(), "step 2 of 4, about "));
+  BOOST_TEST(contains(out.str(), "step 3 of 4, about "));
+  BOOST_TEST(!contains(out.str(), "step 4 of 4"));
+
+  // Two thirds of the steps of this run are left after 30 ms.
+  out.str("");
+  Progress paced(log, "step", 13, 10, 0.);
+  usleep(30000);
+  paced.report(11);
+  const std::string said = out.str();
+  const double      left = std::stod(said.substr(said.find("about ") + 6));
+  BOOST_TEST(contains(said, " ms left"));
+  BOOST_TEST(left >= 60.);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(option_on_the_command_line)
+{
+  const char *words[] = {"rolling-contact", "a.prm", "--resume"};
+  BOOST_TEST(CommandLine(3, words).resume);
+  BOOST_TEST(!CommandLine(2, words).resume);
+  BOOST_TEST(contains(CommandLine::help(), "--resume"));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
