@@ -45,6 +45,8 @@ namespace RollingContact
     mesh.check();
     study.check();
     creep_curve.check();
+    if (analysis == "transient")
+      time.check(contact, dimension, prm_folder);
     if (wheel.rigid && rail.rigid)
       throw InputError("Wheel/Rigid = true and Rail/Rigid = true: at least one "
                        "body must be elastic.");

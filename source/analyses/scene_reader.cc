@@ -85,6 +85,8 @@ namespace RollingContact
   read_scene(const CommandLine &command_line, SceneParameters &scene)
   {
     SceneText text;
+    scene.prm_folder =
+      std::filesystem::path(command_line.prm_file).parent_path();
     text.original         = read_file(command_line.prm_file);
     ParameterHandler &prm = ParameterAcceptor::prm;
     ParameterAcceptor::declare_all_parameters();

@@ -3,11 +3,14 @@
 
 #include <rolling_contact/analyses/creep_curve_parameters.h>
 #include <rolling_contact/analyses/study_parameters.h>
+#include <rolling_contact/analyses/time_parameters.h>
 #include <rolling_contact/contact/contact_parameters.h>
 #include <rolling_contact/elasticity/body_parameters.h>
 #include <rolling_contact/mesh/mesh_parameters.h>
 #include <rolling_contact/output/output_parameters.h>
 #include <rolling_contact/solvers/solver_parameters.h>
+
+#include <filesystem>
 
 namespace RollingContact
 {
@@ -36,6 +39,8 @@ namespace RollingContact
     unsigned int dimension    = 2;
     std::string  analysis     = "quasi-static";
     unsigned int body_threads = 2;
+    /** Of the .prm file: where the files it names are. */
+    std::filesystem::path prm_folder;
 
     BodyParameters       wheel;
     BodyParameters       rail;
@@ -44,6 +49,7 @@ namespace RollingContact
     MeshParameters       mesh;
     CreepCurveParameters creep_curve;
     StudyParameters      study;
+    TimeParameters       time;
     OutputParameters     output;
   };
 } // namespace RollingContact
