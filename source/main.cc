@@ -9,6 +9,7 @@
 #include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/base/memory.h>
 #include <rolling_contact/base/platform.h>
+#include <rolling_contact/output/checkpoint.h>
 
 #include <iostream>
 #include <sstream>
@@ -72,6 +73,26 @@ namespace RollingContact
 
 
     /**
+     * Start anew, or continue what a transient run left.
+     */
+    void
+    open_folder(const SceneParameters &scene,
+                const CommandLine     &command_line,
+                RunFolder             &folder)
+    {
+      if (!command_line.resume)
+        folder.open();
+      else if (scene.analysis == "transient")
+        folder.reopen(
+          {TimeParameters::free_on_resume(), checkpoint_name, history_name});
+      else
+        throw InputError("--resume with Analysis = " + scene.analysis +
+                         ": only a transient run can be resumed.");
+    }
+
+
+
+    /**
      * Run a scene in its folder; run.json tells how it ended, however it ends.
      */
     void
@@ -85,12 +106,13 @@ namespace RollingContact
                          : std::filesystem::path(command_line.output_folder),
                        text.original,
                        text.used);
-      folder.open();
+      open_folder(scene, command_line, folder);
       Log          log(scene.output.verbosity());
       ResultsTable results(folder);
       RunReport    report = describe_program(command_line);
-      RunContext   context{folder, results, report, timer, log};
-      const auto   finish = [&](const RunStatus status) {
+      RunContext   context{
+        folder, results, report, timer, log, command_line.resume};
+      const auto finish = [&](const RunStatus status) {
         report.warnings = log.warnings();
         results.flush();
         report.write(folder, status, timer);

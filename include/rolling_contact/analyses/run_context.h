@@ -19,6 +19,8 @@ namespace RollingContact
     RunReport    &report;
     PhaseTimer   &timer;
     Log          &log;
+    /** Continue from the checkpoint in the folder. */
+    bool resume = false;
   };
 } // namespace RollingContact
 
