@@ -1,6 +1,7 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/contact/operators.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace RollingContact
@@ -192,21 +193,47 @@ namespace RollingContact
 
 
 
+  namespace
+  {
+    bool
+    contains(const SparseRows::Row &row, const unsigned int i)
+    {
+      return std::any_of(row.begin(), row.end(), [i](const auto &entry) {
+        return entry.first == i;
+      });
+    }
+  } // namespace
+
+
+
   UpstreamRows
   upstream_rows(const Trace &trace, const int flow)
   {
     const unsigned int n = trace.nodes.size();
-    UpstreamRows       rows{SparseRows(n), SparseRows(n), std::vector<bool>(n)};
+    UpstreamRows       rows{SparseRows(n),
+                      SparseRows(n),
+                      SparseRows(n),
+                      SparseRows(n),
+                      std::vector<bool>(n)};
     for (unsigned int i = 0; i < n; ++i)
       {
-        const auto size = trace.element_size(i, -flow);
+        auto size = trace.element_size(i, -flow);
         if (!size)
           continue;
         const double x = trace.nodes[i][0], y = trace.nodes[i][1];
-        const auto   near = trace.interpolation(x - flow * *size, y);
-        const auto   far  = trace.interpolation(x - 2 * flow * *size, y);
-        if (!near || !far)
+        auto         near = trace.interpolation(x - flow * *size, y);
+        while (near && contains(*near, i))
+          {
+            *size *= 2;
+            near = trace.interpolation(x - flow * *size, y);
+          }
+        if (!near)
           continue;
+        rows.near[i]   = *near;
+        const auto far = trace.interpolation(x - 2 * flow * *size, y);
+        if (!far)
+          continue;
+        rows.far[i]       = *far;
         rows.defined[i]   = true;
         const double unit = flow / *size;
         rows.order_1.add(i, i, unit);

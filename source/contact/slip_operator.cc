@@ -9,10 +9,11 @@ namespace RollingContact
   namespace
   {
     /**
-     * Group the nodes by y and sort each group along the flow.
+     * Group the nodes by y, sort each group along the flow and cut it where the
+     * point one element upstream (@p near) is not the node before.
      */
     std::vector<std::vector<unsigned int>>
-    lines_along_flow(const Trace &trace, const int flow)
+    lines_along_flow(const Trace &trace, const SparseRows &near, const int flow)
     {
       std::vector<unsigned int> order(trace.nodes.size());
       std::iota(order.begin(), order.end(), 0);
@@ -28,8 +29,8 @@ namespace RollingContact
       std::vector<std::vector<unsigned int>> lines;
       for (const unsigned int i : order)
         {
-          if (lines.empty() || std::abs(trace.nodes[lines.back().back()][1] -
-                                        trace.nodes[i][1]) > tolerance)
+          if (lines.empty() || near[i].size() != 1 ||
+              near[i][0].first != lines.back().back())
             lines.emplace_back();
           lines.back().push_back(i);
         }
@@ -45,10 +46,12 @@ namespace RollingContact
                              const int              flow)
     : kind(kind)
     , flow(flow)
-    , flow_lines(lines_along_flow(trace, flow))
   {
     UpstreamRows upstream = upstream_rows(trace, flow);
+    flow_lines            = lines_along_flow(trace, upstream.near, flow);
     upstream_defined      = std::move(upstream.defined);
+    near_rows             = std::move(upstream.near);
+    far_rows              = std::move(upstream.far);
     base_rows =
       kind == SlipOperatorKind::galerkin   ? galerkin_rows(trace, matrices)
       : kind == SlipOperatorKind::upwind_1 ? std::move(upstream.order_1)

@@ -1,5 +1,6 @@
 #include <boost/test/unit_test.hpp>
 
+#include <rolling_contact/contact/edge_companion.h>
 #include <rolling_contact/contact/operators.h>
 
 #include <cmath>
@@ -222,6 +223,54 @@ BOOST_AUTO_TEST_CASE(galerkin_rows_are_exact_on_linear_fields)
                        std::vector<bool>(trace.nodes.size(), true),
                        linear,
                        linear_slope) < 1e-11);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(lines_end_where_the_next_point_is_no_node)
+{
+  // the line y = 0.5 exists at x = 2.5, 3 and 3.5 only; x = 2.5 and 3.5 hang on
+  // the line y = 2
+  const Trace trace = surface_with_hanging_nodes();
+  for (const int flow : {1, -1})
+    {
+      const SlipOperator       slip_operator(trace,
+                                       SlipOperatorKind::calibrated,
+                                       ContactMatrices::lumped,
+                                       flow);
+      std::vector<std::size_t> lengths;
+      for (const auto &line : slip_operator.lines())
+        lengths.push_back(line.size());
+      const std::vector<std::size_t> expected{9, 3, 9, 3, 7, 7, 7};
+      BOOST_TEST(lengths == expected);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(runs_that_begin_inside_the_contact_have_no_leading_edge)
+{
+  const Trace        trace = surface_with_hanging_nodes();
+  const SlipOperator slip_operator(trace,
+                                   SlipOperatorKind::calibrated,
+                                   ContactMatrices::lumped,
+                                   1);
+  const auto         runs_behind = [&](const double edge) {
+    std::vector<double> pressure;
+    for (const auto &node : trace.nodes)
+      pressure.push_back(node[0] > edge && node[0] < 5.5 ? 1. : 0.);
+    return touching_runs(slip_operator, pressure);
+  };
+  // the contact begins upstream of the refined part
+  for (const TouchingRun &run : runs_behind(0.5))
+    {
+      const auto &first = trace.nodes[run.nodes[0]];
+      BOOST_TEST(run.leading == (first[0] == 1.));
+      BOOST_TEST(run.cut == (first[0] != 1.));
+    }
+  // and inside it, but for the lines that do not exist there
+  for (const TouchingRun &run : runs_behind(2.2))
+    {
+      BOOST_TEST(run.leading);
+      BOOST_TEST(run.cut == (run.nodes.size() == 3u &&
+                             trace.nodes[run.nodes[0]][0] == 2.5));
     }
 }
 

@@ -17,20 +17,23 @@ namespace RollingContact
    *            L = q1 - p1 q2/p2                              (constant law) or
    *            L = q1 - p1 [(1 + r) q2/p2 - r q3/p3]          (linear law),
    *            kappa = 2 |A_11 - A_21| / h, A = W_tt H;
-   *   next nodes whose upstream points lie outside the contact:
+   *   next nodes whose second upstream point lies outside the contact:
    *            s = s_0 + (u(x) - u(x-d)) / d, all at x - d/2;
    *   others:  second order upstream.
    *
    * The linear law holds where the first three of at least four nodes stick,
    * see sticking_edges(); s of the whole line is the known one in full slip. p
-   * is the discrete companion of the pressure in the tangential compliance, see
-   * edge_law.cc. A first
-   * node whose companion pulls barely touches, and the next one counts as
+   * is the discrete companion of the pressure in the tangential compliance. A
+   * first node whose companion pulls barely touches, and the next one counts as
    * first: it carries no friction where the linear law holds, and follows the
    * next node by the constant law elsewhere. With normal-tangential coupling L
    * acts on q - q_n, where q_n answers the tangential displacement of the
-   * pressure near the edge: q_n = beta/pi p ln((x - x_l)/(x_r - x)) +
-   * corrections, beta Dundurs'.
+   * pressure near the edge. For both see EdgeCompanion.
+   *
+   * A line of a refined part that begins where the point one element upstream
+   * is in contact has no leading edge: its first nodes keep their rows, which
+   * interpolate upstream. A point between nodes is in contact if all nodes it
+   * is interpolated from touch.
    */
   void
   apply_edge_law(const std::vector<double> &pressure,

@@ -34,12 +34,14 @@ namespace RollingContact
    * Rows of B1, d/dx of a nodal field along the flow (@p flow = +1 or -1), at
    * nodes whose upstream points lie on the trace. Second order upstream:
    * (3 u(x) - 4 u(x-d) + u(x-2d)) / (2d), first order (u(x) - u(x-d)) / d, d
-   * the upstream element size, u at points between nodes interpolated.
+   * the upstream element size, u at points between nodes interpolated. Where
+   * the point at x-d hangs between two nodes of the line, d is doubled.
    */
   struct UpstreamRows
   {
     SparseRows        order_1, order_2;
-    std::vector<bool> defined; ///< false at the upstream border of the trace
+    SparseRows        near, far; ///< values at x-d, x-2d; empty off the trace
+    std::vector<bool> defined;   ///< false at the upstream border of the trace
   };
 
   UpstreamRows

@@ -54,7 +54,25 @@ namespace RollingContact
     }
 
     /**
-     * Nodes of the same y, each line in the order of the flow.
+     * Weights of the nodes in the value one element upstream of each node, and
+     * two; empty off the trace.
+     */
+    const SparseRows &
+    one_upstream() const
+    {
+      return near_rows;
+    }
+
+    const SparseRows &
+    two_upstream() const
+    {
+      return far_rows;
+    }
+
+    /**
+     * Nodes of the same y, each line in the order of the flow. A line ends
+     * where the next point downstream is no node, as at the border of a refined
+     * part; another may begin behind it.
      */
     const std::vector<std::vector<unsigned int>> &
     lines() const
@@ -65,7 +83,7 @@ namespace RollingContact
   private:
     SlipOperatorKind                       kind = SlipOperatorKind::upwind_2;
     int                                    flow = 1;
-    SparseRows                             base_rows;
+    SparseRows                             base_rows, near_rows, far_rows;
     std::vector<bool>                      upstream_defined;
     std::vector<std::vector<unsigned int>> flow_lines;
   };

@@ -1,0 +1,247 @@
+#include <rolling_contact/contact/edge_companion.h>
+#include <rolling_contact/contact/patch_edge.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace RollingContact
+{
+  namespace
+  {
+    const double pi = 3.14159265358979323846;
+
+    /**
+     * True if the point with these weights is in contact.
+     */
+    bool
+    touches(const SparseRows::Row &weights, const std::vector<double> &pressure)
+    {
+      return !weights.empty() &&
+             std::all_of(weights.begin(),
+                         weights.end(),
+                         [&](const auto &entry) {
+                           return pressure[entry.first] > 0.;
+                         });
+    }
+  } // namespace
+
+
+
+  std::vector<TouchingRun>
+  touching_runs(const SlipOperator        &slip_operator,
+                const std::vector<double> &pressure)
+  {
+    std::vector<TouchingRun> runs;
+    for (const auto &line : slip_operator.lines())
+      {
+        bool touching = false;
+        for (const unsigned int node : line)
+          {
+            if (pressure[node] > 0. && !touching)
+              {
+                runs.emplace_back();
+                runs.back().leading =
+                  !touches(slip_operator.one_upstream()[node], pressure);
+              }
+            touching = pressure[node] > 0.;
+            if (touching)
+              runs.back().nodes.push_back(node);
+          }
+        if (touching)
+          runs.back().cut = true;
+      }
+    return runs;
+  }
+
+
+
+  EdgeCompanion::EdgeCompanion(const ContactProblem &contact,
+                               const TouchingRun    &run,
+                               const unsigned int    component)
+    : contact(contact)
+    , run(run)
+    , component(component)
+    , flow(contact.slip_operator.flow_direction())
+  {}
+
+
+
+  double
+  EdgeCompanion::compliance(const std::size_t k, const std::size_t j) const
+  {
+    const std::size_t offset = component * contact.n_nodes;
+    double            sum    = 0.;
+    for (const auto &entry : contact.H[run.nodes[j]])
+      sum +=
+        contact.W(offset + run.nodes[k], offset + entry.first) * entry.second;
+    return sum;
+  }
+
+
+
+  std::vector<double>
+  EdgeCompanion::on_run(const std::vector<double> &nodal) const
+  {
+    const std::size_t offset =
+      nodal.size() > contact.n_nodes ? component * contact.n_nodes : 0;
+    std::vector<double> values;
+    for (const unsigned int node : run.nodes)
+      values.push_back(nodal[offset + node]);
+    return values;
+  }
+
+
+
+  std::size_t
+  EdgeCompanion::window() const
+  {
+    // two thirds of the line, at most 32 of its largest elements; where the
+    // bodies are coupled the displacement is less quadratic away from the edge
+    const std::size_t n_run = run.nodes.size(), n_least = run.cut ? 4 : 6;
+    if (n_run < n_least)
+      return 0;
+    const double narrowing =
+      1 - 0.625 * std::min(1., std::abs(contact.dundurs_beta) / 0.05);
+    const double length = along(n_run - 1) - along(0);
+    double       reach  = run.cut ? 2 * length : narrowing * 2. / 3 * length;
+    double       size   = 0.;
+    for (std::size_t k = 1; k < n_run && along(k - 1) - along(0) < reach; ++k)
+      size = std::max(size, along(k) - along(k - 1));
+    reach         = (1 - 1e-9) * std::min(reach, 32 * size);
+    std::size_t n = 0;
+    while (n < n_run && along(n) - along(0) < reach)
+      ++n;
+    return std::max(n, n_least);
+  }
+
+
+
+  std::vector<double>
+  EdgeCompanion::correction_scales(const std::size_t          n_window,
+                                   const std::vector<double> &pressure) const
+  {
+    const std::size_t   n_run = run.nodes.size();
+    std::vector<double> scales(n_window, 0.);
+    const auto          disturb = [&](const std::size_t e, const double size) {
+      for (std::size_t k = 0; k < n_window; ++k)
+        scales[k] +=
+          std::pow(size / std::max(size, std::abs(along(k) - along(e))), 3);
+    };
+    disturb(0, along(1) - along(0));
+    for (std::size_t e = 1; e < n_run; ++e)
+      {
+        const double before = along(e) - along(e - 1),
+                     after  = e + 1 < n_run ? along(e + 1) - along(e)
+                              : run.cut     ? 2 * before
+                                            : before;
+        if (std::abs(after - before) > 1e-6 * before)
+          disturb(e, std::max(before, after));
+      }
+    // the first node may barely touch
+    for (std::size_t k = 0; k < n_window; ++k)
+      scales[k] *= k == 0 ? pressure[1] : pressure[k];
+    return scales;
+  }
+
+
+
+  void
+  EdgeCompanion::smooth(const std::vector<double> &displacement,
+                        const std::vector<double> &pressure,
+                        std::vector<double>       &field) const
+  {
+    const std::size_t n = window();
+    if (n == 0)
+      return;
+    // corrections that take the displacement away, and that give 1, x and x^2
+    const double length = along(n - 1) - along(0);
+    DenseMatrix  matrix(n, n), corrections(n, 4), powers(n, 3);
+    for (std::size_t k = 0; k < n; ++k)
+      {
+        for (std::size_t j = 0; j < n; ++j)
+          matrix(k, j) = compliance(k, j);
+        corrections(k, 0) = -displacement[k];
+        for (unsigned int power = 0; power < 3; ++power)
+          corrections(k, 1 + power) =
+            std::pow((along(k) - along(0)) / length, power);
+      }
+    if (!solve_general(matrix, corrections))
+      return;
+    const std::vector<double> scales = correction_scales(n, pressure);
+    std::vector<double>       coefficients(n);
+    for (std::size_t k = 0; k < n; ++k)
+      {
+        for (unsigned int power = 0; power < 3; ++power)
+          powers(k, power) = -corrections(k, 1 + power) / scales[k];
+        coefficients[k] = corrections(k, 0) / scales[k];
+      }
+    if (!solve_least_squares(powers, coefficients))
+      return;
+    for (std::size_t k = 0; k < n; ++k)
+      {
+        field[k] += corrections(k, 0);
+        for (unsigned int power = 0; power < 3; ++power)
+          field[k] += coefficients[power] * corrections(k, 1 + power);
+      }
+  }
+
+
+
+  std::vector<double>
+  EdgeCompanion::pressure(const std::vector<double> &pressure,
+                          const std::vector<double> &displacement) const
+  {
+    const std::vector<double> p     = on_run(pressure);
+    std::vector<double>       field = p;
+    smooth(on_run(displacement), p, field);
+    return field;
+  }
+
+
+
+  std::vector<double>
+  EdgeCompanion::coupling_traction(const std::vector<double> &pressure) const
+  {
+    const std::size_t         n = run.nodes.size();
+    const std::vector<double> p = on_run(pressure);
+    std::vector<double>       field(n, 0.);
+    if (!contact.coupled || n < 10 || run.cut || component > 0)
+      return field;
+    std::vector<double> x(n), x_reversed, p_reversed(p.rbegin(), p.rend());
+    for (std::size_t k = 0; k < n; ++k)
+      x[k] = along(k);
+    x_reversed.assign(x.rbegin(), x.rend());
+    const double        begin  = patch_edge(x, p);
+    const double        end    = patch_edge(x_reversed, p_reversed);
+    const double        margin = 0.02 * (along(1) - along(0));
+    std::vector<double> nodal(contact.n_nodes, 0.);
+    for (std::size_t k = 0; k < n; ++k)
+      {
+        if (x[k] > begin + margin && x[k] < end - margin)
+          field[k] = flow * contact.dundurs_beta / pi * p[k] *
+                     std::log((x[k] - begin) / (end - x[k]));
+        nodal[run.nodes[k]] = field[k];
+      }
+    std::vector<double>       displacement = displacement_of(contact, nodal, 0);
+    const std::vector<double> of_pressure =
+      contact.tangential_displacement_of_pressure(pressure);
+    for (std::size_t i = 0; i < displacement.size(); ++i)
+      displacement[i] += of_pressure[i];
+    smooth(on_run(displacement), p, field);
+    return field;
+  }
+
+
+
+  std::vector<double>
+  displacement_of(const ContactProblem      &contact,
+                  const std::vector<double> &field,
+                  const unsigned int         component)
+  {
+    std::vector<double> traction(contact.n_tangential * contact.n_nodes, 0.);
+    std::copy(field.begin(),
+              field.end(),
+              traction.begin() + component * contact.n_nodes);
+    return contact.tangential_displacement(traction);
+  }
+} // namespace RollingContact
