@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace RollingContact
 {
@@ -135,6 +136,50 @@ namespace RollingContact
 
 
     /**
+     * A cell all of whose corners stick.
+     */
+    bool
+    sticks(const Trace::Cell &cell, const std::vector<NodeState> &states)
+    {
+      return std::all_of(cell.corners.begin(),
+                         cell.corners.end(),
+                         [&](const SparseRows::Row &corner) {
+                           return std::all_of(corner.begin(),
+                                              corner.end(),
+                                              [&](const auto &entry) {
+                                                return states[entry.first] ==
+                                                       NodeState::stick;
+                                              });
+                         });
+    }
+
+
+
+    /**
+     * In 3D the stick zone goes with its leading edge: it carries the traction
+     * of each line on, and with it the disturbance where lines end.
+     */
+    void
+    mark_stick_zone(const Trace                  &trace,
+                    const std::vector<NodeState> &states,
+                    Marks                        &marks)
+    {
+      double smallest = std::numeric_limits<double>::max();
+      for (std::size_t k = 0; k < marks.size(); ++k)
+        if (marks[k] == RefinementMark::leading_rim)
+          smallest =
+            std::min(smallest,
+                     trace.cells[k].upper[0] - trace.cells[k].lower[0]);
+      for (std::size_t k = 0; k < marks.size(); ++k)
+        if (trace.cells[k].upper[0] - trace.cells[k].lower[0] >
+              0.9 * smallest &&
+            sticks(trace.cells[k], states))
+          marks[k] = RefinementMark::leading_rim;
+    }
+
+
+
+    /**
      * The mark of a finer neighbour's, of two on opposite sides the less
      * urgent; none unless there are two.
      */
@@ -220,9 +265,13 @@ namespace RollingContact
     Marks marks(trace.cells.size(), RefinementMark::none);
     mark_rim(trace, state.pressure, flow, marks);
     if (problem.n_tangential > 0)
-      mark_stick_border(trace,
-                        node_states(tangential_problem(problem, state), state),
-                        marks);
+      {
+        const auto states =
+          node_states(tangential_problem(problem, state), state);
+        mark_stick_border(trace, states, marks);
+        if (trace.n_dimensions == 2)
+          mark_stick_zone(trace, states, marks);
+      }
     fill_gaps(trace, marks);
     return marks;
   }

@@ -13,7 +13,8 @@ namespace RollingContact
   {
     /**
      * The shortest head of the boxes, sorted by descending indicator, that
-     * carries @p fraction of the sum of squares.
+     * carries @p fraction of the sum of squares, with all that weigh the same
+     * as its last.
      */
     template <int dim>
     std::vector<RefinedBox<dim>>
@@ -26,11 +27,15 @@ namespace RollingContact
       double left = 0.;
       for (const auto &entry : weighted)
         left += fraction * entry.first * entry.first;
+      double                       threshold = 0.;
       std::vector<RefinedBox<dim>> boxes;
       for (const auto &entry : weighted)
         {
-          if (left <= 0.)
+          // equals go together, or a symmetric mesh would not stay so
+          if (left <= 0. && entry.first < threshold)
             break;
+          if (left > 0.)
+            threshold = (1 - 1e-3) * entry.first;
           left -= entry.first * entry.first;
           boxes.push_back(entry.second);
         }

@@ -25,7 +25,8 @@ namespace RollingContact
    * Marks for the cells of the trace in a state. A rim cell has corners in and
    * out of contact; the mark covers the next two cells along x inside the
    * contact too, for the edge law wants equal elements there. A border cell has
-   * corners that stick and corners that slip; its neighbours go with it. Cells
+   * corners that stick and corners that slip; its neighbours go with it. In 3D
+   * the stick zone goes with the leading edge. Cells
    * that would stay coarse between finer ones on opposite sides are marked as
    * well: changes of size disturb the pressure.
    */
