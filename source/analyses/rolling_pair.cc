@@ -1,52 +1,22 @@
 #include <deal.II/lac/vector.h>
 
+#include <rolling_contact/analyses/both_bodies.h>
 #include <rolling_contact/analyses/patch_estimate.h>
 #include <rolling_contact/analyses/rolling_pair.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/log.h>
 #include <rolling_contact/base/memory.h>
-#include <rolling_contact/base/platform.h>
 
 #include <cmath>
-#include <future>
 
 namespace RollingContact
 {
   using namespace dealii;
 
-  namespace
-  {
-    /**
-     * Run one action for each body, with two threads at the same time, each
-     * with one thread for its linear algebra. An exception of either reaches
-     * the caller.
-     */
-    template <typename First, typename Second>
-    void
-    for_both_bodies(const unsigned int n_threads,
-                    const First       &first,
-                    const Second      &second)
-    {
-      if (n_threads == 1)
-        {
-          first();
-          second();
-          return;
-        }
-      std::future<void> other = std::async(std::launch::async, [&]() {
-        use_one_solver_thread();
-        second();
-      });
-      first();
-      other.get();
-    }
-  } // namespace
-
-
-
   template <int dim>
   RollingPair<dim>::RollingPair(const SceneParameters &scene,
-                                const Grading<dim>    &grading)
+                                const Grading<dim>    &grading,
+                                const bool             statics)
     : scene(scene)
   {
     const auto build = [&](const BodyParameters &body) {
@@ -54,7 +24,8 @@ namespace RollingContact
                                                        body.material,
                                                        body.thickness,
                                                        grading);
-      result->analyse();
+      if (statics)
+        result->analyse();
       return result;
     };
     const bool twins = !scene.wheel.rigid &&
@@ -182,9 +153,7 @@ namespace RollingContact
   DenseMatrix
   RollingPair<dim>::pair_compliance()
   {
-    const std::size_t n_nodes = contact_trace.nodes.size();
-    check_contact_memory(n_nodes, components.size());
-    DenseMatrix W(components.size() * n_nodes, components.size() * n_nodes);
+    check_contact_memory(contact_trace.nodes.size(), components.size());
     DenseMatrix wheel, rail;
     for_both_bodies(
       scene.body_threads,
@@ -196,6 +165,18 @@ namespace RollingContact
         if (rail_body && !twins())
           rail = rail_body->compliance(rail_nodes, components);
       });
+    return combined(wheel, rail);
+  }
+
+
+
+  template <int dim>
+  DenseMatrix
+  RollingPair<dim>::combined(const DenseMatrix &wheel,
+                             const DenseMatrix &rail) const
+  {
+    const std::size_t n_nodes = contact_trace.nodes.size();
+    DenseMatrix W(components.size() * n_nodes, components.size() * n_nodes);
     if (wheel_body)
       add_compliance(wheel, true, n_nodes, W);
     if (rail_body)
@@ -211,12 +192,22 @@ namespace RollingContact
   {
     if (compliance.n_rows() == 0)
       compliance = pair_compliance();
+    return contact_problem(slip_operator, compliance);
+  }
+
+
+
+  template <int dim>
+  ContactProblem
+  RollingPair<dim>::contact_problem(const SlipOperatorKind slip_operator,
+                                    const DenseMatrix     &W) const
+  {
     const ContactParameters &contact = scene.contact;
     ContactProblem           problem;
     problem.n_nodes      = contact_trace.nodes.size();
     problem.n_tangential = components.size() - 1;
     problem.positions    = contact_trace.nodes;
-    problem.W            = compliance;
+    problem.W            = W;
     problem.coupled      = !twins() && problem.n_tangential > 0;
     problem.dundurs_beta = pair_constants(scene).dundurs_beta;
     problem.H            = contact_matrix(contact_trace,
@@ -243,21 +234,41 @@ namespace RollingContact
 
 
   template <int dim>
+  std::vector<double>
+  RollingPair<dim>::reactions(const Side            side,
+                              const ContactProblem &problem,
+                              const ContactState   &state) const
+  {
+    std::vector<double> forces;
+    if (problem.n_tangential > 0)
+      forces = problem.H.multiply(state.traction);
+    for (double &force : forces)
+      force *= side == Side::wheel ? 1. : -1.;
+    for (const double force : problem.H.multiply(state.pressure))
+      forces.push_back(-force);
+    return forces;
+  }
+
+
+
+  template <int dim>
   Vector<double>
   RollingPair<dim>::displacement(const Side            side,
                                  const ContactProblem &problem,
                                  const ContactState   &state) const
   {
-    const bool          is_wheel = side == Side::wheel;
-    const auto         &nodes    = is_wheel ? wheel_nodes : rail_nodes;
-    std::vector<double> forces;
-    if (problem.n_tangential > 0)
-      forces = problem.H.multiply(state.traction);
-    for (double &force : forces)
-      force *= is_wheel ? 1. : -1.;
-    for (const double force : problem.H.multiply(state.pressure))
-      forces.push_back(-force);
-    return body(side)->recover(nodes, components, forces);
+    return body(side)->recover(nodes(side),
+                               components,
+                               reactions(side, problem, state));
+  }
+
+
+
+  template <int dim>
+  std::vector<std::size_t>
+  RollingPair<dim>::unknowns(const Side side) const
+  {
+    return body(side)->unknowns(nodes(side), components);
   }
 
 

@@ -28,7 +28,12 @@ namespace RollingContact
   class RollingPair
   {
   public:
-    RollingPair(const SceneParameters &scene, const Grading<dim> &grading);
+    /**
+     * Mesh; assemble and analyse K as well if @p statics are wanted.
+     */
+    RollingPair(const SceneParameters &scene,
+                const Grading<dim>    &grading,
+                const bool             statics = true);
 
     /**
      * The contact problem for the scene's load and creepages with this slip
@@ -36,6 +41,36 @@ namespace RollingContact
      */
     ContactProblem
     contact_problem(const SlipOperatorKind slip_operator);
+
+    /**
+     * The same with another compliance of the pair. Units: m/N.
+     */
+    ContactProblem
+    contact_problem(const SlipOperatorKind slip_operator,
+                    const DenseMatrix     &W) const;
+
+    /**
+     * Of compliances of the bodies in their own frames, that of the pair, for
+     * the gap and the displacement of the wheel over the rail; an empty matrix
+     * for a rigid body, and for the rail of twins. Units: m/N.
+     */
+    DenseMatrix
+    combined(const DenseMatrix &wheel, const DenseMatrix &rail) const;
+
+    /**
+     * Nodal forces of a state on a body in its own frame, component by
+     * component. Units: N.
+     */
+    std::vector<double>
+    reactions(const Side            side,
+              const ContactProblem &problem,
+              const ContactState   &state) const;
+
+    /**
+     * The unknowns of a body's contact nodes, in the order of the reactions.
+     */
+    std::vector<std::size_t>
+    unknowns(const Side side) const;
 
     /**
      * Displacement of a body in its own frame (z out of the body) under the
@@ -68,6 +103,12 @@ namespace RollingContact
     }
 
   private:
+    const std::vector<typename ElasticBody<dim>::SurfaceNode> &
+    nodes(const Side side) const
+    {
+      return side == Side::wheel ? wheel_nodes : rail_nodes;
+    }
+
     void
     pair_surfaces(const double extent_x, const double extent_y);
 
