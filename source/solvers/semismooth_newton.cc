@@ -1,7 +1,9 @@
+#include <rolling_contact/solvers/extragradient.h>
 #include <rolling_contact/solvers/semismooth_newton.h>
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace RollingContact
 {
@@ -106,6 +108,38 @@ namespace RollingContact
                std::abs(traction[i] - projected[i]);
       return sum / friction_force;
     }
+
+
+    /**
+     * Add the part 1, 1/2, ..., 1/64 of a step to the traction: the first that
+     * lowers the residual by a tenth of the part, else the best of them.
+     */
+    void
+    take_damped_step(const TangentialProblem        &problem,
+                     const std::vector<std::size_t> &unknowns,
+                     const DenseMatrix              &step,
+                     const double                    residual_now,
+                     const double                    friction_force,
+                     std::vector<double>            &traction)
+    {
+      const std::vector<double> start = traction;
+      std::vector<double>       best_traction;
+      double                    best = std::numeric_limits<double>::infinity();
+      for (double part = 1.; part > 0.01; part /= 2)
+        {
+          for (std::size_t k = 0; k < unknowns.size(); ++k)
+            traction[unknowns[k]] = start[unknowns[k]] + part * step(k, 0);
+          const double now = residual(problem, traction, friction_force);
+          if (now < (1 - 0.1 * part) * residual_now)
+            return;
+          if (best_traction.empty() || now < best)
+            {
+              best          = now;
+              best_traction = traction;
+            }
+        }
+      traction = best_traction;
+    }
   } // namespace
 
 
@@ -114,7 +148,7 @@ namespace RollingContact
   SemismoothNewton::solve(const TangentialProblem &problem,
                           ContactState            &state) const
   {
-    const unsigned int max_steps = 60, patience = 12;
+    const unsigned int max_steps = 60, patience = 6, max_rescues = 4;
     SolverReport       report;
     report.solver                           = "active set";
     const std::vector<std::size_t> unknowns = touching_unknowns(problem);
@@ -126,10 +160,11 @@ namespace RollingContact
         report.converged = true;
         return report;
       }
-    const double      rho             = controls.tangential_augmentation / norm;
-    const DenseMatrix slip_compliance = problem.slip_compliance();
-    double            best            = 0.;
-    unsigned int      best_step       = 0;
+    const double        rho = controls.tangential_augmentation / norm;
+    const DenseMatrix   slip_compliance = problem.slip_compliance();
+    double              best            = 0.;
+    unsigned int        n_stalled = 0, n_rescues = 0;
+    std::vector<double> best_traction;
     for (unsigned int k = 0; k <= max_steps; ++k)
       {
         const double now = residual(problem, state.traction, friction_force);
@@ -140,13 +175,25 @@ namespace RollingContact
             report.converged = true;
             return report;
           }
-        if (k == 0 || now < best)
+        n_stalled = k > 0 && !(now < best) ? n_stalled + 1 : 0;
+        if (n_stalled == 0)
           {
-            best      = now;
-            best_step = k;
+            best          = now;
+            best_traction = state.traction;
           }
-        if (k > best_step + patience || !std::isfinite(now))
+        if (n_rescues > max_rescues || (k == 0 && !std::isfinite(now)))
           break;
+        if (n_stalled > patience || !std::isfinite(now))
+          {
+            SolverControls rescue = controls;
+            rescue.max_iterations = 20u << n_rescues++;
+            state.traction        = best_traction;
+            report.iterations +=
+              Extragradient(rescue).solve(problem, state).iterations;
+            n_stalled = 0;
+            best      = std::numeric_limits<double>::infinity();
+            continue;
+          }
         DenseMatrix matrix(unknowns.size(), unknowns.size()),
           step(unknowns.size(), 1);
         linearise(problem,
@@ -158,8 +205,8 @@ namespace RollingContact
                   step);
         if (!solve_general(matrix, step))
           break;
-        for (std::size_t i = 0; i < unknowns.size(); ++i)
-          state.traction[unknowns[i]] += step(i, 0);
+        take_damped_step(
+          problem, unknowns, step, now, friction_force, state.traction);
         ++report.iterations;
         ++report.tangential_solves;
       }

@@ -10,7 +10,9 @@ namespace RollingContact
    * discs: where |z| <= mu p, z = q - rho_t s, the step asks for zero slip,
    * elsewhere it follows the projection q = mu p z/|z| and its derivative
    * (Alart and Curnier 1991). One dense solve on the touching nodes per
-   * iteration. Gives up when the residual stops falling.
+   * iteration; the step is damped by the natural residual, and where that has
+   * stopped falling a few extragradient steps from the best state lead
+   * elsewhere. Gives up after four such rescues.
    */
   class SemismoothNewton : public TangentialSolver
   {
