@@ -236,18 +236,38 @@ namespace RollingContact
 
 
   DenseMatrix
-  TangentialProblem::slip_compliance() const
+  TangentialProblem::slip_compliance(
+    const std::vector<std::size_t> &unknowns) const
   {
-    const std::size_t n = contact.n_tangential * contact.n_nodes;
-    DenseMatrix       A = B1.multiply(compliance_of_density(contact, 0, n));
-    for (std::size_t j = 0; j < n; ++j)
-      for (std::size_t i = 0; i < n; ++i)
-        A(i, j) *= contact.slip_operator.flow_direction();
+    const unsigned int  n    = contact.n_nodes;
+    const double        flow = contact.slip_operator.flow_direction();
+    DenseMatrix         A(unknowns.size(), unknowns.size());
+    std::vector<double> displacement(contact.n_tangential * n);
+    for (std::size_t j = 0; j < unknowns.size(); ++j)
+      {
+        const std::size_t column = unknowns[j], offset = column - column % n;
+        std::fill(displacement.begin(), displacement.end(), 0.);
+        for (const auto &entry : contact.H[column % n])
+          for (std::size_t i = 0; i < displacement.size(); ++i)
+            displacement[i] +=
+              contact.W(i, offset + entry.first) * entry.second;
+        for (std::size_t i = 0; i < unknowns.size(); ++i)
+          A(i, j) = flow * apply(B1[unknowns[i] % n],
+                                 displacement,
+                                 unknowns[i] - unknowns[i] % n);
+      }
+    std::vector<std::size_t> place(contact.n_tangential * n, unknowns.size());
+    for (std::size_t k = 0; k < unknowns.size(); ++k)
+      place[unknowns[k]] = k;
     for (std::size_t c = 0; c < edge_rows.size(); ++c)
-      for (unsigned int i = 0; i < contact.n_nodes; ++i)
+      for (unsigned int i = 0; i < n; ++i)
         for (const auto &entry : edge_rows[c][i])
-          A(c * contact.n_nodes + i, c * contact.n_nodes + entry.first) +=
-            entry.second;
+          {
+            const std::size_t row    = place[c * n + i],
+                              column = place[c * n + entry.first];
+            if (row < unknowns.size() && column < unknowns.size())
+              A(row, column) += entry.second;
+          }
     return A;
   }
 

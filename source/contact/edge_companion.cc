@@ -121,7 +121,7 @@ namespace RollingContact
                                    const std::vector<double> &pressure) const
   {
     const std::size_t   n_run = run.nodes.size();
-    std::vector<double> scales(n_window, 0.);
+    std::vector<double> scales(n_window, 0.03);
     const auto          disturb = [&](const std::size_t e, const double size) {
       for (std::size_t k = 0; k < n_window; ++k)
         scales[k] +=

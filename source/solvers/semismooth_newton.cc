@@ -40,74 +40,111 @@ namespace RollingContact
 
 
     /**
-     * Newton matrix and right-hand side for the step of the traction.
+     * The frictional problem on the touching unknowns alone.
      */
-    void
-    linearise(const TangentialProblem        &problem,
-              const DenseMatrix              &slip_compliance,
-              const std::vector<std::size_t> &unknowns,
-              const std::vector<double>      &traction,
-              const double                    rho,
-              DenseMatrix                    &matrix,
-              DenseMatrix                    &step)
+    struct TouchingProblem
     {
+      explicit TouchingProblem(const TangentialProblem &problem)
+        : unknowns(touching_unknowns(problem))
+        , slip_compliance(problem.slip_compliance(unknowns))
+        , norm(problem.contact.tangential_norm)
+        , friction_force(problem.contact.resultant(problem.bound))
+      {
+        const std::vector<double> slip =
+          problem.slip(std::vector<double>(problem.slip_at_zero.size(), 0.));
+        for (const std::size_t i : unknowns)
+          {
+            slip_at_zero.push_back(slip[i]);
+            bound.push_back(problem.bound[i % problem.contact.n_nodes]);
+            area.push_back(problem.contact.areas[i % problem.contact.n_nodes]);
+          }
+      }
+
+      std::vector<double>
+      slip(const std::vector<double> &traction) const
+      {
+        std::vector<double> s(traction.size());
+        slip_compliance.multiply_block(0, 0, traction, s);
+        for (std::size_t k = 0; k < s.size(); ++k)
+          s[k] += slip_at_zero[k];
+        return s;
+      }
+
+      /**
+       * The natural residual, over mu N.
+       */
+      double
+      residual(const std::vector<double> &traction) const
+      {
+        const std::vector<double> s   = slip(traction);
+        double                    sum = 0.;
+        for (std::size_t k = 0; k < traction.size(); k += 2)
+          {
+            const double x     = traction[k] - s[k] / norm,
+                         y     = traction[k + 1] - s[k + 1] / norm;
+            const double size  = std::hypot(x, y),
+                         scale = size > bound[k] ? bound[k] / size : 1.;
+            sum += area[k] * (std::abs(traction[k] - scale * x) +
+                              std::abs(traction[k + 1] - scale * y));
+          }
+        return sum / friction_force;
+      }
+
+      std::vector<std::size_t> unknowns;
+      DenseMatrix              slip_compliance; ///< 1/Pa
+      double                   norm;            ///< 1/Pa
+      double                   friction_force;  ///< N
+      std::vector<double>      slip_at_zero, bound, area;
+    };
+
+
+
+    /**
+     * The Newton step of the traction; false if the matrix is singular.
+     */
+    bool
+    newton_step(const TouchingProblem     &problem,
+                const std::vector<double> &traction,
+                const double               rho,
+                DenseMatrix               &step)
+    {
+      const std::size_t         n    = traction.size();
       const std::vector<double> slip = problem.slip(traction);
-      const std::size_t         n    = unknowns.size();
+      // rows of the matrix: identity + D (rho ds/dq - identity); D is the
+      // identity itself inside the disc
+      std::vector<std::array<std::array<double, 2>, 2>> derivatives(n / 2);
+      step = DenseMatrix(n, 1);
       for (std::size_t k = 0; k < n; k += 2)
         {
-          const std::size_t     i = unknowns[k], j = unknowns[k + 1];
-          const double          bound = problem.bound[i];
-          std::array<double, 2> z{
-            {traction[i] - rho * slip[i], traction[j] - rho * slip[j]}};
-          if (std::hypot(z[0], z[1]) <= bound)
-            {
-              for (std::size_t column = 0; column < n; ++column)
-                {
-                  matrix(k, column) =
-                    rho * slip_compliance(i, unknowns[column]);
-                  matrix(k + 1, column) =
-                    rho * slip_compliance(j, unknowns[column]);
-                }
-              step(k, 0)     = -rho * slip[i];
-              step(k + 1, 0) = -rho * slip[j];
-              continue;
-            }
-          const auto D = projection_derivative(bound, z);
-          for (std::size_t column = 0; column < n; ++column)
-            {
-              const double x = rho * slip_compliance(i, unknowns[column]) -
-                               (column == k ? 1. : 0.),
-                           y = rho * slip_compliance(j, unknowns[column]) -
-                               (column == k + 1 ? 1. : 0.);
-              matrix(k, column) =
-                D[0][0] * x + D[0][1] * y + (column == k ? 1. : 0.);
-              matrix(k + 1, column) =
-                D[1][0] * x + D[1][1] * y + (column == k + 1 ? 1. : 0.);
-            }
-          const double size = std::hypot(z[0], z[1]);
-          step(k, 0)        = bound * z[0] / size - traction[i];
-          step(k + 1, 0)    = bound * z[1] / size - traction[j];
+          const std::array<double, 2> z{
+            {traction[k] - rho * slip[k], traction[k + 1] - rho * slip[k + 1]}};
+          const double size   = std::hypot(z[0], z[1]);
+          const bool   sticks = size <= problem.bound[k];
+          derivatives[k / 2] =
+            sticks
+              ? std::array<std::array<double, 2>, 2>{{{{1., 0.}}, {{0., 1.}}}}
+              : projection_derivative(problem.bound[k], z);
+          for (unsigned int c = 0; c < 2; ++c)
+            step(k + c, 0) =
+              sticks ? -rho * slip[k + c]
+                     : problem.bound[k] * z[c] / size - traction[k + c];
         }
+      DenseMatrix matrix(n, n);
+      for (std::size_t column = 0; column < n; ++column)
+        for (std::size_t k = 0; k < n; k += 2)
+          {
+            const auto  &D = derivatives[k / 2];
+            const double x = rho * problem.slip_compliance(k, column) -
+                             (column == k ? 1. : 0.),
+                         y = rho * problem.slip_compliance(k + 1, column) -
+                             (column == k + 1 ? 1. : 0.);
+            for (unsigned int c = 0; c < 2; ++c)
+              matrix(k + c, column) =
+                D[c][0] * x + D[c][1] * y + (column == k + c ? 1. : 0.);
+          }
+      return solve_general(matrix, step);
     }
 
-
-
-    double
-    residual(const TangentialProblem   &problem,
-             const std::vector<double> &traction,
-             const double               friction_force)
-    {
-      std::vector<double> projected = traction;
-      const auto          slip      = problem.slip(traction);
-      for (std::size_t i = 0; i < projected.size(); ++i)
-        projected[i] -= slip[i] / problem.contact.tangential_norm;
-      problem.project(projected);
-      double sum = 0.;
-      for (std::size_t i = 0; i < projected.size(); ++i)
-        sum += problem.contact.areas[i % problem.contact.n_nodes] *
-               std::abs(traction[i] - projected[i]);
-      return sum / friction_force;
-    }
 
 
     /**
@@ -115,21 +152,19 @@ namespace RollingContact
      * lowers the residual by a tenth of the part, else the best of them.
      */
     void
-    take_damped_step(const TangentialProblem        &problem,
-                     const std::vector<std::size_t> &unknowns,
-                     const DenseMatrix              &step,
-                     const double                    residual_now,
-                     const double                    friction_force,
-                     std::vector<double>            &traction)
+    take_damped_step(const TouchingProblem &problem,
+                     const DenseMatrix     &step,
+                     const double           residual_now,
+                     std::vector<double>   &traction)
     {
       const std::vector<double> start = traction;
       std::vector<double>       best_traction;
       double                    best = std::numeric_limits<double>::infinity();
       for (double part = 1.; part > 0.01; part /= 2)
         {
-          for (std::size_t k = 0; k < unknowns.size(); ++k)
-            traction[unknowns[k]] = start[unknowns[k]] + part * step(k, 0);
-          const double now = residual(problem, traction, friction_force);
+          for (std::size_t k = 0; k < traction.size(); ++k)
+            traction[k] = start[k] + part * step(k, 0);
+          const double now = problem.residual(traction);
           if (now < (1 - 0.1 * part) * residual_now)
             return;
           if (best_traction.empty() || now < best)
@@ -139,6 +174,29 @@ namespace RollingContact
             }
         }
       traction = best_traction;
+    }
+
+
+
+    std::vector<double>
+    gathered(const std::vector<std::size_t> &unknowns,
+             const std::vector<double>      &field)
+    {
+      std::vector<double> values;
+      for (const std::size_t i : unknowns)
+        values.push_back(field[i]);
+      return values;
+    }
+
+
+
+    void
+    scatter(const std::vector<std::size_t> &unknowns,
+            const std::vector<double>      &values,
+            std::vector<double>            &field)
+    {
+      for (std::size_t k = 0; k < unknowns.size(); ++k)
+        field[unknowns[k]] = values[k];
     }
   } // namespace
 
@@ -150,36 +208,34 @@ namespace RollingContact
   {
     const unsigned int max_steps = 60, patience = 6, max_rescues = 4;
     SolverReport       report;
-    report.solver                           = "active set";
-    const std::vector<std::size_t> unknowns = touching_unknowns(problem);
-    const double                   norm     = problem.contact.tangential_norm;
-    const double friction_force = problem.contact.resultant(problem.bound);
+    report.solver = "active set";
     problem.project(state.traction);
-    if (unknowns.empty() || norm == 0.)
+    const TouchingProblem touching(problem);
+    if (touching.unknowns.empty() || touching.norm == 0.)
       {
         report.converged = true;
         return report;
       }
-    const double        rho = controls.tangential_augmentation / norm;
-    const DenseMatrix   slip_compliance = problem.slip_compliance();
-    double              best            = 0.;
+    const double        rho = controls.tangential_augmentation / touching.norm;
+    std::vector<double> q = gathered(touching.unknowns, state.traction), best_q;
+    double              best      = 0.;
     unsigned int        n_stalled = 0, n_rescues = 0;
-    std::vector<double> best_traction;
     for (unsigned int k = 0; k <= max_steps; ++k)
       {
-        const double now = residual(problem, state.traction, friction_force);
+        const double now           = touching.residual(q);
         report.residual.tangential = now;
         report.history.push_back(report.residual);
         if (now <= 0.5 * controls.tolerance)
           {
+            scatter(touching.unknowns, q, state.traction);
             report.converged = true;
             return report;
           }
         n_stalled = k > 0 && !(now < best) ? n_stalled + 1 : 0;
         if (n_stalled == 0)
           {
-            best          = now;
-            best_traction = state.traction;
+            best   = now;
+            best_q = q;
           }
         if (n_rescues > max_rescues || (k == 0 && !std::isfinite(now)))
           break;
@@ -187,29 +243,22 @@ namespace RollingContact
           {
             SolverControls rescue = controls;
             rescue.max_iterations = 20u << n_rescues++;
-            state.traction        = best_traction;
+            scatter(touching.unknowns, best_q, state.traction);
             report.iterations +=
               Extragradient(rescue).solve(problem, state).iterations;
+            q         = gathered(touching.unknowns, state.traction);
             n_stalled = 0;
             best      = std::numeric_limits<double>::infinity();
             continue;
           }
-        DenseMatrix matrix(unknowns.size(), unknowns.size()),
-          step(unknowns.size(), 1);
-        linearise(problem,
-                  slip_compliance,
-                  unknowns,
-                  state.traction,
-                  rho,
-                  matrix,
-                  step);
-        if (!solve_general(matrix, step))
+        DenseMatrix step;
+        if (!newton_step(touching, q, rho, step))
           break;
-        take_damped_step(
-          problem, unknowns, step, now, friction_force, state.traction);
+        take_damped_step(touching, step, now, q);
         ++report.iterations;
         ++report.tangential_solves;
       }
+    scatter(touching.unknowns, best_q, state.traction);
     report.reason = "the semismooth Newton iteration stopped falling";
     return report;
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 
 namespace RollingContact
@@ -88,8 +89,10 @@ namespace RollingContact
     if (problem.contact.n_tangential == 2)
       return SemismoothNewton(controls).solve(problem, state);
     SolverReport report;
-    report.solver                     = "active set";
-    const DenseMatrix slip_compliance = problem.slip_compliance();
+    report.solver = "active set";
+    std::vector<std::size_t> unknowns(state.traction.size());
+    std::iota(unknowns.begin(), unknowns.end(), 0);
+    const DenseMatrix slip_compliance = problem.slip_compliance(unknowns);
     const double      norm            = problem.contact.tangential_norm;
     double rho = norm > 0. ? controls.tangential_augmentation / norm : 0.;
     problem.project(state.traction);

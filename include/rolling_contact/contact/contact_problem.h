@@ -148,10 +148,11 @@ namespace RollingContact
     material_slip(const std::vector<double> &traction) const;
 
     /**
-     * ds/dq as a dense matrix, for solvers that factorise parts of it.
+     * ds/dq of some of the T N @p unknowns in both directions, a dense matrix
+     * for solvers that factorise parts of it. Units: 1/Pa.
      */
     DenseMatrix
-    slip_compliance() const;
+    slip_compliance(const std::vector<std::size_t> &unknowns) const;
 
     /**
      * Project the nodal tractions onto the discs |q| <= bound.

@@ -30,9 +30,10 @@ namespace RollingContact
    * is quadratic in x on a window behind the edge. Corrections belong next to
    * the edge and to changes of the element size: that of node k is measured in
    *
-   *   p_k sum_e (h_e / max(h_e, |x_k - x_e|))^3
+   *   p_k [0.03 + sum_e (h_e / max(h_e, |x_k - x_e|))^3]
    *
-   * over the edge and the changes e, h_e the (larger) element size there.
+   * over the edge and the changes e, h_e the (larger) element size there; 0.03
+   * leaves room for the rough pressures of nearly incompressible elements.
    */
   class EdgeCompanion
   {
