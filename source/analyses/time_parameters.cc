@@ -99,6 +99,12 @@ namespace RollingContact
       "configuration) or `gap` (gap plus step times velocity).",
       prm,
       Patterns::Selection("shifted|gap"));
+    add_parameter("Initial velocity",
+                  initial_velocity,
+                  "Velocity of a wheel with Hub = free at the start, along z: "
+                  "negative towards the rail. Units: m/s.",
+                  prm,
+                  Patterns::Double());
   }
 
 

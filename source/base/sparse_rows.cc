@@ -56,6 +56,18 @@ namespace RollingContact
 
 
 
+  SparseRows
+  SparseRows::transposed() const
+  {
+    SparseRows result(size());
+    for (unsigned int i = 0; i < size(); ++i)
+      for (const auto &entry : rows[i])
+        result.rows[entry.first].emplace_back(i, entry.second);
+    return result;
+  }
+
+
+
   DenseMatrix
   SparseRows::dense() const
   {

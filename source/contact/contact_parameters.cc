@@ -66,9 +66,11 @@ namespace RollingContact
       Patterns::Selection("upwind 1|upwind 2|calibrated|galerkin"));
     add_parameter("Contact matrices",
                   contact_matrices,
-                  "H_n and H_t: `lumped`, or `consistent` (Lai et al. 2017).",
+                  "H_n and H_t: `lumped`, `consistent` (Lai et al. 2017), or "
+                  "`balanced`: lumped, with smoother pressures where element "
+                  "sizes change and forces less exact.",
                   prm,
-                  Patterns::Selection("lumped|consistent"));
+                  Patterns::Selection("lumped|consistent|balanced"));
   }
 
 
@@ -156,7 +158,8 @@ namespace RollingContact
   ContactMatrices
   ContactParameters::contact_matrices_kind() const
   {
-    return contact_matrices == "lumped" ? ContactMatrices::lumped
-                                        : ContactMatrices::consistent;
+    return contact_matrices == "lumped"     ? ContactMatrices::lumped
+           : contact_matrices == "balanced" ? ContactMatrices::balanced
+                                            : ContactMatrices::consistent;
   }
 } // namespace RollingContact

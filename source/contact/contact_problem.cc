@@ -162,20 +162,42 @@ namespace RollingContact
         return H.multiply_transposed(
           block_product(W, first, first, n_nodes, x));
       });
-    if (n_tangential > 0)
-      tangential_norm = operator_norm(
-        n_tangential * n_nodes,
-        [&](const std::vector<double> &x) {
-          return slip_operator.rows().multiply(tangential_displacement(x));
-        },
-        [&](const std::vector<double> &x) {
-          return H.multiply_transposed(
-            block_product(W,
-                          0,
-                          0,
-                          n_tangential * n_nodes,
-                          slip_operator.rows().multiply_transposed(x)));
-        });
+    H_columns = H.transposed();
+    find_tangential_norm();
+  }
+
+
+
+  void
+  ContactProblem::find_tangential_norm()
+  {
+    if (n_tangential == 0)
+      return;
+    const double flow = slip_operator.flow_direction();
+    tangential_norm   = operator_norm(
+      n_tangential * n_nodes,
+      [&](const std::vector<double> &x) {
+        return slip_of(slip_operator.rows(), tangential_displacement(x));
+      },
+      [&](const std::vector<double> &x) {
+        std::vector<double> y = slip_operator.rows().multiply_transposed(x);
+        for (std::size_t i = 0; i < y.size(); ++i)
+          y[i] = flow * convection * y[i] + rate * x[i];
+        return H.multiply_transposed(
+          block_product(W, 0, 0, n_tangential * n_nodes, y));
+      });
+  }
+
+
+
+  std::vector<double>
+  ContactProblem::slip_of(const SparseRows          &B1,
+                          const std::vector<double> &w) const
+  {
+    std::vector<double> s = B1.multiply(w);
+    for (std::size_t i = 0; i < s.size(); ++i)
+      s[i] = slip_operator.flow_direction() * convection * s[i] + rate * w[i];
+    return s;
   }
 
 
@@ -199,9 +221,15 @@ namespace RollingContact
         apply_edge_law(pressure, linear_edges, *this);
       }
     const std::vector<double> coupling =
-      B1.multiply(contact.tangential_displacement_of_pressure(pressure));
+      contact.slip_of(B1,
+                      contact.tangential_displacement_of_pressure(pressure));
     for (std::size_t i = 0; i < slip_at_zero.size(); ++i)
-      slip_at_zero[i] += contact.slip_operator.flow_direction() * coupling[i];
+      slip_at_zero[i] += coupling[i];
+    if (contact.free_displacement.empty())
+      return;
+    const std::vector<double> free = B1.multiply(contact.free_displacement);
+    for (std::size_t i = 0; i < slip_at_zero.size(); ++i)
+      slip_at_zero[i] += contact.slip_operator.flow_direction() * free[i];
   }
 
 
@@ -210,9 +238,9 @@ namespace RollingContact
   TangentialProblem::material_slip(const std::vector<double> &traction) const
   {
     std::vector<double> s =
-      B1.multiply(contact.tangential_displacement(traction));
+      contact.slip_of(B1, contact.tangential_displacement(traction));
     for (std::size_t i = 0; i < s.size(); ++i)
-      s[i] = slip_at_zero[i] + contact.slip_operator.flow_direction() * s[i];
+      s[i] += slip_at_zero[i];
     return s;
   }
 
@@ -239,22 +267,24 @@ namespace RollingContact
   TangentialProblem::slip_compliance(
     const std::vector<std::size_t> &unknowns) const
   {
-    const unsigned int  n    = contact.n_nodes;
-    const double        flow = contact.slip_operator.flow_direction();
+    const unsigned int n = contact.n_nodes;
+    const double       convection =
+      contact.slip_operator.flow_direction() * contact.convection;
     DenseMatrix         A(unknowns.size(), unknowns.size());
     std::vector<double> displacement(contact.n_tangential * n);
     for (std::size_t j = 0; j < unknowns.size(); ++j)
       {
         const std::size_t column = unknowns[j], offset = column - column % n;
         std::fill(displacement.begin(), displacement.end(), 0.);
-        for (const auto &entry : contact.H[column % n])
+        for (const auto &entry : contact.H_column(column % n))
           for (std::size_t i = 0; i < displacement.size(); ++i)
             displacement[i] +=
               contact.W(i, offset + entry.first) * entry.second;
         for (std::size_t i = 0; i < unknowns.size(); ++i)
-          A(i, j) = flow * apply(B1[unknowns[i] % n],
-                                 displacement,
-                                 unknowns[i] - unknowns[i] % n);
+          A(i, j) = convection * apply(B1[unknowns[i] % n],
+                                       displacement,
+                                       unknowns[i] - unknowns[i] % n) +
+                    contact.rate * displacement[unknowns[i]];
       }
     std::vector<std::size_t> place(contact.n_tangential * n, unknowns.size());
     for (std::size_t k = 0; k < unknowns.size(); ++k)

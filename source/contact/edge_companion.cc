@@ -71,7 +71,7 @@ namespace RollingContact
   {
     const std::size_t offset = component * contact.n_nodes;
     double            sum    = 0.;
-    for (const auto &entry : contact.H[run.nodes[j]])
+    for (const auto &entry : contact.H_column(run.nodes[j]))
       sum +=
         contact.W(offset + run.nodes[k], offset + entry.first) * entry.second;
     return sum;

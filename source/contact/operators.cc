@@ -187,8 +187,15 @@ namespace RollingContact
                  const double          thickness)
   {
     const SparseRows mass = mass_matrix(trace, thickness);
-    return kind == ContactMatrices::consistent ? mass
-                                               : balanced_row_sums(trace, mass);
+    switch (kind)
+      {
+        case ContactMatrices::consistent:
+          return mass;
+        case ContactMatrices::balanced:
+          return balanced_row_sums(trace, mass);
+        default:
+          return row_sums(mass);
+      }
   }
 
 
@@ -260,7 +267,7 @@ namespace RollingContact
       });
     const SparseRows H = contact_matrix(trace, kind, 1.);
     SparseRows       rows(trace.nodes.size());
-    if (kind == ContactMatrices::lumped)
+    if (kind != ContactMatrices::consistent)
       {
         const auto areas = H.multiply(std::vector<double>(rows.size(), 1.));
         for (unsigned int i = 0; i < rows.size(); ++i)

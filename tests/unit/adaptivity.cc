@@ -122,14 +122,14 @@ BOOST_AUTO_TEST_CASE(geometric_levels_have_an_exact_limit)
  * forces of a linear pressure as the consistent matrix does, in 2D and through
  * hanging nodes; plain row sums would not.
  */
-BOOST_AUTO_TEST_CASE(lumping_is_exact_on_linear_fields)
+BOOST_AUTO_TEST_CASE(balanced_lumping_is_exact_on_linear_fields)
 {
   const auto worst = [](const Trace &trace) {
     std::vector<double> field;
     for (const auto &node : trace.nodes)
       field.push_back(1 + 300 * node[0] - 200 * node[1]);
     const auto lumped =
-      contact_matrix(trace, ContactMatrices::lumped, 0.02).multiply(field);
+      contact_matrix(trace, ContactMatrices::balanced, 0.02).multiply(field);
     const auto consistent =
       contact_matrix(trace, ContactMatrices::consistent, 0.02).multiply(field);
     const auto border = trace.border_nodes();

@@ -95,6 +95,7 @@ namespace RollingContact
     double       rayleigh_alpha      = 0.;
     double       rayleigh_beta       = 0.;
     std::string  contact_law         = "shifted";
+    double       initial_velocity    = 0.;
     std::string  approach            = "";
     std::string  normal_load         = "";
     std::string  creepage_x          = "";

@@ -57,6 +57,9 @@ namespace RollingContact
     std::vector<double>
     multiply_transposed(const std::vector<double> &x) const;
 
+    SparseRows
+    transposed() const;
+
     /**
      * M as a dense matrix.
      */

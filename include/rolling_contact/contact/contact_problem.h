@@ -18,9 +18,14 @@ namespace RollingContact
    *
    * Pressure p >= 0 and traction q act on the wheel, -p and -q on the rail:
    *   u_n = gap - approach + W_nn H p + W_nt H q                      (m)
-   *   s   = rigid_slip + flow B1 (W_tt H q + W_tn H p)                (1)
+   *   w   = W_tt H q + W_tn H p                                      (m)
+   *   s   = rigid_slip + flow B1 (free_displacement + convection w)
+   *         + rate w                                                  (1)
    *   p = Proj_{>=0}(p - rho_n u_n),  q = Proj_{|.| <= mu p}(q - rho_t s)
-   * eqs. (8) and (12) of Lai et al. 2017 without the time terms.
+   * eqs. (8) and (12) of Lai et al. 2017. Steady rolling has convection 1 and
+   * no rate; a time step h at speed V has the rate 1/(h |V|) of (1/V) B2, and
+   * what the step does without reactions in gap, rigid_slip and
+   * free_displacement.
    */
   struct ContactProblem
   {
@@ -37,13 +42,18 @@ namespace RollingContact
     std::vector<double> gap;         ///< undeformed, m
     std::vector<double> friction;    ///< mu of each node
     std::vector<double> rigid_slip;  ///< T N values
-    SlipOperator        slip_operator;
+
+    std::vector<double> free_displacement; ///< T N values, empty for zero; m
+    double              convection = 1.;
+    double              rate       = 0.; ///< 1/m
+
+    SlipOperator slip_operator;
 
     std::optional<double> normal_load; ///< N; the approach is unknown if given
     double                approach = 0.; ///< m
 
     double normal_norm     = 0.; ///< largest eigenvalue of W_nn H, m/Pa
-    double tangential_norm = 0.; ///< ||B1 W_tt H||, 1/Pa
+    double tangential_norm = 0.; ///< ||(convection B1 + rate) W_tt H||, 1/Pa
 
     /**
      * Complete the fields derived from W and H: areas and norms, by power
@@ -51,6 +61,28 @@ namespace RollingContact
      */
     void
     finish();
+
+    /**
+     * tangential_norm, for a new convection or rate.
+     */
+    void
+    find_tangential_norm();
+
+    /**
+     * What B1 and the rate make of a displacement w, flow B1 (convection w) +
+     * rate w, with these rows of B1. Units: m to 1.
+     */
+    std::vector<double>
+    slip_of(const SparseRows &B1, const std::vector<double> &w) const;
+
+    /**
+     * Column @p j of H.
+     */
+    const SparseRows::Row &
+    H_column(const unsigned int j) const
+    {
+      return H_columns[j];
+    }
 
     /**
      * Rigid slip (x - spin Y, y + spin X) at the node (X, Y). Units: 1, 1/m.
@@ -101,6 +133,7 @@ namespace RollingContact
 
   private:
     DenseMatrix W_nn_H;
+    SparseRows  H_columns;
   };
 
   /**

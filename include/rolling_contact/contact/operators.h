@@ -8,7 +8,8 @@ namespace RollingContact
   enum class ContactMatrices
   {
     lumped,
-    consistent
+    consistent,
+    balanced
   };
 
   enum class SlipOperatorKind
@@ -21,9 +22,9 @@ namespace RollingContact
 
   /**
    * H: nodal forces from nodal values of pressure or traction, eq. (12) of Lai
-   * et al. 2017, integral of N^T N, or its row sums when lumped, balanced where
-   * element sizes change so that linear fields stay exact. @p thickness
-   * multiplies the length in 2D. Units: m^2.
+   * et al. 2017, integral of N^T N, or its row sums when lumped; balanced row sums stay exact
+   * on linear fields where element sizes change, and are no longer symmetric
+   * there. @p thickness multiplies the length in 2D. Units: m^2.
    */
   SparseRows
   contact_matrix(const Trace          &trace,

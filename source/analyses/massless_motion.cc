@@ -1,0 +1,175 @@
+#include <deal.II/lac/vector.h>
+
+#include <rolling_contact/analyses/pair_motion.h>
+
+namespace RollingContact
+{
+  namespace
+  {
+    /**
+     * W r of the tangential components.
+     */
+    std::vector<double>
+    tangential_displacement(const ContactProblem &problem,
+                            const ContactState   &state)
+    {
+      if (problem.n_tangential == 0)
+        return {};
+      std::vector<double> u = problem.tangential_displacement(state.traction);
+      const std::vector<double> coupling =
+        problem.tangential_displacement_of_pressure(state.pressure);
+      for (std::size_t i = 0; i < u.size(); ++i)
+        u[i] += coupling[i];
+      return u;
+    }
+
+
+
+    /**
+     * Sum of nodal forces times displacements of the pair, r . W r'.
+     */
+    double
+    work(const ContactProblem &problem,
+         const ContactState   &of,
+         const ContactState   &along)
+    {
+      const std::vector<double> normal =
+        problem.normal_displacement(along.pressure);
+      const std::vector<double> coupling =
+        problem.normal_displacement_of_traction(along.traction);
+      const std::vector<double> forces = problem.H.multiply(of.pressure);
+      double                    sum    = 0.;
+      for (std::size_t i = 0; i < normal.size(); ++i)
+        sum += forces[i] * (normal[i] + coupling[i]);
+      if (problem.n_tangential > 0)
+        sum += dot(problem.H.multiply(of.traction),
+                   tangential_displacement(problem, along));
+      return sum;
+    }
+
+
+
+    template <int dim>
+    class MasslessMotion : public PairMotion<dim>
+    {
+    public:
+      MasslessMotion(const RollingPair<dim> &pair, const DenseMatrix &W)
+        : pair(pair)
+        , W(W)
+      {}
+
+      void
+      set_time_step(const double step) override
+      {
+        h = step;
+      }
+
+      DenseMatrix
+      compliance() const override
+      {
+        return W;
+      }
+
+      double
+      displacement_share() const override
+      {
+        return 1.;
+      }
+
+      FreeMotion
+      begin_step(const double) override
+      {
+        FreeMotion motion;
+        motion.velocity = u;
+        for (double &value : motion.velocity)
+          value /= -h;
+        return motion;
+      }
+
+      StepEnergy
+      end_step(const ContactProblem &problem,
+               const ContactState   &state) override
+      {
+        if (previous.pressure.empty())
+          previous = zero_state(problem);
+        const double now    = work(problem, state, state),
+                     before = work(problem, previous, previous),
+                     mixed  = work(problem, state, previous);
+        StepEnergy energy;
+        energy.strain                = now / 2;
+        energy.contact_work          = now - mixed;
+        energy.numerical_dissipation = (now - 2 * mixed + before) / 2;
+        start_from(problem, state);
+        return energy;
+      }
+
+      void
+      start_from(const ContactProblem &problem,
+                 const ContactState   &state) override
+      {
+        u        = tangential_displacement(problem, state);
+        previous = state;
+        strain   = work(problem, state, state) / 2;
+      }
+
+      double
+      stored_energy() const override
+      {
+        return strain;
+      }
+
+      dealii::Vector<double>
+      displacement(const Side            side,
+                   const ContactProblem &problem,
+                   const ContactState   &state) const override
+      {
+        return pair.displacement(side, problem, state);
+      }
+
+      void
+      save(Checkpoint &) const override
+      {}
+
+      void
+      restore(const Checkpoint &,
+              const ContactProblem &problem,
+              const ContactState   &state) override
+      {
+        start_from(problem, state);
+      }
+
+    private:
+      static ContactState
+      zero_state(const ContactProblem &problem)
+      {
+        ContactState state;
+        state.pressure.assign(problem.n_nodes, 0.);
+        state.traction.assign(problem.n_tangential * problem.n_nodes, 0.);
+        return state;
+      }
+
+      const RollingPair<dim> &pair;
+      const DenseMatrix      &W;
+      std::vector<double>     u;
+      ContactState            previous;
+      double                  strain = 0.;
+      double                  h      = 0.;
+    };
+  } // namespace
+
+
+
+  template <int dim>
+  std::unique_ptr<PairMotion<dim>>
+  make_massless_motion(const RollingPair<dim> &pair, const DenseMatrix &W)
+  {
+    return std::make_unique<MasslessMotion<dim>>(pair, W);
+  }
+
+
+
+  template std::unique_ptr<PairMotion<2>>
+  make_massless_motion(const RollingPair<2> &, const DenseMatrix &);
+  template std::unique_ptr<PairMotion<3>>
+  make_massless_motion(const RollingPair<3> &, const DenseMatrix &);
+} // namespace RollingContact
