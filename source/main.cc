@@ -4,6 +4,7 @@
 #include <rolling_contact/analyses/creep_curve.h>
 #include <rolling_contact/analyses/quasi_static.h>
 #include <rolling_contact/analyses/scene_reader.h>
+#include <rolling_contact/analyses/transient.h>
 #include <rolling_contact/base/command_line.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/interrupt.h>
@@ -40,6 +41,8 @@ namespace RollingContact
         CreepCurve<dim>(scene, context).run();
       else if (scene.analysis == "accuracy study")
         AccuracyStudy(scene, context).run();
+      else if (scene.analysis == "transient")
+        Transient<dim>(scene, context).run();
       else
         QuasiStatic<dim>(scene, context).run();
     }

@@ -22,16 +22,42 @@ namespace RollingContact
       "Analysis",
       analysis,
       "`quasi-static`: one steady rolling state; `creep curve`: many creepages, "
-      "see section Creep curve; `accuracy study` (2D): the same state on many "
+      "see section Creep curve; `transient`: rolling in time, see section "
+      "Time; `accuracy study` (2D): the same state on many "
       "meshes, see section Accuracy study.",
       prm,
-      Patterns::Selection("quasi-static|creep curve|accuracy study"));
+      Patterns::Selection("quasi-static|creep curve|transient|accuracy study"));
     add_parameter("Body threads",
                   body_threads,
                   "2: wheel and rail at the same time; 1: one after the other, "
                   "with the same numbers. Units: 1.",
                   prm,
                   Patterns::Integer(1, 2));
+  }
+
+
+
+  void
+  SceneParameters::check_hubs() const
+  {
+    const bool dynamic = analysis == "transient" && time.inertia;
+    for (const BodyParameters *body : {&wheel, &rail})
+      if (!body->rigid && body->hub == "free" &&
+          (!dynamic || time.initial_state == "steady"))
+        throw InputError(body->section +
+                         "/Hub = free: only inertia holds such a body; take "
+                         "Analysis = transient with Time/Inertia = true and "
+                         "Time/Initial state = rest, or `clamped`.");
+    const bool free_wheel = !wheel.rigid && wheel.hub == "free";
+    if (free_wheel && contact.normal_load())
+      throw InputError("Contact/Normal load = " + contact.normal_load_entry +
+                       " and Wheel/Hub = free: the load acts through a clamped "
+                       "hub; give Contact/Approach instead.");
+    if (time.initial_velocity != 0. && !free_wheel)
+      throw InputError("Time/Initial velocity = " +
+                       Patterns::Tools::to_string(time.initial_velocity) +
+                       ": it is that of an elastic wheel with Wheel/Hub = "
+                       "free.");
   }
 
 
@@ -45,6 +71,7 @@ namespace RollingContact
     mesh.check();
     study.check();
     creep_curve.check();
+    check_hubs();
     if (analysis == "transient")
       time.check(contact, dimension, prm_folder);
     if (wheel.rigid && rail.rigid)

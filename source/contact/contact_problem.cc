@@ -177,7 +177,11 @@ namespace RollingContact
     tangential_norm   = operator_norm(
       n_tangential * n_nodes,
       [&](const std::vector<double> &x) {
-        return slip_of(slip_operator.rows(), tangential_displacement(x));
+        const std::vector<double> w = tangential_displacement(x);
+        std::vector<double>       s = slip_operator.rows().multiply(w);
+        for (std::size_t i = 0; i < s.size(); ++i)
+          s[i] = flow * convection * s[i] + rate * w[i];
+        return s;
       },
       [&](const std::vector<double> &x) {
         std::vector<double> y = slip_operator.rows().multiply_transposed(x);
@@ -190,15 +194,17 @@ namespace RollingContact
 
 
 
-  std::vector<double>
-  ContactProblem::slip_of(const SparseRows          &B1,
-                          const std::vector<double> &w) const
+  namespace
   {
-    std::vector<double> s = B1.multiply(w);
-    for (std::size_t i = 0; i < s.size(); ++i)
-      s[i] = slip_operator.flow_direction() * convection * s[i] + rate * w[i];
-    return s;
-  }
+    SparseRows
+    identity(const unsigned int n)
+    {
+      SparseRows rows(n);
+      for (unsigned int i = 0; i < n; ++i)
+        rows.add(i, i, 1.);
+      return rows;
+    }
+  } // namespace
 
 
 
@@ -207,8 +213,9 @@ namespace RollingContact
                                        const std::vector<bool>   &linear_edges)
     : contact(contact)
     , B1(contact.slip_operator.rows())
+    , B2(identity(contact.n_nodes))
     , bound(contact.n_nodes)
-    , slip_at_zero(contact.rigid_slip)
+    , slip_at_zero(contact.n_tangential * contact.n_nodes)
   {
     if (contact.n_tangential == 0)
       return;
@@ -220,9 +227,9 @@ namespace RollingContact
         edge_constants.assign(slip_at_zero.size(), 0.);
         apply_edge_law(pressure, linear_edges, *this);
       }
+    slip_at_zero = B2.multiply(contact.rigid_slip);
     const std::vector<double> coupling =
-      contact.slip_of(B1,
-                      contact.tangential_displacement_of_pressure(pressure));
+      slip_of(contact.tangential_displacement_of_pressure(pressure));
     for (std::size_t i = 0; i < slip_at_zero.size(); ++i)
       slip_at_zero[i] += coupling[i];
     if (contact.free_displacement.empty())
@@ -235,10 +242,27 @@ namespace RollingContact
 
 
   std::vector<double>
+  TangentialProblem::slip_of(const std::vector<double> &w) const
+  {
+    const double convection =
+      contact.slip_operator.flow_direction() * contact.convection;
+    std::vector<double> s = B1.multiply(w);
+    for (double &value : s)
+      value *= convection;
+    if (contact.rate == 0.)
+      return s;
+    const std::vector<double> change = B2.multiply(w);
+    for (std::size_t i = 0; i < s.size(); ++i)
+      s[i] += contact.rate * change[i];
+    return s;
+  }
+
+
+
+  std::vector<double>
   TangentialProblem::material_slip(const std::vector<double> &traction) const
   {
-    std::vector<double> s =
-      contact.slip_of(B1, contact.tangential_displacement(traction));
+    std::vector<double> s = slip_of(contact.tangential_displacement(traction));
     for (std::size_t i = 0; i < s.size(); ++i)
       s[i] += slip_at_zero[i];
     return s;
@@ -281,10 +305,12 @@ namespace RollingContact
             displacement[i] +=
               contact.W(i, offset + entry.first) * entry.second;
         for (std::size_t i = 0; i < unknowns.size(); ++i)
-          A(i, j) = convection * apply(B1[unknowns[i] % n],
-                                       displacement,
-                                       unknowns[i] - unknowns[i] % n) +
-                    contact.rate * displacement[unknowns[i]];
+          {
+            const std::size_t node  = unknowns[i] % n,
+                              first = unknowns[i] - node;
+            A(i, j) = convection * apply(B1[node], displacement, first) +
+                      contact.rate * apply(B2[node], displacement, first);
+          }
       }
     std::vector<std::size_t> place(contact.n_tangential * n, unknowns.size());
     for (std::size_t k = 0; k < unknowns.size(); ++k)

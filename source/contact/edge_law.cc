@@ -30,7 +30,7 @@ namespace RollingContact
 
 
     /**
-     * d/dx and rigid slip half an element upstream of a node.
+     * d/dx and everything else half an element upstream of a node.
      */
     void
     take_one_element(const unsigned int node, TangentialProblem &problem)
@@ -44,12 +44,9 @@ namespace RollingContact
       problem.B1[node] = {{node, 1 / length}};
       for (const auto &entry : upstream)
         problem.B1[node].emplace_back(entry.first, -entry.second / length);
-      for (std::size_t offset = 0; offset < problem.slip_at_zero.size();
-           offset += contact.n_nodes)
-        problem.slip_at_zero[offset + node] =
-          (contact.rigid_slip[offset + node] +
-           apply(upstream, contact.rigid_slip, offset)) /
-          2;
+      problem.B2[node] = {{node, 0.5}};
+      for (const auto &entry : upstream)
+        problem.B2[node].emplace_back(entry.first, entry.second / 2);
     }
 
 

@@ -52,7 +52,7 @@ namespace boost
       archive &c.wheel &c.rail;
       archive &c.pressure &c.traction &c.approach &c.linear_edges;
       archive &c.supplied_energy &c.friction_energy &c.damping_energy;
-      archive &c.impact_energy &c.n_impacts;
+      archive &c.numerical_energy &c.energy_error &c.n_impacts;
       archive &c.history.n_rows &c.history.n_bytes;
       archive &c.body_fields &c.interface_fields;
     }

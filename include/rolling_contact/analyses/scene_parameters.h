@@ -36,6 +36,9 @@ namespace RollingContact
       return wheel.rigid ? rail.thickness : wheel.thickness;
     }
 
+    void
+    check_hubs() const;
+
     unsigned int dimension    = 2;
     std::string  analysis     = "quasi-static";
     unsigned int body_threads = 2;

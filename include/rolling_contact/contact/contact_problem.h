@@ -69,13 +69,6 @@ namespace RollingContact
     find_tangential_norm();
 
     /**
-     * What B1 and the rate make of a displacement w, flow B1 (convection w) +
-     * rate w, with these rows of B1. Units: m to 1.
-     */
-    std::vector<double>
-    slip_of(const SparseRows &B1, const std::vector<double> &w) const;
-
-    /**
      * Column @p j of H.
      */
     const SparseRows::Row &
@@ -159,7 +152,8 @@ namespace RollingContact
 
   /**
    * The frictional half of the problem for a given pressure: traction bound,
-   * the slip operator that belongs to this pressure, and the slip at q = 0.
+   * the slip operators that belong to this pressure, and the slip at q = 0. The
+   * edge law takes some rows of B1 and B2 between nodes.
    */
   struct TangentialProblem
   {
@@ -168,7 +162,7 @@ namespace RollingContact
                       const std::vector<bool>   &linear_edges);
 
     /**
-     * What the friction law acts on, s(q) = slip_at_zero + flow B1 W_tt H q +
+     * What the friction law acts on, s(q) = slip_at_zero + slip_of(W_tt H q) +
      * edge_rows q.
      */
     std::vector<double>
@@ -193,8 +187,16 @@ namespace RollingContact
     void
     project(std::vector<double> &traction) const;
 
+    /**
+     * What a displacement w adds to the slip, flow B1 (convection w) + rate
+     * B2 w. Units: m to 1.
+     */
+    std::vector<double>
+    slip_of(const std::vector<double> &w) const;
+
     const ContactProblem &contact;
     SparseRows            B1;
+    SparseRows            B2;           ///< where the law holds: at the nodes
     std::vector<double>   bound;        ///< mu p, Pa
     std::vector<double>   slip_at_zero; ///< T N values
 

@@ -42,11 +42,12 @@ namespace RollingContact
     double              approach = 0.; ///< m
     std::vector<bool>   linear_edges;  ///< see edge_law.h
 
-    double        supplied_energy = 0.; ///< since the start; J
-    double        friction_energy = 0.; ///< dissipated since the start; J
-    double        damping_energy  = 0.; ///< dissipated since the start; J
-    double        impact_energy   = 0.; ///< dissipated since the start; J
-    std::uint64_t n_impacts       = 0;
+    double        supplied_energy  = 0.; ///< since the start; J
+    double        friction_energy  = 0.; ///< dissipated since the start; J
+    double        damping_energy   = 0.; ///< dissipated since the start; J
+    double        numerical_energy = 0.; ///< dissipated by theta; J
+    double        energy_error     = 0.; ///< sum of the balance; J
+    std::uint64_t n_impacts        = 0;
 
     HistoryTable::Position history;
     std::vector<PvdBlock>  body_fields;      ///< of bodies.pvd so far

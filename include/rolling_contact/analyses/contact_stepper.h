@@ -1,0 +1,136 @@
+#ifndef rolling_contact_analyses_contact_stepper_h
+#define rolling_contact_analyses_contact_stepper_h
+
+#include <rolling_contact/analyses/pair_motion.h>
+#include <rolling_contact/analyses/steady_state.h>
+
+#include <memory>
+
+namespace RollingContact
+{
+  /**
+   * What a time step did. Energies are those of StepEnergy, summed over parts
+   * if the step was halved; friction is what sliding turned into heat. Units:
+   * J, m/s.
+   */
+  struct StepOutcome
+  {
+    SolverReport solver;
+    StepEnergy   energy;
+    double       friction      = 0.;
+    double       speed         = 0.;
+    unsigned int n_impacts     = 0; ///< nodes that closed
+    unsigned int n_sticking    = 0;
+    unsigned int n_parts       = 0;  ///< 1 unless halved
+    double       balance_error = 0.; ///< summed
+  };
+
+  /**
+   * Wheel and rail in time: the motion of the bodies, the contact laws of
+   * eq. (12) of Lai et al. 2017 at the end of each step, and the histories that
+   * drive them. The gap is that of the shifted configuration or the gap plus
+   * step times velocity, see PairMotion.
+   */
+  template <int dim>
+  class ContactStepper
+  {
+  public:
+    /**
+     * Mesh, matrices and the initial state. Throws InputError,
+     * ConvergenceError.
+     */
+    ContactStepper(const SceneParameters &scene, RunContext &context);
+
+    /**
+     * Step from @p time by @p h; when the contact solve fails, in 2, 4, ...
+     * parts up to 2^`Time/Maximum halvings`. Throws ConvergenceError, leaving
+     * the last good state, when that fails too, when the patch reaches the
+     * border of the candidate zone or an energy is not a number. Units: s.
+     */
+    StepOutcome
+    advance(const double time, const double h);
+
+    /**
+     * The contact now, with the bodies' pair; forces in `result`.
+     */
+    const SteadyState<dim> &
+    current() const
+    {
+      return contact;
+    }
+
+    const PairMotion<dim> &
+    bodies() const
+    {
+      return *motion;
+    }
+
+    const DrivingHistories &
+    drive() const
+    {
+      return histories;
+    }
+
+    void
+    save(Checkpoint &checkpoint) const;
+
+    void
+    restore(const Checkpoint &checkpoint);
+
+  private:
+    void
+    make_massless();
+
+    void
+    make_inertial();
+
+    /**
+     * The steady state under what drives at t = 0.
+     */
+    void
+    solve_initial_state();
+
+    void
+    set_time_step(const double h);
+
+    void
+    set_drive(const double time, const double h);
+
+    void
+    apply_free_motion(const FreeMotion &free, const double speed);
+
+    double
+    hub_acceleration(const double time, const double h) const;
+
+    /**
+     * One part; false, with the state as before, if the solver fails.
+     */
+    bool
+    take_part(const double time, const double h, StepOutcome &outcome);
+
+    void
+    take_in_parts(const double       time,
+                  const double       h,
+                  const unsigned int n_halvings,
+                  StepOutcome       &outcome);
+
+    void
+    finish_part(const ContactState &previous,
+                const double        h,
+                StepOutcome        &outcome);
+
+    const SceneParameters           &scene;
+    RunContext                      &context;
+    const DrivingHistories           histories;
+    const SlipOperatorKind           slip_operator;
+    SteadyState<dim>                 contact;
+    DenseMatrix                      static_compliance;
+    std::unique_ptr<PairMotion<dim>> motion;
+    std::unique_ptr<ContactSolver>   solver;
+    std::vector<double>              undeformed_gap;
+    std::vector<bool>                border;
+    double                           time_step = 0.;
+  };
+} // namespace RollingContact
+
+#endif

@@ -1,0 +1,55 @@
+#ifndef rolling_contact_analyses_transient_h
+#define rolling_contact_analyses_transient_h
+
+#include <rolling_contact/analyses/transient_output.h>
+
+namespace RollingContact
+{
+  /**
+   * Analysis = transient: rolling in time, with inertia (theta-scheme, one
+   * forward and one backward solve per body and step) or without (quasi-static
+   * rolling). Every Time/Checkpoint interval or seconds, when interrupted and
+   * at the end it leaves a checkpoint from which --resume goes on to the same
+   * numbers. Throws ConvergenceError with the last good state kept.
+   */
+  template <int dim>
+  class Transient
+  {
+  public:
+    Transient(const SceneParameters &scene, RunContext &context)
+      : scene(scene)
+      , context(context)
+    {}
+
+    void
+    run();
+
+  private:
+    void
+    describe(const ContactStepper<dim> &stepper, const TimeSteps &steps) const;
+
+    /**
+     * Steps until the end; @p record is what a checkpoint holds.
+     */
+    void
+    march(const TimeSteps      &steps,
+          ContactStepper<dim>  &stepper,
+          TransientOutput<dim> &output,
+          Checkpoint           &record);
+
+    void
+    take_step(const TimeSteps      &steps,
+              ContactStepper<dim>  &stepper,
+              TransientOutput<dim> &output,
+              Checkpoint           &record);
+
+    void
+    summarise(const ContactStepper<dim> &stepper,
+              const Checkpoint          &record) const;
+
+    const SceneParameters &scene;
+    RunContext            &context;
+  };
+} // namespace RollingContact
+
+#endif

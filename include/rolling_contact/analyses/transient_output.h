@@ -1,0 +1,66 @@
+#ifndef rolling_contact_analyses_transient_output_h
+#define rolling_contact_analyses_transient_output_h
+
+#include <rolling_contact/analyses/contact_stepper.h>
+#include <rolling_contact/output/history_table.h>
+
+#include <optional>
+
+namespace RollingContact
+{
+  /**
+   * What a transient run writes: a row of history.csv for each step, fields
+   * every Time/Field interval steps as a time series, the last state in
+   * results.csv, and a plot of the forces. Counts energies in the checkpoint it
+   * is given, which is the run's own record.
+   */
+  template <int dim>
+  class TransientOutput
+  {
+  public:
+    /**
+     * Starts history.csv, or continues it if the run is resumed.
+     */
+    TransientOutput(const SceneParameters &scene,
+                    RunContext            &context,
+                    const Checkpoint      &record);
+
+    /**
+     * The row of the step just taken; sums of the record include it.
+     */
+    void
+    add_row(const ContactStepper<dim> &stepper,
+            const StepOutcome         &outcome,
+            const Checkpoint          &record);
+
+    /**
+     * Fields of the state, if this step is to have any, or if it is the last.
+     */
+    void
+    write_fields(const ContactStepper<dim> &stepper,
+                 Checkpoint                &record,
+                 const bool                 last);
+
+    /**
+     * Rows on the disk, then the record and the bodies' state.
+     */
+    void
+    write_checkpoint(const ContactStepper<dim> &stepper, Checkpoint &record);
+
+    /**
+     * history.csv under its final name, results.csv, the plot.
+     */
+    void
+    finish(const ContactStepper<dim> &stepper, const Checkpoint &record);
+
+  private:
+    void
+    plot() const;
+
+    const SceneParameters      &scene;
+    RunContext                 &context;
+    std::optional<HistoryTable> history;
+  };
+} // namespace RollingContact
+
+#endif

@@ -1,0 +1,372 @@
+#include <deal.II/lac/vector.h>
+
+#include <rolling_contact/analyses/contact_stepper.h>
+#include <rolling_contact/base/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace RollingContact
+{
+  namespace
+  {
+    /**
+     * The edge law needs the static compliance, which a run with inertia never
+     * has.
+     */
+    SlipOperatorKind
+    operator_in_time(const SceneParameters &scene)
+    {
+      const SlipOperatorKind kind = scene.contact.slip_operator_kind();
+      return scene.time.inertia && kind == SlipOperatorKind::calibrated
+               ? SlipOperatorKind::upwind_2
+               : kind;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  ContactStepper<dim>::ContactStepper(const SceneParameters &scene,
+                                      RunContext            &context)
+    : scene(scene)
+    , context(context)
+    , histories(scene.time.histories(scene.contact, scene.prm_folder))
+    , slip_operator(operator_in_time(scene))
+    , solver(make_contact_solver(scene.solver.solver, scene.solver.controls))
+  {
+    if (slip_operator != scene.contact.slip_operator_kind())
+      context.log.message("With inertia B1 is `upwind 2`: the edge law of "
+                          "`calibrated` needs the static compliance.");
+    if (scene.time.inertia)
+      make_inertial();
+    else
+      make_massless();
+    contact.slip_operator = slip_operator == SlipOperatorKind::upwind_2
+                              ? "upwind 2"
+                              : scene.contact.slip_operator;
+    undeformed_gap        = contact.problem.gap;
+    border                = contact.pair->trace().border_nodes();
+  }
+
+
+
+  template <int dim>
+  void
+  ContactStepper<dim>::make_massless()
+  {
+    contact           = solve_steady_state<dim>(scene, context);
+    static_compliance = contact.problem.W;
+    motion = make_massless_motion<dim>(*contact.pair, static_compliance);
+    if (scene.time.initial_state == "steady")
+      solve_initial_state();
+    else
+      contact.state = {std::vector<double>(contact.problem.n_nodes, 0.),
+                       std::vector<double>(contact.problem.n_tangential *
+                                             contact.problem.n_nodes,
+                                           0.),
+                       0.,
+                       {}};
+  }
+
+
+
+  template <int dim>
+  void
+  ContactStepper<dim>::make_inertial()
+  {
+    if (scene.time.initial_state == "steady")
+      contact = solve_steady_state<dim>(scene, context);
+    else
+      {
+        PhaseTimer::Scope   phase(context.timer, "mesh and assembly");
+        const PatchEstimate patch = estimate_patch(scene);
+        contact.grading           = make_grading<dim>(scene,
+                                            patch,
+                                            scene.mesh.elements_across_patch,
+                                            scene.mesh.offset());
+        contact.elements_across   = scene.mesh.elements_across_patch;
+        contact.pair =
+          std::make_unique<RollingPair<dim>>(scene, contact.grading, false);
+      }
+    {
+      PhaseTimer::Scope phase(context.timer, "mass and order of elimination");
+      motion = make_inertial_motion<dim>(scene, *contact.pair);
+    }
+    if (scene.time.initial_state == "steady")
+      {
+        contact.problem = contact.pair->contact_problem(slip_operator);
+        solve_initial_state();
+        return;
+      }
+    const std::size_t n_nodes = contact.pair->trace().nodes.size(),
+                      n =
+                        contact.pair
+                          ->unknowns(contact.pair->body(Side::wheel) != nullptr
+                                       ? Side::wheel
+                                       : Side::rail)
+                          .size();
+    contact.problem =
+      contact.pair->contact_problem(slip_operator, DenseMatrix(n, n));
+    contact.state.pressure.assign(n_nodes, 0.);
+    contact.state.traction.assign(n - n_nodes, 0.);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactStepper<dim>::solve_initial_state()
+  {
+    PhaseTimer::Scope phase(context.timer, "contact solve");
+    ContactProblem   &problem = contact.problem;
+    problem.set_creepages(histories.creepage_x.value(0.),
+                          histories.creepage_y.value(0.),
+                          histories.spin.value(0.));
+    if (histories.normal_load)
+      problem.normal_load = histories.normal_load->value(0.);
+    else
+      problem.approach = histories.approach->value(0.);
+    contact.solver = solver->solve(problem, contact.state);
+    if (!contact.solver.converged)
+      throw ConvergenceError(
+        "The steady initial state did not converge: " + contact.solver.reason +
+        "; try Time/Initial state = rest.");
+    motion->start_from(problem, contact.state);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactStepper<dim>::set_time_step(const double h)
+  {
+    if (h == time_step)
+      return;
+    PhaseTimer::Scope phase(context.timer, "factorisation and condensation");
+    motion->set_time_step(h);
+    time_step                  = h;
+    contact.problem.W          = motion->compliance();
+    contact.problem.convection = motion->displacement_share();
+    contact.problem.rate       = 0.;
+    contact.problem.finish();
+  }
+
+
+
+  template <int dim>
+  void
+  ContactStepper<dim>::set_drive(const double time, const double h)
+  {
+    ContactProblem &problem = contact.problem;
+    const double    end     = time + h;
+    contact.creepage_x      = histories.creepage_x.value(end);
+    contact.creepage_y      = histories.creepage_y.value(end);
+    contact.spin            = histories.spin.value(end);
+    problem.set_creepages(contact.creepage_x, contact.creepage_y, contact.spin);
+    const bool ahead =
+      scene.time.inertia && scene.time.contact_law == "shifted";
+    const double at = end + (ahead ? (1 - scene.time.theta) * h : 0.);
+    if (histories.normal_load)
+      problem.normal_load = histories.normal_load->value(at);
+    else
+      problem.approach = histories.approach->value(at);
+  }
+
+
+
+  template <int dim>
+  double
+  ContactStepper<dim>::hub_acceleration(const double time, const double h) const
+  {
+    if (!histories.approach || histories.approach->is_constant() || time <= 0.)
+      return 0.;
+    const History &approach = *histories.approach;
+    return (approach.value(time + h) - 2 * approach.value(time) +
+            approach.value(time - h)) /
+           (h * h);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactStepper<dim>::apply_free_motion(const FreeMotion &free,
+                                         const double      speed)
+  {
+    ContactProblem &problem = contact.problem;
+    problem.gap             = undeformed_gap;
+    for (std::size_t i = 0; i < free.gap.size(); ++i)
+      problem.gap[i] += free.gap[i];
+    if (problem.n_tangential == 0)
+      return;
+    problem.free_displacement = free.displacement;
+    for (std::size_t i = 0; i < free.velocity.size(); ++i)
+      problem.rigid_slip[i] += free.velocity[i] / speed;
+    const double rate = 1 / (speed * time_step);
+    if (rate != problem.rate)
+      {
+        problem.rate = rate;
+        problem.find_tangential_norm();
+      }
+  }
+
+
+
+  template <int dim>
+  bool
+  ContactStepper<dim>::take_part(const double time,
+                                 const double h,
+                                 StepOutcome &outcome)
+  {
+    set_time_step(h);
+    set_drive(time, h);
+    outcome.speed = histories.speed.value(time + h);
+    if (contact.problem.n_tangential > 0 &&
+        outcome.speed * scene.contact.flow() <= 0.)
+      throw InputError("Time/Speed is " + significant(outcome.speed, 6) +
+                       " m/s at t = " + significant(time + h, 6) +
+                       " s: with friction it must keep the sign of "
+                       "Contact/Speed.");
+    {
+      PhaseTimer::Scope phase(context.timer, "forward and backward solves");
+      apply_free_motion(motion->begin_step(hub_acceleration(time, h)),
+                        std::abs(outcome.speed));
+    }
+    const ContactState previous = contact.state;
+    {
+      PhaseTimer::Scope phase(context.timer, "contact solve");
+      contact.solver = solver->solve(contact.problem, contact.state);
+    }
+    outcome.solver.reason   = contact.solver.reason;
+    outcome.solver.residual = contact.solver.residual;
+    if (!contact.solver.converged)
+      {
+        contact.state = previous;
+        return false;
+      }
+    finish_part(previous, h, outcome);
+    return true;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactStepper<dim>::finish_part(const ContactState &previous,
+                                   const double        h,
+                                   StepOutcome        &outcome)
+  {
+    const ContactProblem &problem = contact.problem;
+    {
+      PhaseTimer::Scope phase(context.timer, "forward and backward solves");
+      const StepEnergy  part = motion->end_step(problem, contact.state);
+      outcome.energy.kinetic = part.kinetic;
+      outcome.energy.strain  = part.strain;
+      outcome.energy.contact_work += part.contact_work;
+      outcome.energy.load_work += part.load_work;
+      outcome.energy.damping += part.damping;
+      outcome.energy.numerical_dissipation += part.numerical_dissipation;
+      outcome.energy.balance_error += part.balance_error;
+    }
+    ++outcome.n_parts;
+    outcome.solver.iterations += contact.solver.iterations;
+    outcome.solver.solver = contact.solver.solver;
+    for (unsigned int i = 0; i < problem.n_nodes; ++i)
+      outcome.n_impacts +=
+        contact.state.pressure[i] > 0. && previous.pressure[i] == 0.;
+    if (problem.n_tangential == 0)
+      return;
+    const TangentialProblem friction =
+      tangential_problem(problem, contact.state);
+    outcome.friction -= std::abs(outcome.speed) * h *
+                        dot(problem.H.multiply(contact.state.traction),
+                            friction.slip(contact.state.traction));
+    const auto states = node_states(friction, contact.state);
+    outcome.n_sticking =
+      std::count(states.begin(), states.end(), NodeState::stick);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactStepper<dim>::take_in_parts(const double       time,
+                                     const double       h,
+                                     const unsigned int n_halvings,
+                                     StepOutcome       &outcome)
+  {
+    if (take_part(time, h, outcome))
+      return;
+    if (n_halvings == scene.time.maximum_halvings)
+      throw ConvergenceError(
+        "The contact solver did not converge at t = " + significant(time, 9) +
+        " s with a step of " + significant(h, 3) +
+        " s: " + outcome.solver.reason + ". Natural residual " +
+        scientific(outcome.solver.residual.worst(), 3) + ", required " +
+        scientific(scene.solver.controls.tolerance, 3) +
+        ". Take a smaller Time/Time step, more Time/Maximum halvings or "
+        "another Contact/Solver.");
+    context.log.message(
+      "t = " + significant(time, 6) + " s: the contact solve failed (" +
+      outcome.solver.reason + "); the step is halved to " +
+      significant(h / 2, 3) + " s and the matrix factorised again.");
+    take_in_parts(time, h / 2, n_halvings + 1, outcome);
+    take_in_parts(time + h / 2, h / 2, n_halvings + 1, outcome);
+  }
+
+
+
+  template <int dim>
+  StepOutcome
+  ContactStepper<dim>::advance(const double time, const double h)
+  {
+    StepOutcome outcome;
+    take_in_parts(time, h, 0, outcome);
+    if (!std::isfinite(motion->stored_energy()))
+      throw ConvergenceError(
+        "The energy of the bodies is not a number at t = " +
+        significant(time + h, 9) + " s.");
+    if (reaches_border(border, contact.problem, contact.state.pressure))
+      throw ConvergenceError(
+        "The patch reaches the border of the candidate zone at t = " +
+        significant(time + h, 9) + " s: take a larger Mesh/Candidate zone.");
+    contact.result = resultants(contact.problem, contact.state);
+    // the rigid slip of the problem holds the free motion as well
+    contact.result.creep_work = -(contact.result.force_x * contact.creepage_x +
+                                  contact.result.force_y * contact.creepage_y +
+                                  contact.result.spin_moment * contact.spin);
+    return outcome;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactStepper<dim>::save(Checkpoint &checkpoint) const
+  {
+    checkpoint.pressure     = contact.state.pressure;
+    checkpoint.traction     = contact.state.traction;
+    checkpoint.approach     = contact.state.approach;
+    checkpoint.linear_edges = contact.state.linear_edges;
+    motion->save(checkpoint);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactStepper<dim>::restore(const Checkpoint &checkpoint)
+  {
+    contact.state = {checkpoint.pressure,
+                     checkpoint.traction,
+                     checkpoint.approach,
+                     checkpoint.linear_edges};
+    motion->restore(checkpoint, contact.problem, contact.state);
+  }
+
+
+
+  template class ContactStepper<2>;
+  template class ContactStepper<3>;
+} // namespace RollingContact

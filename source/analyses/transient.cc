@@ -1,0 +1,182 @@
+#include <rolling_contact/analyses/transient.h>
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/interrupt.h>
+#include <rolling_contact/base/prm_entries.h>
+#include <rolling_contact/base/progress.h>
+
+#include <cmath>
+
+namespace RollingContact
+{
+  template <int dim>
+  void
+  Transient<dim>::run()
+  {
+    if (estimate_patch(scene).half_width_x <= 0.)
+      throw InputError("Analysis = transient needs a patch to make the mesh "
+                       "for: give Contact/Approach or Contact/Normal load "
+                       "above 0; Time/Approach tells what really happens.");
+    Checkpoint record;
+    if (context.resume)
+      record = read_checkpoint(context.folder);
+    ContactStepper<dim> stepper(scene, context);
+    const TimeSteps     steps = scene.time.steps(stepper.drive().speed);
+    if (context.resume)
+      {
+        refuse_changed_entries(record.tables, stepper.drive().tables, {});
+        stepper.restore(record);
+        context.log.message("Resumed after step " +
+                            std::to_string(record.step) +
+                            ", t = " + significant(record.time, 6) + " s.");
+      }
+    record.tables = stepper.drive().tables;
+    describe(stepper, steps);
+    TransientOutput<dim> output(scene, context, record);
+    try
+      {
+        march(steps, stepper, output, record);
+      }
+    catch (const Interrupted &)
+      {
+        output.write_checkpoint(stepper, record);
+        throw;
+      }
+    catch (const ConvergenceError &)
+      {
+        output.write_fields(stepper, record, true);
+        output.write_checkpoint(stepper, record);
+        throw;
+      }
+    output.write_fields(stepper, record, true);
+    output.write_checkpoint(stepper, record);
+    output.finish(stepper, record);
+    summarise(stepper, record);
+  }
+
+
+
+  template <int dim>
+  void
+  Transient<dim>::describe(const ContactStepper<dim> &stepper,
+                           const TimeSteps           &steps) const
+  {
+    context.log.message(
+      std::to_string(steps.number) + " steps of " +
+      significant(steps.length, 4) + " s, " +
+      (scene.time.inertia ? "theta = " + significant(scene.time.theta, 4)
+                          : std::string("without inertia")) +
+      ", " + std::to_string(stepper.current().problem.n_nodes) +
+      " contact nodes.");
+    if (scene.time.inertia && scene.time.damping_frequency > 0.)
+      context.log.message(
+        "Numerical damping at " + significant(scene.time.damping_frequency, 4) +
+        " Hz: zeta = " +
+        scientific(scene.time.numerical_damping(steps.length), 3) + ".");
+    auto &objects = context.report.objects;
+    objects.push_back({"mass, damping",
+                       scene.time.inertia,
+                       0,
+                       0.,
+                       scene.time.inertia ? "" : "Time/Inertia = false"});
+    objects.push_back(
+      {"tangential compliance, B1, B2",
+       stepper.current().problem.n_tangential > 0,
+       stepper.current().problem.W.memory_consumption(),
+       0.,
+       stepper.current().problem.n_tangential > 0 ? "" : "frictionless"});
+  }
+
+
+
+  template <int dim>
+  void
+  Transient<dim>::march(const TimeSteps      &steps,
+                        ContactStepper<dim>  &stepper,
+                        TransientOutput<dim> &output,
+                        Checkpoint           &record)
+  {
+    Progress    progress(context.log, "step", steps.number, record.step);
+    const auto &time = scene.time;
+    Stopwatch   since_checkpoint;
+    double      last_checkpoint = 0.;
+    while (record.step < steps.number)
+      {
+        throw_if_interrupted();
+        take_step(steps, stepper, output, record);
+        progress.report(record.step);
+        const bool due = (time.checkpoint_interval > 0 &&
+                          record.step % time.checkpoint_interval == 0) ||
+                         (time.checkpoint_seconds > 0. &&
+                          since_checkpoint.seconds() - last_checkpoint >
+                            time.checkpoint_seconds);
+        if (due)
+          {
+            output.write_checkpoint(stepper, record);
+            last_checkpoint = since_checkpoint.seconds();
+          }
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  Transient<dim>::take_step(const TimeSteps      &steps,
+                            ContactStepper<dim>  &stepper,
+                            TransientOutput<dim> &output,
+                            Checkpoint           &record)
+  {
+    const double      h       = steps.length;
+    const StepOutcome outcome = stepper.advance(record.time, h);
+    ++record.step;
+    record.time      = record.step * h;
+    record.time_step = h;
+    record.rolled_distance += std::abs(outcome.speed) * h;
+    record.supplied_energy +=
+      outcome.energy.contact_work + outcome.energy.load_work + outcome.friction;
+    record.friction_energy += outcome.friction;
+    record.damping_energy += outcome.energy.damping;
+    record.numerical_energy += outcome.energy.numerical_dissipation;
+    record.energy_error += outcome.energy.balance_error;
+    record.n_impacts += outcome.n_impacts;
+    output.add_row(stepper, outcome, record);
+    const double scale =
+      outcome.energy.kinetic + outcome.energy.strain + record.friction_energy;
+    if (outcome.friction < -1e-9 * scale)
+      throw ConvergenceError(
+        "Friction created " + scientific(-outcome.friction, 3) + " J in step " +
+        std::to_string(record.step) +
+        ": the contact state is wrong, take a smaller Contact/Tolerance.");
+    output.write_fields(stepper, record, false);
+  }
+
+
+
+  template <int dim>
+  void
+  Transient<dim>::summarise(const ContactStepper<dim> &stepper,
+                            const Checkpoint          &record) const
+  {
+    const SteadyState<dim> &contact = stepper.current();
+    const Resultants       &result  = contact.result;
+    context.log.message(
+      "t = " + significant(record.time, 6) + " s, rolled " +
+      significant(1e3 * record.rolled_distance, 6) +
+      " mm: N = " + significant(result.normal_force, 6) + " N, T = (" +
+      significant(result.force_x, 6) + ", " + significant(result.force_y, 6) +
+      ") N, |T|/N = " + significant(result.traction_coefficient, 5));
+    context.log.message(
+      "energy: stored " + significant(stepper.bodies().stored_energy(), 5) +
+      " J, supplied " + significant(record.supplied_energy, 5) +
+      " J, friction " + significant(record.friction_energy, 5) +
+      " J, damping " + significant(record.damping_energy, 5) +
+      " J, numerical " + significant(record.numerical_energy, 5) +
+      " J; balance error " + scientific(record.energy_error, 2) + " J; " +
+      std::to_string(record.n_impacts) + " impacts of nodes.");
+  }
+
+
+
+  template class Transient<2>;
+  template class Transient<3>;
+} // namespace RollingContact
