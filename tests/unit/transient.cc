@@ -1,0 +1,343 @@
+#include <deal.II/lac/vector.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include "scene_run.h"
+
+#include <rolling_contact/analyses/contact_stepper.h>
+#include <rolling_contact/base/exceptions.h>
+
+#include <cmath>
+
+using namespace RollingContact;
+
+BOOST_AUTO_TEST_SUITE(transient)
+
+namespace
+{
+  template <int dim>
+  void
+  standard(SceneParameters &scene)
+  {
+    scene.dimension = dim;
+    for (BodyParameters *body : {&scene.wheel, &scene.rail})
+      {
+        body->radius     = 0.46;
+        body->hub_radius = 0.3;
+        if (dim == 3)
+          body->lateral_radius = 0.3;
+      }
+    scene.mesh.elements_across_patch = dim == 2 ? 16 : 6;
+    scene.mesh.growth                = dim == 2 ? 0.3 : 0.8;
+    scene.contact.speed              = 10.;
+    scene.contact.approach_entry     = dim == 2 ? "0.15e-3" : "0.07e-3";
+    scene.time.time_step             = 1e-4;
+    scene.time.end_time              = 1.;
+    scene.time.inertia               = false;
+  }
+
+
+
+  /**
+   * A transient scene stepped in memory.
+   */
+  template <int dim>
+  struct TimeRun
+  {
+    explicit TimeRun(const std::function<void(SceneParameters &)> &change)
+      : folder("never_opened", "", "")
+      , results(folder)
+      , log(Verbosity::normal, said, said)
+      , context{folder, results, report, timer, log}
+    {
+      scene.analysis = "transient";
+      standard<dim>(scene);
+      change(scene);
+      scene.check();
+      stepper = std::make_unique<ContactStepper<dim>>(scene, context);
+    }
+
+    /**
+     * @p n steps of the scene's length; the force ratio T_x/(mu N) after each.
+     */
+    std::vector<double>
+    march(const unsigned int n)
+    {
+      std::vector<double> forces;
+      for (unsigned int k = 0; k < n; ++k)
+        {
+          const double h         = scene.time.time_step;
+          const double stored    = stepper->bodies().stored_energy();
+          last                   = stepper->advance(time, h);
+          time                   = ++n_steps * h;
+          const StepEnergy &e    = last.energy;
+          const double      gain = stepper->bodies().stored_energy() - stored;
+          worst_balance =
+            std::max(worst_balance,
+                     std::abs(gain - e.contact_work - e.load_work + e.damping +
+                              e.numerical_dissipation));
+          least_friction = std::min(least_friction, last.friction);
+          largest_energy =
+            std::max(largest_energy, stepper->bodies().stored_energy());
+          n_impacts += last.n_impacts;
+          forces.push_back(force_x());
+        }
+      return forces;
+    }
+
+    double
+    force_x() const
+    {
+      const Resultants &result = stepper->current().result;
+      return result.normal_force > 0.
+               ? result.force_x /
+                   (scene.contact.friction_coefficient * result.normal_force)
+               : 0.;
+    }
+
+    std::ostringstream                   said;
+    RunFolder                            folder;
+    ResultsTable                         results;
+    RunReport                            report;
+    PhaseTimer                           timer;
+    Log                                  log;
+    RunContext                           context;
+    SceneParameters                      scene;
+    std::unique_ptr<ContactStepper<dim>> stepper;
+    StepOutcome                          last;
+    double time = 0., worst_balance = 0., least_friction = 0.,
+           largest_energy = 0.;
+    unsigned int n_steps = 0, n_impacts = 0;
+  };
+
+  void
+  with_inertia(SceneParameters &scene)
+  {
+    scene.time.inertia          = true;
+    scene.time.initial_state    = "steady";
+    scene.time.time_step        = 1e-6;
+    scene.contact.creepage_x    = 0.001;
+    scene.contact.slip_operator = "upwind 2";
+  }
+} // namespace
+
+
+
+/**
+ * Without inertia, rolling at constant creepage ends in the state of the steady
+ * solver, with every slip operator.
+ */
+BOOST_AUTO_TEST_CASE(start_up_ends_in_the_steady_state)
+{
+  for (const char *slip_operator : {"calibrated", "upwind 2", "upwind 1"})
+    {
+      const auto change = [&](SceneParameters &scene) {
+        scene.contact.creepage_x    = 0.001;
+        scene.contact.slip_operator = slip_operator;
+      };
+      TimeRun<2>        run(change);
+      const auto        forces = run.march(200);
+      const SceneRun<2> steady(standard<2>, change);
+      BOOST_TEST(std::abs(forces.front()) < 0.3 * std::abs(steady.force_x()));
+      BOOST_TEST(std::abs(forces.back() - steady.force_x()) < 1e-4);
+    }
+}
+
+
+
+/**
+ * The steady state as the initial state stays put, with and without inertia, in
+ * 2D and 3D.
+ */
+BOOST_AUTO_TEST_CASE(steady_states_stay_put)
+{
+  const auto drift = [](auto run) {
+    const auto forces = run->march(200);
+    double     worst  = 0.;
+    for (const double force : forces)
+      worst = std::max(worst, std::abs(force - forces.front()));
+    BOOST_TEST(std::abs(forces.front()) > 0.1);
+    return worst;
+  };
+  BOOST_TEST(drift(std::make_unique<TimeRun<2>>(with_inertia)) < 1e-8);
+  BOOST_TEST(drift(std::make_unique<TimeRun<2>>([](SceneParameters &scene) {
+               scene.time.initial_state = "steady";
+               scene.contact.creepage_x = 0.001;
+             })) < 1e-8);
+  BOOST_TEST(drift(std::make_unique<TimeRun<3>>([](SceneParameters &scene) {
+               with_inertia(scene);
+               scene.contact.creepage_y = 0.001;
+             })) < 1e-8);
+}
+
+
+
+/**
+ * Without inertia only the rolled distance counts.
+ */
+BOOST_AUTO_TEST_CASE(massless_rolling_does_not_know_its_speed)
+{
+  const auto forces_at = [](const double speed) {
+    return TimeRun<2>([=](SceneParameters &scene) {
+             scene.contact.creepage_x = 0.001;
+             scene.contact.speed      = speed;
+             scene.time.time_step     = 1e-3 / speed;
+           })
+      .march(20);
+  };
+  const auto slow = forces_at(0.01), fast = forces_at(100.);
+  for (std::size_t k = 0; k < slow.size(); ++k)
+    BOOST_TEST(slow[k] == fast[k], boost::test_tools::tolerance(1e-9));
+}
+
+
+
+/**
+ * With theta = 0.5 nothing but friction takes energy, and the balance closes.
+ */
+BOOST_AUTO_TEST_CASE(energy_balances_under_oscillating_creepage)
+{
+  TimeRun<2> run([](SceneParameters &scene) {
+    with_inertia(scene);
+    scene.time.creepage_x = "0.001 + 0.0005 * sin(2 * pi * 5000 * t)";
+  });
+  const auto forces = run.march(300);
+  BOOST_TEST(*std::max_element(forces.begin(), forces.end()) -
+               *std::min_element(forces.begin(), forces.end()) >
+             1e-3);
+  BOOST_TEST(run.worst_balance < 1e-12 * run.largest_energy);
+  BOOST_TEST(run.least_friction > -1e-12 * run.largest_energy);
+  BOOST_TEST(run.last.energy.numerical_dissipation == 0.);
+}
+
+
+
+/**
+ * A disc dropped on a block rebounds: what it had of energy it keeps but for
+ * the shocks of the nodes, and it leaves.
+ */
+BOOST_AUTO_TEST_CASE(a_dropped_disc_rebounds)
+{
+  for (const char *law : {"shifted", "gap"})
+    {
+      TimeRun<2>   run([&](SceneParameters &scene) {
+        scene.time.inertia                 = true;
+        scene.time.contact_law             = law;
+        scene.wheel.hub                    = "free";
+        scene.wheel.radius                 = 0.05;
+        scene.wheel.hub_radius             = 0.01;
+        scene.rail.shape                   = "block";
+        scene.rail.radius                  = 0.;
+        scene.rail.block_length            = 0.3;
+        scene.rail.block_depth             = 0.1;
+        scene.contact.approach_entry       = "0.04e-3";
+        scene.contact.friction_coefficient = 0.;
+        scene.time.approach                = "-1e-6";
+        scene.time.initial_velocity        = -1.;
+        scene.time.time_step               = 0.5e-6;
+      });
+      const double initial = run.stepper->bodies().stored_energy();
+      run.march(60);
+      BOOST_TEST(run.stepper->current().result.normal_force > 1000.);
+      run.march(240);
+      BOOST_TEST(run.stepper->current().result.normal_force == 0.);
+      BOOST_TEST(run.n_impacts > 10u);
+      const double kept = run.stepper->bodies().stored_energy() / initial;
+      // the gap law can give energy, the shifted one cannot
+      BOOST_TEST(kept <= 1 + (law == std::string("shifted") ? 1e-12 : 1e-3));
+      BOOST_TEST(kept > 0.99);
+      BOOST_TEST(run.worst_balance < 1e-12 * initial);
+    }
+}
+
+
+
+/**
+ * Implicit Euler without inertia: first order in the step.
+ */
+BOOST_AUTO_TEST_CASE(massless_rolling_is_first_order_in_time)
+{
+  const auto force_with = [](const unsigned int n) {
+    return TimeRun<2>([=](SceneParameters &scene) {
+             scene.contact.slip_operator = "upwind 2";
+             scene.time.creepage_x       = "0.001 * sin(2 * pi * 500 * t)";
+             scene.time.time_step        = 2e-3 / n;
+           })
+      .march(n)
+      .back();
+  };
+  const double exact  = force_with(640);
+  const double coarse = std::abs(force_with(20) - exact),
+               fine   = std::abs(force_with(40) - exact);
+  BOOST_TEST(coarse / fine > 1.7);
+  BOOST_TEST(coarse / fine < 2.6);
+}
+
+
+
+/**
+ * A step that cannot be solved is halved as often as allowed, then the run
+ * stops and says when and why.
+ */
+BOOST_AUTO_TEST_CASE(hopeless_steps_are_halved_then_refused)
+{
+  TimeRun<2> run([](SceneParameters &scene) {
+    scene.contact.creepage_x             = 0.001;
+    scene.time.maximum_halvings          = 2;
+    scene.solver.solver                  = "fixed point";
+    scene.solver.controls.max_iterations = 2;
+    scene.time.initial_state             = "rest";
+  });
+  BOOST_CHECK_EXCEPTION(run.march(1),
+                        ConvergenceError,
+                        [](const ConvergenceError &error) {
+                          const std::string text = error.what();
+                          return text.find("t = ") != std::string::npos &&
+                                 text.find("2.5e-05") != std::string::npos;
+                        });
+  BOOST_TEST(run.said.str().find("halved") != std::string::npos);
+}
+
+
+
+/**
+ * Half-space limit (a tiny load), circular patch, full adhesion: the force
+ * after q of rolling over that of steady rolling, an independent computation
+ * (nu = 0.3): lateral .291, .527, .824 at q/a = 0.5, 1, 2.
+ */
+BOOST_AUTO_TEST_CASE(adhesion_builds_up_as_in_a_half_space)
+{
+  const double a      = 4.046e-5;
+  const auto   change = [&](SceneParameters &scene) {
+    for (BodyParameters *body : {&scene.wheel, &scene.rail})
+      body->lateral_radius = 0.46;
+    scene.contact.approach_entry     = "";
+    scene.contact.normal_load_entry  = "0.036";
+    scene.contact.creepage_y         = 1e-9;
+    scene.mesh.elements_across_patch = 10;
+    scene.time.time_step             = 0.;
+    scene.time.step_length           = a / 40;
+  };
+  TimeRun<3>        run(change);
+  const SceneRun<3> steady(standard<3>, change);
+  const double      radius = steady.steady.result.half_width_x;
+  run.scene.time.time_step = a / 40 / run.scene.contact.speed;
+  double q                 = 0.;
+  for (const auto &point : {std::make_pair(0.5, 0.291),
+                            std::make_pair(1., 0.527),
+                            std::make_pair(2., 0.824)})
+    {
+      double force = 0.;
+      while (q < point.first * radius)
+        {
+          run.march(1);
+          force = run.stepper->current().result.force_y /
+                  steady.steady.result.force_y;
+          q += a / 40;
+        }
+      BOOST_TEST(std::abs(force / point.second - 1) < 0.025);
+      BOOST_TEST_MESSAGE("q/a " << q / radius << " F/F_steady " << force);
+    }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
