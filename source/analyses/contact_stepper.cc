@@ -97,6 +97,7 @@ namespace RollingContact
       {
         contact.problem = contact.pair->contact_problem(slip_operator);
         solve_initial_state();
+        contact.pair->release_statics();
         return;
       }
     const std::size_t n_nodes = contact.pair->trace().nodes.size(),

@@ -234,6 +234,19 @@ namespace RollingContact
 
 
   template <int dim>
+  void
+  RollingPair<dim>::release_statics()
+  {
+    for (const auto &body : {wheel_body, rail_body})
+      if (body)
+        body->release_factorisation();
+    compliance = DenseMatrix();
+    release_free_memory();
+  }
+
+
+
+  template <int dim>
   std::vector<double>
   RollingPair<dim>::reactions(const Side            side,
                               const ContactProblem &problem,

@@ -21,6 +21,7 @@ namespace RollingContact
       record = read_checkpoint(context.folder);
     ContactStepper<dim> stepper(scene, context);
     const TimeSteps     steps = scene.time.steps(stepper.drive().speed);
+    stepper.set_time_step(steps.length);
     if (context.resume)
       {
         refuse_changed_entries(record.tables, stepper.drive().tables, {});

@@ -42,6 +42,13 @@ namespace RollingContact
     ContactStepper(const SceneParameters &scene, RunContext &context);
 
     /**
+     * Factorise and condense for this step, if it is not the current one.
+     * Units: s.
+     */
+    void
+    set_time_step(const double h);
+
+    /**
      * Step from @p time by @p h; when the contact solve fails, in 2, 4, ...
      * parts up to 2^`Time/Maximum halvings`. Throws ConvergenceError, leaving
      * the last good state, when that fails too, when the patch reaches the
@@ -89,9 +96,6 @@ namespace RollingContact
      */
     void
     solve_initial_state();
-
-    void
-    set_time_step(const double h);
 
     void
     set_drive(const double time, const double h);

@@ -58,6 +58,12 @@ namespace RollingContact
     combined(const DenseMatrix &wheel, const DenseMatrix &rail) const;
 
     /**
+     * Give back what only static solutions need: factors and compliance.
+     */
+    void
+    release_statics();
+
+    /**
      * Nodal forces of a state on a body in its own frame, component by
      * component. Units: N.
      */

@@ -167,6 +167,15 @@ namespace RollingContact
     }
 
     /**
+     * Give the memory of the factor back; compliance() would compute it again.
+     */
+    void
+    release_factorisation()
+    {
+      factor.reset();
+    }
+
+    /**
      * Sizes and seconds of the factorisation; nullptr before it exists.
      */
     const Factorisation *
