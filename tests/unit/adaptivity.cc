@@ -57,36 +57,23 @@ namespace
    * All levels of a scene, in memory.
    */
   template <int dim>
-  struct LevelRun
+  struct LevelRun : public SceneInMemory
   {
-    LevelRun(const SceneRun<2>::Change &standard,
-             const SceneRun<2>::Change &change)
-      : folder("never_opened", "", "")
-      , results(folder)
-      , log(Verbosity::normal, said, said)
+    LevelRun(const typename SceneRun<dim>::Change &standard,
+             const typename SceneRun<dim>::Change &change)
     {
       standard(scene);
       change(scene);
       scene.check();
-      RunContext context{folder, results, report, timer, log};
       last = AdaptiveLevels<dim>(scene, context)
                .run([&](const SteadyState<dim> &level) {
                  BOOST_TEST(level.solver.converged);
                  n_nodes.push_back(level.problem.n_nodes);
-                 pressure.push_back(level.result.max_pressure);
                });
     }
 
-    std::ostringstream        said;
-    RunFolder                 folder;
-    ResultsTable              results;
-    RunReport                 report;
-    PhaseTimer                timer;
-    Log                       log;
-    SceneParameters           scene;
     SteadyState<dim>          last;
     std::vector<unsigned int> n_nodes;
-    std::vector<double>       pressure;
   };
 } // namespace
 

@@ -11,23 +11,41 @@
 namespace RollingContact
 {
   /**
-   * A steady state solved in memory: nothing is written, what is said is kept.
-   * The state must converge.
+   * A scene and what a run of it needs, in memory: nothing is written, what is
+   * said is kept.
+   */
+  struct SceneInMemory
+  {
+    SceneInMemory()
+      : folder("never_opened", "", "")
+      , results(folder)
+      , log(Verbosity::normal, said, said)
+      , context{folder, results, report, timer, log}
+    {}
+
+    std::ostringstream said;
+    RunFolder          folder;
+    ResultsTable       results;
+    RunReport          report;
+    PhaseTimer         timer;
+    Log                log;
+    RunContext         context;
+    SceneParameters    scene;
+  };
+
+  /**
+   * A steady state solved in memory. The state must converge.
    */
   template <int dim>
-  struct SceneRun
+  struct SceneRun : public SceneInMemory
   {
     using Change = std::function<void(SceneParameters &)>;
 
     SceneRun(const Change &standard, const Change &change)
-      : folder("never_opened", "", "")
-      , results(folder)
-      , log(Verbosity::normal, said, said)
     {
       standard(scene);
       change(scene);
       scene.check();
-      RunContext context{folder, results, report, timer, log};
       steady = solve_steady_state<dim>(scene, context);
       BOOST_TEST(steady.solver.converged);
     }
@@ -50,14 +68,7 @@ namespace RollingContact
       return steady.result.force_y / friction_force();
     }
 
-    std::ostringstream said;
-    RunFolder          folder;
-    ResultsTable       results;
-    RunReport          report;
-    PhaseTimer         timer;
-    Log                log;
-    SceneParameters    scene;
-    SteadyState<dim>   steady;
+    SteadyState<dim> steady;
   };
 } // namespace RollingContact
 

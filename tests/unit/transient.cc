@@ -42,13 +42,9 @@ namespace
    * A transient scene stepped in memory.
    */
   template <int dim>
-  struct TimeRun
+  struct TimeRun : public SceneInMemory
   {
     explicit TimeRun(const std::function<void(SceneParameters &)> &change)
-      : folder("never_opened", "", "")
-      , results(folder)
-      , log(Verbosity::normal, said, said)
-      , context{folder, results, report, timer, log}
     {
       scene.analysis = "transient";
       standard<dim>(scene);
@@ -95,14 +91,6 @@ namespace
                : 0.;
     }
 
-    std::ostringstream                   said;
-    RunFolder                            folder;
-    ResultsTable                         results;
-    RunReport                            report;
-    PhaseTimer                           timer;
-    Log                                  log;
-    RunContext                           context;
-    SceneParameters                      scene;
     std::unique_ptr<ContactStepper<dim>> stepper;
     StepOutcome                          last;
     double time = 0., worst_balance = 0., least_friction = 0.,

@@ -4,6 +4,7 @@
 #include <deal.II/grid/tria.h>
 
 #include <rolling_contact/mesh/chart.h>
+#include <rolling_contact/mesh/grading.h>
 
 #include <memory>
 
@@ -17,79 +18,6 @@ namespace RollingContact
     free_boundary    = 0,
     contact_boundary = 1,
     hub_boundary     = 2
-  };
-
-  /**
-   * A box of the chart, x counted from the contact point, in which elements
-   * have at most the given size in x; those next to it have at most twice that,
-   * and sizes grow from there as in the rest of the mesh. Units: m.
-   */
-  template <int dim>
-  struct RefinedBox
-  {
-    dealii::Point<dim> lower, upper;
-    double             size;
-  };
-
-  /**
-   * Element sizes around the patch, the same for both bodies: elements of size
-   * element_size[] in the zone |x| <= zone_x, |y| <= zone_y, depth <=
-   * zone_depth, growing by @p growth times the distance from it. Towards the
-   * rim of the patch, sizes are halved up to rim_levels more times, the leading
-   * edge alone if leading_edge_only. Refined boxes come on top. Units: m,
-   * shifts in elements.
-   */
-  template <int dim>
-  struct Grading
-  {
-    double       element_size_x  = 0.;
-    double       element_size_y  = 0.; ///< 3D only
-    double       zone_x          = 0.;
-    double       zone_y          = 0.;
-    double       zone_depth      = 0.;
-    double       growth          = 0.5;
-    double       offset          = 0.; ///< shift of the mesh in +x, in elements
-    unsigned int rim_levels      = 0;
-    double       leading_edge_x  = 0.; ///< where the rim is refined
-    double       trailing_edge_x = 0.;
-    bool         leading_edge_only = true;
-    double       rim_width         = 0.; ///< half-width of the refined band
-
-    std::vector<RefinedBox<dim>> boxes;
-
-    /**
-     * True if a cell that fills the box [lower, upper] of the chart (x from the
-     * contact point) is too large.
-     */
-    bool
-    refine(const dealii::Point<dim> &lower,
-           const dealii::Point<dim> &upper) const;
-
-    /**
-     * Size of a cell, or of a face of the surface, measured in x.
-     */
-    double
-    size_in_x(const dealii::Point<dim> &lower,
-              const dealii::Point<dim> &upper) const;
-
-    /**
-     * Size allowed by the zone, without rim and boxes, at the point of the box
-     * [lower, upper] nearest to it.
-     */
-    double
-    allowed_size(const dealii::Point<dim> &lower,
-                 const dealii::Point<dim> &upper) const;
-
-  private:
-    bool
-    exceeds_rim(const double              size,
-                const dealii::Point<dim> &lower,
-                const dealii::Point<dim> &upper) const;
-
-    bool
-    exceeds_boxes(const double              size,
-                  const dealii::Point<dim> &lower,
-                  const dealii::Point<dim> &upper) const;
   };
 
   /**

@@ -1,0 +1,158 @@
+#include <rolling_contact/contact/contact_problem.h>
+#include <rolling_contact/contact/edge_law.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace RollingContact
+{
+  namespace
+  {
+    SparseRows
+    identity(const unsigned int n)
+    {
+      SparseRows rows(n);
+      for (unsigned int i = 0; i < n; ++i)
+        rows.add(i, i, 1.);
+      return rows;
+    }
+  } // namespace
+
+
+
+  TangentialProblem::TangentialProblem(const ContactProblem      &contact,
+                                       const std::vector<double> &pressure,
+                                       const std::vector<bool>   &linear_edges)
+    : contact(contact)
+    , B1(contact.slip_operator.rows())
+    , B2(identity(contact.n_nodes))
+    , bound(contact.n_nodes)
+    , slip_at_zero(contact.n_tangential * contact.n_nodes)
+  {
+    if (contact.n_tangential == 0)
+      return;
+    for (unsigned int i = 0; i < contact.n_nodes; ++i)
+      bound[i] = contact.friction[i] * pressure[i];
+    if (contact.slip_operator.has_edge_law())
+      {
+        edge_rows.assign(contact.n_tangential, SparseRows(contact.n_nodes));
+        edge_constants.assign(slip_at_zero.size(), 0.);
+        apply_edge_law(pressure, linear_edges, *this);
+      }
+    slip_at_zero = B2.multiply(contact.rigid_slip);
+    const std::vector<double> coupling =
+      slip_of(contact.tangential_displacement_of_pressure(pressure));
+    for (std::size_t i = 0; i < slip_at_zero.size(); ++i)
+      slip_at_zero[i] += coupling[i];
+    if (contact.free_displacement.empty())
+      return;
+    const std::vector<double> free = B1.multiply(contact.free_displacement);
+    for (std::size_t i = 0; i < slip_at_zero.size(); ++i)
+      slip_at_zero[i] += contact.slip_operator.flow_direction() * free[i];
+  }
+
+
+
+  std::vector<double>
+  TangentialProblem::slip_of(const std::vector<double> &w) const
+  {
+    const double convection =
+      contact.slip_operator.flow_direction() * contact.convection;
+    std::vector<double> s = B1.multiply(w);
+    for (double &value : s)
+      value *= convection;
+    if (contact.rate == 0.)
+      return s;
+    const std::vector<double> change = B2.multiply(w);
+    for (std::size_t i = 0; i < s.size(); ++i)
+      s[i] += contact.rate * change[i];
+    return s;
+  }
+
+
+
+  std::vector<double>
+  TangentialProblem::material_slip(const std::vector<double> &traction) const
+  {
+    std::vector<double> s = slip_of(contact.tangential_displacement(traction));
+    for (std::size_t i = 0; i < s.size(); ++i)
+      s[i] += slip_at_zero[i];
+    return s;
+  }
+
+
+
+  std::vector<double>
+  TangentialProblem::slip(const std::vector<double> &traction) const
+  {
+    std::vector<double> s = material_slip(traction);
+    for (std::size_t i = 0; i < edge_constants.size(); ++i)
+      {
+        const std::size_t component = i / contact.n_nodes,
+                          node      = i % contact.n_nodes;
+        s[i] += edge_constants[i] + apply(edge_rows[component][node],
+                                          traction,
+                                          component * contact.n_nodes);
+      }
+    return s;
+  }
+
+
+
+  DenseMatrix
+  TangentialProblem::slip_compliance(
+    const std::vector<std::size_t> &unknowns) const
+  {
+    const unsigned int n = contact.n_nodes;
+    const double       convection =
+      contact.slip_operator.flow_direction() * contact.convection;
+    DenseMatrix         A(unknowns.size(), unknowns.size());
+    std::vector<double> displacement(contact.n_tangential * n);
+    for (std::size_t j = 0; j < unknowns.size(); ++j)
+      {
+        const std::size_t column = unknowns[j], offset = column - column % n;
+        std::fill(displacement.begin(), displacement.end(), 0.);
+        for (const auto &entry : contact.H_column(column % n))
+          for (std::size_t i = 0; i < displacement.size(); ++i)
+            displacement[i] +=
+              contact.W(i, offset + entry.first) * entry.second;
+        for (std::size_t i = 0; i < unknowns.size(); ++i)
+          {
+            const std::size_t node  = unknowns[i] % n,
+                              first = unknowns[i] - node;
+            A(i, j) = convection * apply(B1[node], displacement, first) +
+                      contact.rate * apply(B2[node], displacement, first);
+          }
+      }
+    std::vector<std::size_t> place(contact.n_tangential * n, unknowns.size());
+    for (std::size_t k = 0; k < unknowns.size(); ++k)
+      place[unknowns[k]] = k;
+    for (std::size_t c = 0; c < edge_rows.size(); ++c)
+      for (unsigned int i = 0; i < n; ++i)
+        for (const auto &entry : edge_rows[c][i])
+          {
+            const std::size_t row    = place[c * n + i],
+                              column = place[c * n + entry.first];
+            if (row < unknowns.size() && column < unknowns.size())
+              A(row, column) += entry.second;
+          }
+    return A;
+  }
+
+
+
+  void
+  TangentialProblem::project(std::vector<double> &traction) const
+  {
+    const unsigned int n = contact.n_nodes, n_components = contact.n_tangential;
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        double size = 0.;
+        for (unsigned int c = 0; c < n_components; ++c)
+          size = std::hypot(size, traction[c * n + i]);
+        if (size > bound[i])
+          for (unsigned int c = 0; c < n_components; ++c)
+            traction[c * n + i] *= bound[i] / size;
+      }
+  }
+} // namespace RollingContact

@@ -1,0 +1,141 @@
+#include <rolling_contact/mesh/grading.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace RollingContact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /**
+     * Distance of the interval [lower, upper] from [begin, end].
+     */
+    double
+    interval_distance(const double lower,
+                      const double upper,
+                      const double begin,
+                      const double end)
+    {
+      return std::max({0., begin - upper, lower - end});
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  double
+  Grading<dim>::size_in_x(const Point<dim> &lower,
+                          const Point<dim> &upper) const
+  {
+    double size =
+      std::max(upper[0] - lower[0], upper[dim - 1] - lower[dim - 1]);
+    if (dim == 3)
+      size =
+        std::max(size, (upper[1] - lower[1]) * element_size_x / element_size_y);
+    return size;
+  }
+
+
+
+  template <int dim>
+  double
+  Grading<dim>::allowed_size(const Point<dim> &lower,
+                             const Point<dim> &upper) const
+  {
+    const auto nearest = [&](const unsigned int d) {
+      return interval_distance(lower[d], upper[d], 0., 0.);
+    };
+    double outside = interval_distance(lower[0], upper[0], -zone_x, zone_x);
+    if (dim == 3)
+      outside =
+        std::max(0., std::hypot(nearest(0) / zone_x, nearest(1) / zone_y) - 1) *
+        zone_x;
+    const double distance = std::hypot(
+      outside,
+      interval_distance(lower[dim - 1], upper[dim - 1], -zone_depth, 0.));
+    return element_size_x + growth * distance;
+  }
+
+
+
+  template <int dim>
+  bool
+  Grading<dim>::exceeds_rim(const double      size,
+                            const Point<dim> &lower,
+                            const Point<dim> &upper) const
+  {
+    const auto too_large_at = [&](const double edge) {
+      const double finest = std::ldexp(element_size_x, -int(rim_levels));
+      const double away   = std::hypot(
+        interval_distance(
+          lower[0], upper[0], edge - rim_width, edge + rim_width),
+        interval_distance(lower[dim - 1], upper[dim - 1], -rim_width, 0.));
+      return size > finest + growth * away;
+    };
+    return rim_levels > 0 &&
+           (too_large_at(leading_edge_x) ||
+            (!leading_edge_only && too_large_at(trailing_edge_x)));
+  }
+
+
+
+  template <int dim>
+  bool
+  Grading<dim>::exceeds_boxes(const double      size,
+                              const Point<dim> &lower,
+                              const Point<dim> &upper) const
+  {
+    // a cell at the surface counts as flat: how deep it is differs from body
+    // to body, the surface nodes must not
+    const double tolerance = 1e-6 * size;
+    const bool   flat      = upper[dim - 1] > -tolerance;
+    Point<dim>   bottom    = lower;
+    if (flat)
+      bottom[dim - 1] = upper[dim - 1];
+    const auto overlaps = [&](const RefinedBox<dim> &box) {
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          const bool   touches = flat && d == dim - 1;
+          const double margin  = touches ? -tolerance : tolerance;
+          if (upper[d] < box.lower[d] + margin ||
+              bottom[d] > box.upper[d] - margin)
+            return false;
+        }
+      return true;
+    };
+    const auto distance = [&](const RefinedBox<dim> &box) {
+      double square = 0.;
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          const double scale =
+            dim == 3 && d == 1 ? element_size_x / element_size_y : 1.;
+          const double away =
+            interval_distance(bottom[d], upper[d], box.lower[d], box.upper[d]);
+          square += std::pow(scale * away, 2);
+        }
+      return std::sqrt(square);
+    };
+    return std::any_of(boxes.begin(), boxes.end(), [&](const auto &box) {
+      return size > box.size &&
+             (overlaps(box) || size > 2 * box.size + growth * distance(box));
+    });
+  }
+
+
+
+  template <int dim>
+  bool
+  Grading<dim>::refine(const Point<dim> &lower, const Point<dim> &upper) const
+  {
+    const double size = size_in_x(lower, upper) / (1. + 1e-6);
+    return size > allowed_size(lower, upper) ||
+           exceeds_rim(size, lower, upper) || exceeds_boxes(size, lower, upper);
+  }
+
+
+
+  template struct Grading<2>;
+  template struct Grading<3>;
+} // namespace RollingContact
