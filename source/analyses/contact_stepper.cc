@@ -322,6 +322,25 @@ namespace RollingContact
   StepOutcome
   ContactStepper<dim>::advance(const double time, const double h)
   {
+    Checkpoint before;
+    save(before);
+    try
+      {
+        return take_whole_step(time, h);
+      }
+    catch (...)
+      {
+        restore_state(before);
+        throw;
+      }
+  }
+
+
+
+  template <int dim>
+  StepOutcome
+  ContactStepper<dim>::take_whole_step(const double time, const double h)
+  {
     StepOutcome outcome;
     take_in_parts(time, h, 0, outcome);
     if (!std::isfinite(motion->stored_energy()))
@@ -332,12 +351,21 @@ namespace RollingContact
       throw ConvergenceError(
         "The patch reaches the border of the candidate zone at t = " +
         significant(time + h, 9) + " s: take a larger Mesh/Candidate zone.");
+    find_resultants();
+    return outcome;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactStepper<dim>::find_resultants()
+  {
     contact.result = resultants(contact.problem, contact.state);
     // the rigid slip of the problem holds the free motion as well
     contact.result.creep_work = -(contact.result.force_x * contact.creepage_x +
                                   contact.result.force_y * contact.creepage_y +
                                   contact.result.spin_moment * contact.spin);
-    return outcome;
   }
 
 
@@ -358,6 +386,22 @@ namespace RollingContact
   template <int dim>
   void
   ContactStepper<dim>::restore(const Checkpoint &checkpoint)
+  {
+    restore_state(checkpoint);
+    const double h = checkpoint.time_step;
+    if (h == 0.) // before the first step
+      return;
+    set_time_step(h);
+    set_drive(checkpoint.time - h, h);
+    contact.solver.converged = true;
+    find_resultants();
+  }
+
+
+
+  template <int dim>
+  void
+  ContactStepper<dim>::restore_state(const Checkpoint &checkpoint)
   {
     contact.state = {checkpoint.pressure,
                      checkpoint.traction,

@@ -81,6 +81,9 @@ namespace RollingContact
     void
     save(Checkpoint &checkpoint) const;
 
+    /**
+     * The state of a checkpoint, under what drove it.
+     */
     void
     restore(const Checkpoint &checkpoint);
 
@@ -117,6 +120,15 @@ namespace RollingContact
                   const double       h,
                   const unsigned int n_halvings,
                   StepOutcome       &outcome);
+
+    StepOutcome
+    take_whole_step(const double time, const double h);
+
+    void
+    restore_state(const Checkpoint &checkpoint);
+
+    void
+    find_resultants();
 
     void
     finish_part(const ContactState &previous,
