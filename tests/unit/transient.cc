@@ -241,6 +241,48 @@ BOOST_AUTO_TEST_CASE(a_dropped_disc_rebounds)
 
 
 /**
+ * A column whose hub accelerates towards the rail lags behind it: at rest in
+ * the accelerated frame its tip is displaced by -rho a L^2 / (2 E).
+ */
+BOOST_AUTO_TEST_CASE(bodies_feel_the_acceleration_of_their_hub)
+{
+  const double acceleration = 1000., length = 0.1;
+  TimeRun<2>   run([&](SceneParameters &scene) {
+    scene.time.inertia                 = true;
+    scene.time.theta                   = 1.;
+    scene.time.time_step               = 5e-5;
+    scene.time.approach                = "-1e-3 + 0.5 * 1000 * t^2";
+    scene.rail.rigid                   = true;
+    scene.wheel.shape                  = "block";
+    scene.wheel.radius                 = 0.;
+    scene.wheel.block_length           = 0.1;
+    scene.wheel.block_depth            = length;
+    scene.wheel.material.poisson_ratio = 0.;
+    scene.contact.friction_coefficient = 0.;
+    scene.contact.approach_entry       = "0.05e-3";
+    scene.mesh.elements_across_patch   = 8;
+  });
+  run.march(18);
+  const Material &steel = run.scene.wheel.material;
+  const auto      field =
+    run.stepper->bodies().displacement(Side::wheel,
+                                       run.stepper->current().problem,
+                                       run.stepper->current().state);
+  double lowest = 0., highest = 0.;
+  for (const double value : field)
+    {
+      lowest  = std::min(lowest, value);
+      highest = std::max(highest, value);
+    }
+  const double tip =
+    -steel.density * acceleration * length * length / (2 * steel.young_modulus);
+  BOOST_TEST(lowest == tip, boost::test_tools::tolerance(1e-3));
+  BOOST_TEST(highest < 1e-3 * std::abs(tip));
+}
+
+
+
+/**
  * Implicit Euler without inertia: first order in the step.
  */
 BOOST_AUTO_TEST_CASE(massless_rolling_is_first_order_in_time)
