@@ -11,8 +11,8 @@ namespace RollingContact
   namespace
   {
     /**
-     * The edge law needs the static compliance, which a run with inertia never
-     * has.
+     * The edge law needs the static compliance, which a run with inertia has
+     * at most to start from.
      */
     SlipOperatorKind
     operator_in_time(const SceneParameters &scene)
@@ -61,12 +61,19 @@ namespace RollingContact
     if (scene.time.initial_state == "steady")
       solve_initial_state();
     else
-      contact.state = {std::vector<double>(contact.problem.n_nodes, 0.),
-                       std::vector<double>(contact.problem.n_tangential *
-                                             contact.problem.n_nodes,
-                                           0.),
-                       0.,
-                       {}};
+      start_at_rest();
+  }
+
+
+
+  template <int dim>
+  void
+  ContactStepper<dim>::start_at_rest()
+  {
+    const ContactProblem &problem = contact.problem;
+    contact.state                 = ContactState();
+    contact.state.pressure.assign(problem.n_nodes, 0.);
+    contact.state.traction.assign(problem.n_tangential * problem.n_nodes, 0.);
   }
 
 
@@ -100,17 +107,11 @@ namespace RollingContact
         contact.pair->release_statics();
         return;
       }
-    const std::size_t n_nodes = contact.pair->trace().nodes.size(),
-                      n =
-                        contact.pair
-                          ->unknowns(contact.pair->body(Side::wheel) != nullptr
-                                       ? Side::wheel
-                                       : Side::rail)
-                          .size();
+    // the compliance comes with the time step
     contact.problem =
-      contact.pair->contact_problem(slip_operator, DenseMatrix(n, n));
-    contact.state.pressure.assign(n_nodes, 0.);
-    contact.state.traction.assign(n - n_nodes, 0.);
+      contact.pair->contact_problem(slip_operator,
+                                    contact.pair->combined({}, {}));
+    start_at_rest();
   }
 
 
@@ -264,11 +265,7 @@ namespace RollingContact
       const StepEnergy  part = motion->end_step(problem, contact.state);
       outcome.energy.kinetic = part.kinetic;
       outcome.energy.strain  = part.strain;
-      outcome.energy.contact_work += part.contact_work;
-      outcome.energy.load_work += part.load_work;
-      outcome.energy.damping += part.damping;
-      outcome.energy.numerical_dissipation += part.numerical_dissipation;
-      outcome.energy.balance_error += part.balance_error;
+      outcome.energy.add_changes(part);
     }
     ++outcome.n_parts;
     outcome.solver.iterations += contact.solver.iterations;

@@ -128,7 +128,12 @@ namespace RollingContact
         StepEnergy sum;
         for (const MovingBody &body : bodies)
           if (body.stepper)
-            add(body.stepper->energy(), sum);
+            {
+              const StepEnergy &part = body.stepper->energy();
+              sum.kinetic += part.kinetic;
+              sum.strain += part.strain;
+              sum.add_changes(part);
+            }
         return sum;
       }
 
@@ -270,18 +275,6 @@ namespace RollingContact
                                                                    : values[i];
             }
         return result;
-      }
-
-      static void
-      add(const StepEnergy &term, StepEnergy &sum)
-      {
-        sum.kinetic += term.kinetic;
-        sum.strain += term.strain;
-        sum.contact_work += term.contact_work;
-        sum.load_work += term.load_work;
-        sum.damping += term.damping;
-        sum.numerical_dissipation += term.numerical_dissipation;
-        sum.balance_error += term.balance_error;
       }
 
       const RollingPair<dim> &pair;

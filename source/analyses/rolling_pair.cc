@@ -13,12 +13,47 @@ namespace RollingContact
 {
   using namespace dealii;
 
+  namespace
+  {
+    /**
+     * Throws InputError if the candidate zone does not fit on a body.
+     */
+    template <int dim>
+    void
+    check_room(const SceneParameters &scene, const Grading<dim> &grading)
+    {
+      for (const BodyParameters *body : {&scene.wheel, &scene.rail})
+        {
+          if (body->rigid)
+            continue;
+          const double length = body->shape == "disc" ? 0.55 * body->radius
+                                                      : body->block_length / 2;
+          if (grading.zone_x > length)
+            throw InputError(
+              body->section + ": the contact zone reaches " +
+              significant(grading.zone_x, 3) +
+              " m from its middle, beyond what the body offers (" +
+              significant(length, 3) +
+              " m along x): check load, radii and Block length.");
+          if (dim == 3 && grading.zone_y > body->width / 2)
+            throw InputError(
+              body->section + "/Width = " + significant(body->width, 4) +
+              ": the contact zone is " + significant(2 * grading.zone_y, 3) +
+              " m wide; the patch must not reach the edges of "
+              "the body.");
+        }
+    }
+  } // namespace
+
+
+
   template <int dim>
   RollingPair<dim>::RollingPair(const SceneParameters &scene,
                                 const Grading<dim>    &grading,
                                 const bool             statics)
     : scene(scene)
   {
+    check_room(scene, grading);
     const auto build = [&](const BodyParameters &body) {
       auto result = std::make_shared<ElasticBody<dim>>(body.geometry(),
                                                        body.material,

@@ -155,9 +155,11 @@ namespace RollingContact
                                      const bool                 last)
   {
     const unsigned int interval = scene.time.field_interval;
-    const bool due = last || (interval > 0 && record.step % interval == 0);
-    if (!due || (!record.interface_fields.empty() &&
-                 record.interface_fields.back().time == record.time))
+    const bool due     = last || (interval > 0 && record.step % interval == 0);
+    const auto written = [&](const std::vector<PvdBlock> &blocks) {
+      return !blocks.empty() && blocks.back().time == record.time;
+    };
+    if (!due || written(record.interface_fields) || written(record.body_fields))
       return;
     PhaseTimer::Scope       phase(context.timer, "fields and plots");
     const SteadyState<dim> &contact = stepper.current();

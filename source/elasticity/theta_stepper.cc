@@ -5,6 +5,18 @@
 
 namespace RollingContact
 {
+  void
+  StepEnergy::add_changes(const StepEnergy &other)
+  {
+    contact_work += other.contact_work;
+    load_work += other.load_work;
+    damping += other.damping;
+    numerical_dissipation += other.numerical_dissipation;
+    balance_error += other.balance_error;
+  }
+
+
+
   ThetaStepper::ThetaStepper(std::shared_ptr<ThetaSystem> system)
     : matrices(std::move(system))
     , u(matrices->mass().size(), 0.)

@@ -1,5 +1,6 @@
 #include <boost/test/unit_test.hpp>
 
+#include "complaint.h"
 #include "scratch_folder.h"
 
 #include <rolling_contact/analyses/scene_parameters.h>
@@ -21,31 +22,6 @@ namespace
                             "\n"
                             "2, 20, -3\n"
                             "2.5, 15, 7e-1\n";
-
-  /** What an InputError says; empty if there was none. */
-  std::string
-  complaint(const std::function<void()> &action)
-  {
-    try
-      {
-        action();
-      }
-    catch (const InputError &error)
-      {
-        return error.what();
-      }
-    return {};
-  }
-
-
-
-  bool
-  contains(const std::string &text, const std::string &part)
-  {
-    return text.find(part) != std::string::npos;
-  }
-
-
 
   struct TransientScene : ScratchFolder
   {

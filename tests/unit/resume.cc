@@ -1,5 +1,6 @@
 #include <boost/test/unit_test.hpp>
 
+#include "complaint.h"
 #include "scratch_folder.h"
 #include <signal.h>
 #include <sys/wait.h>
@@ -45,31 +46,6 @@ namespace
   {
     text.replace(text.find(old_part), old_part.size(), new_part);
     return text;
-  }
-
-
-
-  /** What an InputError says; empty if there was none. */
-  std::string
-  complaint(const std::function<void()> &action)
-  {
-    try
-      {
-        action();
-      }
-    catch (const InputError &error)
-      {
-        return error.what();
-      }
-    return {};
-  }
-
-
-
-  bool
-  contains(const std::string &text, const std::string &part)
-  {
-    return text.find(part) != std::string::npos;
   }
 
 

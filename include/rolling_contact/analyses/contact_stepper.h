@@ -17,12 +17,11 @@ namespace RollingContact
   {
     SolverReport solver;
     StepEnergy   energy;
-    double       friction      = 0.;
-    double       speed         = 0.;
-    unsigned int n_impacts     = 0; ///< nodes that closed
-    unsigned int n_sticking    = 0;
-    unsigned int n_parts       = 0;  ///< 1 unless halved
-    double       balance_error = 0.; ///< summed
+    double       friction   = 0.;
+    double       speed      = 0.;
+    unsigned int n_impacts  = 0; ///< nodes that closed
+    unsigned int n_sticking = 0;
+    unsigned int n_parts    = 0; ///< 1 unless halved
   };
 
   /**
@@ -93,6 +92,12 @@ namespace RollingContact
 
     void
     make_inertial();
+
+    /**
+     * No pressure, no traction.
+     */
+    void
+    start_at_rest();
 
     /**
      * The steady state under what drives at t = 0.

@@ -76,7 +76,7 @@ namespace RollingContact
     stored_energy() const = 0;
 
     /**
-     * For fields, in the body's own frame.
+     * For fields, in the body's own frame. Units: m.
      */
     virtual dealii::Vector<double>
     displacement(const Side            side,

@@ -29,7 +29,8 @@ namespace RollingContact
   {
   public:
     /**
-     * Mesh; assemble and analyse K as well if @p statics are wanted.
+     * Mesh; assemble and analyse K as well if @p statics are wanted. Throws
+     * InputError, before meshing, if the zone does not fit on the bodies.
      */
     RollingPair(const SceneParameters &scene,
                 const Grading<dim>    &grading,

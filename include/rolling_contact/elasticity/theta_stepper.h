@@ -24,6 +24,12 @@ namespace RollingContact
     double damping               = 0.; ///< h v_th^T C v_th
     double numerical_dissipation = 0.; ///< (theta - 1/2)(|dv|_M^2 + |du|_K^2)
     double balance_error         = 0.;
+
+    /**
+     * Add what another step, or another body in the same step, did.
+     */
+    void
+    add_changes(const StepEnergy &other);
   };
 
   /**
