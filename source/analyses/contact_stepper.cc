@@ -371,10 +371,10 @@ namespace RollingContact
   void
   ContactStepper<dim>::save(Checkpoint &checkpoint) const
   {
-    checkpoint.pressure     = contact.state.pressure;
-    checkpoint.traction     = contact.state.traction;
-    checkpoint.approach     = contact.state.approach;
-    checkpoint.linear_edges = contact.state.linear_edges;
+    checkpoint.pressure = contact.state.pressure;
+    checkpoint.traction = contact.state.traction;
+    checkpoint.approach = contact.state.approach;
+    checkpoint.edges    = contact.state.edges;
     motion->save(checkpoint);
   }
 
@@ -403,7 +403,7 @@ namespace RollingContact
     contact.state = {checkpoint.pressure,
                      checkpoint.traction,
                      checkpoint.approach,
-                     checkpoint.linear_edges};
+                     checkpoint.edges};
     motion->restore(checkpoint, contact.problem, contact.state);
   }
 

@@ -82,23 +82,23 @@ namespace RollingContact
       for (unsigned int d = 0; d < dim - 1; ++d)
         components.push_back(d);
     components.push_back(dim - 1);
-    pair_surfaces(grading.zone_x, grading.zone_y);
+    pair_surfaces(grading);
   }
 
 
 
   template <int dim>
   void
-  RollingPair<dim>::pair_surfaces(const double extent_x, const double extent_y)
+  RollingPair<dim>::pair_surfaces(const Grading<dim> &zone)
   {
     using Face = typename ElasticBody<dim>::SurfaceFace;
     std::vector<Face> faces;
     if (wheel_body)
-      wheel_body->surface(extent_x, extent_y, wheel_nodes, faces);
+      wheel_body->surface(zone, wheel_nodes, faces);
     if (twins())
       rail_nodes = wheel_nodes;
     else if (rail_body)
-      rail_body->surface(extent_x, extent_y, rail_nodes, faces);
+      rail_body->surface(zone, rail_nodes, faces);
     if (wheel_body && rail_body)
       {
         AssertThrow(wheel_nodes.size() == rail_nodes.size(),
@@ -106,7 +106,7 @@ namespace RollingContact
                                "numbers of nodes."));
         for (std::size_t i = 0; i < wheel_nodes.size(); ++i)
           AssertThrow(wheel_nodes[i].position.distance(rail_nodes[i].position) <
-                        1e-9 * extent_x,
+                        1e-9 * zone.zone_x,
                       ExcMessage("The surface nodes of wheel and rail do not "
                                  "match."));
       }

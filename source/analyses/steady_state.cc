@@ -19,13 +19,21 @@ namespace RollingContact
     const unsigned int    elements_y = mesh.elements_across_patch_y > 0
                                          ? mesh.elements_across_patch_y
                                          : elements_across_patch;
-    const auto zone = [&](const double half_width, const double size) {
-      return std::max(mesh.candidate_zone * half_width, half_width + 3 * size);
+    // vibration makes patches larger than Hertz's, and time cannot go back to
+    // enlarge the zone; the flow needs an element more on its upstream side
+    const bool   in_time = scene.analysis == "transient";
+    const double factor  = mesh.candidate_zone > 0. ? mesh.candidate_zone
+                           : in_time                ? 1.5
+                                                    : 1.15,
+                 margin  = in_time ? 3. : 1.;
+    const auto zone      = [&](const double half_width, const double size) {
+      return std::max(factor * half_width, half_width + margin * size);
     };
     const double half_width = patch.half_width_x;
     grading.element_size_x  = 2 * half_width / elements_across_patch;
     grading.element_size_y  = 2 * patch.half_width_y / elements_y;
     grading.zone_x          = zone(half_width, grading.element_size_x);
+    grading.upstream        = in_time ? 0 : -scene.contact.flow();
     grading.zone_y          = zone(patch.half_width_y, grading.element_size_y);
     grading.zone_depth      = mesh.zone_depth * half_width;
     grading.growth          = mesh.growth;
@@ -134,11 +142,15 @@ namespace RollingContact
     const Stopwatch    watch;
     const unsigned int max_meshes = 10;
     PatchEstimate      patch      = estimate_patch(scene);
+    double             elements   = 0.; // by which the zone is enlarged
     const auto         grade      = [&]() {
-      return make_grading<dim>(scene,
-                               patch,
-                               scene.mesh.elements_across_patch,
-                               scene.mesh.offset());
+      Grading<dim> result = make_grading<dim>(scene,
+                                              patch,
+                                              scene.mesh.elements_across_patch,
+                                              scene.mesh.offset());
+      result.zone_x += elements * result.element_size_x;
+      result.zone_y += elements * result.element_size_y;
+      return result;
     };
     Grading<dim> grading = grade();
     bool         aligned = !scene.mesh.aligned(), resized = false;
@@ -154,9 +166,14 @@ namespace RollingContact
         const Resultants &result = steady.result;
         if (zone_too_small(steady))
           {
-            patch.half_width_x *= 1.5;
-            patch.half_width_y *= 1.5;
-            grading = grade();
+            // a zone a little too small needs no larger elements
+            if (elements > 0.)
+              {
+                patch.half_width_x *= 1.5;
+                patch.half_width_y *= 1.5;
+              }
+            elements = elements > 0. ? 0. : 1.;
+            grading  = grade();
             context.log.message(
               "The patch reaches the border of the candidate zone; the zone is "
               "enlarged to " +

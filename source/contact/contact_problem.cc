@@ -287,6 +287,6 @@ namespace RollingContact
   TangentialProblem
   tangential_problem(const ContactProblem &contact, const ContactState &state)
   {
-    return TangentialProblem(contact, state.pressure, state.linear_edges);
+    return TangentialProblem(contact, state.pressure, state.edges);
   }
 } // namespace RollingContact

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace RollingContact
 {
@@ -75,7 +76,7 @@ namespace RollingContact
 
 
     /**
-     * kappa L of one component at node 1.
+     * kappa [q1 - p1 (a g2 - b g3 + c)] of one component at node 1.
      */
     void
     add_law(const EdgeCompanion       &edge,
@@ -83,24 +84,23 @@ namespace RollingContact
             const unsigned int         component,
             const std::vector<double> &field,
             const std::vector<double> &coupling,
-            const bool                 linear,
+            const EdgeExtrapolation   &law,
             TangentialProblem         &problem)
     {
-      const double h = edge.along(1) - edge.along(0),
-                   r = linear ? h / (edge.along(2) - edge.along(1)) : 0.;
+      const double h = edge.along(1) - edge.along(0);
       const double kappa =
         2 * std::abs(edge.compliance(0, 0) - edge.compliance(1, 0)) / h;
       const std::array<double, 3> weights{
         {kappa,
-         -kappa * (1 + r) * field[0] / field[1],
-         kappa * r * field[0] / field[2]}};
+         -kappa * law.second * field[0] / field[1],
+         kappa * law.third * field[0] / field[2]}};
       SparseRows::Row &row = problem.edge_rows[component][run.nodes[0]];
       double          &constant =
         problem
           .edge_constants[component * problem.contact.n_nodes + run.nodes[0]];
-      constant = 0.;
+      constant = -kappa * field[0] * law.rest[component];
       row.clear();
-      for (unsigned int k = 0; k < (linear ? 3u : 2u); ++k)
+      for (unsigned int k = 0; k < (law.third != 0. ? 3u : 2u); ++k)
         {
           row.emplace_back(run.nodes[k], weights[k]);
           constant -= weights[k] * coupling[k];
@@ -111,7 +111,7 @@ namespace RollingContact
 
     /**
      * A first node that barely touches carries friction in the proportion of
-     * the next node, by the constant law.
+     * the next node.
      */
     void
     follow_next_node(const ContactProblem      &contact,
@@ -128,7 +128,7 @@ namespace RollingContact
                   c,
                   edge.on_run(pressure),
                   std::vector<double>(run.nodes.size(), 0.),
-                  false,
+                  EdgeExtrapolation(),
                   problem);
         }
     }
@@ -166,14 +166,55 @@ namespace RollingContact
 
 
 
-  void
-  apply_edge_law(const std::vector<double> &pressure,
-                 const std::vector<bool>   &linear_edges,
-                 TangentialProblem         &problem)
+  namespace
   {
-    const ContactProblem &contact = problem.contact;
-    const auto            linear  = [&](const unsigned int node) {
-      return !linear_edges.empty() && linear_edges[node];
+    /**
+     * The row of node 1 and what extrapolate_edges() needs.
+     */
+    void
+    add_edge(const ContactProblem                   &contact,
+             const TouchingRun                      &run,
+             const std::vector<double>              &frictional,
+             const std::vector<std::vector<double>> &displacements,
+             const EdgeExtrapolation                *extrapolation,
+             TangentialProblem                      &problem)
+    {
+      take_inside_derivative(EdgeCompanion(contact, run, 0), run, problem);
+      ContactEdge record;
+      record.nodes = run.nodes;
+      for (unsigned int c = 0; c < contact.n_tangential; ++c)
+        {
+          const EdgeCompanion edge(contact, run, c);
+          record.companion[c] = edge.pressure(frictional, displacements[c]);
+          record.coupling[c]  = edge.coupling_traction(frictional);
+          add_law(edge,
+                  run,
+                  c,
+                  extrapolation ? record.companion[c] : edge.on_run(frictional),
+                  record.coupling[c],
+                  extrapolation ? *extrapolation : EdgeExtrapolation(),
+                  problem);
+        }
+      for (std::size_t k = 0; k < run.nodes.size(); ++k)
+        record.along.push_back(EdgeCompanion(contact, run, 0).along(k));
+      problem.edges.push_back(std::move(record));
+    }
+  } // namespace
+
+
+
+  void
+  apply_edge_law(const std::vector<double>            &pressure,
+                 const std::vector<EdgeExtrapolation> &extrapolations,
+                 TangentialProblem                    &problem)
+  {
+    const ContactProblem &contact       = problem.contact;
+    const auto            extrapolation = [&](const unsigned int node) {
+      const auto found =
+        std::find_if(extrapolations.begin(),
+                     extrapolations.end(),
+                     [&](const auto &edge) { return edge.first == node; });
+      return found == extrapolations.end() ? nullptr : &*found;
     };
     auto                runs = touching_runs(contact.slip_operator, pressure);
     std::vector<double> frictional = pressure;
@@ -187,7 +228,7 @@ namespace RollingContact
           drops_first_node(contact, run, pressure, displacements))
         {
           const unsigned int first = run.nodes[0];
-          if (linear(run.nodes[1]))
+          if (extrapolation(run.nodes[1]))
             {
               problem.bound[first] = frictional[first] = 0.;
               released                                 = true;
@@ -203,50 +244,121 @@ namespace RollingContact
     for (const TouchingRun &run : runs)
       {
         replace_slip_rows(run, inside, problem);
-        if (!run.leading || run.nodes.size() < 3)
-          continue;
-        const auto        &nodes = run.nodes;
-        const unsigned int first = nodes[0];
-        take_inside_derivative(EdgeCompanion(contact, run, 0), run, problem);
-        problem.edges.push_back({{{first, nodes[1], nodes[2]}},
-                                 static_cast<unsigned int>(nodes.size())});
-        for (unsigned int c = 0; c < contact.n_tangential; ++c)
-          {
-            const EdgeCompanion edge(contact, run, c);
-            add_law(edge,
-                    run,
-                    c,
-                    linear(first) ? edge.pressure(frictional, displacements[c])
-                                  : edge.on_run(frictional),
-                    edge.coupling_traction(frictional),
-                    linear(first),
-                    problem);
-          }
+        if (run.leading && run.nodes.size() >= 3)
+          add_edge(contact,
+                   run,
+                   frictional,
+                   displacements,
+                   extrapolation(run.nodes[0]),
+                   problem);
       }
   }
 
 
 
-  std::vector<bool>
-  sticking_edges(const TangentialProblem   &problem,
-                 const std::vector<double> &traction,
-                 const unsigned int         first)
+  namespace
   {
-    std::vector<bool>  result;
-    const unsigned int n      = problem.contact.n_nodes;
-    const auto         sticks = [&](const unsigned int node) {
-      double size = 0.;
-      for (unsigned int c = 0; c < problem.contact.n_tangential; ++c)
-        size = std::hypot(size, traction[c * n + node]);
-      return size < (1 - 1e-9) * problem.bound[node];
-    };
-    for (const ContactEdge &edge : problem.edges)
-      if (edge.n_touching >= 4 &&
-          std::all_of(edge.nodes.begin() + first, edge.nodes.end(), sticks))
+    using Vector2 = std::array<double, 2>;
+
+    double
+    size(const Vector2 &v)
+    {
+      return std::hypot(v[0], v[1]);
+    }
+
+
+
+    /**
+     * The first node of the line that carries the full traction bound; the
+     * length of the line if there is none.
+     */
+    std::size_t
+    first_slipping(const ContactEdge         &edge,
+                   const TangentialProblem   &problem,
+                   const std::vector<double> &traction)
+    {
+      const unsigned int n = problem.contact.n_nodes;
+      std::size_t        k = 0;
+      for (; k < edge.nodes.size(); ++k)
         {
-          result.resize(n, false);
-          result[edge.nodes[0]] = true;
+          const unsigned int node = edge.nodes[k];
+          double             q    = 0.;
+          for (unsigned int c = 0; c < problem.contact.n_tangential; ++c)
+            q = std::hypot(q, traction[c * n + node]);
+          if (q >= (1 - 1e-9) * problem.bound[node])
+            break;
         }
+      return k;
+    }
+  } // namespace
+
+
+
+  std::vector<EdgeExtrapolation>
+  extrapolate_edges(const TangentialProblem   &problem,
+                    const std::vector<double> &traction)
+  {
+    const unsigned int n            = problem.contact.n_nodes,
+                       n_components = problem.contact.n_tangential;
+    std::vector<EdgeExtrapolation> result;
+    for (const ContactEdge &edge : problem.edges)
+      {
+        const std::size_t slipping = first_slipping(edge, problem, traction);
+        if (edge.nodes.size() < 4 || slipping < 2)
+          continue;
+        const auto g = [&](const std::size_t k) {
+          Vector2 value{{0., 0.}};
+          for (unsigned int c = 0; c < n_components; ++c)
+            value[c] = (traction[c * n + edge.nodes[k]] - edge.coupling[c][k]) /
+                       edge.companion[c][k];
+          return value;
+        };
+        const double r =
+          (edge.along[1] - edge.along[0]) / (edge.along[2] - edge.along[1]);
+        EdgeExtrapolation law{edge.nodes[0], 1 + r, r, {{0., 0.}}};
+        if (slipping < edge.nodes.size())
+          {
+            const Vector2 e = g(slipping), g2 = g(1), g3 = g(2);
+            const Vector2 drop2{{g2[0] - e[0], g2[1] - e[1]}},
+              drop3{{g3[0] - e[0], g3[1] - e[1]}};
+            const double rho2 = std::hypot(drop2[0], drop2[1]);
+            if (!(rho2 > 0.))
+              continue;
+            const double rho3 =
+              std::max(0., (drop2[0] * drop3[0] + drop2[1] * drop3[1]) / rho2);
+            // never less than half of the next node's, whatever the roughness
+            const double rho1 =
+              std::sqrt(std::max((1 + r) * rho2 * rho2 - r * rho3 * rho3,
+                                 0.25 * rho2 * rho2));
+            if (!(rho1 > 0.))
+              continue;
+            law.second = (1 + r) * rho2 / rho1;
+            law.third  = r * rho3 / rho1;
+            for (unsigned int c = 0; c < n_components; ++c)
+              law.rest[c] = e[c] * (1 - law.second + law.third);
+          }
+        result.push_back(law);
+      }
     return result;
+  }
+
+
+
+  double
+  difference(const std::vector<EdgeExtrapolation> &first,
+             const std::vector<EdgeExtrapolation> &second)
+  {
+    double largest = 0.;
+    for (std::size_t k = 0; k < first.size(); ++k)
+      {
+        if (first.size() != second.size() || first[k].first != second[k].first)
+          return std::numeric_limits<double>::infinity();
+        largest = std::max({largest,
+                            std::abs(first[k].second - second[k].second),
+                            std::abs(first[k].third - second[k].third)});
+      }
+    return first.size() == second.size()
+             ? largest
+             : std::numeric_limits<double>::infinity();
   }
 } // namespace RollingContact

@@ -20,9 +20,10 @@ namespace RollingContact
 
 
 
-  TangentialProblem::TangentialProblem(const ContactProblem      &contact,
-                                       const std::vector<double> &pressure,
-                                       const std::vector<bool>   &linear_edges)
+  TangentialProblem::TangentialProblem(
+    const ContactProblem                 &contact,
+    const std::vector<double>            &pressure,
+    const std::vector<EdgeExtrapolation> &extrapolations)
     : contact(contact)
     , B1(contact.slip_operator.rows())
     , B2(identity(contact.n_nodes))
@@ -37,7 +38,7 @@ namespace RollingContact
       {
         edge_rows.assign(contact.n_tangential, SparseRows(contact.n_nodes));
         edge_constants.assign(slip_at_zero.size(), 0.);
-        apply_edge_law(pressure, linear_edges, *this);
+        apply_edge_law(pressure, extrapolations, *this);
       }
     slip_at_zero = B2.multiply(contact.rigid_slip);
     const std::vector<double> coupling =

@@ -77,19 +77,21 @@ namespace RollingContact
 
 
     /**
-     * True if the middle of a box lies in the ellipse of the given semi-axes,
-     * by a margin that keeps rounding from deciding.
+     * True if the middle of a box lies in the zone of contact nodes, by a
+     * margin that keeps rounding from deciding.
      */
     template <int dim>
     bool
-    in_ellipse(const Point<dim>            &lower,
-               const Point<dim>            &upper,
-               const std::array<double, 2> &semi_axes)
+    in_zone(const Point<dim>   &lower,
+            const Point<dim>   &upper,
+            const Grading<dim> &zone)
     {
+      const std::array<double, 2> semi_axes{{zone.semi_axis_x(), zone.zone_y}},
+        centre{{zone.centre_x(), 0.}};
       double sum = 0.;
       for (int d = 0; d < dim - 1; ++d)
         {
-          const double middle = std::abs(lower[d] + upper[d]) / 2,
+          const double middle = std::abs((lower[d] + upper[d]) / 2 - centre[d]),
                        margin = 0.01 * (upper[d] - lower[d]);
           sum += std::pow(std::max(0., middle - margin) / semi_axes[d], 2);
         }
@@ -139,12 +141,11 @@ namespace RollingContact
 
   template <int dim>
   void
-  ElasticBody<dim>::surface(const double              extent_x,
-                            const double              extent_y,
+  ElasticBody<dim>::surface(const Grading<dim>       &zone,
                             std::vector<SurfaceNode> &nodes,
                             std::vector<SurfaceFace> &faces) const
   {
-    const std::array<double, 2> extent{{extent_x, extent_y}};
+    const std::array<double, 2> extent{{zone.zone_x, zone.zone_y}};
     std::map<types::global_dof_index, Point<dim - 1>> vertices, used;
     for_each_surface_face([&](const CellIterator &cell, const unsigned int f) {
       for (const unsigned int v : cell->face(f)->vertex_indices())
@@ -159,7 +160,7 @@ namespace RollingContact
     faces.clear();
     for_each_surface_face([&](const CellIterator &cell, const unsigned int f) {
       const auto box = body_mesh.chart_box(cell);
-      if (!in_ellipse(box.first, box.second, extent))
+      if (!in_zone(box.first, box.second, zone))
         return;
       faces.push_back(
         {without_depth(box.first), without_depth(box.second), {}});

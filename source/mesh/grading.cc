@@ -44,14 +44,18 @@ namespace RollingContact
   Grading<dim>::allowed_size(const Point<dim> &lower,
                              const Point<dim> &upper) const
   {
-    const auto nearest = [&](const unsigned int d) {
-      return interval_distance(lower[d], upper[d], 0., 0.);
+    const double fine_x = semi_axis_x() + element_size_x,
+                 fine_y = zone_y + element_size_y;
+    const auto nearest  = [&](const unsigned int d, const double centre) {
+      return interval_distance(lower[d], upper[d], centre, centre);
     };
-    double outside = interval_distance(lower[0], upper[0], -zone_x, zone_x);
+    double outside = std::max(0., nearest(0, centre_x()) - fine_x);
     if (dim == 3)
-      outside =
-        std::max(0., std::hypot(nearest(0) / zone_x, nearest(1) / zone_y) - 1) *
-        zone_x;
+      outside = std::max(0.,
+                         std::hypot(nearest(0, centre_x()) / fine_x,
+                                    nearest(1, 0.) / fine_y) -
+                           1) *
+                fine_x;
     const double distance = std::hypot(
       outside,
       interval_distance(lower[dim - 1], upper[dim - 1], -zone_depth, 0.));

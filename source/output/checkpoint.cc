@@ -1,6 +1,7 @@
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
 #include <boost/crc.hpp>
+#include <boost/serialization/array.hpp>
 #include <boost/serialization/map.hpp>
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/vector.hpp>
@@ -42,6 +43,17 @@ namespace boost
 
     template <typename Archive>
     void
+    serialize(Archive                           &archive,
+              RollingContact::EdgeExtrapolation &edge,
+              [[maybe_unused]] unsigned int      version)
+    {
+      archive &edge.first &edge.second &edge.third &edge.rest;
+    }
+
+
+
+    template <typename Archive>
+    void
     serialize(Archive                      &archive,
               RollingContact::Checkpoint   &checkpoint,
               [[maybe_unused]] unsigned int version)
@@ -50,7 +62,7 @@ namespace boost
       archive &c.tables;
       archive &c.step &c.time &c.rolled_distance &c.time_step;
       archive &c.wheel &c.rail;
-      archive &c.pressure &c.traction &c.approach &c.linear_edges;
+      archive &c.pressure &c.traction &c.approach &c.edges;
       archive &c.supplied_energy &c.friction_energy &c.damping_energy;
       archive &c.numerical_energy &c.energy_error &c.n_impacts;
       archive &c.history.n_rows &c.history.n_bytes;
@@ -67,7 +79,7 @@ namespace RollingContact
     struct Head
     {
       char          mark[24] = "rolling-contact restart"; ///< with its '\0'
-      std::uint32_t version  = 1; ///< to be raised with every change above
+      std::uint32_t version  = 2; ///< to be raised with every change above
       std::uint32_t checksum = 0; ///< CRC-32 of the archive
       std::uint64_t n_bytes  = 0; ///< of the archive
     };

@@ -47,74 +47,112 @@ namespace RollingContact
 
   namespace
   {
+    using Edges = std::vector<EdgeExtrapolation>;
+
     /**
-     * The edges marked in both; empty if there is none.
+     * The law of @p now at the edge of @p next, null if it has none.
      */
-    std::vector<bool>
-    common_edges(const std::vector<bool> &first,
-                 const std::vector<bool> &second)
+    const EdgeExtrapolation *
+    find(const Edges &now, const EdgeExtrapolation &next)
     {
-      std::vector<bool> common(std::min(first.size(), second.size()));
-      for (std::size_t i = 0; i < common.size(); ++i)
-        common[i] = first[i] && second[i];
-      return std::find(common.begin(), common.end(), true) == common.end()
-               ? std::vector<bool>()
-               : common;
+      const auto found =
+        std::find_if(now.begin(), now.end(), [&](const auto &edge) {
+          return edge.first == next.first;
+        });
+      return found == now.end() ? nullptr : &*found;
+    }
+
+
+
+    /**
+     * @p part of the way from @p now to @p next.
+     */
+    Edges
+    moved(const Edges &now, const Edges &next, const double part)
+    {
+      Edges result = next;
+      for (EdgeExtrapolation &edge : result)
+        if (const EdgeExtrapolation *old = find(now, edge))
+          {
+            edge.second = old->second + part * (edge.second - old->second);
+            edge.third  = old->third + part * (edge.third - old->third);
+            for (unsigned int c = 0; c < 2; ++c)
+              edge.rest[c] =
+                old->rest[c] + part * (edge.rest[c] - old->rest[c]);
+          }
+      return result;
+    }
+
+
+
+    /**
+     * Those of @p now that @p next has as well.
+     */
+    Edges
+    common(const Edges &now, const Edges &next)
+    {
+      Edges result;
+      for (const EdgeExtrapolation &edge : now)
+        if (find(next, edge))
+          result.push_back(edge);
+      return result;
     }
   } // namespace
-
-
-
-  bool
-  Alternation::solve_friction(const ContactProblem &problem,
-                              ContactState         &state,
-                              SolverReport         &report) const
-  {
-    const unsigned int max_rounds = 4;
-    if (problem.n_tangential == 0)
-      return true;
-    if (!state.linear_edges.empty())
-      {
-        const TangentialProblem friction = tangential_problem(problem, state);
-        if (solve_with_any(friction, state, report) &&
-            sticking_edges(friction, state.traction) == state.linear_edges)
-          return true;
-      }
-    state.linear_edges.clear();
-    const TangentialProblem constant_law = tangential_problem(problem, state);
-    if (!solve_with_any(constant_law, state, report))
-      return false;
-    state.linear_edges = sticking_edges(constant_law, state.traction, 1);
-    for (unsigned int round = 0; round < max_rounds; ++round)
-      {
-        if (state.linear_edges.empty())
-          return round == 0 ||
-                 solve_with_any(tangential_problem(problem, state),
-                                state,
-                                report);
-        const TangentialProblem linear_law = tangential_problem(problem, state);
-        if (!solve_with_any(linear_law, state, report))
-          return false;
-        const auto sticking = sticking_edges(linear_law, state.traction);
-        if (sticking == state.linear_edges)
-          return true;
-        state.linear_edges = common_edges(sticking, state.linear_edges);
-      }
-    return solve_with_any(tangential_problem(problem, state), state, report);
-  }
 
 
 
   SolverReport
   Alternation::solve(const ContactProblem &problem, ContactState &state) const
   {
-    const unsigned int plain_passes = 10, max_passes = 200, depth = 5;
+    // full steps first, then shorter ones: the rounds tend to alternate
+    const unsigned int full_rounds = 2, max_rounds = 16;
+    const double       settled = 1e-5, part = 0.7;
     SolverReport       report;
-    Anderson           anderson(depth);
+    report.solver = "active set";
     state.pressure.resize(problem.n_nodes, 0.);
     state.traction.resize(problem.n_tangential * problem.n_nodes, 0.);
-    report.solver = "active set";
-    while (report.passes < max_passes)
+    ContactState solved;
+    for (unsigned int round = 0; round < max_rounds; ++round)
+      {
+        alternate(problem, state, report);
+        if (!report.converged && (round > 0 || !state.edges.empty()))
+          {
+            // a node that barely touches may come and go with what is asked of
+            // the next one: go back to a law that had a solution
+            if (round > 0)
+              state = solved;
+            else
+              state.edges.clear();
+            alternate(problem, state, report);
+            report.solver += ", edges of an earlier round";
+            return report;
+          }
+        if (!report.converged)
+          return report;
+        solved = state;
+        const Edges edges =
+          extrapolate_edges(tangential_problem(problem, state), state.traction);
+        if (difference(edges, state.edges) <= settled)
+          return report;
+        state.edges = round < full_rounds      ? edges
+                      : round + 1 < max_rounds ? moved(state.edges, edges, part)
+                                               : common(state.edges, edges);
+      }
+    alternate(problem, state, report);
+    return report;
+  }
+
+
+
+  void
+  Alternation::alternate(const ContactProblem &problem,
+                         ContactState         &state,
+                         SolverReport         &report) const
+  {
+    const unsigned int plain_passes = 10, max_passes = 200, depth = 5;
+    Anderson           anderson(depth);
+    report.converged = false;
+    for (unsigned int pass = 1; pass <= max_passes; ++pass)
       {
         ++report.passes;
         const SolverReport pressure = normal->solve(problem, state);
@@ -122,7 +160,9 @@ namespace RollingContact
         report.normal_solves += pressure.normal_solves;
         const std::vector<double> start = state.traction;
         const bool                solved =
-          pressure.converged && solve_friction(problem, state, report);
+          pressure.converged &&
+          (problem.n_tangential == 0 ||
+           solve_with_any(tangential_problem(problem, state), state, report));
         if (!pressure.converged)
           report.reason = pressure.reason;
         report.residual =
@@ -133,22 +173,21 @@ namespace RollingContact
                             ? "the traction is not a number"
                             : "the pressure is not a number";
         if (!solved || !std::isfinite(report.residual.worst()))
-          return report;
+          return;
         if (report.residual.worst() <= controls.tolerance)
           {
             report.converged = true;
             report.reason.clear();
-            return report;
+            return;
           }
         if (!problem.coupled)
           {
             report.reason = "rounding keeps the residual above the tolerance";
-            return report;
+            return;
           }
-        if (report.passes >= plain_passes)
+        if (pass >= plain_passes)
           state.traction = anderson.next(start, state.traction);
       }
     report.reason = "alternating normal and tangential solves did not settle";
-    return report;
   }
 } // namespace RollingContact

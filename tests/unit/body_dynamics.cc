@@ -216,7 +216,7 @@ BOOST_AUTO_TEST_CASE(a_slow_step_is_static)
   ElasticBody<2> body(disc(), steel, 0.02, grading<2>(0.5));
   std::vector<ElasticBody<2>::SurfaceNode> nodes;
   std::vector<ElasticBody<2>::SurfaceFace> faces;
-  body.surface(1.5 * half_width, 0., nodes, faces);
+  body.surface(grading<2>(0.5), nodes, faces);
   const std::vector<unsigned int> components{0, 1};
   const auto                      contact = body.unknowns(nodes, components);
   const DenseMatrix               W       = body.compliance(nodes, components);
@@ -250,7 +250,7 @@ BOOST_AUTO_TEST_CASE(a_static_state_stays_put)
   const ElasticBody<2> body(disc(), steel, 0.02, grading<2>(0.5));
   std::vector<ElasticBody<2>::SurfaceNode> nodes;
   std::vector<ElasticBody<2>::SurfaceFace> faces;
-  body.surface(1.5 * half_width, 0., nodes, faces);
+  body.surface(grading<2>(0.5), nodes, faces);
   const auto    contact = body.unknowns(nodes, {0, 1});
   Factorisation K(body.stiffness(), body.nodes_of_unknowns());
   K.factorise();

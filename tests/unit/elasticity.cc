@@ -50,7 +50,7 @@ namespace
   {
     explicit Surface(const ElasticBody<2> &body)
     {
-      body.surface(1.5 * half_width, 0., nodes, faces);
+      body.surface(grading(48, 1.), nodes, faces);
     }
 
     std::vector<ElasticBody<2>::SurfaceNode> nodes;

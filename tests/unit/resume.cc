@@ -205,18 +205,18 @@ BOOST_FIXTURE_TEST_CASE(checkpoints_keep_every_bit, ScratchFolder)
   RunFolder run(folder, scene, scene);
   run.open();
   Checkpoint state;
-  state.tables   = {{"Time/Speed (table)", "12 rows"}};
-  state.step     = 1234567890123u;
-  state.time     = 0.1 + 0.2;
-  state.wheel    = {{-0., std::numeric_limits<double>::denorm_min(), 1. / 3},
-                    {std::nextafter(1., 2.), INFINITY, std::nan("7")}};
-  state.pressure = {1e300, -1e-300};
-  state.traction = {M_PI};
-  state.approach = std::nextafter(2.2e-4, 0.);
-  state.linear_edges = {true, false, true};
-  state.n_impacts    = 8;
-  state.history      = {17, 4321};
-  state.body_fields  = {{0.1, 1, "rail", "rail-0001.vtu"}};
+  state.tables      = {{"Time/Speed (table)", "12 rows"}};
+  state.step        = 1234567890123u;
+  state.time        = 0.1 + 0.2;
+  state.wheel       = {{-0., std::numeric_limits<double>::denorm_min(), 1. / 3},
+                       {std::nextafter(1., 2.), INFINITY, std::nan("7")}};
+  state.pressure    = {1e300, -1e-300};
+  state.traction    = {M_PI};
+  state.approach    = std::nextafter(2.2e-4, 0.);
+  state.edges       = {{3, 1. / 3, 0.1, {{-0.3, 0.}}}, {7, 2., 1., {{0., 0.}}}};
+  state.n_impacts   = 8;
+  state.history     = {17, 4321};
+  state.body_fields = {{0.1, 1, "rail", "rail-0001.vtu"}};
   write_checkpoint(Checkpoint(), run);
   write_checkpoint(state, run);
 
@@ -234,7 +234,11 @@ BOOST_FIXTURE_TEST_CASE(checkpoints_keep_every_bit, ScratchFolder)
   BOOST_TEST(copy.rail.displacement.empty());
   BOOST_TEST((copy.pressure == state.pressure));
   BOOST_TEST((copy.traction == state.traction));
-  BOOST_TEST((copy.linear_edges == state.linear_edges));
+  BOOST_TEST(copy.edges.size() == 2u);
+  BOOST_TEST(copy.edges[0].first == 3u);
+  BOOST_TEST(same_bits(copy.edges[0].second, state.edges[0].second));
+  BOOST_TEST(same_bits(copy.edges[0].third, state.edges[0].third));
+  BOOST_TEST((copy.edges[0].rest == state.edges[0].rest));
   BOOST_TEST(copy.n_impacts == 8u);
   BOOST_TEST(copy.history.n_rows == 17u);
   BOOST_TEST(copy.history.n_bytes == 4321u);

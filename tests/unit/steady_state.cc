@@ -96,6 +96,21 @@ BOOST_AUTO_TEST_CASE(partial_slip_follows_carter)
   BOOST_TEST(mean_l2 < 1e-2);
 }
 
+BOOST_AUTO_TEST_CASE(a_stick_zone_of_three_elements_follows_carter)
+{
+  // at 0.8 of saturation a fifth of the patch sticks; extrapolating q / p
+  // itself to the edge errs by 1e-2 to 3e-2 here
+  for (const double offset : {0.25, 0.5, 0.75})
+    {
+      const Run run([&](SceneParameters &scene) {
+        scene.mesh.elements_across_patch = 12;
+        scene.mesh.patch_offset          = std::to_string(offset);
+        scene.contact.creepage_x         = 0.8 * 0.005517;
+      });
+      BOOST_TEST(std::abs(run.errors().force) < 5e-3);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(pure_rolling_and_full_slip)
 {
   const Run rolling(

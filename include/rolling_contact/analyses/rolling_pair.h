@@ -117,7 +117,7 @@ namespace RollingContact
     }
 
     void
-    pair_surfaces(const double extent_x, const double extent_y);
+    pair_surfaces(const Grading<dim> &zone);
 
     /**
      * W = W_W + W_R. Units: m/N.

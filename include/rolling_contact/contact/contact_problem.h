@@ -130,24 +130,41 @@ namespace RollingContact
   };
 
   /**
+   * What the edge law asks of the first node of a line of touching nodes, by
+   * the next two: g1 = second g2 - third g3 + rest, g = (q - q_n) / p. See
+   * edge_law.h.
+   */
+  struct EdgeExtrapolation
+  {
+    unsigned int          first  = 0; ///< node
+    double                second = 1.;
+    double                third  = 0.;
+    std::array<double, 2> rest{{0., 0.}}; ///< for each tangential component
+  };
+
+  /**
    * The unknowns: pressure and traction at the nodes, and the approach when the
    * load is given. Units: Pa, m.
    */
   struct ContactState
   {
-    std::vector<double> pressure;
-    std::vector<double> traction;
-    double              approach = 0.;
-    std::vector<bool>   linear_edges; ///< see edge_law.h; empty for none
+    std::vector<double>            pressure;
+    std::vector<double>            traction;
+    double                         approach = 0.;
+    std::vector<EdgeExtrapolation> edges; ///< where not g1 = g2
   };
 
   /**
-   * The upstream end of a line of touching nodes, in the order of the flow.
+   * A line of touching nodes from its leading edge on, in the order of the
+   * flow, with the fields of the edge law for each tangential component. Units:
+   * m, Pa.
    */
   struct ContactEdge
   {
-    std::array<unsigned int, 3> nodes; ///< the first three
-    unsigned int                n_touching;
+    std::vector<unsigned int>          nodes;
+    std::vector<double>                along;     ///< coordinates
+    std::array<std::vector<double>, 2> companion; ///< of p
+    std::array<std::vector<double>, 2> coupling;  ///< q_n
   };
 
   /**
@@ -157,9 +174,9 @@ namespace RollingContact
    */
   struct TangentialProblem
   {
-    TangentialProblem(const ContactProblem      &contact,
-                      const std::vector<double> &pressure,
-                      const std::vector<bool>   &linear_edges);
+    TangentialProblem(const ContactProblem                 &contact,
+                      const std::vector<double>            &pressure,
+                      const std::vector<EdgeExtrapolation> &extrapolations);
 
     /**
      * What the friction law acts on, s(q) = slip_at_zero + slip_of(W_tt H q) +

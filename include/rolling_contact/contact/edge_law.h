@@ -9,26 +9,23 @@ namespace RollingContact
    * The edge law. A stick zone that begins at the leading edge does not know
    * where between two nodes the edge lies, which makes every upstream B1 first
    * order in force. The pressure knows it: next to the edge, traction and
-   * pressure grow with the same square root, so q / p is smooth there. On each
-   * line of touching nodes 1, 2, 3, ... along the flow, h = x2 - x1, h2 = x3 -
-   * x2, r = h / h2:
+   * pressure grow with the same square root, so g = q / p is smooth there. On
+   * each line of touching nodes 1, 2, 3, ... along the flow, h = x2 - x1:
    *
-   *   node 1:  s = s_0 + u'(x1) from nodes 1, 2, 3 + kappa L(q),
-   *            L = q1 - p1 q2/p2                              (constant law) or
-   *            L = q1 - p1 [(1 + r) q2/p2 - r q3/p3]          (linear law),
+   *   node 1:  s = s_0 + u'(x1) from nodes 1, 2, 3
+   *                + kappa [q1 - p1 (a g2 - b g3 + c)],
    *            kappa = 2 |A_11 - A_21| / h, A = W_tt H;
    *   next nodes whose second upstream point lies outside the contact:
    *            s = s_0 + (u(x) - u(x-d)) / d, all at x - d/2;
    *   others:  second order upstream.
    *
-   * The linear law holds where the first three of at least four nodes stick,
-   * see sticking_edges(); s of the whole line is the known one in full slip. p
-   * is the discrete companion of the pressure in the tangential compliance. A
-   * first node whose companion pulls barely touches, and the next one counts as
-   * first: it carries no friction where the linear law holds, and follows the
-   * next node by the constant law elsewhere. With normal-tangential coupling L
-   * acts on q - q_n, where q_n answers the tangential displacement of the
-   * pressure near the edge. For both see EdgeCompanion.
+   * a, b and c are those of extrapolate_edges(). p is the discrete companion of
+   * the pressure in the tangential compliance. A first node whose companion
+   * pulls barely touches, and the next one counts as first: it carries no
+   * friction where g is extrapolated, and follows the next node (g1 = g2)
+   * elsewhere. With normal-tangential coupling g = (q - q_n) / p, where q_n
+   * answers the tangential displacement of the pressure near the edge. For both
+   * see EdgeCompanion.
    *
    * A line of a refined part that begins where the point one element upstream
    * is in contact has no leading edge: its first nodes keep their rows, which
@@ -36,20 +33,35 @@ namespace RollingContact
    * is interpolated from touch.
    */
   void
-  apply_edge_law(const std::vector<double> &pressure,
-                 const std::vector<bool>   &linear_edges,
-                 TangentialProblem         &problem);
+  apply_edge_law(const std::vector<double>            &pressure,
+                 const std::vector<EdgeExtrapolation> &extrapolations,
+                 TangentialProblem                    &problem);
 
   /**
-   * True at the first node of each edge of at least four touching nodes whose
-   * first three nodes, from the one numbered @p first on, stick at this
-   * traction; empty if there is none. The linear law holds where all three
-   * stick under it.
+   * The extrapolations the traction asks for. With e the value of g at the
+   * first node that slips, rho = g - e vanishes with the square root of the
+   * distance to the transition, as in Carter's solution: there rho^2 =
+   * (l - x)/(2a - x) times a constant, l the length of the stick zone and x
+   * from the edge. So rho^2 is taken as linear in x,
+   *
+   *   |rho1|^2 = (1 + r) |rho2|^2 - r |rho3|^2,    r = (x2 - x1)/(x3 - x2),
+   *
+   * and what is given is its tangent, a = (1 + r) |rho2|/|rho1|, b = r
+   * |rho3|/|rho1|, c = e (1 - a + b). On lines that stick throughout g itself
+   * is linear; where node 1 or 2 slips and on lines of less than four nodes g1
+   * = g2, and there is no entry.
    */
-  std::vector<bool>
-  sticking_edges(const TangentialProblem   &problem,
-                 const std::vector<double> &traction,
-                 const unsigned int         first = 0);
+  std::vector<EdgeExtrapolation>
+  extrapolate_edges(const TangentialProblem   &problem,
+                    const std::vector<double> &traction);
+
+  /**
+   * The largest difference between two sets of extrapolations, in their
+   * coefficients a and b; infinite if they are of different edges.
+   */
+  double
+  difference(const std::vector<EdgeExtrapolation> &first,
+             const std::vector<EdgeExtrapolation> &second);
 } // namespace RollingContact
 
 #endif

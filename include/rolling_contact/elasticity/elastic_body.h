@@ -56,12 +56,11 @@ namespace RollingContact
                 const Grading<dim> &grading);
 
     /**
-     * Faces of the contact surface inside |x| <= @p extent_x, |y| <= @p
-     * extent_y and the nodes they touch, in ascending x (then y).
+     * Faces of the contact surface in the zone of contact nodes and the nodes
+     * they touch, in ascending x (then y).
      */
     void
-    surface(const double              extent_x,
-            const double              extent_y,
+    surface(const Grading<dim>       &zone,
             std::vector<SurfaceNode> &nodes,
             std::vector<SurfaceFace> &faces) const;
 

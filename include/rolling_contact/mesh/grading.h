@@ -3,6 +3,7 @@
 
 #include <deal.II/base/point.h>
 
+#include <cmath>
 #include <vector>
 
 namespace RollingContact
@@ -20,12 +21,13 @@ namespace RollingContact
   };
 
   /**
-   * Element sizes around the patch, the same for both bodies: elements of size
-   * element_size[] in the zone |x| <= zone_x, |y| <= zone_y, depth <=
-   * zone_depth, growing by @p growth times the distance from it. Towards the
-   * rim of the patch, sizes are halved up to rim_levels more times, the leading
-   * edge alone if leading_edge_only. Refined boxes come on top. Units: m,
-   * shifts in elements.
+   * Element sizes around the patch, the same for both bodies. The nodes that
+   * may touch are those of the ellipse with semi-axes zone_x and zone_y, longer
+   * by an element on its upstream side. Elements have size element_size[] in it
+   * and one element around it, to zone_depth, growing by @p growth times the
+   * distance from there. Towards the rim of the patch, sizes are halved up to
+   * rim_levels more times, the leading edge alone if leading_edge_only. Refined
+   * boxes come on top. Units: m, shifts in elements.
    */
   template <int dim>
   struct Grading
@@ -34,6 +36,7 @@ namespace RollingContact
     double       element_size_y  = 0.; ///< 3D only
     double       zone_x          = 0.;
     double       zone_y          = 0.;
+    int          upstream        = 0; ///< its side: sign of x, 0 for none
     double       zone_depth      = 0.;
     double       growth          = 0.5;
     double       offset          = 0.; ///< shift of the mesh in +x, in elements
@@ -44,6 +47,21 @@ namespace RollingContact
     double       rim_width         = 0.; ///< half-width of the refined band
 
     std::vector<RefinedBox<dim>> boxes;
+
+    /**
+     * Centre and semi-axis in x of the ellipse of nodes that may touch.
+     */
+    double
+    centre_x() const
+    {
+      return upstream * element_size_x / 2;
+    }
+
+    double
+    semi_axis_x() const
+    {
+      return zone_x + std::abs(centre_x());
+    }
 
     /**
      * True if a cell that fills the box [lower, upper] of the chart (x from the

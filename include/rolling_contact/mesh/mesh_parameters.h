@@ -35,7 +35,7 @@ namespace RollingContact
     unsigned int elements_across_patch   = 48;
     unsigned int elements_across_patch_y = 0;
     std::string  patch_offset            = "0";
-    double       candidate_zone          = 1.5;
+    double       candidate_zone          = 0.;
     double       zone_depth              = 0.75;
     double       growth                  = 0.1;
     unsigned int rim_levels              = 0;

@@ -3,6 +3,7 @@
 
 #include <rolling_contact/base/prm_entries.h>
 #include <rolling_contact/base/run_folder.h>
+#include <rolling_contact/contact/contact_problem.h>
 #include <rolling_contact/output/history_table.h>
 #include <rolling_contact/output/pvd.h>
 
@@ -39,8 +40,8 @@ namespace RollingContact
 
     BodyMotion          wheel, rail; ///< twins share a mesh, not a motion
     std::vector<double> pressure, traction;
-    double              approach = 0.; ///< m
-    std::vector<bool>   linear_edges;  ///< see edge_law.h
+    double              approach = 0.;    ///< m
+    std::vector<EdgeExtrapolation> edges; ///< see edge_law.h
 
     double        supplied_energy  = 0.; ///< since the start; J
     double        friction_energy  = 0.; ///< dissipated since the start; J

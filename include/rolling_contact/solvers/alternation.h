@@ -10,6 +10,8 @@ namespace RollingContact
    * residual of both laws is below the tolerance: one pass when W_nt = 0; with
    * coupling, Anderson acceleration on the traction once ten passes were not
    * enough. A tangential solver that fails is followed by the next one given.
+   * All that again with the edge extrapolations the traction asks for, until
+   * these settle; where they do not, the edges of both last rounds keep theirs.
    */
   class Alternation : public ContactSolver
   {
@@ -31,13 +33,12 @@ namespace RollingContact
                    SolverReport            &report) const;
 
     /**
-     * Friction at the present pressure: with the constant edge law first, then
-     * with the linear one where it holds.
+     * With the edge extrapolations of the state.
      */
-    bool
-    solve_friction(const ContactProblem &problem,
-                   ContactState         &state,
-                   SolverReport         &report) const;
+    void
+    alternate(const ContactProblem &problem,
+              ContactState         &state,
+              SolverReport         &report) const;
 
     std::unique_ptr<NormalSolver>                  normal;
     std::vector<std::unique_ptr<TangentialSolver>> tangential;
