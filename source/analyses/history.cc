@@ -18,7 +18,7 @@ namespace RollingContact
 
   namespace
   {
-    const std::string blanks = " \t\r\n";
+    const std::string blanks = " \t\r\n\v\f";
 
     [[noreturn]] void
     reject(const std::string &entry,
@@ -183,8 +183,9 @@ namespace RollingContact
                    number == std::floor(number)
                  ? static_cast<std::size_t>(number) - 1
                  : n_columns;
-      const auto found = std::find(names.begin(), names.end(), column);
-      return found == names.end() ? n_columns : found - names.begin();
+      const std::size_t index =
+        std::find(names.begin(), names.end(), column) - names.begin();
+      return index < names.size() && index < n_columns ? index : n_columns;
     }
   } // namespace
 

@@ -1,7 +1,8 @@
 #include <rolling_contact/analyses/scene_reader.h>
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/prm_text.h>
 
-#include <fstream>
+#include <algorithm>
 #include <sstream>
 
 namespace RollingContact
@@ -10,20 +11,6 @@ namespace RollingContact
 
   namespace
   {
-    std::string
-    read_file(const std::string &name)
-    {
-      std::ifstream file(name);
-      if (!file || file.peek() == std::ifstream::traits_type::eof())
-        throw InputError(
-          name + ": cannot be read or is empty; give the path of a .prm file.");
-      std::ostringstream text;
-      text << file.rdbuf();
-      return text.str();
-    }
-
-
-
     /**
      * What a deal.II exception says, in one line and without its frame.
      */
@@ -58,11 +45,13 @@ namespace RollingContact
         sections.pop_back();
       for (const std::string &section : sections)
         prm.enter_subsection(section);
-      std::string problem;
+      std::string value = setting.value, problem = problem_of_value(value);
+      std::replace(value.begin(), value.end(), '\t', ' ');
       try
         {
           prm.get(entry);
-          prm.set(entry, setting.value);
+          if (problem.empty())
+            prm.set(entry, value);
         }
       catch (const ParameterHandler::ExcEntryUndeclared &)
         {
@@ -84,12 +73,20 @@ namespace RollingContact
   SceneText
   read_scene(const CommandLine &command_line, SceneParameters &scene)
   {
+    ParameterAcceptor::declare_all_parameters();
+    return read_declared_scene(command_line, scene);
+  }
+
+
+
+  SceneText
+  read_declared_scene(const CommandLine &command_line, SceneParameters &scene)
+  {
     SceneText text;
     scene.prm_folder =
       std::filesystem::path(command_line.prm_file).parent_path();
-    text.original         = read_file(command_line.prm_file);
+    text.original         = read_prm(command_line.prm_file);
     ParameterHandler &prm = ParameterAcceptor::prm;
-    ParameterAcceptor::declare_all_parameters();
     try
       {
         std::istringstream input(text.original);

@@ -2,13 +2,38 @@
 #include <boost/property_tree/json_parser.hpp>
 #include <boost/property_tree/ptree.hpp>
 
+#include <rolling_contact/base/files.h>
 #include <rolling_contact/base/old_run.h>
 
 #include <algorithm>
+#include <sstream>
 
 namespace RollingContact
 {
   namespace fs = std::filesystem;
+
+  namespace
+  {
+    /** How deep the brackets of a JSON text nest, outside its strings. */
+    std::size_t
+    depth_of(const std::string &json)
+    {
+      std::size_t depth = 0, deepest = 0;
+      bool        in_string = false;
+      for (std::size_t i = 0; i < json.size(); ++i)
+        if (in_string && json[i] == '\\')
+          ++i;
+        else if (json[i] == '"')
+          in_string = !in_string;
+        else if (!in_string && (json[i] == '[' || json[i] == '{'))
+          deepest = std::max(deepest, ++depth);
+        else if (!in_string && (json[i] == ']' || json[i] == '}') && depth > 0)
+          --depth;
+      return deepest;
+    }
+  } // namespace
+
+
 
   bool
   is_plain_name(const std::string &name)
@@ -26,11 +51,16 @@ namespace RollingContact
   {
     namespace property_tree = boost::property_tree;
 
-    OldRun old_run;
+    const std::size_t max_depth = 10;
+    const std::string json      = read_bytes(folder / record_name);
+    OldRun            old_run;
+    if (depth_of(json) > max_depth) // Boost's reader recurses
+      return old_run;
     try
       {
         property_tree::ptree record;
-        property_tree::read_json((folder / record_name).string(), record);
+        std::istringstream   stream(json);
+        property_tree::read_json(stream, record);
         old_run.is_ours = !record.empty() &&
                           record.front().first == "program" &&
                           record.front().second.data() == program_name;

@@ -3,6 +3,7 @@
 
 #include <cstdlib>
 #include <sstream>
+#include <vector>
 
 namespace RollingContact
 {
@@ -56,9 +57,9 @@ namespace RollingContact
   PrmEntries
   prm_entries(const std::string &text)
   {
-    PrmEntries         entries;
-    std::string        path;
-    std::istringstream lines(text);
+    PrmEntries               entries;
+    std::vector<std::string> paths{""}; // of the open sections
+    std::istringstream       lines(text);
     for (std::string line; std::getline(lines, line);)
       {
         line                    = trimmed(line);
@@ -68,11 +69,11 @@ namespace RollingContact
           space == std::string::npos ? "" : trimmed(line.substr(space));
         const std::size_t equals = rest.find('=');
         if (word == "subsection")
-          path += rest + '/';
-        else if (word == "end" && !path.empty())
-          path.erase(path.find_last_of('/', path.size() - 2) + 1);
+          paths.push_back(paths.back() + rest + '/');
+        else if (word == "end" && paths.size() > 1)
+          paths.pop_back();
         else if (word == "set" && equals != std::string::npos)
-          entries[path + trimmed(rest.substr(0, equals))] =
+          entries[paths.back() + trimmed(rest.substr(0, equals))] =
             trimmed(rest.substr(equals + 1));
       }
     return entries;

@@ -24,6 +24,12 @@ namespace RollingContact
   read_scene(const CommandLine &command_line, SceneParameters &scene);
 
   /**
+   * The same when the parameters are declared already and have their defaults.
+   */
+  SceneText
+  read_declared_scene(const CommandLine &command_line, SceneParameters &scene);
+
+  /**
    * Every parameter with its default and documentation, as a .prm file.
    */
   std::string

@@ -1,0 +1,83 @@
+#include <deal.II/base/multithread_info.h>
+
+#include "input_parts.h"
+
+#include <rolling_contact/analyses/scene_reader.h>
+#include <rolling_contact/base/exceptions.h>
+
+#include <sstream>
+#include <stdexcept>
+
+using namespace RollingContact;
+
+namespace
+{
+  /** What `--validate` does, with settings of the command line. The parameters
+   * are declared once, which takes longest, and set back before every read. */
+  std::string
+  validate(const std::vector<std::string> &settings)
+  {
+    using dealii::ParameterAcceptor;
+    static SceneParameters   scene;
+    static const std::string defaults = []() {
+      std::ostringstream text;
+      ParameterAcceptor::declare_all_parameters();
+      ParameterAcceptor::prm.print_parameters(text,
+                                              dealii::ParameterHandler::PRM);
+      std::string        values;
+      std::istringstream lines(text.str());
+      for (std::string line; std::getline(lines, line);)
+        if (line.find('#') == std::string::npos)
+          values += line + '\n';
+      return values;
+    }();
+    ParameterAcceptor::prm.parse_input_from_string(defaults);
+    std::vector<const char *> words{"rolling-contact", "scene.prm"};
+    for (const std::string &setting : settings)
+      {
+        words.push_back("--set");
+        words.push_back(setting.c_str());
+      }
+    const CommandLine command_line(words.size(), words.data());
+    return read_declared_scene(command_line, scene).used;
+  }
+} // namespace
+
+
+
+extern "C" int
+LLVMFuzzerInitialize(int *, char ***)
+{
+  dealii::MultithreadInfo::set_thread_limit(1);
+  return 0;
+}
+
+
+
+/** Parts: scene.prm, a file it may include, a table it may name, settings by
+ * line. A valid scene written back must be valid and the same. */
+extern "C" int
+LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_t size)
+{
+  const auto parts = input_parts(data, size);
+  write_part("scene.prm", parts, 0);
+  write_part("part.prm", parts, 1);
+  write_part("table.csv", parts, 2);
+  std::vector<std::string> settings;
+  std::istringstream       lines(parts.size() > 3 ? parts[3] : "");
+  for (std::string line; std::getline(lines, line);)
+    settings.push_back(line);
+  std::string used;
+  try
+    {
+      used = validate(settings);
+    }
+  catch (const InputError &)
+    {
+      return 0;
+    }
+  write_part("scene.prm", {used}, 0);
+  if (validate({}) != used)
+    throw std::logic_error("used.prm is another scene:\n" + used);
+  return 0;
+}
