@@ -10,6 +10,7 @@
 #include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/base/memory.h>
 #include <rolling_contact/base/platform.h>
+#include <rolling_contact/elasticity/factorisation.h>
 #include <rolling_contact/output/checkpoint.h>
 
 #include <iostream>
@@ -29,6 +30,23 @@ namespace RollingContact
       report.libraries.emplace_back("deal.II", DEAL_II_PACKAGE_VERSION);
       report.command_line = command_line.words;
       return report;
+    }
+
+
+
+    /**
+     * "1 factorisations, 146 columns condensed, 2 static solves".
+     */
+    BuiltObject
+    work_done()
+    {
+      const Factorisation::Work work = Factorisation::work_done();
+      BuiltObject               object;
+      object.object =
+        std::to_string(work.n_factorisations) + " factorisations, " +
+        std::to_string(work.n_condensed_columns) + " columns condensed, " +
+        std::to_string(work.n_solves) + " static solves";
+      return object;
     }
 
 
@@ -117,6 +135,7 @@ namespace RollingContact
         folder, results, report, timer, log, command_line.resume};
       const auto finish = [&](const RunStatus status) {
         report.warnings = log.warnings();
+        report.objects.push_back(work_done());
         results.flush();
         report.write(folder, status, timer);
       };

@@ -77,8 +77,12 @@ namespace RollingContact
         {
           PhaseTimer::Scope phase(context.timer,
                                   "factorisation and condensation");
-          steady.problem = steady.pair->contact_problem(
-            ContactParameters::kind_of_slip_operator(slip_operator));
+          const auto        kind =
+            ContactParameters::kind_of_slip_operator(slip_operator);
+          steady.problem =
+            steady.problem.n_nodes == 0
+              ? steady.pair->contact_problem(kind)
+              : steady.pair->contact_problem(kind, std::move(steady.problem.W));
         }
         for (const double creepage : scene.study.creepages)
           {

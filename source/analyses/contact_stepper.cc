@@ -55,9 +55,8 @@ namespace RollingContact
   void
   ContactStepper<dim>::make_massless()
   {
-    contact           = solve_steady_state<dim>(scene, context);
-    static_compliance = contact.problem.W;
-    motion = make_massless_motion<dim>(*contact.pair, static_compliance);
+    contact = solve_steady_state<dim>(scene, context);
+    motion  = make_massless_motion<dim>(*contact.pair);
     if (scene.time.initial_state == "steady")
       solve_initial_state();
     else
@@ -102,7 +101,9 @@ namespace RollingContact
     }
     if (scene.time.initial_state == "steady")
       {
-        contact.problem = contact.pair->contact_problem(slip_operator);
+        contact.problem =
+          contact.pair->contact_problem(slip_operator,
+                                        std::move(contact.problem.W));
         solve_initial_state();
         contact.pair->release_statics();
         return;
@@ -147,8 +148,9 @@ namespace RollingContact
       return;
     PhaseTimer::Scope phase(context.timer, "factorisation and condensation");
     motion->set_time_step(h);
-    time_step                  = h;
-    contact.problem.W          = motion->compliance();
+    time_step = h;
+    if (motion->compliance_depends_on_step())
+      contact.problem.W = motion->compliance();
     contact.problem.convection = motion->displacement_share();
     contact.problem.rate       = 0.;
     contact.problem.finish();
@@ -384,6 +386,14 @@ namespace RollingContact
   void
   ContactStepper<dim>::restore(const Checkpoint &checkpoint)
   {
+    const ContactProblem &problem = contact.problem;
+    if (checkpoint.pressure.size() != problem.n_nodes ||
+        checkpoint.traction.size() != problem.n_tangential * problem.n_nodes)
+      throw InputError("Cannot resume: the checkpoint has " +
+                       std::to_string(checkpoint.pressure.size()) +
+                       " contact nodes, the scene " +
+                       std::to_string(problem.n_nodes) +
+                       ". Start the run without --resume.");
     restore_state(checkpoint);
     const double h = checkpoint.time_step;
     if (h == 0.) // before the first step

@@ -71,6 +71,12 @@ namespace RollingContact
         for_each([&](MovingBody &body) { body.stepper->set_time_step(h); });
       }
 
+      bool
+      compliance_depends_on_step() const override
+      {
+        return true;
+      }
+
       DenseMatrix
       compliance() const override
       {
@@ -162,6 +168,22 @@ namespace RollingContact
           if (body.stepper)
             sum +=
               body.stepper->energy().kinetic + body.stepper->energy().strain;
+        return sum;
+      }
+
+      typename PairMotion<dim>::Memory
+      memory_consumption() const override
+      {
+        typename PairMotion<dim>::Memory sum;
+        for (unsigned int side = 0; side < (pair.twins() ? 1 : 2); ++side)
+          if (bodies[side].stepper)
+            {
+              const ThetaSystem &system = bodies[side].stepper->system();
+              sum.matrices += system.stiffness().memory_consumption() +
+                              system.mass().memory_consumption();
+              sum.factor += system.factorisation().size().memory_consumption();
+              sum.columns += system.columns().memory_consumption();
+            }
         return sum;
       }
 

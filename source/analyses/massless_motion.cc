@@ -53,9 +53,8 @@ namespace RollingContact
     class MasslessMotion : public PairMotion<dim>
     {
     public:
-      MasslessMotion(const RollingPair<dim> &pair, const DenseMatrix &W)
+      explicit MasslessMotion(const RollingPair<dim> &pair)
         : pair(pair)
-        , W(W)
       {}
 
       void
@@ -64,10 +63,16 @@ namespace RollingContact
         h = step;
       }
 
+      bool
+      compliance_depends_on_step() const override
+      {
+        return false;
+      }
+
       DenseMatrix
       compliance() const override
       {
-        return W;
+        return {};
       }
 
       double
@@ -118,6 +123,12 @@ namespace RollingContact
         return strain;
       }
 
+      typename PairMotion<dim>::Memory
+      memory_consumption() const override
+      {
+        return {};
+      }
+
       dealii::Vector<double>
       displacement(const Side            side,
                    const ContactProblem &problem,
@@ -149,7 +160,6 @@ namespace RollingContact
       }
 
       const RollingPair<dim> &pair;
-      const DenseMatrix      &W;
       std::vector<double>     u;
       ContactState            previous;
       double                  strain = 0.;
@@ -161,15 +171,15 @@ namespace RollingContact
 
   template <int dim>
   std::unique_ptr<PairMotion<dim>>
-  make_massless_motion(const RollingPair<dim> &pair, const DenseMatrix &W)
+  make_massless_motion(const RollingPair<dim> &pair)
   {
-    return std::make_unique<MasslessMotion<dim>>(pair, W);
+    return std::make_unique<MasslessMotion<dim>>(pair);
   }
 
 
 
   template std::unique_ptr<PairMotion<2>>
-  make_massless_motion(const RollingPair<2> &, const DenseMatrix &);
+  make_massless_motion(const RollingPair<2> &);
   template std::unique_ptr<PairMotion<3>>
-  make_massless_motion(const RollingPair<3> &, const DenseMatrix &);
+  make_massless_motion(const RollingPair<3> &);
 } // namespace RollingContact

@@ -100,9 +100,11 @@ namespace RollingContact
         objects.push_back(object);
       }
     const auto &problem = steady.problem;
+    objects.push_back(
+      {"compliance W", true, problem.W.memory_consumption(), 0., ""});
     objects.push_back({"tangential compliance, B1",
                        problem.n_tangential > 0,
-                       problem.W.memory_consumption(),
+                       0,
                        0.,
                        problem.n_tangential > 0 ? "" : "frictionless"});
     objects.push_back({"mass, damping, B2", false, 0, 0., "quasi-static"});

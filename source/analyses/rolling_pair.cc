@@ -180,6 +180,22 @@ namespace RollingContact
                          "smaller Mesh/Candidate zone or a smaller "
                          "Mesh/Contact node budget.");
     }
+
+
+
+    /**
+     * Whether anything after the contact solve asks for a displacement: fields,
+     * the marks of the next level, the start of a motion with mass.
+     */
+    bool
+    wants_displacements(const SceneParameters &scene)
+    {
+      const bool has_fields =
+        scene.analysis == "quasi-static" || scene.analysis == "transient";
+      return scene.mesh.adaptive_levels > 0 ||
+             (has_fields && scene.output.body_fields) ||
+             (scene.analysis == "transient" && scene.time.inertia);
+    }
   } // namespace
 
 
@@ -189,16 +205,17 @@ namespace RollingContact
   RollingPair<dim>::pair_compliance()
   {
     check_contact_memory(contact_trace.nodes.size(), components.size());
+    const bool  recovers = wants_displacements(scene);
     DenseMatrix wheel, rail;
     for_both_bodies(
       scene.body_threads,
       [&]() {
         if (wheel_body)
-          wheel = wheel_body->compliance(wheel_nodes, components);
+          wheel = wheel_body->compliance(wheel_nodes, components, recovers);
       },
       [&]() {
         if (rail_body && !twins())
-          rail = rail_body->compliance(rail_nodes, components);
+          rail = rail_body->compliance(rail_nodes, components, recovers);
       });
     return combined(wheel, rail);
   }
@@ -225,9 +242,7 @@ namespace RollingContact
   ContactProblem
   RollingPair<dim>::contact_problem(const SlipOperatorKind slip_operator)
   {
-    if (compliance.n_rows() == 0)
-      compliance = pair_compliance();
-    return contact_problem(slip_operator, compliance);
+    return contact_problem(slip_operator, pair_compliance());
   }
 
 
@@ -235,14 +250,14 @@ namespace RollingContact
   template <int dim>
   ContactProblem
   RollingPair<dim>::contact_problem(const SlipOperatorKind slip_operator,
-                                    const DenseMatrix     &W) const
+                                    DenseMatrix            W) const
   {
     const ContactParameters &contact = scene.contact;
     ContactProblem           problem;
     problem.n_nodes      = contact_trace.nodes.size();
     problem.n_tangential = components.size() - 1;
     problem.positions    = contact_trace.nodes;
-    problem.W            = W;
+    problem.W            = std::move(W);
     problem.coupled      = !twins() && problem.n_tangential > 0;
     problem.dundurs_beta = pair_constants(scene).dundurs_beta;
     problem.H            = contact_matrix(contact_trace,
@@ -275,7 +290,6 @@ namespace RollingContact
     for (const auto &body : {wheel_body, rail_body})
       if (body)
         body->release_factorisation();
-    compliance = DenseMatrix();
     release_free_memory();
   }
 

@@ -73,18 +73,24 @@ namespace RollingContact
         "Numerical damping at " + significant(scene.time.damping_frequency, 4) +
         " Hz: zeta = " +
         scientific(scene.time.numerical_damping(steps.length), 3) + ".");
-    auto &objects = context.report.objects;
-    objects.push_back({"mass, damping",
-                       scene.time.inertia,
-                       0,
-                       0.,
-                       scene.time.inertia ? "" : "Time/Inertia = false"});
-    objects.push_back(
-      {"tangential compliance, B1, B2",
-       stepper.current().problem.n_tangential > 0,
-       stepper.current().problem.W.memory_consumption(),
-       0.,
-       stepper.current().problem.n_tangential > 0 ? "" : "frictionless"});
+    auto      &objects = context.report.objects;
+    const auto memory  = stepper.bodies().memory_consumption();
+    const auto add     = [&](const std::string &object,
+                         const bool         built,
+                         const std::size_t  bytes,
+                         const std::string &reason) {
+      objects.push_back({object, built, bytes, 0., built ? "" : reason});
+    };
+    const bool inertia = scene.time.inertia,
+               slips   = stepper.current().problem.n_tangential > 0;
+    add("K, M", inertia, memory.matrices, "Time/Inertia = false");
+    add("factor of the step", inertia, memory.factor, "Time/Inertia = false");
+    add("columns Y", inertia, memory.columns, "Time/Inertia = false");
+    add("compliance W",
+        true,
+        stepper.current().problem.W.memory_consumption(),
+        "");
+    add("tangential compliance, B1, B2", slips, 0, "frictionless");
   }
 
 

@@ -288,11 +288,15 @@ namespace RollingContact
   template <int dim>
   DenseMatrix
   ElasticBody<dim>::compliance(const std::vector<SurfaceNode>  &nodes,
-                               const std::vector<unsigned int> &components)
+                               const std::vector<unsigned int> &components,
+                               const bool                       recovers)
   {
     analyse();
     factor->factorise();
-    return factor->condense(unknowns(nodes, components));
+    DenseMatrix W = factor->condense(unknowns(nodes, components));
+    if (!recovers)
+      factor->release();
+    return W;
   }
 
 

@@ -8,6 +8,7 @@
 #include <rolling_contact/elasticity/factorisation.h>
 
 #include <algorithm>
+#include <atomic>
 #include <numeric>
 #include <string>
 
@@ -18,6 +19,11 @@ namespace RollingContact
     using Index = std::int64_t;
     static_assert(sizeof(Index) == sizeof(SuiteSparse_long),
                   "CHOLMOD's long interface works on 64-bit indices.");
+
+
+
+    std::atomic<std::uint64_t> n_factorisations{0}, n_condensed_columns{0},
+      n_solves{0};
 
 
 
@@ -158,6 +164,7 @@ namespace RollingContact
     release_free_memory();
     own.workspace.resize(own.L->maxesize);
     own.size.factor_s = watch.seconds();
+    ++n_factorisations;
   }
 
 
@@ -175,6 +182,7 @@ namespace RollingContact
   Factorisation::solve(const std::vector<double> &right_hand_side) const
   {
     std::vector<double> z, x;
+    ++n_solves;
     solve_forward(right_hand_side, z);
     solve_backward(z, x);
     return x;
@@ -186,7 +194,9 @@ namespace RollingContact
   Factorisation::solve_forward(const std::vector<double> &b,
                                std::vector<double>       &z) const
   {
-    auto        &own         = *implementation;
+    auto &own = *implementation;
+    if (own.L == nullptr)
+      throw std::logic_error("The factor was released.");
     const Index *permutation = static_cast<const Index *>(own.L->Perm);
     z.resize(b.size());
     for (std::size_t i = 0; i < z.size(); ++i)
@@ -222,7 +232,28 @@ namespace RollingContact
     DenseMatrix W = condensed_compliance(*implementation->L, unknowns, columns);
     release_free_memory();
     implementation->size.condensation_s = watch.seconds();
+    n_condensed_columns += unknowns.size();
     return W;
+  }
+
+
+
+  Factorisation::Work
+  Factorisation::work_done()
+  {
+    return {n_factorisations, n_condensed_columns, n_solves};
+  }
+
+
+
+  void
+  Factorisation::release()
+  {
+    auto &own = *implementation;
+    cholmod_l_free_factor(&own.L, &own.common);
+    own.workspace = std::vector<double>();
+    cholmod_l_free_work(&own.common);
+    release_free_memory();
   }
 
 

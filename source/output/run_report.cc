@@ -158,7 +158,7 @@ namespace RollingContact
     summary_line(const BuiltObject &object)
     {
       std::string line = "  " + object.object;
-      if (object.built)
+      if (object.built && (object.bytes > 0 || object.seconds != 0.))
         {
           line += ": " + human_bytes(static_cast<double>(object.bytes));
           line += ", " + human_seconds(object.seconds);

@@ -145,7 +145,6 @@ namespace RollingContact
     const DrivingHistories           histories;
     const SlipOperatorKind           slip_operator;
     SteadyState<dim>                 contact;
-    DenseMatrix                      static_compliance;
     std::unique_ptr<PairMotion<dim>> motion;
     std::unique_ptr<ContactSolver>   solver;
     std::vector<double>              undeformed_gap;

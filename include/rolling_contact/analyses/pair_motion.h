@@ -41,7 +41,13 @@ namespace RollingContact
     set_time_step(const double h) = 0;
 
     /**
-     * Of the pair, as in ContactProblem. Units: m/N.
+     * False if W is the static compliance, whatever the step.
+     */
+    virtual bool
+    compliance_depends_on_step() const = 0;
+
+    /**
+     * Of the pair, as in ContactProblem, if it depends on the step. Units: m/N.
      */
     virtual DenseMatrix
     compliance() const = 0;
@@ -74,6 +80,19 @@ namespace RollingContact
      */
     virtual double
     stored_energy() const = 0;
+
+    /**
+     * What the time step keeps for all bodies, in bytes.
+     */
+    struct Memory
+    {
+      std::size_t matrices = 0; ///< K and M
+      std::size_t factor   = 0;
+      std::size_t columns  = 0; ///< Y
+    };
+
+    virtual Memory
+    memory_consumption() const = 0;
 
     /**
      * For fields, in the body's own frame. Units: m.
@@ -110,7 +129,7 @@ namespace RollingContact
    */
   template <int dim>
   std::unique_ptr<PairMotion<dim>>
-  make_massless_motion(const RollingPair<dim> &pair, const DenseMatrix &W);
+  make_massless_motion(const RollingPair<dim> &pair);
 } // namespace RollingContact
 
 #endif

@@ -38,17 +38,17 @@ namespace RollingContact
 
     /**
      * The contact problem for the scene's load and creepages with this slip
-     * operator; the first call factorises and condenses the bodies.
+     * operator. Factorises and condenses the bodies: once, take W of the
+     * problem for the next.
      */
     ContactProblem
     contact_problem(const SlipOperatorKind slip_operator);
 
     /**
-     * The same with another compliance of the pair. Units: m/N.
+     * The same with a given compliance of the pair. Units: m/N.
      */
     ContactProblem
-    contact_problem(const SlipOperatorKind slip_operator,
-                    const DenseMatrix     &W) const;
+    contact_problem(const SlipOperatorKind slip_operator, DenseMatrix W) const;
 
     /**
      * Of compliances of the bodies in their own frames, that of the pair, for
@@ -59,7 +59,7 @@ namespace RollingContact
     combined(const DenseMatrix &wheel, const DenseMatrix &rail) const;
 
     /**
-     * Give back what only static solutions need: factors and compliance.
+     * Give back what only static solutions need, the factors.
      */
     void
     release_statics();
@@ -130,7 +130,6 @@ namespace RollingContact
     Trace                                               contact_trace;
     std::vector<typename ElasticBody<dim>::SurfaceNode> wheel_nodes, rail_nodes;
     std::vector<unsigned int>                           components;
-    DenseMatrix                                         compliance;
   };
 } // namespace RollingContact
 

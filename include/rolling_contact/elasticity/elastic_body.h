@@ -74,11 +74,13 @@ namespace RollingContact
     /**
      * Compliance of the given nodes: displacement of component @p components[i]
      * at node n for unit nodal forces; row and column i * N + n. Factorises K
-     * on first use. Units: m/N.
+     * on first use; L is kept for recover() unless @p recovers is false. Units:
+     * m/N.
      */
     DenseMatrix
     compliance(const std::vector<SurfaceNode>  &nodes,
-               const std::vector<unsigned int> &components);
+               const std::vector<unsigned int> &components,
+               const bool                       recovers = true);
 
     /**
      * Displacement of the whole body under nodal forces (component i of node n

@@ -5,6 +5,7 @@
 #include <rolling_contact/elasticity/symmetric_sparse_matrix.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -36,6 +37,19 @@ namespace RollingContact
         return n_entries * sizeof(double);
       }
     };
+
+    /**
+     * What all factorisations of this process did so far.
+     */
+    struct Work
+    {
+      std::uint64_t n_factorisations    = 0;
+      std::uint64_t n_condensed_columns = 0;
+      std::uint64_t n_solves            = 0; ///< calls of solve()
+    };
+
+    static Work
+    work_done();
 
     /**
      * Order and analyse. @p node_of_unknown groups the unknowns of one mesh
@@ -90,6 +104,13 @@ namespace RollingContact
     DenseMatrix
     condense(const std::vector<std::size_t> &unknowns,
              CondensedColumns               *columns = nullptr) const;
+
+    /**
+     * Free L for good, when nothing is to be solved any more; its size stays
+     * known.
+     */
+    void
+    release();
 
     const Size &
     size() const;
