@@ -69,7 +69,7 @@ namespace RollingContact
 
   template <int dim>
   void
-  describe_bodies(const SteadyState<dim> &steady, RunContext &context)
+  describe_factors(const SteadyState<dim> &steady, RunContext &context)
   {
     auto &objects = context.report.objects;
     for (const Side side : {Side::wheel, Side::rail})
@@ -99,6 +99,16 @@ namespace RollingContact
           }
         objects.push_back(object);
       }
+  }
+
+
+
+  template <int dim>
+  void
+  describe_bodies(const SteadyState<dim> &steady, RunContext &context)
+  {
+    describe_factors(steady, context);
+    auto       &objects = context.report.objects;
     const auto &problem = steady.problem;
     objects.push_back(
       {"compliance W", true, problem.W.memory_consumption(), 0., ""});
@@ -230,6 +240,10 @@ namespace RollingContact
 
   template class QuasiStatic<2>;
   template class QuasiStatic<3>;
+  template void
+  describe_factors(const SteadyState<2> &, RunContext &);
+  template void
+  describe_factors(const SteadyState<3> &, RunContext &);
   template void
   describe_bodies(const SteadyState<2> &, RunContext &);
   template void

@@ -1,3 +1,4 @@
+#include <rolling_contact/analyses/quasi_static.h>
 #include <rolling_contact/analyses/transient.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/interrupt.h>
@@ -73,6 +74,8 @@ namespace RollingContact
         "Numerical damping at " + significant(scene.time.damping_frequency, 4) +
         " Hz: zeta = " +
         scientific(scene.time.numerical_damping(steps.length), 3) + ".");
+    if (!scene.time.inertia)
+      describe_factors(stepper.current(), context);
     auto      &objects = context.report.objects;
     const auto memory  = stepper.bodies().memory_consumption();
     const auto add     = [&](const std::string &object,

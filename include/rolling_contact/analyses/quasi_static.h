@@ -37,6 +37,13 @@ namespace RollingContact
   };
 
   /**
+   * Log and note in run.json the sizes and cost of the static factors.
+   */
+  template <int dim>
+  void
+  describe_factors(const SteadyState<dim> &steady, RunContext &context);
+
+  /**
    * Log the sizes and cost of the bodies and note in run.json what was built
    * and what the scene did not need.
    */
