@@ -1,5 +1,6 @@
 #include <rolling_contact/base/memory.h>
 
+#include <algorithm>
 #include <fstream>
 #include <limits>
 #include <string>
@@ -26,12 +27,38 @@ namespace RollingContact
         }
       return 0;
     }
+
+
+
+    std::size_t peak_before_reset = 0;
   } // namespace
 
 
 
   std::size_t
   peak_memory()
+  {
+    return std::max(peak_before_reset, peak_memory_since_reset());
+  }
+
+
+
+  bool
+  reset_peak_memory()
+  {
+    const std::size_t peak = peak_memory();
+    std::ofstream     file("/proc/self/clear_refs");
+    file << 5 << std::flush; // VmHWM = VmRSS
+    if (!file)
+      return false;
+    peak_before_reset = peak;
+    return true;
+  }
+
+
+
+  std::size_t
+  peak_memory_since_reset()
   {
     return proc_entry("/proc/self/status", "VmHWM:");
   }

@@ -10,9 +10,15 @@ namespace RollingContact
   {
     const std::string reference_colour = "#222222";
 
-    /** Palette of Okabe and Ito, without black and yellow. */
-    const std::array<std::string, 6> palette{
-      {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"}};
+    /** Palette of Okabe and Ito, without black and yellow; violet and brown. */
+    const std::array<std::string, 8> palette{{"#0072B2",
+                                              "#D55E00",
+                                              "#009E73",
+                                              "#CC79A7",
+                                              "#E69F00",
+                                              "#56B4E9",
+                                              "#5E3C99",
+                                              "#8C510A"}};
 
 
 

@@ -217,6 +217,27 @@ BOOST_AUTO_TEST_CASE(memory_is_plausible)
 
 
 
+BOOST_AUTO_TEST_CASE(peak_memory_since_a_reset)
+{
+  const std::size_t large = 60000000;
+  {
+    const std::vector<char> held(large, 1);
+    BOOST_TEST(held[large / 2] == 1);
+  }
+  const std::size_t peak = peak_memory();
+  release_free_memory();
+  BOOST_TEST_REQUIRE(reset_peak_memory());
+  BOOST_TEST(peak_memory_since_reset() + large / 2 < peak);
+  // the system counts to some pages
+  BOOST_TEST(peak_memory() + 1000000 > peak);
+  const std::size_t       before = peak_memory_since_reset();
+  const std::vector<char> held(large, 1);
+  BOOST_TEST(held[large / 2] == 1);
+  BOOST_TEST(peak_memory_since_reset() > before + large / 2);
+}
+
+
+
 BOOST_AUTO_TEST_CASE(interrupts)
 {
   for (const int signal : {SIGINT, SIGTERM})

@@ -9,6 +9,15 @@ namespace RollingContact
   std::size_t
   peak_memory();
 
+  /** Count peak_memory_since_reset() from now on; false if the system does not
+   * allow it. peak_memory() is not changed by it. */
+  bool
+  reset_peak_memory();
+
+  /** Largest memory held since the last reset, libraries included, in bytes. */
+  std::size_t
+  peak_memory_since_reset();
+
   /** Memory this process holds now, in bytes (VmRSS); 0 if unknown. */
   std::size_t
   resident_memory();
