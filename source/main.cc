@@ -4,6 +4,7 @@
 #include <rolling_contact/analyses/creep_curve.h>
 #include <rolling_contact/analyses/quasi_static.h>
 #include <rolling_contact/analyses/scene_reader.h>
+#include <rolling_contact/analyses/time_study.h>
 #include <rolling_contact/analyses/transient.h>
 #include <rolling_contact/base/command_line.h>
 #include <rolling_contact/base/exceptions.h>
@@ -53,12 +54,17 @@ namespace RollingContact
 
     template <int dim>
     void
-    run_analysis(const SceneParameters &scene, RunContext &context)
+    run_analysis(SceneParameters &scene, RunContext &context)
     {
       if (scene.analysis == "creep curve")
         CreepCurve<dim>(scene, context).run();
       else if (scene.analysis == "accuracy study")
-        AccuracyStudy(scene, context).run();
+        {
+          if (scene.study.varies_time_step())
+            TimeStudy<dim>(scene, context).run();
+          else
+            AccuracyStudy<dim>(scene, context).run();
+        }
       else if (scene.analysis == "transient")
         Transient<dim>(scene, context).run();
       else
@@ -89,6 +95,7 @@ namespace RollingContact
                           human_seconds(total.cpu_seconds) + " CPU), " +
                           human_bytes(peak_memory()) + "; files in " +
                           context.folder.get_path().string());
+      context.log.message(context.report.error_line(context.timer));
     }
 
 
@@ -117,9 +124,9 @@ namespace RollingContact
      * Run a scene in its folder; run.json tells how it ended, however it ends.
      */
     void
-    run_scene(const SceneParameters &scene,
-              const SceneText       &text,
-              const CommandLine     &command_line)
+    run_scene(SceneParameters   &scene,
+              const SceneText   &text,
+              const CommandLine &command_line)
     {
       PhaseTimer timer;
       RunFolder  folder(command_line.output_folder.empty()

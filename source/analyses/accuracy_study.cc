@@ -1,231 +1,323 @@
 #include <rolling_contact/analyses/accuracy_study.h>
-#include <rolling_contact/analyses/line_reference.h>
+#include <rolling_contact/analyses/adaptive_levels.h>
+#include <rolling_contact/analyses/ellipse_reference.h>
 #include <rolling_contact/analyses/result_row.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/interrupt.h>
-#include <rolling_contact/output/svg_plot.h>
+#include <rolling_contact/base/memory.h>
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 namespace RollingContact
 {
-  bool
-  AccuracyStudy::Key::operator<(const Key &other) const
+  template <int dim>
+  AccuracyStudy<dim>::AccuracyStudy(SceneParameters &scene, RunContext &context)
+    : scene(scene)
+    , context(context)
+    , contact_matrices(scene.contact.contact_matrices)
+    , tolerance(scene.solver.controls.tolerance)
+    , rim_levels(scene.mesh.rim_levels)
+    , patch(estimate_patch(scene))
+  {}
+
+
+
+  template <int dim>
+  void
+  AccuracyStudy<dim>::run()
   {
-    return std::tie(slip_operator, creepage, elements) <
-           std::tie(other.slip_operator, other.creepage, other.elements);
+    const StudyParameters &study = scene.study;
+    list_cases();
+    solve_reference();
+    for (const std::string &mesh : study.meshes)
+      if (mesh == "adaptive")
+        for (const std::size_t method : methods_on(mesh))
+          for (const unsigned int start : study.starts_of_levels())
+            solve_levels(start, method);
+      else
+        for (const unsigned int elements : study.elements)
+          solve_mesh(mesh, elements, methods_on(mesh));
+    StudySummary(scene, results, context).write();
   }
 
 
 
-  void
-  AccuracyStudy::run()
+  template <int dim>
+  References::Creepages
+  AccuracyStudy<dim>::saturation() const
   {
-    const PairConstants constants = pair_constants(scene);
-    patch                         = estimate_patch(scene);
-    saturation = scene.contact.friction_coefficient * patch.half_width_x /
-                 constants.relative_radius;
-    if (saturation <= 0.)
+    const double mu = scene.contact.friction_coefficient;
+    if (mu <= 0. || patch.half_width_x <= 0.)
       throw InputError("Analysis = accuracy study needs contact and friction: "
                        "check Contact/Approach, Contact/Normal load and "
                        "Contact/Friction coefficient.");
-    const StudyParameters &study = scene.study;
-    solve_mesh(study.reference_elements, {"calibrated"});
-    for (const unsigned int elements : study.elements)
-      solve_mesh(elements, study.slip_operators);
-    summarise();
+    if (dim == 2)
+      return {mu * patch.half_width_x / pair_constants(scene).relative_radius,
+              0.,
+              0.};
+    const auto linear = [&](const References::Creepages &creepages) {
+      return ellipse_reference(scene, patch.normal_force, creepages).linear;
+    };
+    const double limit = 3 * mu * patch.normal_force;
+    return {limit / std::abs(linear({1., 0., 0.}).x),
+            limit / std::abs(linear({0., 1., 0.}).y),
+            limit / std::abs(linear({0., 0., 1.}).y)};
   }
 
 
 
+  template <int dim>
   void
-  AccuracyStudy::solve_mesh(const unsigned int              elements,
-                            const std::vector<std::string> &slip_operators)
+  AccuracyStudy<dim>::list_cases()
+  {
+    const References::Creepages limit = saturation();
+    for (const std::string &direction : scene.study.directions)
+      for (const double part : scene.study.creepages)
+        {
+          const bool   combined = direction == "combined";
+          const double share    = combined ? part / std::sqrt(3.) : part;
+          const auto   of       = [&](const std::string &name) {
+            return combined || direction == name ? share : 0.;
+          };
+          results.cases.push_back({direction,
+                                   part,
+                                   {of("longitudinal") * limit.x,
+                                    of("lateral") * limit.y,
+                                    of("spin") * limit.spin}});
+        }
+  }
+
+
+
+  template <int dim>
+  std::vector<std::size_t>
+  AccuracyStudy<dim>::methods_on(const std::string &mesh) const
+  {
+    std::vector<std::size_t> indices;
+    for (std::size_t k = 0; k < results.n_compared; ++k)
+      if (results.methods[k].mesh == mesh)
+        indices.push_back(k);
+    return indices;
+  }
+
+
+
+  template <int dim>
+  void
+  AccuracyStudy<dim>::solve_reference()
+  {
+    const StudyParameters &study   = scene.study;
+    auto                  &methods = results.methods;
+    methods                        = study_methods(study);
+    const auto known =
+      std::find_if(methods.begin(), methods.end(), [&](const auto &method) {
+        return method.mesh == "uniform" &&
+               method.slip_operator == "calibrated" &&
+               method.solver == scene.solver.solver;
+      });
+    results.n_compared       = methods.size();
+    results.reference_method = known - methods.begin();
+    const bool is_listed     = known != methods.end();
+    if (!is_listed)
+      methods.push_back({"uniform", "calibrated", scene.solver.solver});
+    for (const unsigned int elements : reference_meshes(study))
+      if (elements == study.reference_elements || !is_listed ||
+          std::find(study.elements.begin(), study.elements.end(), elements) ==
+            study.elements.end())
+        solve_mesh("uniform", elements, {results.reference_method});
+  }
+
+
+
+  template <int dim>
+  void
+  AccuracyStudy<dim>::apply_method(const StudyMethod &method)
+  {
+    const bool paper               = method.slip_operator == "paper";
+    scene.contact.slip_operator    = paper ? "galerkin" : method.slip_operator;
+    scene.contact.contact_matrices = paper ? "consistent" : contact_matrices;
+    scene.solver.solver =
+      paper && method.solver == "automatic" ? "extragradient" : method.solver;
+    scene.solver.controls.tolerance =
+      paper ? std::max(tolerance, scene.study.paper_tolerance) : tolerance;
+  }
+
+
+
+  template <int dim>
+  void
+  AccuracyStudy<dim>::apply_case(const StudyCase &state)
+  {
+    scene.contact.creepage_x = state.creepages.x;
+    scene.contact.creepage_y = state.creepages.y;
+    scene.contact.spin       = state.creepages.spin;
+  }
+
+
+
+  template <int dim>
+  void
+  AccuracyStudy<dim>::solve_mesh(const std::string              &mesh,
+                                 const unsigned int              elements,
+                                 const std::vector<std::size_t> &methods)
   {
     const unsigned int n_offsets = scene.study.n_offsets;
+    scene.mesh.rim_levels =
+      mesh == "graded" ? scene.study.rim_levels : rim_levels;
     for (unsigned int k = 0; k < n_offsets; ++k)
       {
         throw_if_interrupted();
-        SteadyState<2> steady;
+        release_free_memory();
+        reset_peak_memory();
+        const StateSeconds before = state_seconds(context.timer);
+        SteadyState<dim>   steady;
         steady.elements_across = elements;
         steady.grading =
-          make_grading<2>(scene, patch, elements, double(k) / n_offsets);
+          make_grading<dim>(scene, patch, elements, double(k) / n_offsets);
         {
           PhaseTimer::Scope phase(context.timer, "mesh and assembly");
-          steady.pair = std::make_unique<RollingPair<2>>(scene, steady.grading);
+          steady.pair =
+            std::make_unique<RollingPair<dim>>(scene, steady.grading);
         }
-        solve_states(steady, elements, slip_operators);
-      }
-    context.log.message(std::to_string(elements) + " elements: " +
-                        std::to_string(n_offsets * slip_operators.size() *
-                                       scene.study.creepages.size()) +
-                        " states solved");
-  }
-
-
-
-  void
-  AccuracyStudy::solve_states(SteadyState<2>                 &steady,
-                              const unsigned int              elements,
-                              const std::vector<std::string> &slip_operators)
-  {
-    for (const std::string &slip_operator : slip_operators)
-      {
-        steady.slip_operator = slip_operator;
-        {
-          PhaseTimer::Scope phase(context.timer,
-                                  "factorisation and condensation");
-          const auto        kind =
-            ContactParameters::kind_of_slip_operator(slip_operator);
-          steady.problem =
-            steady.problem.n_nodes == 0
-              ? steady.pair->contact_problem(kind)
-              : steady.pair->contact_problem(kind, std::move(steady.problem.W));
-        }
-        for (const double creepage : scene.study.creepages)
+        StateSeconds set_up;
+        for (const std::size_t method : methods)
           {
-            PhaseTimer::Scope phase(context.timer, "contact solve");
-            steady.creepage_x = creepage * saturation;
-            steady.problem.set_creepages(steady.creepage_x, 0., 0.);
-            steady.state = initial_state(steady.problem, patch);
-            steady.solver =
-              make_contact_solver(scene.solver.solver, scene.solver.controls)
-                ->solve(steady.problem, steady.state);
-            steady.result = resultants(steady.problem, steady.state);
-            const LineErrors errors =
-              line_errors(scene, steady, line_reference(scene, steady));
-            Sample sample;
-            sample.force =
-              steady.result.force_x /
-              (scene.contact.friction_coefficient * steady.result.normal_force);
-            sample.traction_l2    = errors.traction_l2;
-            sample.pressure_l2    = errors.pressure_l2;
-            sample.sawtooth       = errors.sawtooth;
-            sample.stick_boundary = std::abs(errors.stick_boundary);
-            sample.normal_force   = errors.normal_force.value_or(0.);
-            samples[{slip_operator, creepage, elements}].push_back(sample);
-            add_result_row(scene, steady, context);
-            if (!steady.solver.converged)
-              throw ConvergenceError(
-                "Accuracy study, " + slip_operator + ", " +
-                std::to_string(elements) + " elements, creepage " +
-                significant(creepage, 3) +
-                " of saturation: " + steady.solver.reason + ".");
+            apply_method(results.methods[method]);
+            {
+              PhaseTimer::Scope phase(context.timer,
+                                      "factorisation and condensation");
+              const auto        kind = scene.contact.slip_operator_kind();
+              steady.problem =
+                method == methods.front()
+                  ? steady.pair->contact_problem(kind)
+                  : steady.pair->contact_problem(kind,
+                                                 std::move(steady.problem.W));
+            }
+            // of the first method, as it would be for any
+            if (method == methods.front())
+              set_up = state_seconds(context.timer) - before;
+            for (std::size_t i = 0; i < results.cases.size(); ++i)
+              solve_case({method, i, elements}, set_up, steady);
           }
       }
+    context.log.message(
+      mesh + ", " + std::to_string(elements) + " elements: " +
+      std::to_string(n_offsets * methods.size() * results.cases.size()) +
+      " states");
   }
 
 
 
-  double
-  AccuracyStudy::reference_force(const double creepage) const
-  {
-    const auto &finest =
-      samples.at({"calibrated", creepage, scene.study.reference_elements});
-    double sum = 0.;
-    for (const Sample &sample : finest)
-      sum += sample.force;
-    return sum / finest.size();
-  }
-
-
-
+  template <int dim>
   void
-  AccuracyStudy::summarise()
+  AccuracyStudy<dim>::solve_case(const StudyKey     &key,
+                                 const StateSeconds &set_up,
+                                 SteadyState<dim>   &steady)
   {
-    ResultsTable             table(context.folder, "summary.csv");
-    std::map<Key, double>    largest, mean;
-    std::vector<std::string> columns{"slip_operator",
-                                     "creepage_over_saturation",
-                                     "elements",
-                                     "force_error_max",
-                                     "force_error_mean",
-                                     "order_of_mean",
-                                     "traction_l2",
-                                     "sawtooth",
-                                     "stick_boundary"};
-    for (const auto &entry : samples)
-      {
-        const Key   &key       = entry.first;
-        const double reference = reference_force(key.creepage);
-        double       sum = 0., worst = 0., load = 0.;
-        Sample       extreme;
-        for (const Sample &sample : entry.second)
-          {
-            // the error of the magnitude: positive if the force is too large
-            const double error =
-              std::copysign(1., reference) * (sample.force - reference);
-            sum += error;
-            worst = std::max(worst, std::abs(error));
-            load += sample.normal_force;
-            extreme.traction_l2 += sample.traction_l2;
-            extreme.pressure_l2 += sample.pressure_l2;
-            extreme.sawtooth = std::max(extreme.sawtooth, sample.sawtooth);
-            extreme.stick_boundary =
-              std::max(extreme.stick_boundary, sample.stick_boundary);
-          }
-        const double n = entry.second.size();
-        largest[key]   = worst;
-        mean[key]      = sum / n;
-        table.set("slip_operator", key.slip_operator);
-        table.set("creepage_over_saturation", key.creepage);
-        table.set("elements", key.elements);
-        table.set("offsets", entry.second.size());
-        table.set("reference_force/muN", reference);
-        table.set("force_error_max", worst);
-        table.set("force_error_mean", sum / n);
-        const auto coarser =
-          mean.find({key.slip_operator, key.creepage, key.elements / 2});
-        if (coarser != mean.end() &&
-            key.elements != scene.study.reference_elements)
-          table.set("order_of_mean",
-                    std::log2(std::abs(coarser->second / (sum / n))));
-        table.set("normal_force_error", load / n);
-        table.set("pressure_l2", extreme.pressure_l2 / n);
-        table.set("traction_l2", extreme.traction_l2 / n);
-        table.set("sawtooth", extreme.sawtooth);
-        table.set("stick_boundary", extreme.stick_boundary);
-        table.end_row();
-      }
-    context.log.message("Force errors over mu N against the mean of " +
-                        std::to_string(scene.study.reference_elements) +
-                        " elements; traction over mu p0 against Carter, stick "
-                        "boundary in elements:");
-    context.log.message(table.screen_table(columns));
-    plot(largest);
+    apply_case(results.cases[key.state]);
+    const StateSeconds before = state_seconds(context.timer);
+    {
+      PhaseTimer::Scope phase(context.timer, "contact solve");
+      steady.creepage_x = scene.contact.creepage_x;
+      steady.creepage_y = scene.contact.creepage_y;
+      steady.spin       = scene.contact.spin;
+      steady.problem.set_creepages(steady.creepage_x,
+                                   steady.creepage_y,
+                                   steady.spin);
+      steady.state = initial_state(steady.problem, patch);
+      steady.solver =
+        make_contact_solver(scene.solver.solver, scene.solver.controls)
+          ->solve(steady.problem, steady.state);
+      steady.result = resultants(steady.problem, steady.state);
+    }
+    StateSeconds seconds = set_up;
+    seconds.contact += (state_seconds(context.timer) - before).contact;
+    if (zone_too_small(steady))
+      throw ConvergenceError(
+        "Accuracy study, " + std::to_string(key.elements) +
+        " elements: the patch reaches the border of the candidate zone; take "
+        "a larger Mesh/Candidate zone.");
+    keep(key, seconds, steady);
   }
 
 
 
+  template <int dim>
   void
-  AccuracyStudy::plot(const std::map<Key, double> &largest) const
+  AccuracyStudy<dim>::solve_levels(const unsigned int start,
+                                   const std::size_t  method)
   {
-    SvgPlot figure("Force error, largest over " +
-                     std::to_string(scene.study.n_offsets) + " mesh positions",
-                   "elements across the patch",
-                   "error of T / (\u03bcN)");
-    figure.set_scales(AxisScale::logarithmic, AxisScale::logarithmic);
-    for (const std::string &slip_operator : scene.study.slip_operators)
-      for (const double creepage : scene.study.creepages)
-        {
-          std::vector<double> x, y;
-          for (const auto &entry : largest)
-            if (entry.first.slip_operator == slip_operator &&
-                entry.first.creepage == creepage &&
-                entry.first.elements < scene.study.reference_elements)
-              {
-                x.push_back(entry.first.elements);
-                y.push_back(entry.second);
-              }
-          figure.add_curve(slip_operator + ", " + significant(creepage, 2),
-                           x,
-                           y,
-                           slip_operator == scene.study.slip_operators[0]
-                             ? CurveStyle::line_and_points
-                             : CurveStyle::dashed);
-        }
-    figure.write(context.folder, "force_error.svg");
+    const unsigned int n_offsets     = scene.study.n_offsets;
+    scene.mesh.elements_across_patch = start;
+    scene.mesh.adaptive_levels       = scene.study.adaptive_levels;
+    scene.mesh.target_change         = 0.;
+    scene.mesh.rim_levels            = rim_levels;
+    for (unsigned int k = 0; k < n_offsets; ++k)
+      for (std::size_t i = 0; i < results.cases.size(); ++i)
+        solve_levels({method, i, start}, double(k) / n_offsets);
+    context.log.message(
+      "adaptive, from " + std::to_string(start) + " elements: " +
+      std::to_string(n_offsets * results.cases.size()) + " states");
   }
+
+
+
+  template <int dim>
+  void
+  AccuracyStudy<dim>::solve_levels(const StudyKey &key, const double offset)
+  {
+    apply_method(results.methods[key.method]);
+    apply_case(results.cases[key.state]);
+    scene.mesh.patch_offset = significant(offset, 12);
+    release_free_memory();
+    reset_peak_memory();
+    const StateSeconds before = state_seconds(context.timer);
+    Log                quiet(Verbosity::quiet);
+    RunContext         unheard{
+      context.folder, context.results, context.report, context.timer, quiet};
+    const SteadyState<dim> steady =
+      AdaptiveLevels<dim>(scene, unheard).run([](const auto &) {});
+    keep(key, state_seconds(context.timer) - before, steady);
+  }
+
+
+
+  template <int dim>
+  void
+  AccuracyStudy<dim>::keep(const StudyKey         &key,
+                           const StateSeconds     &seconds,
+                           const SteadyState<dim> &steady)
+  {
+    const bool is_reference = key.method == results.reference_method &&
+                              key.elements == scene.study.reference_elements;
+    const TractionField *field =
+      !is_reference && !finest.empty() ? &finest[key.state] : nullptr;
+    StudySample sample = study_sample(scene, steady, field);
+    sample.seconds     = seconds;
+    sample.peak_memory = peak_memory_since_reset();
+    results.samples[key].push_back(sample);
+    context.results.set("mesh", results.methods[key.method].mesh);
+    context.results.set("operator", results.methods[key.method].slip_operator);
+    context.results.set("cpu_s", seconds.total());
+    add_result_row(scene, steady, context);
+    const auto meshes = reference_meshes(scene.study);
+    if (!sample.converged && key.method == results.reference_method &&
+        std::find(meshes.begin(), meshes.end(), key.elements) != meshes.end())
+      throw ConvergenceError(
+        "Accuracy study, the reference of " + std::to_string(key.elements) +
+        " elements, creepage " +
+        significant(results.cases[key.state].over_saturation, 3) +
+        " of saturation: " + steady.solver.reason + ".");
+    if (!is_reference)
+      return;
+    results.carter = follows_carter(scene, steady);
+    if (!results.carter && finest.size() == key.state)
+      finest.push_back({steady.pair->trace(), steady.state.traction});
+  }
+
+
+
+  template class AccuracyStudy<2>;
+  template class AccuracyStudy<3>;
 } // namespace RollingContact

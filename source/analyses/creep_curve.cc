@@ -1,6 +1,7 @@
 #include <rolling_contact/analyses/adaptive_levels.h>
 #include <rolling_contact/analyses/creep_curve.h>
 #include <rolling_contact/analyses/ellipse_reference.h>
+#include <rolling_contact/analyses/error_of_result.h>
 #include <rolling_contact/analyses/line_reference.h>
 #include <rolling_contact/analyses/quasi_static.h>
 #include <rolling_contact/analyses/result_row.h>
@@ -44,6 +45,7 @@ namespace RollingContact
             ". Natural residual " +
             scientific(steady.solver.residual.worst(), 3) + ", required " +
             scientific(scene.solver.controls.tolerance, 3) + ".");
+        note_error(scene, steady, context.report);
         progress.report(k + 1);
       }
     context.log.message(context.results.screen_table({"creepage_x",

@@ -1,6 +1,7 @@
 #include <deal.II/lac/vector.h>
 
 #include <rolling_contact/analyses/adaptive_levels.h>
+#include <rolling_contact/analyses/error_of_result.h>
 #include <rolling_contact/analyses/line_reference.h>
 #include <rolling_contact/analyses/quasi_static.h>
 #include <rolling_contact/analyses/result_row.h>
@@ -53,6 +54,7 @@ namespace RollingContact
         ". Natural residual " + scientific(steady.solver.residual.worst(), 3) +
         ", required " + scientific(scene.solver.controls.tolerance, 3) +
         "; its history is in residuals.csv. Try Contact/Solver = automatic.");
+    note_error(scene, steady, context.report);
   }
 
 

@@ -23,8 +23,8 @@ namespace RollingContact
       analysis,
       "`quasi-static`: one steady rolling state; `creep curve`: many creepages, "
       "see section Creep curve; `transient`: rolling in time, see section "
-      "Time; `accuracy study` (2D): the same state on many "
-      "meshes, see section Accuracy study.",
+      "Time; `accuracy study`: the same state on many meshes, or the same "
+      "transient with many steps, see section Accuracy study.",
       prm,
       Patterns::Selection("quasi-static|creep curve|transient|accuracy study"));
     add_parameter("Body threads",
@@ -40,7 +40,7 @@ namespace RollingContact
   void
   SceneParameters::check_hubs() const
   {
-    const bool dynamic = analysis == "transient" && time.inertia;
+    const bool dynamic = is_transient() && time.inertia;
     for (const BodyParameters *body : {&wheel, &rail})
       if (!body->rigid && body->hub == "free" &&
           (!dynamic || time.initial_state == "steady"))
@@ -69,10 +69,11 @@ namespace RollingContact
     rail.check(dimension);
     contact.check(dimension);
     mesh.check();
-    study.check();
+    if (analysis == "accuracy study")
+      study.check(dimension);
     creep_curve.check();
     check_hubs();
-    if (analysis == "transient")
+    if (is_transient())
       time.check(contact, dimension, prm_folder);
     if (wheel.rigid && rail.rigid)
       throw InputError("Wheel/Rigid = true and Rail/Rigid = true: at least one "
@@ -88,9 +89,6 @@ namespace RollingContact
         "Mesh/Adaptive levels = " + std::to_string(mesh.adaptive_levels) +
         ": an accuracy study has its own meshes (Accuracy study/Elements "
         "across patch); set it to 0.");
-    if (dimension == 3 && analysis == "accuracy study")
-      throw InputError(
-        "Analysis = accuracy study: it exists for Dimension = 2.");
     const auto curvature = [](const double radius) {
       return radius == 0. ? 0. : 1 / radius;
     };

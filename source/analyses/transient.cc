@@ -1,3 +1,4 @@
+#include <rolling_contact/analyses/error_of_result.h>
 #include <rolling_contact/analyses/quasi_static.h>
 #include <rolling_contact/analyses/transient.h>
 #include <rolling_contact/base/exceptions.h>
@@ -53,6 +54,7 @@ namespace RollingContact
     output.write_checkpoint(stepper, record);
     output.finish(stepper, record);
     summarise(stepper, record);
+    note_error_of_step(scene, stepper.current(), context.report);
   }
 
 

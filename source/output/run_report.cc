@@ -1,8 +1,10 @@
 #include <rolling_contact/base/log.h>
 #include <rolling_contact/base/memory.h>
 #include <rolling_contact/base/platform.h>
+#include <rolling_contact/base/shares.h>
 #include <rolling_contact/output/run_report.h>
 
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
@@ -103,16 +105,46 @@ namespace RollingContact
 
 
 
+    std::vector<int>
+    cpu_percentages(const std::vector<PhaseTimer::Row> &phases)
+    {
+      std::vector<double> seconds;
+      for (const PhaseTimer::Row &phase : phases)
+        seconds.push_back(phase.cpu_seconds);
+      return percentages(seconds);
+    }
+
+
+
     std::string
     json_phases(const std::vector<PhaseTimer::Row> &phases)
     {
+      const std::vector<int>   percent = cpu_percentages(phases);
       std::vector<std::string> values;
-      for (const PhaseTimer::Row &phase : phases)
+      for (std::size_t k = 0; k < phases.size(); ++k)
         values.push_back(
-          json_object({{"phase", json_string(phase.name)},
-                       {"calls", std::to_string(phase.n_calls)},
-                       {"wall_seconds", json_number(phase.wall_seconds)},
-                       {"cpu_seconds", json_number(phase.cpu_seconds)}}));
+          json_object({{"phase", json_string(phases[k].name)},
+                       {"calls", std::to_string(phases[k].n_calls)},
+                       {"wall_seconds", json_number(phases[k].wall_seconds)},
+                       {"cpu_seconds", json_number(phases[k].cpu_seconds)},
+                       {"cpu_percent", std::to_string(percent[k])}}));
+      return json_array(values);
+    }
+
+
+
+    std::string
+    json_errors(const std::vector<ResultError> &errors)
+    {
+      std::vector<std::string> values;
+      for (const ResultError &error : errors)
+        values.push_back(
+          json_object({{"quantity", json_string(error.quantity)},
+                       {"value", json_number(error.value)},
+                       {"scale", json_string(error.scale)},
+                       {"reference", json_string(error.reference)},
+                       {"estimated", json_bool(error.estimated)},
+                       {"remark", json_string(error.remark)}}));
       return json_array(values);
     }
 
@@ -193,6 +225,7 @@ namespace RollingContact
                               {"peak_memory_bytes",
                                std::to_string(peak_memory())},
                               {"objects", json_objects(objects)},
+                              {"errors", json_errors(errors)},
                               {"warnings", json_strings(warnings)}};
 
     std::string text;
@@ -211,5 +244,43 @@ namespace RollingContact
       (object.built ? built : left_out) += summary_line(object);
     return (built.empty() ? "" : "Built:\n" + built) +
            (left_out.empty() ? "" : "Left out:\n" + left_out);
+  }
+
+
+
+  std::string
+  ResultError::text() const
+  {
+    if (std::isnan(value))
+      return "error of the " + quantity + " not estimated (" + reference + ")";
+    const std::string size = scientific(value, 2) + " of " + scale;
+    return (estimated ? "estimated error of the " + quantity + " " + size +
+                          " (" + reference
+                      : "error of the " + quantity + " against " + reference +
+                          " " + size + (remark.empty() ? "" : " (")) +
+           (estimated && !remark.empty() ? "; " : "") + remark +
+           (estimated || !remark.empty() ? ")" : "");
+  }
+
+
+
+  std::string
+  RunReport::error_line(const PhaseTimer &timer) const
+  {
+    std::string text;
+    for (const ResultError &error : errors)
+      text += (text.empty() ? "" : ", ") + error.text();
+    if (errors.empty())
+      text = "no contact, no error";
+    text[0] = static_cast<char>(std::toupper(text[0]));
+
+    const std::vector<PhaseTimer::Row> phases  = timer.rows();
+    const std::vector<int>             percent = cpu_percentages(phases);
+    text +=
+      " in " + human_seconds(PhaseTimer::total(phases).cpu_seconds) + " CPU";
+    for (std::size_t k = 0; k < phases.size(); ++k)
+      text += (k == 0 ? ": " : ", ") + phases[k].name + " " +
+              std::to_string(percent[k]) + " %";
+    return text;
   }
 } // namespace RollingContact

@@ -1,82 +1,93 @@
 #ifndef rolling_contact_analyses_accuracy_study_h
 #define rolling_contact_analyses_accuracy_study_h
 
-#include <rolling_contact/analyses/steady_state.h>
+#include <rolling_contact/analyses/study_summary.h>
 
-#include <map>
 #include <string>
 #include <vector>
 
 namespace RollingContact
 {
   /**
-   * Analysis = accuracy study: the force of one scene on several meshes, at
-   * several positions of each under the patch, for several creepages and slip
-   * operators, against the converged solution of the same bodies. One row per
-   * state in results.csv, largest and mean errors with their order in
-   * summary.csv, and a plot. 2D.
+   * Analysis = accuracy study with Vary = mesh: steady states of one scene on
+   * several meshes, at several positions of each under the patch, for several
+   * creepages, slip operators and solvers, against the converged solution of
+   * the same bodies. One row per state in results.csv; tables and plot are left
+   * to StudySummary. A state that is not solved is counted there; only the
+   * reference must converge. The entries of the scene change from state to
+   * state.
    */
+  template <int dim>
   class AccuracyStudy
   {
   public:
-    AccuracyStudy(const SceneParameters &scene, RunContext &context)
-      : scene(scene)
-      , context(context)
-    {}
+    AccuracyStudy(SceneParameters &scene, RunContext &context);
 
     void
     run();
 
   private:
     /**
-     * All states of one method on one mesh and creepage.
+     * Creepage in the rolling direction, across it and in spin at which the
+     * force saturates. Throws InputError without contact or friction.
      */
-    struct Key
-    {
-      std::string  slip_operator;
-      double       creepage; ///< over saturation
-      unsigned int elements;
-
-      bool
-      operator<(const Key &other) const;
-    };
-
-    struct Sample
-    {
-      double force          = 0.; ///< T / (mu N)
-      double traction_l2    = 0.;
-      double pressure_l2    = 0.;
-      double sawtooth       = 0.;
-      double stick_boundary = 0.; ///< elements
-      double normal_force   = 0.; ///< relative error
-    };
+    References::Creepages
+    saturation() const;
 
     void
-    solve_mesh(const unsigned int              elements,
-               const std::vector<std::string> &slip_operators);
+    list_cases();
+
+    /**
+     * The reference mesh and those it is extrapolated from.
+     */
+    void
+    solve_reference();
+
+    std::vector<std::size_t>
+    methods_on(const std::string &mesh) const;
+
+    /**
+     * All positions of a uniform or graded mesh; its set-up is made once for
+     * all methods and cases.
+     */
+    void
+    solve_mesh(const std::string              &mesh,
+               const unsigned int              elements,
+               const std::vector<std::size_t> &methods);
 
     void
-    solve_states(SteadyState<2>                 &steady,
-                 const unsigned int              elements,
-                 const std::vector<std::string> &slip_operators);
+    solve_case(const StudyKey     &key,
+               const StateSeconds &set_up,
+               SteadyState<dim>   &steady);
+
+    /**
+     * All positions of an adaptive mesh, whose levels belong to one state.
+     */
+    void
+    solve_levels(const unsigned int start, const std::size_t method);
 
     void
-    add_row(const Key &key, const SteadyState<2> &steady, const Sample &sample);
-
-    double
-    reference_force(const double creepage) const;
+    solve_levels(const StudyKey &key, const double offset);
 
     void
-    summarise();
+    apply_method(const StudyMethod &method);
 
     void
-    plot(const std::map<Key, double> &largest) const;
+    apply_case(const StudyCase &state);
 
-    const SceneParameters             &scene;
-    RunContext                        &context;
-    PatchEstimate                      patch;
-    double                             saturation = 0.;
-    std::map<Key, std::vector<Sample>> samples;
+    void
+    keep(const StudyKey         &key,
+         const StateSeconds     &seconds,
+         const SteadyState<dim> &steady);
+
+    SceneParameters           &scene;
+    RunContext                &context;
+    const std::string          contact_matrices; ///< what the scene gave
+    const double               tolerance;
+    const unsigned int         rim_levels;
+    const PatchEstimate        patch;
+    StudyResults               results;
+    std::vector<TractionField> finest; ///< of each case, once it is solved
   };
 } // namespace RollingContact
 

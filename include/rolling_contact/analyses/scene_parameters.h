@@ -36,6 +36,16 @@ namespace RollingContact
       return wheel.rigid ? rail.thickness : wheel.thickness;
     }
 
+    /**
+     * Whether section Time is in use.
+     */
+    bool
+    is_transient() const
+    {
+      return analysis == "transient" ||
+             (analysis == "accuracy study" && study.varies_time_step());
+    }
+
     void
     check_hubs() const;
 

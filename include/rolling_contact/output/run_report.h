@@ -30,6 +30,24 @@ namespace RollingContact
   };
 
   /**
+   * How far a result is off, largest over the states of the run: against a
+   * closed form or another reference, or estimated and how. Units: 1, of @p
+   * scale.
+   */
+  struct ResultError
+  {
+    std::string quantity; ///< "force"
+    double      value = 0.;
+    std::string scale;     ///< "mu N"
+    std::string reference; ///< "Carter"; of an estimate, what it is based on
+    bool        estimated = false;
+    std::string remark;
+
+    std::string
+    text() const;
+  };
+
+  /**
    * What a run was and did, as it stands in run.json. Filled by the driver and
    * the analyses; adds the times, the memory and the CPUs of the host itself,
    * and leaves the list of files to the run folder.
@@ -44,6 +62,7 @@ namespace RollingContact
     std::vector<std::string>                         command_line;
     std::vector<BuiltObject>                         objects;
     std::vector<std::string>                         warnings;
+    std::vector<ResultError>                         errors;
 
     /** Rewrites run.json; to be called at the start, whenever something worth
      * keeping happened, and at the end. */
@@ -55,6 +74,11 @@ namespace RollingContact
     /** The objects as text for the screen: built, then left out. */
     std::string
     objects_summary() const;
+
+    /** Errors of the results, CPU seconds and where they went, in percent that
+     * add up to 100. */
+    std::string
+    error_line(const PhaseTimer &timer) const;
   };
 } // namespace RollingContact
 

@@ -1,0 +1,32 @@
+#ifndef rolling_contact_analyses_error_cost_report_h
+#define rolling_contact_analyses_error_cost_report_h
+
+#include <rolling_contact/analyses/error_cost.h>
+#include <rolling_contact/analyses/run_context.h>
+
+#include <string>
+#include <vector>
+
+namespace RollingContact
+{
+  /**
+   * Columns of text, aligned to the right but for the first, for the screen;
+   * the first row holds the names.
+   */
+  std::string
+  aligned_table(const std::vector<std::vector<std::string>> &rows);
+
+  /**
+   * What a study found, points in the order of its methods: the plot of error
+   * against time with the Pareto front, error_cpu.svg, and the cheapest method
+   * for each error level that is reached, best.csv and on the screen.
+   * @p cost says what the time is of, "state".
+   */
+  void
+  report_errors_and_costs(const std::vector<CostedError> &points,
+                          const std::string              &error,
+                          const std::string              &cost,
+                          RunContext                     &context);
+} // namespace RollingContact
+
+#endif
