@@ -219,11 +219,12 @@ namespace RollingContact
     const auto largest = [](const MeanAndLargest &error) {
       return error.n > 0 ? scientific(error.largest, 2) : "-";
     };
-    const auto milliseconds = [](const double value) {
-      return significant(1e3 * value, 3);
+    const auto milliseconds = [](const double seconds) {
+      return seconds < 0.1 ? significant(1e3 * seconds, 2)
+                           : std::to_string(std::lround(1e3 * seconds));
     };
     TextTable accuracy{
-      {"", "n", "force", "load", "pressure", "traction", "stick", "failed"}},
+      {"", "n", "force", "load", "pressure", "traction", "stick"}},
       cost{{"CPU in ms",
             "n",
             "dofs",
@@ -239,14 +240,16 @@ namespace RollingContact
         {
           const std::string  name   = name_of(method);
           const StudyErrors &errors = *row++;
-          accuracy.push_back({name,
-                              std::to_string(elements),
-                              largest(errors.force),
-                              largest(errors.load),
-                              largest(errors.pressure),
-                              largest(errors.traction),
-                              largest(errors.stick_boundary),
-                              std::to_string(errors.n_not_converged)});
+          accuracy.push_back(
+            {name,
+             std::to_string(elements),
+             errors.n_not_converged > 0
+               ? std::to_string(errors.n_not_converged) + " failed"
+               : largest(errors.force),
+             largest(errors.load),
+             largest(errors.pressure),
+             largest(errors.traction),
+             largest(errors.stick_boundary)});
           cost.push_back({name,
                           std::to_string(elements),
                           std::to_string(std::lround(errors.n_unknowns)),

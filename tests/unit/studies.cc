@@ -161,6 +161,7 @@ BOOST_AUTO_TEST_CASE(shares_add_up)
   check_equal(percentages({1., 1., 1.}), {34, 33, 33});
   check_equal(percentages({0.005, 0.995}), {1, 99});
   check_equal(percentages({0., 2., 2.}), {0, 50, 50});
+  check_equal(percentages({1., 2., 4.}), {14, 29, 57});
   check_equal(percentages({0., 0.}), {0, 0});
   std::mt19937                           random(3);
   std::uniform_real_distribution<double> uniform(0., 1.);
