@@ -71,30 +71,33 @@ namespace RollingContact
 
 
   void
-  report_errors_and_costs(const std::vector<CostedError> &points,
-                          const std::string              &error,
-                          const std::string              &cost,
-                          RunContext                     &context)
+  report_errors_and_costs(const std::vector<ErrorCostSet> &sets,
+                          const std::string               &error,
+                          const std::string               &cost,
+                          RunContext                      &context)
   {
-    plot(points, error, cost, context.folder);
+    plot(sets.front().points, error, cost, context.folder);
     ResultsTable                          table(context.folder, "best.csv");
     std::vector<std::vector<std::string>> rows{
-      {"cheapest", "with", "error at most", "error", "CPU s"}};
-    for (const BestOfLevel &best : best_of_levels(points, error_levels))
-      {
-        const CostedError &point = points[best.point];
-        table.set("error_level", best.level);
-        table.set("method", point.method);
-        table.set("resolution", point.resolution);
-        table.set("error", point.error);
-        table.set("cpu_s", point.cpu_seconds);
-        table.end_row();
-        rows.push_back({point.method,
-                        point.resolution,
-                        significant(best.level, 1),
-                        scientific(point.error, 2),
-                        significant(point.cpu_seconds, 3)});
-      }
+      {"", "at most", "error", "CPU s", "cheapest", "with"}};
+    for (const ErrorCostSet &set : sets)
+      for (const BestOfLevel &best : best_of_levels(set.points, error_levels))
+        {
+          const CostedError &point = set.points[best.point];
+          table.set("of", set.part);
+          table.set("error_level", best.level);
+          table.set("error", point.error);
+          table.set("cpu_s", point.cpu_seconds);
+          table.set("method", point.method);
+          table.set("resolution", point.resolution);
+          table.end_row();
+          rows.push_back({set.part,
+                          significant(best.level, 1),
+                          scientific(point.error, 2),
+                          significant(point.cpu_seconds, 3),
+                          point.method,
+                          point.resolution});
+        }
     context.log.message(rows.size() > 1
                           ? aligned_table(rows)
                           : "No method reaches an error of " +

@@ -1,4 +1,3 @@
-#include <rolling_contact/analyses/error_cost_report.h>
 #include <rolling_contact/analyses/error_of_result.h>
 #include <rolling_contact/analyses/study_summary.h>
 
@@ -208,7 +207,7 @@ namespace RollingContact
           table.end_row();
         }
     say_methods(rows);
-    report_points(rows);
+    report_points();
   }
 
 
@@ -266,26 +265,42 @@ namespace RollingContact
 
 
 
-  void
-  StudySummary::report_points(const std::vector<StudyErrors> &rows) const
+  ErrorCostSet
+  StudySummary::points_of(const std::string &direction) const
   {
-    std::vector<CostedError> points;
-    auto                     row = rows.begin();
+    ErrorCostSet set{direction.empty() ? "all" : direction, {}};
     for (std::size_t method = 0; method < results.n_compared; ++method)
       for (const unsigned int elements : meshes_of(method))
         {
-          const StudyErrors &errors = *row++;
-          points.push_back({name_of(method),
-                            std::to_string(elements) + " elements",
-                            errors.seconds.total(),
-                            errors.n_not_converged > 0
-                              ? std::numeric_limits<double>::quiet_NaN()
-                              : errors.force.largest});
+          std::vector<StudyErrors> cases;
+          for (std::size_t i = 0; i < results.cases.size(); ++i)
+            if (direction.empty() || results.cases[i].direction == direction)
+              cases.push_back(all_errors.at({method, i, elements}));
+          const StudyErrors errors = worst_case(cases);
+          set.points.push_back({name_of(method),
+                                std::to_string(elements) + " elements",
+                                errors.seconds.total(),
+                                errors.n_not_converged > 0
+                                  ? std::numeric_limits<double>::quiet_NaN()
+                                  : errors.force.largest});
         }
-    report_errors_and_costs(points,
+    return set;
+  }
+
+
+
+  void
+  StudySummary::report_points() const
+  {
+    std::vector<ErrorCostSet> sets{points_of("")};
+    if (scene.study.directions.size() > 1)
+      for (const std::string &direction : scene.study.directions)
+        sets.push_back(points_of(direction));
+    report_errors_and_costs(sets,
                             "largest error of T / (\u03bcN)",
                             "state",
                             context);
-    note_study_error(points, "force", "mu N", force_reference, context.report);
+    note_study_error(
+      sets.front().points, "force", "mu N", force_reference, context.report);
   }
 } // namespace RollingContact

@@ -202,7 +202,7 @@ namespace RollingContact
       }
     context.log.message(aligned_table(rows));
     const bool friction = scene.contact.friction_coefficient > 0.;
-    report_errors_and_costs(points,
+    report_errors_and_costs({{"all", points}},
                             friction ? "largest error of T / (\u03bcN)"
                                      : "largest error of the load / N",
                             "run",

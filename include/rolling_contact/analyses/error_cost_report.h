@@ -17,16 +17,25 @@ namespace RollingContact
   aligned_table(const std::vector<std::vector<std::string>> &rows);
 
   /**
+   * Points of all that a study solved, or of a part, and what part that is.
+   */
+  struct ErrorCostSet
+  {
+    std::string              part; ///< "all", "spin"
+    std::vector<CostedError> points;
+  };
+
+  /**
    * What a study found, points in the order of its methods: the plot of error
-   * against time with the Pareto front, error_cpu.svg, and the cheapest method
-   * for each error level that is reached, best.csv and on the screen.
-   * @p cost says what the time is of, "state".
+   * against time of the first set with its Pareto front, error_cpu.svg, and for
+   * each set the cheapest method for each error level that is reached, best.csv
+   * and on the screen. @p cost says what the time is of, "state".
    */
   void
-  report_errors_and_costs(const std::vector<CostedError> &points,
-                          const std::string              &error,
-                          const std::string              &cost,
-                          RunContext                     &context);
+  report_errors_and_costs(const std::vector<ErrorCostSet> &sets,
+                          const std::string               &error,
+                          const std::string               &cost,
+                          RunContext                      &context);
 } // namespace RollingContact
 
 #endif

@@ -1,7 +1,7 @@
 #ifndef rolling_contact_analyses_study_summary_h
 #define rolling_contact_analyses_study_summary_h
 
-#include <rolling_contact/analyses/error_cost.h>
+#include <rolling_contact/analyses/error_cost_report.h>
 #include <rolling_contact/analyses/study_errors.h>
 
 #include <map>
@@ -57,8 +57,14 @@ namespace RollingContact
     void
     say_methods(const std::vector<StudyErrors> &rows) const;
 
+    /**
+     * Of one direction of creepage, of all if it is empty.
+     */
+    ErrorCostSet
+    points_of(const std::string &direction) const;
+
     void
-    report_points(const std::vector<StudyErrors> &rows) const;
+    report_points() const;
 
     const SceneParameters          &scene;
     const StudyResults             &results;
