@@ -2,6 +2,7 @@
 
 #include <rolling_contact/analyses/contact_stepper.h>
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/contact/invariants.h>
 
 #include <algorithm>
 #include <cmath>
@@ -249,6 +250,9 @@ namespace RollingContact
         contact.state = previous;
         return false;
       }
+    check_invariants(invariants(contact.problem, contact.state),
+                     scene.solver.controls.tolerance,
+                     "t = " + significant(time + h, 9) + " s: ");
     finish_part(previous, h, outcome);
     return true;
   }

@@ -1,6 +1,7 @@
 #include <rolling_contact/analyses/ellipse_reference.h>
 #include <rolling_contact/analyses/line_reference.h>
 #include <rolling_contact/analyses/result_row.h>
+#include <rolling_contact/contact/invariants.h>
 
 namespace RollingContact
 {
@@ -38,6 +39,15 @@ namespace RollingContact
       table.set("passes", solver.passes);
       table.set("solver", solver.solver);
       table.set("converged", solver.converged);
+    }
+
+
+
+    void
+    set_invariant_columns(const Invariants &invariants, ResultsTable &table)
+    {
+      for (const auto &invariant : invariants.named())
+        table.set("invariant_" + invariant.first, invariant.second);
     }
 
 
@@ -143,6 +153,8 @@ namespace RollingContact
     table.set("approach_m", steady.state.approach);
     set_resultant_columns(steady.result, table);
     set_solver_columns(steady.solver, table);
+    const Invariants found = invariants(steady.problem, steady.state);
+    set_invariant_columns(found, table);
     if constexpr (dim == 2)
       set_reference_columns(scene, steady, table);
     else
@@ -150,6 +162,8 @@ namespace RollingContact
     set_level_columns(steady, table);
     table.set("wall_s", steady.wall_s);
     table.end_row();
+    if (steady.solver.converged)
+      check_invariants(found, scene.solver.controls.tolerance, "The state: ");
   }
 
 

@@ -6,8 +6,9 @@
 namespace RollingContact
 {
   /**
-   * One row of results.csv for a steady state, with its references; ends the
-   * row.
+   * One row of results.csv for a steady state, with its references and
+   * invariants; ends the row. Throws ConvergenceError, once the row is there,
+   * if a converged state breaks an invariant.
    */
   template <int dim>
   void
