@@ -164,6 +164,8 @@ namespace RollingContact
           },
           context);
         const Resultants &result = steady.result;
+        if (!steady.solver.converged) // its patch means nothing
+          return steady;
         if (zone_too_small(steady))
           {
             // a zone a little too small needs no larger elements

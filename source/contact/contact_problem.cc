@@ -287,6 +287,9 @@ namespace RollingContact
   TangentialProblem
   tangential_problem(const ContactProblem &contact, const ContactState &state)
   {
-    return TangentialProblem(contact, state.pressure, state.edges);
+    return TangentialProblem(contact,
+                             state.pressure,
+                             state.edges,
+                             state.edge_law);
   }
 } // namespace RollingContact

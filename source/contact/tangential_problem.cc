@@ -23,7 +23,8 @@ namespace RollingContact
   TangentialProblem::TangentialProblem(
     const ContactProblem                 &contact,
     const std::vector<double>            &pressure,
-    const std::vector<EdgeExtrapolation> &extrapolations)
+    const std::vector<EdgeExtrapolation> &extrapolations,
+    const bool                            edge_law)
     : contact(contact)
     , B1(contact.slip_operator.rows())
     , B2(identity(contact.n_nodes))
@@ -34,7 +35,7 @@ namespace RollingContact
       return;
     for (unsigned int i = 0; i < contact.n_nodes; ++i)
       bound[i] = contact.friction[i] * pressure[i];
-    if (contact.slip_operator.has_edge_law())
+    if (edge_law && contact.slip_operator.has_edge_law())
       {
         edge_rows.assign(contact.n_tangential, SparseRows(contact.n_nodes));
         edge_constants.assign(slip_at_zero.size(), 0.);

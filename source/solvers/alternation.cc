@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace RollingContact
 {
@@ -149,10 +150,14 @@ namespace RollingContact
                          ContactState         &state,
                          SolverReport         &report) const
   {
-    const unsigned int plain_passes = 10, max_passes = 200, depth = 5;
-    Anderson           anderson(depth);
+    const unsigned int plain_passes = 10, max_passes = 200, depth = 5,
+                       patience = 40;
+    double       lowest         = std::numeric_limits<double>::infinity();
+    unsigned int n_stalled      = 0;
+    Anderson     anderson(depth);
     report.converged = false;
-    for (unsigned int pass = 1; pass <= max_passes; ++pass)
+    for (unsigned int pass = 1; pass <= max_passes && n_stalled < patience;
+         ++pass)
       {
         ++report.passes;
         const SolverReport pressure = normal->solve(problem, state);
@@ -185,6 +190,8 @@ namespace RollingContact
             report.reason = "rounding keeps the residual above the tolerance";
             return;
           }
+        n_stalled = report.residual.worst() < 0.5 * lowest ? 0 : n_stalled + 1;
+        lowest    = std::min(lowest, report.residual.worst());
         if (pass >= plain_passes)
           state.traction = anderson.next(start, state.traction);
       }

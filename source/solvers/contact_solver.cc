@@ -3,6 +3,7 @@
 #include <rolling_contact/solvers/extragradient.h>
 #include <rolling_contact/solvers/fixed_point.h>
 #include <rolling_contact/solvers/normal_active_set.h>
+#include <rolling_contact/solvers/solver_chain.h>
 #include <rolling_contact/solvers/tangential_active_set.h>
 
 namespace RollingContact
@@ -21,9 +22,12 @@ namespace RollingContact
       throw InputError("Contact/Solver = " + name +
                        ": choose automatic, active set, extragradient or "
                        "fixed point.");
-    return std::make_unique<Alternation>(std::make_unique<NormalActiveSet>(
-                                           controls),
-                                         std::move(tangential),
-                                         controls);
+    auto alternation =
+      std::make_unique<Alternation>(std::make_unique<NormalActiveSet>(controls),
+                                    std::move(tangential),
+                                    controls);
+    if (name == "automatic")
+      return std::make_unique<SolverChain>(std::move(alternation), controls);
+    return alternation;
   }
 } // namespace RollingContact

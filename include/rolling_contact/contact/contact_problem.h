@@ -151,7 +151,8 @@ namespace RollingContact
     std::vector<double>            pressure;
     std::vector<double>            traction;
     double                         approach = 0.;
-    std::vector<EdgeExtrapolation> edges; ///< where not g1 = g2
+    std::vector<EdgeExtrapolation> edges;           ///< where not g1 = g2
+    bool                           edge_law = true; ///< if B1 has one
   };
 
   /**
@@ -176,7 +177,8 @@ namespace RollingContact
   {
     TangentialProblem(const ContactProblem                 &contact,
                       const std::vector<double>            &pressure,
-                      const std::vector<EdgeExtrapolation> &extrapolations);
+                      const std::vector<EdgeExtrapolation> &extrapolations,
+                      const bool                            edge_law = true);
 
     /**
      * What the friction law acts on, s(q) = slip_at_zero + slip_of(W_tt H q) +

@@ -1,0 +1,30 @@
+#ifndef rolling_contact_solvers_solver_chain_h
+#define rolling_contact_solvers_solver_chain_h
+
+#include <rolling_contact/solvers/contact_solver.h>
+
+#include <memory>
+
+namespace RollingContact
+{
+  /**
+   * The alternation and, where it fails, what is left to try: Newton for
+   * pressure and traction at once, both without the edge law, and for steady
+   * rolling the march in rolled distance. The report names what was used.
+   */
+  class SolverChain : public ContactSolver
+  {
+  public:
+    SolverChain(std::shared_ptr<const ContactSolver> alternation,
+                const SolverControls                &controls);
+
+    SolverReport
+    solve(const ContactProblem &problem, ContactState &state) const override;
+
+  private:
+    std::shared_ptr<const ContactSolver> alternation, newton;
+    SolverControls                       controls;
+  };
+} // namespace RollingContact
+
+#endif

@@ -1,0 +1,113 @@
+#include <rolling_contact/solvers/rolling_march.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace RollingContact
+{
+  namespace
+  {
+    /**
+     * W_tt H q + W_tn H p. Units: m.
+     */
+    std::vector<double>
+    displacement(const ContactProblem &problem, const ContactState &state)
+    {
+      std::vector<double> w = problem.tangential_displacement(state.traction);
+      const std::vector<double> coupling =
+        problem.tangential_displacement_of_pressure(state.pressure);
+      for (std::size_t i = 0; i < w.size(); ++i)
+        w[i] += coupling[i];
+      return w;
+    }
+
+
+
+    /**
+     * Length along x of the nodes that touch, at least that of one element.
+     */
+    double
+    patch_length(const ContactProblem &problem, const ContactState &state)
+    {
+      double lower = std::numeric_limits<double>::max(), upper = -lower;
+      for (unsigned int i = 0; i < problem.n_nodes; ++i)
+        if (state.pressure[i] > 0.)
+          {
+            lower = std::min(lower, problem.positions[i][0]);
+            upper = std::max(upper, problem.positions[i][0]);
+          }
+      return upper > lower
+               ? upper - lower
+               : problem.positions.back()[0] - problem.positions.front()[0];
+    }
+
+
+
+    void
+    add_work(const SolverReport &part, SolverReport &whole)
+    {
+      whole.iterations += part.iterations;
+      whole.normal_solves += part.normal_solves;
+      whole.tangential_solves += part.tangential_solves;
+      whole.passes += part.passes;
+      whole.residual = part.residual;
+      whole.reason   = part.reason;
+      whole.history.insert(whole.history.end(),
+                           part.history.begin(),
+                           part.history.end());
+    }
+  } // namespace
+
+
+
+  SolverReport
+  RollingMarch::solve(const ContactProblem &problem, ContactState &state) const
+  {
+    const unsigned int max_steps = 80, max_halvings = 8, between_trials = 10;
+    const double       first_step = 0.01, growth = 1.4, last_step = 1e4;
+    SolverReport       report;
+    report.solver = "rolling march";
+    std::fill(state.traction.begin(), state.traction.end(), 0.);
+    const double   length     = patch_length(problem, state);
+    double         h          = first_step * length;
+    ContactProblem step       = problem;
+    auto           before     = displacement(problem, state);
+    unsigned int   n_halvings = 0, n_done = 0;
+    for (unsigned int k = 0; k < max_steps && n_halvings < max_halvings; ++k)
+      {
+        step.rate = 1 / h;
+        for (std::size_t i = 0; i < before.size(); ++i)
+          step.rigid_slip[i] = problem.rigid_slip[i] - before[i] / h;
+        step.find_tangential_norm();
+        ContactState       next = state;
+        const SolverReport part = step_solver->solve(step, next);
+        add_work(part, report);
+        if (!part.converged)
+          {
+            h /= 2;
+            ++n_halvings;
+            continue;
+          }
+        state  = next;
+        before = displacement(problem, state);
+        h *= growth;
+        if (++n_done % between_trials != 0 && h < last_step * length)
+          continue;
+        ContactState       steady = state;
+        const SolverReport end    = step_solver->solve(problem, steady);
+        add_work(end, report);
+        if (end.converged)
+          {
+            state            = steady;
+            report.converged = true;
+            return report;
+          }
+        if (h >= last_step * length)
+          break;
+      }
+    report.residual =
+      natural_residual(problem, tangential_problem(problem, state), state);
+    report.reason = "the march in rolled distance found no steady state";
+    return report;
+  }
+} // namespace RollingContact
