@@ -67,7 +67,8 @@ namespace RollingContact
     const double       first_step = 0.01, growth = 1.4, last_step = 1e4;
     SolverReport       report;
     report.solver = "rolling march";
-    std::fill(state.traction.begin(), state.traction.end(), 0.);
+    state.pressure.resize(problem.n_nodes, 0.);
+    state.traction.assign(problem.n_tangential * problem.n_nodes, 0.);
     const double   length     = patch_length(problem, state);
     double         h          = first_step * length;
     ContactProblem step       = problem;

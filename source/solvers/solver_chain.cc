@@ -49,56 +49,59 @@ namespace RollingContact
 
 
 
+  bool
+  SolverChain::attempt(const ContactSolver  &solver,
+                       const ContactProblem &problem,
+                       ContactState          from,
+                       SolverReport         &report,
+                       ContactState         &state) const
+  {
+    const SolverReport next = solver.solve(problem, from);
+    report.iterations += next.iterations;
+    report.normal_solves += next.normal_solves;
+    report.tangential_solves += next.tangential_solves;
+    report.passes += next.passes;
+    report.history.insert(report.history.end(),
+                          next.history.begin(),
+                          next.history.end());
+    if (!next.converged)
+      return false;
+    report.converged = true;
+    report.residual  = next.residual;
+    report.reason.clear();
+    report.solver += ", fallback " + next.solver;
+    if (!from.edge_law)
+      report.solver += " without edge law";
+    state = from;
+    return true;
+  }
+
+
+
   SolverReport
   SolverChain::solve(const ContactProblem &problem, ContactState &state) const
   {
+    state.pressure.resize(problem.n_nodes, 0.);
+    state.traction.resize(problem.n_tangential * problem.n_nodes, 0.);
     state.edge_law            = true;
     const ContactState start  = state;
     SolverReport       report = alternation->solve(problem, state);
     if (report.converged || problem.n_tangential == 0)
       return report;
-    ContactState best  = state;
-    SolverReport worst = report;
-    const auto   attempt =
-      [&](const ContactSolver &solver, ContactState from, const bool edge_law) {
-        from.edge_law     = edge_law;
-        SolverReport next = solver.solve(problem, from);
-        report.iterations += next.iterations;
-        report.normal_solves += next.normal_solves;
-        report.tangential_solves += next.tangential_solves;
-        report.passes += next.passes;
-        report.history.insert(report.history.end(),
-                              next.history.begin(),
-                              next.history.end());
-        if (!next.converged)
-          return false;
-        report.converged = true;
-        report.residual  = next.residual;
-        report.reason.clear();
-        report.solver += ", fallback " + next.solver;
-        if (!edge_law)
-          report.solver += " without edge law";
-        state = from;
-        return true;
-      };
-    if (attempt(*newton, best, true))
+    if (attempt(*newton, problem, state, report, state) || problem.rate != 0.)
       return report;
-    const bool steady       = problem.rate == 0.;
-    const bool has_edge_law = steady && problem.slip_operator.has_edge_law();
-    if (has_edge_law &&
-        (attempt(*alternation, start, false) || attempt(*newton, start, false)))
+    ContactState plain  = start;
+    plain.edge_law      = false;
+    const bool edge_law = problem.slip_operator.has_edge_law();
+    if (edge_law && (attempt(*alternation, problem, plain, report, state) ||
+                     attempt(*newton, problem, plain, report, state)))
       return report;
-    if (steady)
-      {
-        const RollingMarch march(
-          std::make_shared<InTurn>(
-            std::vector<std::shared_ptr<const ContactSolver>>{newton,
-                                                              alternation}),
-          controls);
-        if (attempt(march, start, true) ||
-            (has_edge_law && attempt(march, start, false)))
-          return report;
-      }
+    const RollingMarch march(
+      std::make_shared<InTurn>(
+        std::vector<std::shared_ptr<const ContactSolver>>{newton, alternation}),
+      controls);
+    if (!attempt(march, problem, start, report, state) && edge_law)
+      attempt(march, problem, plain, report, state);
     return report;
   }
 } // namespace RollingContact

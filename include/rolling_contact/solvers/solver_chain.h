@@ -22,6 +22,17 @@ namespace RollingContact
     solve(const ContactProblem &problem, ContactState &state) const override;
 
   private:
+    /**
+     * Try a solver; its effort goes into the report and, if it succeeds, its
+     * name there and its solution into @p state.
+     */
+    bool
+    attempt(const ContactSolver  &solver,
+            const ContactProblem &problem,
+            ContactState          from,
+            SolverReport         &report,
+            ContactState         &state) const;
+
     std::shared_ptr<const ContactSolver> alternation, newton;
     SolverControls                       controls;
   };
