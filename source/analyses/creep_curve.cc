@@ -5,6 +5,7 @@
 #include <rolling_contact/analyses/line_reference.h>
 #include <rolling_contact/analyses/quasi_static.h>
 #include <rolling_contact/analyses/result_row.h>
+#include <rolling_contact/analyses/small_strain.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/base/progress.h>
@@ -48,6 +49,10 @@ namespace RollingContact
         note_error(scene, steady, context.report);
         progress.report(k + 1);
       }
+    warn_of_large_strains(strain_measures(scene,
+                                          steady.result,
+                                          steady.state.approach),
+                          context.log);
     context.log.message(context.results.screen_table({"creepage_x",
                                                       "creepage_y",
                                                       "spin_1/m",

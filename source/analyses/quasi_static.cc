@@ -5,6 +5,7 @@
 #include <rolling_contact/analyses/line_reference.h>
 #include <rolling_contact/analyses/quasi_static.h>
 #include <rolling_contact/analyses/result_row.h>
+#include <rolling_contact/analyses/small_strain.h>
 #include <rolling_contact/analyses/traction_plot.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/output/body_fields.h>
@@ -200,15 +201,8 @@ namespace RollingContact
       log.warning("Only " + std::to_string(result.n_touching) +
                   " nodes touch: the patch is unresolved, take more elements "
                   "(Mesh/Elements across patch).");
-    if (const double span = std::abs(steady.state.approach);
-        result.half_width_x > 0.1 * pair_constants(scene).relative_radius)
-      log.warning(
-        "The half-width is " +
-        significant(result.half_width_x / pair_constants(scene).relative_radius,
-                    2) +
-        " of the relative radius, at an approach of " + significant(span, 3) +
-        " m: beyond the small strains that linear elasticity holds "
-        "for.");
+    warn_of_large_strains(strain_measures(scene, result, steady.state.approach),
+                          log);
     log.message("approach " + significant(steady.state.approach * 1e3, 5) +
                 " mm, N = " + significant(result.normal_force, 6) +
                 " N, T = (" + significant(result.force_x, 6) + ", " +
@@ -224,7 +218,7 @@ namespace RollingContact
                   3) +
       " % of the area");
     if constexpr (dim == 2)
-      if (result.normal_force > 0.)
+      if (result.normal_force > 0. && scene.contact.roughness.empty())
         {
           const LineReference reference = line_reference(scene, steady);
           const LineErrors    errors    = line_errors(scene, steady, reference);

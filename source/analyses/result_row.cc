@@ -57,7 +57,7 @@ namespace RollingContact
                           const SteadyState<2>  &steady,
                           ResultsTable          &table)
     {
-      if (steady.result.normal_force <= 0.)
+      if (steady.result.normal_force <= 0. || !scene.contact.roughness.empty())
         return;
       const LineReference reference = line_reference(scene, steady);
       const LineErrors    errors    = line_errors(scene, steady, reference);
@@ -85,7 +85,7 @@ namespace RollingContact
                         const SteadyState<3>  &steady,
                         ResultsTable          &table)
     {
-      if (steady.result.normal_force <= 0.)
+      if (steady.result.normal_force <= 0. || !scene.contact.roughness.empty())
         return;
       const EllipseReference reference =
         ellipse_reference(scene,

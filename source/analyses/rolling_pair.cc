@@ -6,6 +6,7 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/log.h>
 #include <rolling_contact/base/memory.h>
+#include <rolling_contact/contact/roughness.h>
 
 #include <cmath>
 
@@ -270,9 +271,11 @@ namespace RollingContact
                                            contact.flow());
     const BodyGeometry wheel = scene.wheel.geometry(),
                        rail  = scene.rail.geometry();
+    const Roughness roughness(contact.roughness);
     for (const auto &node : contact_trace.nodes)
       problem.gap.push_back(-wheel.surface_height(node[0], node[1]) -
-                            rail.surface_height(node[0], node[1]));
+                            rail.surface_height(node[0], node[1]) +
+                            roughness.value(node[0], node[1]));
     problem.friction.assign(problem.n_nodes, contact.friction_coefficient);
     problem.set_creepages(contact.creepage_x, contact.creepage_y, contact.spin);
     problem.normal_load = contact.normal_load();

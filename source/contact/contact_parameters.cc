@@ -1,5 +1,6 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/contact/contact_parameters.h>
+#include <rolling_contact/contact/roughness.h>
 
 #include <cmath>
 
@@ -71,6 +72,15 @@ namespace RollingContact
                   "sizes change and forces less exact.",
                   prm,
                   Patterns::Selection("lumped|consistent|balanced"));
+    add_parameter(
+      "Roughness",
+      roughness,
+      "Added to the gap of the smooth profiles: an expression in x and y "
+      "(m) such as 2e-6*cos(2*pi*x/1e-3), with pi and the functions of the "
+      "histories in section Time; empty for none. It does not travel with "
+      "the material. Units: m.",
+      prm,
+      Patterns::Anything());
   }
 
 
@@ -119,7 +129,8 @@ namespace RollingContact
   void
   ContactParameters::check(const unsigned int dimension) const
   {
-    const auto load = normal_load();
+    const Roughness understood(roughness);
+    const auto      load = normal_load();
     if (load && approach())
       throw InputError("Contact/Normal load = " + normal_load_entry +
                        " and Contact/Approach = " + approach_entry +

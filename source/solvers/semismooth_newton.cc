@@ -1,6 +1,7 @@
 #include <rolling_contact/solvers/extragradient.h>
 #include <rolling_contact/solvers/semismooth_newton.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -218,14 +219,18 @@ namespace RollingContact
       }
     const double        rho = controls.tangential_augmentation / touching.norm;
     std::vector<double> q = gathered(touching.unknowns, state.traction), best_q;
-    double              best      = 0.;
-    unsigned int        n_stalled = 0, n_rescues = 0;
+    // a slip too small for the tolerance still gets its traction
+    const bool from_rest =
+      std::all_of(q.begin(), q.end(), [](const double x) { return x == 0.; });
+    double       best      = 0.;
+    unsigned int n_stalled = 0, n_rescues = 0;
     for (unsigned int k = 0; k <= max_steps; ++k)
       {
         const double now           = touching.residual(q);
         report.residual.tangential = now;
         report.history.push_back(report.residual);
-        if (now <= 0.5 * controls.tolerance)
+        if (now <= 0.5 * controls.tolerance &&
+            (k > 0 || !from_rest || now == 0.))
           {
             scatter(touching.unknowns, q, state.traction);
             report.converged = true;

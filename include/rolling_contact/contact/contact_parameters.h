@@ -62,6 +62,7 @@ namespace RollingContact
     double      speed                = 1.;
     std::string slip_operator        = "calibrated";
     std::string contact_matrices     = "lumped";
+    std::string roughness;
   };
 } // namespace RollingContact
 

@@ -1,0 +1,84 @@
+#include <deal.II/base/numbers.h>
+
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/log.h>
+#include <rolling_contact/contact/roughness.h>
+
+#include <cmath>
+#include <iostream>
+
+namespace RollingContact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    [[noreturn]] void
+    reject(const std::string &text, const std::string &reason)
+    {
+      throw InputError("Contact/Roughness = " + text + ": " + reason +
+                       " Give an expression in x and y (m) such as "
+                       "2e-6*cos(2*pi*x/1e-3), or leave it empty.");
+    }
+
+
+
+    /**
+     * Nothing reaches std::cerr while it lives: deal.II prints muParser's
+     * errors there and throws them too.
+     */
+    class SilentErrors
+    {
+    public:
+      ~SilentErrors()
+      {
+        std::cerr.rdbuf(buffer);
+      }
+
+    private:
+      std::streambuf *const buffer = std::cerr.rdbuf(nullptr);
+    };
+  } // namespace
+
+
+
+  Roughness::Roughness(const std::string &text)
+    : text(text)
+  {
+    if (text.empty())
+      return;
+    if (text.find(';') != std::string::npos)
+      reject(text, "it is one expression.");
+    if (text.find("rand") != std::string::npos)
+      reject(text, "a random profile cannot be repeated.");
+    expression      = std::make_shared<FunctionParser<2>>();
+    bool understood = true;
+    try
+      {
+        const SilentErrors silence;
+        expression->initialize("x,y", text, {{"pi", numbers::PI}});
+        expression->value(Point<2>());
+      }
+    catch (const ExceptionBase &)
+      {
+        understood = false;
+      }
+    if (!understood)
+      reject(text, "the expression cannot be understood.");
+  }
+
+
+
+  double
+  Roughness::value(const double x, const double y) const
+  {
+    if (!expression)
+      return 0.;
+    const double height = expression->value(Point<2>(x, y));
+    if (!std::isfinite(height))
+      reject(text,
+             "it is not finite at (" + significant(x, 6) + ", " +
+               significant(y, 6) + ") m.");
+    return height;
+  }
+} // namespace RollingContact
