@@ -220,6 +220,15 @@ namespace RollingContact
             upper[d] = std::max(upper[d], corner[d]);
           }
       }
+    // a corner opposite the contact may be on either side of the seam, by
+    // rounding: the middle decides
+    if (period > 0.)
+      {
+        const double shift =
+          period * std::round((lower[0] + upper[0]) / (2 * period));
+        lower[0] -= shift;
+        upper[0] -= shift;
+      }
     return {lower, upper};
   }
 
