@@ -277,6 +277,10 @@ namespace RollingContact
                      geometry.width / 2,
                      0.,
                      size * grading.element_size_y / grading.element_size_x);
+    double n_cells = 1.;
+    for (const auto &points : breaks)
+      n_cells *= points.size() - 1.;
+    check_memory<dim>(n_cells);
     create_coarse_mesh<dim>(breaks, *mesh.chart, *mesh.triangulation);
     mesh.triangulation->set_all_manifold_ids(0);
     mesh.triangulation->set_manifold(0, *mesh.chart);

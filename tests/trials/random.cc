@@ -1,0 +1,519 @@
+// Runs the program on random valid scenes, each in its own process with limits,
+// and checks how it ends and the invariants. Prints the scene of every failure.
+// Usage: random_scenes PROGRAM [--seed S] [--count N] [--dimension 2|3]
+//        [--keep FOLDER]
+// Scene k of seed S is the same on every machine. Exit code 0 if none failed.
+
+#include "trial.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+
+namespace
+{
+  namespace fs = std::filesystem;
+
+  /**
+   * SplitMix64: small, and the same numbers everywhere.
+   */
+  class Dice
+  {
+  public:
+    explicit Dice(const std::uint64_t seed)
+      : state(seed)
+    {}
+
+    /**
+     * In [low, high).
+     */
+    double
+    between(const double low, const double high)
+    {
+      return low + (high - low) * (next() >> 11) * 0x1p-53;
+    }
+
+    /**
+     * Evenly in the logarithm.
+     */
+    double
+    scale(const double low, const double high)
+    {
+      return std::exp(between(std::log(low), std::log(high)));
+    }
+
+    bool
+    chance(const double probability)
+    {
+      return between(0., 1.) < probability;
+    }
+
+    int
+    integer(const int low, const int high)
+    {
+      return low + static_cast<int>(next() % (high - low + 1));
+    }
+
+    double
+    sign()
+    {
+      return chance(0.5) ? 1. : -1.;
+    }
+
+  private:
+    std::uint64_t
+    next()
+    {
+      std::uint64_t z = state += 0x9e3779b97f4a7c15u;
+      z               = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+      z               = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+      return z ^ (z >> 31);
+    }
+
+    std::uint64_t state;
+  };
+
+
+
+  std::string
+  text_of(const double value)
+  {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return text;
+  }
+
+
+
+  /**
+   * A scene as it is drawn; sections keep their entries.
+   */
+  class RandomScene
+  {
+  public:
+    RandomScene(const std::uint64_t seed, const unsigned int dimension)
+      : dice(seed)
+      , dimension(dimension)
+    {
+      sections[""]["Dimension"] = std::to_string(dimension);
+      for (const std::string entry :
+           {"Body fields", "Interface fields", "Plot"})
+        sections["Output"][entry] = "false";
+      choose_analysis();
+      choose_shapes();
+      choose_materials();
+      choose_contact();
+      choose_mesh();
+      if (analysis == "transient")
+        choose_time();
+      if (analysis == "creep curve")
+        sections["Creep curve"]["Creepage x"] =
+          text_of(-largest_creepage) + " : " + text_of(largest_creepage) +
+          " : " + std::to_string(dice.integer(2, 5));
+    }
+
+    std::string
+    prm() const
+    {
+      std::string text;
+      for (const auto &section : sections)
+        {
+          if (!section.first.empty())
+            text += "subsection " + section.first + "\n";
+          for (const auto &entry : section.second)
+            text += "  set " + entry.first + " = " + entry.second + "\n";
+          if (!section.first.empty())
+            text += "end\n";
+        }
+      return text;
+    }
+
+    /**
+     * True for the operators of the paper, which are singular on some patches
+     * and need not converge.
+     */
+    bool
+    may_not_converge() const
+    {
+      return papers_operators;
+    }
+
+  private:
+    void
+    set(const std::string &section,
+        const std::string &entry,
+        const double       value)
+    {
+      sections[section][entry] = text_of(value);
+    }
+
+    void
+    choose_analysis()
+    {
+      const double draw        = dice.between(0., 1.);
+      analysis                 = draw < 0.6   ? "quasi-static"
+                                 : draw < 0.8 ? "creep curve"
+                                              : "transient";
+      sections[""]["Analysis"] = analysis;
+    }
+
+    void
+    choose_shapes()
+    {
+      wheel_radius = dice.scale(0.05, 2.);
+      smallest     = wheel_radius;
+      set("Wheel", "Radius", wheel_radius);
+      set("Wheel", "Hub radius", wheel_radius * dice.between(0.1, 0.8));
+      const bool twins       = dice.chance(0.3);
+      double     rail_radius = wheel_radius;
+      if (twins)
+        sections["Rail"] = sections["Wheel"];
+      else if (dice.chance(0.3))
+        {
+          rail_radius = dice.scale(0.05, 20.);
+          smallest    = std::min(smallest, rail_radius);
+          set("Rail", "Radius", rail_radius);
+          set("Rail", "Hub radius", rail_radius * dice.between(0.1, 0.8));
+        }
+      else
+        rail_radius = choose_block();
+      relative_radius =
+        1 / (1 / wheel_radius + (rail_radius == 0. ? 0. : 1 / rail_radius));
+      are_twins = twins;
+      if (dimension == 3)
+        choose_lateral_shapes();
+      else
+        {
+          thickness = dice.scale(1e-3, 1.);
+          for (const std::string body : {"Wheel", "Rail"})
+            set(body, "Thickness", thickness);
+        }
+    }
+
+    double
+    choose_block()
+    {
+      const double size         = wheel_radius * dice.between(0.3, 2.);
+      smallest                  = std::min(smallest, size);
+      sections["Rail"]["Shape"] = "block";
+      set("Rail", "Block depth", size);
+      set("Rail", "Block length", 2 * size);
+      const double draw = dice.between(0., 1.);
+      // deep grooves would reach the bottom of the block
+      const double radius = draw < 0.4   ? 0.
+                            : draw < 0.7 ? size * dice.scale(1.5, 100.)
+                                         : -std::max(wheel_radius, 1.5 * size) *
+                                             dice.scale(1.02, 20.);
+      set("Rail", "Radius", radius);
+      return radius;
+    }
+
+    void
+    choose_lateral_shapes()
+    {
+      const double wheel = wheel_radius * dice.scale(0.3, 3.),
+                   rail =
+                     dice.chance(0.5) ? 0. : wheel_radius * dice.scale(0.3, 3.);
+      width = std::min(smallest, wheel) * 0.4;
+      set("Wheel", "Lateral radius", wheel);
+      set("Rail", "Lateral radius", are_twins ? wheel : rail);
+      for (const std::string body : {"Wheel", "Rail"})
+        set(body, "Width", width);
+      smallest = std::min(smallest, width);
+      relative_lateral =
+        are_twins ? wheel / 2 : 1 / (1 / wheel + (rail > 0. ? 1 / rail : 0.));
+    }
+
+    void
+    choose_materials()
+    {
+      for (const std::string body : {"Wheel", "Rail"})
+        {
+          set(body, "Young modulus", dice.scale(1e8, 1e12));
+          set(body,
+              "Poisson ratio",
+              dice.chance(0.1) ? 0.4999 : dice.between(0., 0.49));
+        }
+      if (are_twins)
+        for (const std::string entry : {"Young modulus", "Poisson ratio"})
+          sections["Rail"][entry] = sections["Wheel"][entry];
+      else if (dice.chance(0.15))
+        {
+          rigid                    = dice.chance(0.5) ? "Wheel" : "Rail";
+          sections[rigid]["Rigid"] = "true";
+        }
+      double compliance = 0.;
+      for (const std::string body : {"Wheel", "Rail"})
+        if (body != rigid)
+          compliance +=
+            (1 - std::pow(std::stod(sections[body]["Poisson ratio"]), 2)) /
+            std::stod(sections[body]["Young modulus"]);
+      modulus = 1 / compliance;
+    }
+
+    void
+    choose_contact()
+    {
+      // a half-width that small strains, small angles and the bodies allow
+      half_width = dice.scale(1e-4, 0.04) * std::min(relative_radius, smallest);
+      const double load = dimension == 2
+                            ? std::acos(-1.) * modulus * half_width *
+                                half_width / (4 * relative_radius) * thickness
+                            : 4. / 3 * modulus * std::pow(half_width, 3) /
+                                std::max(relative_radius, relative_lateral);
+      if (dice.chance(0.7))
+        set("Contact", "Normal load", load);
+      else
+        set("Contact",
+            "Approach",
+            half_width * half_width / relative_radius * dice.between(0.3, 3.));
+      const double mu = dice.chance(0.07)   ? 0.
+                        : dice.chance(0.05) ? 10.
+                                            : dice.scale(1e-3, 2.);
+      set("Contact",
+          "Friction coefficient",
+          analysis == "creep curve" ? std::max(mu, 0.01) : mu);
+      largest_creepage = std::max(mu, 0.01) * half_width / relative_radius *
+                         dice.scale(0.01, 5.);
+      set("Contact",
+          "Creepage x",
+          dice.chance(0.1) ? 0. : dice.sign() * largest_creepage);
+      set("Contact", "Speed", dice.sign() * dice.scale(0.1, 100.));
+      if (dimension == 3)
+        {
+          if (dice.chance(0.5))
+            set("Contact", "Creepage y", dice.sign() * largest_creepage);
+          if (dice.chance(0.5))
+            set("Contact",
+                "Spin",
+                dice.sign() * largest_creepage / half_width *
+                  dice.scale(0.1, 3.));
+        }
+      if (analysis == "quasi-static" && dice.chance(0.1))
+        sections["Contact"]["Roughness"] =
+          text_of(half_width * half_width / relative_radius *
+                  dice.between(0.01, 0.3)) +
+          "*cos(2*pi*x/" + text_of(half_width * dice.between(0.3, 2.)) + ")";
+      const double draw                    = dice.between(0., 1.);
+      papers_operators                     = draw > 0.95;
+      sections["Contact"]["Slip operator"] = draw < 0.7    ? "calibrated"
+                                             : draw < 0.85 ? "upwind 2"
+                                             : draw < 0.95 ? "upwind 1"
+                                                           : "galerkin";
+      if (dice.chance(0.1))
+        sections["Contact"]["Contact matrices"] = "balanced";
+    }
+
+    void
+    choose_mesh()
+    {
+      const bool flat = dimension == 2;
+      set("Mesh", "Elements across patch", dice.integer(2, flat ? 40 : 8));
+      if (dice.chance(0.1))
+        sections["Mesh"]["Patch offset"] = "aligned";
+      else
+        set("Mesh", "Patch offset", dice.between(-1., 1.));
+      set("Mesh", "Candidate zone", dice.between(1.1, flat ? 3. : 1.5));
+      set("Mesh",
+          "Growth",
+          flat ? dice.between(0.2, 1.5) : dice.between(0.8, 1.5));
+      set("Mesh", "Zone depth", dice.between(0., flat ? 2. : 0.8));
+      if (dice.chance(0.15))
+        {
+          set("Mesh", "Rim levels", dice.integer(1, flat ? 3 : 1));
+          sections["Mesh"]["Rim edges"] = dice.chance(0.5) ? "leading" : "both";
+        }
+      if (analysis != "transient" && dice.chance(0.2))
+        {
+          set("Mesh", "Adaptive levels", dice.integer(1, flat ? 3 : 1));
+          set("Mesh", "Contact node budget", 400);
+          sections["Mesh"]["Level marking"] =
+            dice.chance(0.5) ? "adaptive" : "uniform";
+        }
+    }
+
+    void
+    choose_time()
+    {
+      const double speed   = std::abs(std::stod(sections["Contact"]["Speed"]));
+      const double step    = half_width / speed * dice.scale(1e-4, 1.);
+      const int    n       = dice.integer(3, dimension == 2 ? 20 : 5);
+      const bool   inertia = dice.chance(0.5);
+      set("Time", "Time step", step);
+      set("Time", "End time", n * step);
+      sections["Time"]["Inertia"] = inertia ? "true" : "false";
+      sections["Time"]["Initial state"] =
+        inertia || dice.chance(0.5) ? "steady" : "rest";
+      set("Time", "Theta", dice.between(0.5, 1.));
+      set("Time", "Field interval", 0);
+      sections["Time"]["Creepage x"] =
+        sections["Contact"]["Creepage x"] + " * cos(" +
+        text_of(dice.between(0., 3.) / step) + " * t)";
+    }
+
+    Dice               dice;
+    const unsigned int dimension;
+    std::string        analysis, rigid;
+    bool               are_twins = false, papers_operators = false;
+    double wheel_radius = 0., relative_radius = 0., relative_lateral = 1.,
+           smallest = 0., thickness = 1., width = 0., modulus = 0.,
+           half_width = 0., largest_creepage = 0.;
+    std::map<std::string, std::map<std::string, std::string>> sections;
+  };
+
+
+
+  struct Options
+  {
+    std::string   program, keep;
+    std::uint64_t seed      = 1;
+    unsigned int  count     = 20;
+    unsigned int  dimension = 2;
+  };
+
+
+
+  Options
+  read_options(const int argc, char **argv)
+  {
+    if (argc < 2 || argc % 2 != 0)
+      throw std::runtime_error(
+        "usage: random_scenes PROGRAM [--seed S] [--count N] "
+        "[--dimension 2|3] [--keep FOLDER]");
+    Options options;
+    options.program = fs::absolute(argv[1]).string();
+    for (int i = 2; i + 1 < argc; i += 2)
+      {
+        const std::string name = argv[i];
+        if (name == "--seed")
+          options.seed = std::stoull(argv[i + 1]);
+        else if (name == "--count")
+          options.count = std::stoul(argv[i + 1]);
+        else if (name == "--dimension")
+          options.dimension = std::stoul(argv[i + 1]);
+        else if (name == "--keep")
+          options.keep = argv[i + 1];
+        else
+          throw std::runtime_error("no option " + name);
+      }
+    return options;
+  }
+
+
+
+  struct Counts
+  {
+    unsigned int n_right = 0, n_fallbacks = 0, n_refused = 0, n_told = 0,
+                 n_failed = 0;
+    double cpu_s          = 0.;
+  };
+
+
+
+  /**
+   * True if a run rightly ended with exit 2: the operators of the paper, and a
+   * patch that in time outgrows its candidate zone.
+   */
+  bool
+  rightly_not_converged(const RandomScene &scene, const Trial &trial)
+  {
+    return trial.end == Trial::End::exited && trial.exit_code == 2 &&
+           (scene.may_not_converge() ||
+            trial.messages.find("border of the") != std::string::npos);
+  }
+
+
+
+  void
+  judge(const RandomScene &scene,
+        const Trial       &trial,
+        const std::string &file,
+        Counts            &counts)
+  {
+    counts.cpu_s += trial.cpu_s;
+    const std::string fault = trial.complaint();
+    if (fault.empty())
+      {
+        ++counts.n_right;
+        counts.n_fallbacks +=
+          trial.cell("solver").find("fallback") != std::string::npos;
+      }
+    else if (trial.end == Trial::End::exited && trial.exit_code == 1)
+      ++counts.n_refused;
+    else if (rightly_not_converged(scene, trial))
+      ++counts.n_told;
+    else
+      {
+        ++counts.n_failed;
+        std::printf("FAILED: %s: %s\n%s\n",
+                    file.c_str(),
+                    fault.c_str(),
+                    trial.messages.c_str());
+        std::fflush(stdout);
+        return;
+      }
+    fs::remove(file);
+  }
+} // namespace
+
+
+
+int
+main(const int argc, char **argv)
+{
+  try
+    {
+      Options options  = read_options(argc, argv);
+      char    folder[] = "/tmp/random_scenes.XXXXXX";
+      if (mkdtemp(folder) == nullptr)
+        throw std::runtime_error("cannot make a folder to work in");
+      if (options.keep.empty())
+        options.keep = folder;
+      fs::create_directories(options.keep);
+      Counts counts;
+      for (unsigned int k = 0; k < options.count; ++k)
+        {
+          const RandomScene  scene(options.seed * 1000003 + k,
+                                  options.dimension);
+          std::ostringstream name;
+          name << "random_" << options.dimension << "d_" << options.seed << '_'
+               << k << ".prm";
+          const std::string file =
+            (fs::path(options.keep) / name.str()).string();
+          std::ofstream(file) << scene.prm();
+          judge(scene,
+                run_trial(options.program,
+                          {file},
+                          std::string(folder) + "/run",
+                          TrialLimits()),
+                file,
+                counts);
+        }
+      if (counts.n_failed == 0 || options.keep != folder)
+        fs::remove_all(folder);
+      std::printf(
+        "%u scenes: %u right (%u by a fallback), %u refused as input, "
+        "%u rightly not converged, %u failed; %.0f s CPU\n",
+        options.count,
+        counts.n_right,
+        counts.n_fallbacks,
+        counts.n_refused,
+        counts.n_told,
+        counts.n_failed,
+        counts.cpu_s);
+      return counts.n_failed == 0 ? 0 : 1;
+    }
+  catch (const std::exception &error)
+    {
+      std::cerr << "random_scenes: " << error.what() << '\n';
+      return 2;
+    }
+}
