@@ -136,6 +136,46 @@ namespace RollingContact
 
 
 
+  std::vector<double>
+  ContactProblem::tangential_distortion(
+    const std::vector<double> &traction,
+    const std::vector<double> &pressure) const
+  {
+    std::vector<double> forces = H.multiply(traction);
+    if (coupled && !pressure.empty())
+      {
+        const std::vector<double> normal = H.multiply(pressure);
+        forces.insert(forces.end(), normal.begin(), normal.end());
+      }
+    std::vector<double> result(n_tangential * n_nodes, 0.);
+    for (std::size_t j = 0; j < forces.size(); ++j)
+      if (forces[j] != 0.)
+        for (unsigned int c = 0; c < n_tangential; ++c)
+          {
+            const std::size_t first  = c * n_nodes;
+            const double      common = W(first + n_nodes / 2, j);
+            for (std::size_t i = first; i < first + n_nodes; ++i)
+              result[i] += (W(i, j) - common) * forces[j];
+          }
+    return result;
+  }
+
+
+
+  void
+  ContactProblem::take_common_displacement(
+    std::vector<double> &displacement) const
+  {
+    for (unsigned int c = 0; c < n_tangential; ++c)
+      {
+        const double common = displacement[c * n_nodes + n_nodes / 2];
+        for (std::size_t i = c * n_nodes; i < (c + 1) * n_nodes; ++i)
+          displacement[i] -= common;
+      }
+  }
+
+
+
   double
   ContactProblem::resultant(const std::vector<double> &nodal_field,
                             const unsigned int         component) const

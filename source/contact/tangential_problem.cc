@@ -41,9 +41,8 @@ namespace RollingContact
         edge_constants.assign(slip_at_zero.size(), 0.);
         apply_edge_law(pressure, extrapolations, *this);
       }
-    slip_at_zero = B2.multiply(contact.rigid_slip);
-    const std::vector<double> coupling =
-      slip_of(contact.tangential_displacement_of_pressure(pressure));
+    slip_at_zero                       = B2.multiply(contact.rigid_slip);
+    const std::vector<double> coupling = slip_of(displacement({}, pressure));
     for (std::size_t i = 0; i < slip_at_zero.size(); ++i)
       slip_at_zero[i] += coupling[i];
     if (contact.free_displacement.empty())
@@ -51,6 +50,23 @@ namespace RollingContact
     const std::vector<double> free = B1.multiply(contact.free_displacement);
     for (std::size_t i = 0; i < slip_at_zero.size(); ++i)
       slip_at_zero[i] += contact.slip_operator.flow_direction() * free[i];
+  }
+
+
+
+  std::vector<double>
+  TangentialProblem::displacement(const std::vector<double> &traction,
+                                  const std::vector<double> &pressure) const
+  {
+    const bool of_pressure = traction.empty();
+    if (contact.rate != 0.)
+      return of_pressure ? contact.tangential_displacement_of_pressure(pressure)
+                         : contact.tangential_displacement(traction);
+    return contact.tangential_distortion(
+      of_pressure
+        ? std::vector<double>(contact.n_tangential * contact.n_nodes, 0.)
+        : traction,
+      pressure);
   }
 
 
@@ -76,7 +92,7 @@ namespace RollingContact
   std::vector<double>
   TangentialProblem::material_slip(const std::vector<double> &traction) const
   {
-    std::vector<double> s = slip_of(contact.tangential_displacement(traction));
+    std::vector<double> s = slip_of(displacement(traction, {}));
     for (std::size_t i = 0; i < s.size(); ++i)
       s[i] += slip_at_zero[i];
     return s;
@@ -118,6 +134,8 @@ namespace RollingContact
           for (std::size_t i = 0; i < displacement.size(); ++i)
             displacement[i] +=
               contact.W(i, offset + entry.first) * entry.second;
+        if (contact.rate == 0.)
+          contact.take_common_displacement(displacement);
         for (std::size_t i = 0; i < unknowns.size(); ++i)
           {
             const std::size_t node  = unknowns[i] % n,

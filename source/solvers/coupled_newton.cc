@@ -121,6 +121,8 @@ namespace RollingContact
       for (const auto &entry : problem.H_column(nodes[touching]))
         for (std::size_t i = 0; i < w.size(); ++i)
           w[i] += problem.W(i, component * N + entry.first) * entry.second;
+      if (problem.rate == 0.)
+        problem.take_common_displacement(w);
       const double convection =
         problem.slip_operator.flow_direction() * problem.convection;
       const std::size_t column = place(touching, component);

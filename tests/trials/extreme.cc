@@ -48,13 +48,16 @@ namespace
 
 
 
+  /**
+   * A label that fits into its column.
+   */
   std::string
-  joined(const std::vector<std::string> &values)
+  short_label(const std::string &label)
   {
-    std::string result;
-    for (const std::string &value : values)
-      result += (result.empty() ? "" : " ") + value;
-    return result.empty() ? "-" : result;
+    const std::size_t width = 40;
+    return label.empty()           ? "-"
+           : label.size() <= width ? label
+                                   : label.substr(0, width - 3) + "...";
   }
 
 
@@ -178,7 +181,7 @@ namespace
       , quick(quick)
       , work(work)
     {
-      std::printf("%-20s %-34s %-12s %-44s %6s %8s %8s %-15s %6s\n",
+      std::printf("%-17s %-40s %-12s %-44s %6s %8s %8s %-15s %6s\n",
                   "scene",
                   "case",
                   "status",
@@ -295,9 +298,9 @@ namespace
                                  : summary.n_expected);
       const auto worst = trial.worst_invariant();
       std::printf(
-        "%-20s %-34s %-12s %-44s %6.0f %8s %8s %-15s %6.2f\n",
+        "%-17s %-40s %-12s %-44s %6.0f %8s %8s %-15s %6.2f\n",
         scene.name.c_str(),
-        joined(variant.values).c_str(),
+        short_label(variant.label).c_str(),
         !fault.empty()
           ? "FAILED"
           : (variant.expected == 0

@@ -60,6 +60,7 @@ namespace
           Variant    variant = before;
           const auto parts   = split(value, '&');
           variant.values.push_back(parts[0]);
+          variant.label += (variant.label.empty() ? "" : ", ") + value;
           for (const std::string &entry : entries)
             {
               variant.arguments.push_back("--set");

@@ -11,8 +11,9 @@
  */
 struct Variant
 {
-  std::vector<std::string> values;       ///< one of each `vary` line
-  std::vector<std::string> arguments;    ///< --set Section/Entry=value ...
+  std::vector<std::string> values;    ///< one of each `vary` line
+  std::string              label;     ///< the values as the scene writes them
+  std::vector<std::string> arguments; ///< --set Section/Entry=value ...
   int                      expected = 0; ///< exit code
   std::string              reason;       ///< that the message must hold
 };

@@ -169,6 +169,25 @@ BOOST_AUTO_TEST_CASE(strong_coupling_converges)
       }
 }
 
+BOOST_AUTO_TEST_CASE(a_rigid_motion_far_larger_than_the_strain_changes_nothing)
+{
+  for (const double coupling : {0., 0.1})
+    {
+      Options options;
+      options.coupling       = coupling;
+      ContactProblem problem = half_plane_problem(options);
+      const Solution without = solve(problem);
+      for (unsigned int j = 0; j < problem.n_nodes; ++j)
+        for (unsigned int i = 0; i < problem.n_nodes; ++i)
+          problem.W(i, j) += 1e7;
+      problem.finish();
+      const Solution with = solve(problem);
+      BOOST_TEST(with.report.converged);
+      BOOST_TEST(with.report.solver.find("fallback") == std::string::npos);
+      BOOST_TEST(std::abs(force(with) - force(without)) < 1e-7);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(few_active_set_solves_at_every_creepage)
 {
   for (const unsigned int n : {25, 100, 200})

@@ -109,6 +109,21 @@ namespace RollingContact
       const std::vector<double> &pressure) const;
 
     /**
+     * W_tt H q + W_tn H p, in every component without the displacement of one
+     * node. That of a rigid motion, which B1 does not see, may be many orders
+     * of magnitude larger than what is left, and is never added up.
+     */
+    std::vector<double>
+    tangential_distortion(const std::vector<double> &traction,
+                          const std::vector<double> &pressure) const;
+
+    /**
+     * Take the displacement of that node out of each component.
+     */
+    void
+    take_common_displacement(std::vector<double> &displacement) const;
+
+    /**
      * W_nn H, the displacement of unit nodal pressures.
      */
     const DenseMatrix &
@@ -212,6 +227,14 @@ namespace RollingContact
      */
     std::vector<double>
     slip_of(const std::vector<double> &w) const;
+
+    /**
+     * Tangential displacement under one of traction and pressure, the other
+     * empty; what B1 does not see is left out where B2 has no share. Units: m.
+     */
+    std::vector<double>
+    displacement(const std::vector<double> &traction,
+                 const std::vector<double> &pressure) const;
 
     const ContactProblem &contact;
     SparseRows            B1;
