@@ -162,16 +162,23 @@ namespace RollingContact
 
 
 
-  void
-  ContactProblem::take_common_displacement(
-    std::vector<double> &displacement) const
+  std::vector<double>
+  ContactProblem::distortion_of_unit(const unsigned int node,
+                                     const unsigned int component) const
   {
-    for (unsigned int c = 0; c < n_tangential; ++c)
+    std::vector<double> result(n_tangential * n_nodes, 0.);
+    for (const auto &entry : H_columns[node])
       {
-        const double common = displacement[c * n_nodes + n_nodes / 2];
-        for (std::size_t i = c * n_nodes; i < (c + 1) * n_nodes; ++i)
-          displacement[i] -= common;
+        const std::size_t j = component * n_nodes + entry.first;
+        for (unsigned int c = 0; c < n_tangential; ++c)
+          {
+            const std::size_t first = c * n_nodes;
+            const double common = rate == 0. ? W(first + n_nodes / 2, j) : 0.;
+            for (std::size_t i = first; i < first + n_nodes; ++i)
+              result[i] += (W(i, j) - common) * entry.second;
+          }
       }
+    return result;
   }
 
 

@@ -124,18 +124,11 @@ namespace RollingContact
     const unsigned int n = contact.n_nodes;
     const double       convection =
       contact.slip_operator.flow_direction() * contact.convection;
-    DenseMatrix         A(unknowns.size(), unknowns.size());
-    std::vector<double> displacement(contact.n_tangential * n);
+    DenseMatrix A(unknowns.size(), unknowns.size());
     for (std::size_t j = 0; j < unknowns.size(); ++j)
       {
-        const std::size_t column = unknowns[j], offset = column - column % n;
-        std::fill(displacement.begin(), displacement.end(), 0.);
-        for (const auto &entry : contact.H_column(column % n))
-          for (std::size_t i = 0; i < displacement.size(); ++i)
-            displacement[i] +=
-              contact.W(i, offset + entry.first) * entry.second;
-        if (contact.rate == 0.)
-          contact.take_common_displacement(displacement);
+        const std::vector<double> displacement =
+          contact.distortion_of_unit(unknowns[j] % n, unknowns[j] / n);
         for (std::size_t i = 0; i < unknowns.size(); ++i)
           {
             const std::size_t node  = unknowns[i] % n,

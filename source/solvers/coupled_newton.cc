@@ -116,20 +116,22 @@ namespace RollingContact
     NewtonSystem::add_column(const std::size_t  touching,
                              const unsigned int component)
     {
-      const unsigned int  N = problem.n_nodes;
-      std::vector<double> w(n_components * N, 0.);
+      const unsigned int        N = problem.n_nodes;
+      const std::vector<double> w =
+        problem.distortion_of_unit(nodes[touching], component);
+      std::vector<double> u_normal(N, 0.);
       for (const auto &entry : problem.H_column(nodes[touching]))
-        for (std::size_t i = 0; i < w.size(); ++i)
-          w[i] += problem.W(i, component * N + entry.first) * entry.second;
-      if (problem.rate == 0.)
-        problem.take_common_displacement(w);
+        for (std::size_t i = 0; i < N; ++i)
+          u_normal[i] +=
+            problem.W(n_tangential * N + i, component * N + entry.first) *
+            entry.second;
       const double convection =
         problem.slip_operator.flow_direction() * problem.convection;
       const std::size_t column = place(touching, component);
       for (std::size_t k = 0; k < nodes.size(); ++k)
         {
           const unsigned int i                   = nodes[k];
-          matrix(place(k, n_tangential), column) = w[n_tangential * N + i];
+          matrix(place(k, n_tangential), column) = u_normal[i];
           for (unsigned int c = 0; c < n_tangential; ++c)
             matrix(place(k, c), column) =
               convection * apply(friction.B1[i], w, c * N) +

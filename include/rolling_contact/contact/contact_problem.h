@@ -118,10 +118,13 @@ namespace RollingContact
                           const std::vector<double> &pressure) const;
 
     /**
-     * Take the displacement of that node out of each component.
+     * Tangential displacement under a unit pressure (component n_tangential) or
+     * traction at a node; a distortion as above, unless there is a rate: B2
+     * sees rigid motions. Units: m/Pa.
      */
-    void
-    take_common_displacement(std::vector<double> &displacement) const;
+    std::vector<double>
+    distortion_of_unit(const unsigned int node,
+                       const unsigned int component) const;
 
     /**
      * W_nn H, the displacement of unit nodal pressures.
