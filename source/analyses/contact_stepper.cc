@@ -250,6 +250,7 @@ namespace RollingContact
         contact.state = previous;
         return false;
       }
+    contact.restored = false;
     check_invariants(invariants(contact.problem, contact.state),
                      scene.solver.controls.tolerance,
                      "t = " + significant(time + h, 9) + " s: ");
@@ -405,6 +406,7 @@ namespace RollingContact
     set_time_step(h);
     set_drive(checkpoint.time - h, h);
     contact.solver.converged = true;
+    contact.restored         = true;
     find_resultants();
   }
 

@@ -153,8 +153,10 @@ namespace RollingContact
     table.set("approach_m", steady.state.approach);
     set_resultant_columns(steady.result, table);
     set_solver_columns(steady.solver, table);
-    const Invariants found = invariants(steady.problem, steady.state);
-    set_invariant_columns(found, table);
+    const Invariants found =
+      steady.restored ? Invariants() : invariants(steady.problem, steady.state);
+    if (!steady.restored)
+      set_invariant_columns(found, table);
     if constexpr (dim == 2)
       set_reference_columns(scene, steady, table);
     else

@@ -29,7 +29,8 @@ namespace RollingContact
     ContactState   state;
     SolverReport   solver;
     Resultants     result;
-    double         wall_s = 0.;
+    bool   restored = false; ///< its step's own gap and slip are not known
+    double wall_s   = 0.;
 
     std::optional<double>     change; ///< from the level before
     std::optional<LevelLimit> limit;  ///< of the levels up to this
