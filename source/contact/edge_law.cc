@@ -260,14 +260,6 @@ namespace RollingContact
   {
     using Vector2 = std::array<double, 2>;
 
-    double
-    size(const Vector2 &v)
-    {
-      return std::hypot(v[0], v[1]);
-    }
-
-
-
     /**
      * The first node of the line that carries the full traction bound; the
      * length of the line if there is none.
