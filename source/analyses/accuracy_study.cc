@@ -5,6 +5,7 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/base/memory.h>
+#include <rolling_contact/solvers/normal_active_set.h>
 
 #include <algorithm>
 #include <cmath>
@@ -158,6 +159,34 @@ namespace RollingContact
 
   template <int dim>
   void
+  AccuracyStudy<dim>::set_up_pair(SteadyState<dim> &steady)
+  {
+    const unsigned int max_enlargements = 4;
+    for (unsigned int k = 0; k <= max_enlargements; ++k)
+      {
+        {
+          PhaseTimer::Scope phase(context.timer, "mesh and assembly");
+          steady.pair =
+            std::make_unique<RollingPair<dim>>(scene, steady.grading);
+        }
+        PhaseTimer::Scope phase(context.timer,
+                                "factorisation and condensation");
+        steady.problem =
+          steady.pair->contact_problem(scene.contact.slip_operator_kind());
+        steady.state = initial_state(steady.problem, patch);
+        NormalActiveSet(scene.solver.controls)
+          .solve(steady.problem, steady.state);
+        if (!zone_too_small(steady))
+          return;
+        steady.grading.zone_x += steady.grading.element_size_x;
+        steady.grading.zone_y += steady.grading.element_size_y;
+      }
+  }
+
+
+
+  template <int dim>
+  void
   AccuracyStudy<dim>::solve_mesh(const std::string              &mesh,
                                  const unsigned int              elements,
                                  const std::vector<std::size_t> &methods)
@@ -175,28 +204,21 @@ namespace RollingContact
         steady.elements_across = elements;
         steady.grading =
           make_grading<dim>(scene, patch, elements, double(k) / n_offsets);
-        {
-          PhaseTimer::Scope phase(context.timer, "mesh and assembly");
-          steady.pair =
-            std::make_unique<RollingPair<dim>>(scene, steady.grading);
-        }
-        StateSeconds set_up;
+        apply_method(results.methods[methods.front()]);
+        set_up_pair(steady);
+        // of the first method, as it would be for any
+        const StateSeconds set_up = state_seconds(context.timer) - before;
         for (const std::size_t method : methods)
           {
             apply_method(results.methods[method]);
-            {
-              PhaseTimer::Scope phase(context.timer,
-                                      "factorisation and condensation");
-              const auto        kind = scene.contact.slip_operator_kind();
-              steady.problem =
-                method == methods.front()
-                  ? steady.pair->contact_problem(kind)
-                  : steady.pair->contact_problem(kind,
-                                                 std::move(steady.problem.W));
-            }
-            // of the first method, as it would be for any
-            if (method == methods.front())
-              set_up = state_seconds(context.timer) - before;
+            if (method != methods.front())
+              {
+                PhaseTimer::Scope phase(context.timer,
+                                        "factorisation and condensation");
+                steady.problem = steady.pair->contact_problem(
+                  scene.contact.slip_operator_kind(),
+                  std::move(steady.problem.W));
+              }
             for (std::size_t i = 0; i < results.cases.size(); ++i)
               solve_case({method, i, elements}, set_up, steady);
           }

@@ -192,10 +192,10 @@ namespace RollingContact
     wants_displacements(const SceneParameters &scene)
     {
       const bool has_fields =
-        scene.analysis == "quasi-static" || scene.analysis == "transient";
+        scene.analysis == "quasi-static" || scene.is_transient();
       return scene.mesh.adaptive_levels > 0 ||
              (has_fields && scene.output.body_fields) ||
-             (scene.analysis == "transient" && scene.time.inertia);
+             (scene.is_transient() && scene.time.inertia);
     }
   } // namespace
 

@@ -21,7 +21,7 @@ namespace RollingContact
                                          : elements_across_patch;
     // vibration makes patches larger than Hertz's, and time cannot go back to
     // enlarge the zone; the flow needs an element more on its upstream side
-    const bool   in_time = scene.analysis == "transient";
+    const bool   in_time = scene.is_transient();
     const double factor  = mesh.candidate_zone > 0. ? mesh.candidate_zone
                            : in_time                ? 1.5
                                                     : 1.15,
@@ -174,7 +174,7 @@ namespace RollingContact
                 patch.half_width_x *= 1.5;
                 patch.half_width_y *= 1.5;
               }
-            elements = elements > 0. ? 0. : 1.;
+            elements = 1.;
             grading  = grade();
             context.log.message(
               "The patch reaches the border of the candidate zone; the zone is "

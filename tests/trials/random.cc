@@ -263,7 +263,9 @@ namespace
     choose_contact()
     {
       // a half-width that small strains, small angles and the bodies allow
-      half_width = dice.scale(1e-4, 0.04) * std::min(relative_radius, smallest);
+      // in 3D not so small that the bodies around it take gigabytes
+      half_width = dice.scale(dimension == 2 ? 1e-4 : 2e-3, 0.04) *
+                   std::min(relative_radius, smallest);
       const double load = dimension == 2
                             ? std::acos(-1.) * modulus * half_width *
                                 half_width / (4 * relative_radius) * thickness

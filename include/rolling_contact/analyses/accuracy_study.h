@@ -47,6 +47,13 @@ namespace RollingContact
     methods_on(const std::string &mesh) const;
 
     /**
+     * Bodies and compliance on the grading of @p steady, its zone enlarged
+     * until it holds the patch without friction.
+     */
+    void
+    set_up_pair(SteadyState<dim> &steady);
+
+    /**
      * All positions of a uniform or graded mesh; its set-up is made once for
      * all methods and cases.
      */
