@@ -1,3 +1,4 @@
+#include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/solvers/coupled_newton.h>
 
 #include <algorithm>
@@ -319,6 +320,7 @@ namespace RollingContact
     while (report.residual.worst() > controls.tolerance &&
            report.iterations < max_steps && n_stalled < patience)
       {
+        throw_if_interrupted();
         ContactState target;
         if (!NewtonSystem(problem, controls, state).solve(target))
           break;

@@ -1,3 +1,4 @@
+#include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/solvers/rolling_march.h>
 
 #include <algorithm>
@@ -76,6 +77,7 @@ namespace RollingContact
     unsigned int   n_halvings = 0, n_done = 0;
     for (unsigned int k = 0; k < max_steps && n_halvings < max_halvings; ++k)
       {
+        throw_if_interrupted();
         step.rate = 1 / h;
         for (std::size_t i = 0; i < before.size(); ++i)
           step.rigid_slip[i] = problem.rigid_slip[i] - before[i] / h;

@@ -14,7 +14,8 @@ namespace RollingContact
   bool
   interrupted();
 
-  /** Throws Interrupted if interrupted(); to be called between two states. */
+  /** Throws Interrupted if interrupted(); to be called between two states and
+   * in solvers that may take minutes. */
   void
   throw_if_interrupted();
 } // namespace RollingContact
