@@ -7,6 +7,7 @@
 #include "random_scene.h"
 #include "trial.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -81,6 +82,30 @@ namespace
 
 
 
+  /**
+   * True if a scene was refused for what cannot be seen before it is drawn: it
+   * does not fit into the memory or its patch does not fit on the bodies.
+   */
+  bool
+  rightly_refused(const Trial &trial)
+  {
+    if (trial.end != Trial::End::exited || trial.exit_code != 1)
+      return false;
+    std::string text = trial.messages;
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    // messages are wrapped
+    for (std::size_t k; (k = text.find("  ")) != std::string::npos;)
+      text.erase(k, 1);
+    for (const char *reason : {"more than 70 %",
+                               "beyond what the body offers",
+                               "must not reach the edges"})
+      if (text.find(reason) != std::string::npos)
+        return true;
+    return false;
+  }
+
+
+
   void
   judge(const RandomScene &scene,
         const Trial       &trial,
@@ -95,7 +120,7 @@ namespace
         counts.n_fallbacks +=
           trial.cell("solver").find("fallback") != std::string::npos;
       }
-    else if (trial.end == Trial::End::exited && trial.exit_code == 1)
+    else if (rightly_refused(trial))
       ++counts.n_refused;
     else if (rightly_not_converged(scene, trial))
       ++counts.n_told;
