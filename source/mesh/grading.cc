@@ -70,11 +70,17 @@ namespace RollingContact
                             const Point<dim> &lower,
                             const Point<dim> &upper) const
   {
+    // in 3D the band across the zone, not across the body
+    const double beside =
+      dim == 3 ? interval_distance(lower[1], upper[1], -zone_y, zone_y) *
+                   element_size_x / element_size_y
+               : 0.;
     const auto too_large_at = [&](const double edge) {
       const double finest = std::ldexp(element_size_x, -int(rim_levels));
       const double away   = std::hypot(
         interval_distance(
           lower[0], upper[0], edge - rim_width, edge + rim_width),
+        beside,
         interval_distance(lower[dim - 1], upper[dim - 1], -rim_width, 0.));
       return size > finest + growth * away;
     };
