@@ -1,16 +1,15 @@
 #include <deal.II/base/exceptions.h>
+#include <deal.II/base/multithread_info.h>
 
-#include <rolling_contact/analyses/accuracy_study.h>
-#include <rolling_contact/analyses/creep_curve.h>
-#include <rolling_contact/analyses/quasi_static.h>
+#include <rolling_contact/analyses/analysis.h>
+#include <rolling_contact/analyses/run_context.h>
 #include <rolling_contact/analyses/scene_reader.h>
-#include <rolling_contact/analyses/time_study.h>
-#include <rolling_contact/analyses/transient.h>
 #include <rolling_contact/base/command_line.h>
+#include <rolling_contact/base/common_end.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/interrupt.h>
-#include <rolling_contact/base/memory.h>
 #include <rolling_contact/base/platform.h>
+#include <rolling_contact/base/ranks.h>
 #include <rolling_contact/elasticity/factorisation.h>
 #include <rolling_contact/output/checkpoint.h>
 
@@ -29,6 +28,7 @@ namespace RollingContact
       report.git_revision = ROLLING_CONTACT_GIT_REVISION;
       report.libraries    = library_versions();
       report.libraries.emplace_back("deal.II", DEAL_II_PACKAGE_VERSION);
+      report.n_ranks      = Ranks::count();
       report.command_line = command_line.words;
       return report;
     }
@@ -52,27 +52,6 @@ namespace RollingContact
 
 
 
-    template <int dim>
-    void
-    run_analysis(SceneParameters &scene, RunContext &context)
-    {
-      if (scene.analysis == "creep curve")
-        CreepCurve<dim>(scene, context).run();
-      else if (scene.analysis == "accuracy study")
-        {
-          if (scene.study.varies_time_step())
-            TimeStudy<dim>(scene, context).run();
-          else
-            AccuracyStudy<dim>(scene, context).run();
-        }
-      else if (scene.analysis == "transient")
-        Transient<dim>(scene, context).run();
-      else
-        QuasiStatic<dim>(scene, context).run();
-    }
-
-
-
     void
     warn_about_blas(Log &log)
     {
@@ -90,12 +69,68 @@ namespace RollingContact
     {
       context.log.detail(context.report.objects_summary());
       context.log.detail(context.timer.summary());
-      const auto total = PhaseTimer::total(context.timer.rows());
-      context.log.message(human_seconds(total.wall_seconds) + " (" +
-                          human_seconds(total.cpu_seconds) + " CPU), " +
-                          human_bytes(peak_memory()) + "; files in " +
-                          context.folder.get_path().string());
-      context.log.message(context.report.error_line(context.timer));
+      context.log.message(
+        context.report.summary(context.timer,
+                               context.folder.get_path().string()));
+    }
+
+
+
+    /** How a run ends with an exception. */
+    struct Failure
+    {
+      ExitCode    code;
+      RunStatus   status;
+      std::string message;
+    };
+
+
+
+    /**
+     * Of the exception that is being handled.
+     */
+    Failure
+    current_failure()
+    {
+      const auto internal = [](const std::string &reason) {
+        return Failure{ExitCode::internal_error,
+                       RunStatus::failed,
+                       "internal error: " + reason};
+      };
+      try
+        {
+          throw;
+        }
+      catch (const InputError &error)
+        {
+          return {ExitCode::input_error, RunStatus::failed, error.what()};
+        }
+      catch (const ConvergenceError &error)
+        {
+          return {ExitCode::not_converged,
+                  RunStatus::not_converged,
+                  error.what()};
+        }
+      catch (const Interrupted &error)
+        {
+          return {ExitCode::not_converged,
+                  RunStatus::interrupted,
+                  error.what()};
+        }
+      catch (const dealii::ExceptionBase &error)
+        {
+          std::ostringstream reason;
+          error.print_info(reason);
+          return internal(reason.str());
+        }
+      catch (const std::exception &error)
+        {
+          return internal(error.what());
+        }
+      catch (...)
+        {
+          return internal("unknown exception");
+        }
     }
 
 
@@ -110,7 +145,7 @@ namespace RollingContact
     {
       if (!command_line.resume)
         folder.open();
-      else if (scene.analysis == "transient")
+      else if (analysis_kind(scene.analysis).resumes)
         folder.reopen(
           {TimeParameters::free_on_resume(), checkpoint_name, history_name});
       else
@@ -150,24 +185,17 @@ namespace RollingContact
       warn_about_blas(log);
       try
         {
-          if (scene.dimension == 2)
-            run_analysis<2>(scene, context);
-          else
-            run_analysis<3>(scene, context);
-        }
-      catch (const ConvergenceError &)
-        {
-          finish(RunStatus::not_converged);
-          throw;
-        }
-      catch (const Interrupted &)
-        {
-          finish(RunStatus::interrupted);
-          throw;
+          const AnalysisKind &kind = analysis_kind(scene.analysis);
+          (scene.dimension == 2 ? kind.in_2d : kind.in_3d)(scene, context)
+            ->run();
+          if (report.n_ranks > 1)
+            report.rank_totals = totals_of_ranks(timer);
         }
       catch (...)
         {
-          finish(RunStatus::failed);
+          const Failure failure = current_failure();
+          Ranks::all_failed(failure.code);
+          finish(failure.status);
           throw;
         }
       finish(RunStatus::done);
@@ -176,35 +204,53 @@ namespace RollingContact
 
 
 
+    /**
+     * Throws InputError, on all ranks, if their parameters differ or the
+     * analysis is for one rank.
+     */
     void
-    run(const int argc, const char *const *argv)
+    check_for_ranks(const SceneParameters &scene, const SceneText &text)
     {
-      const CommandLine command_line(argc, argv);
-      if (command_line.show_help)
-        std::cout << CommandLine::help();
-      else if (command_line.show_version)
-        std::cout << "rolling-contact " << ROLLING_CONTACT_VERSION << " ("
-                  << ROLLING_CONTACT_GIT_REVISION << ")\n";
-      else if (command_line.print_parameters)
-        std::cout << documented_parameters();
-      else
-        {
-          SceneParameters scene;
-          const SceneText text = read_scene(command_line, scene);
-          if (command_line.validate_only)
-            std::cout << command_line.prm_file << ": valid\n";
-          else
-            run_scene(scene, text, command_line);
-        }
+      if (Ranks::count() == 1)
+        return;
+      std::string of_root = text.used;
+      Ranks::broadcast(of_root);
+      if (Ranks::maximum(of_root != text.used) > 0.)
+        throw InputError("The ranks read different parameters: start them with "
+                         "one command line and a file that all of them see.");
+      if (!analysis_kind(scene.analysis).on_ranks)
+        throw InputError(
+          "Analysis = " + scene.analysis + " runs on one rank, not on " +
+          std::to_string(Ranks::count()) + ": start it without mpirun.");
     }
 
 
 
-    int
-    exit_code(const ExitCode code, const std::string &message)
+    void
+    run(const int argc, const char *const *argv)
     {
-      std::cerr << wrapped("rolling-contact: " + message) << std::endl;
-      return static_cast<int>(code);
+      const CommandLine command_line(argc, argv);
+      const auto        say = [](const std::string &text) {
+        if (Ranks::is_root())
+          std::cout << text << std::flush;
+      };
+      if (command_line.show_help)
+        say(CommandLine::help());
+      else if (command_line.show_version)
+        say("rolling-contact " ROLLING_CONTACT_VERSION
+            " (" ROLLING_CONTACT_GIT_REVISION ")\n");
+      else if (command_line.print_parameters)
+        say(documented_parameters());
+      else
+        {
+          SceneParameters scene;
+          const SceneText text = read_scene(command_line, scene);
+          check_for_ranks(scene, text);
+          if (command_line.validate_only)
+            say(command_line.prm_file + ": valid\n");
+          else
+            run_scene(scene, text, command_line);
+        }
     }
   } // namespace
 } // namespace RollingContact
@@ -215,36 +261,25 @@ int
 main(int argc, char *argv[])
 {
   using namespace RollingContact;
+  int code = static_cast<int>(ExitCode::converged);
   try
     {
+      Ranks::end_all_on_terminate();
+      // In a process that was not launched MPI_Init_thread and MPI_Finalize
+      // take 0.35 s, 0.05 s of it CPU, as does deal.II's MPI_InitFinalize;
+      // --version without them takes 0.2 s.
+      if (Ranks::launched())
+        Ranks::start();
       use_one_solver_thread();
       install_interrupt_handlers();
       dealii::MultithreadInfo::set_thread_limit(1);
       run(argc, argv);
-      return static_cast<int>(ExitCode::converged);
     }
-  catch (const InputError &error)
+  catch (...)
     {
-      return exit_code(ExitCode::input_error, error.what());
+      const Failure failure = current_failure();
+      code = Ranks::end_failed_run(failure.code, failure.message);
     }
-  catch (const ConvergenceError &error)
-    {
-      return exit_code(ExitCode::not_converged, error.what());
-    }
-  catch (const Interrupted &error)
-    {
-      return exit_code(ExitCode::not_converged, error.what());
-    }
-  catch (const dealii::ExceptionBase &error)
-    {
-      std::ostringstream reason;
-      error.print_info(reason);
-      return exit_code(ExitCode::internal_error,
-                       "internal error: " + reason.str());
-    }
-  catch (const std::exception &error)
-    {
-      return exit_code(ExitCode::internal_error,
-                       std::string("internal error: ") + error.what());
-    }
+  Ranks::finish();
+  return code;
 }

@@ -178,8 +178,7 @@ namespace RollingContact
           .solve(steady.problem, steady.state);
         if (!zone_too_small(steady))
           return;
-        steady.grading.zone_x += steady.grading.element_size_x;
-        steady.grading.zone_y += steady.grading.element_size_y;
+        steady.grading.enlarge_zone(1);
       }
   }
 

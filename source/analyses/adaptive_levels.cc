@@ -237,8 +237,7 @@ namespace RollingContact
                       previous.grading.element_size_x / grading.element_size_x);
         if (!zone_too_small(next))
           return next;
-        grading.zone_x *= 1.5;
-        grading.zone_y *= 1.5;
+        grading.enlarge_zone(1u << attempt);
         context.log.message(
           "The patch reaches the border of the candidate zone; the zone is "
           "enlarged to " +
@@ -323,13 +322,18 @@ namespace RollingContact
   {
     const RollingPair<dim> &pair = *steady.pair;
     for (const Side side : {Side::wheel, Side::rail})
-      if (pair.body(side) != nullptr && !(side == Side::rail && pair.twins()))
-        for (const auto &box :
-             bulk_boxes(*pair.body(side),
-                        pair.displacement(side, steady.problem, steady.state),
-                        steady.grading,
-                        bulk_fraction))
-          grading.boxes.push_back(box);
+      if (pair.is_elastic(side) && !(side == Side::rail && pair.twins()))
+        {
+          std::vector<RefinedBox<dim>> boxes;
+          if (pair.body(side))
+            boxes =
+              bulk_boxes(*pair.body(side),
+                         pair.displacement(side, steady.problem, steady.state),
+                         steady.grading,
+                         bulk_fraction);
+          pair.share(side, boxes);
+          grading.boxes.insert(grading.boxes.end(), boxes.begin(), boxes.end());
+        }
   }
 
 

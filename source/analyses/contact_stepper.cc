@@ -1,8 +1,7 @@
-#include <deal.II/lac/vector.h>
-
 #include <rolling_contact/analyses/contact_stepper.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/contact/invariants.h>
+#include <rolling_contact/solvers/corrected_solve.h>
 
 #include <algorithm>
 #include <cmath>
@@ -127,11 +126,12 @@ namespace RollingContact
     problem.set_creepages(histories.creepage_x.value(0.),
                           histories.creepage_y.value(0.),
                           histories.spin.value(0.));
+    problem.speed = std::abs(histories.speed.value(0.));
     if (histories.normal_load)
       problem.normal_load = histories.normal_load->value(0.);
     else
       problem.approach = histories.approach->value(0.);
-    contact.solver = solver->solve(problem, contact.state);
+    solve_contact(scene, contact);
     if (!contact.solver.converged)
       throw ConvergenceError(
         "The steady initial state did not converge: " + contact.solver.reason +
@@ -205,6 +205,7 @@ namespace RollingContact
       problem.gap[i] += free.gap[i];
     if (problem.n_tangential == 0)
       return;
+    problem.speed             = speed;
     problem.free_displacement = free.displacement;
     for (std::size_t i = 0; i < free.velocity.size(); ++i)
       problem.rigid_slip[i] += free.velocity[i] / speed;
@@ -241,7 +242,15 @@ namespace RollingContact
     const ContactState previous = contact.state;
     {
       PhaseTimer::Scope phase(context.timer, "contact solve");
-      contact.solver = solver->solve(contact.problem, contact.state);
+      contact.solver = solve_corrected(
+        *solver,
+        [&](const auto &forces, const bool) {
+          return motion->response(forces);
+        },
+        contact.pair->compliance_is_exact(),
+        scene.solver.controls,
+        contact.problem,
+        contact.state);
     }
     outcome.solver.reason   = contact.solver.reason;
     outcome.solver.residual = contact.solver.residual;
@@ -282,6 +291,9 @@ namespace RollingContact
         contact.state.pressure[i] > 0. && previous.pressure[i] == 0.;
     if (problem.n_tangential == 0)
       return;
+    const SeveralSolutions several = several_solutions(problem, contact.state);
+    if (several.ratio > outcome.several.ratio)
+      outcome.several = several;
     const TangentialProblem friction =
       tangential_problem(problem, contact.state);
     outcome.friction -= std::abs(outcome.speed) * h *
@@ -326,15 +338,16 @@ namespace RollingContact
   StepOutcome
   ContactStepper<dim>::advance(const double time, const double h)
   {
-    Checkpoint before;
-    save(before);
+    const ContactState before = contact.state;
+    motion->remember();
     try
       {
         return take_whole_step(time, h);
       }
     catch (...)
       {
-        restore_state(before);
+        contact.state = before;
+        motion->go_back();
         throw;
       }
   }
@@ -382,6 +395,7 @@ namespace RollingContact
     checkpoint.traction = contact.state.traction;
     checkpoint.approach = contact.state.approach;
     checkpoint.edges    = contact.state.edges;
+    checkpoint.friction = contact.state.friction;
     motion->save(checkpoint);
   }
 
@@ -416,10 +430,15 @@ namespace RollingContact
   void
   ContactStepper<dim>::restore_state(const Checkpoint &checkpoint)
   {
+    // its slip is not known before the next step
+    const bool edge_law = true, holds_friction = !checkpoint.friction.empty();
     contact.state = {checkpoint.pressure,
                      checkpoint.traction,
                      checkpoint.approach,
-                     checkpoint.edges};
+                     checkpoint.edges,
+                     edge_law,
+                     checkpoint.friction,
+                     holds_friction};
     motion->restore(checkpoint, contact.problem, contact.state);
   }
 

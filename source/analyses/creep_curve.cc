@@ -2,6 +2,7 @@
 #include <rolling_contact/analyses/creep_curve.h>
 #include <rolling_contact/analyses/ellipse_reference.h>
 #include <rolling_contact/analyses/error_of_result.h>
+#include <rolling_contact/analyses/falling_friction_notes.h>
 #include <rolling_contact/analyses/line_reference.h>
 #include <rolling_contact/analyses/quasi_static.h>
 #include <rolling_contact/analyses/result_row.h>
@@ -12,10 +13,49 @@
 #include <rolling_contact/base/stopwatch.h>
 #include <rolling_contact/output/svg_plot.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace RollingContact
 {
+  namespace
+  {
+    /**
+     * For the screen: the creepages that vary, then forces.
+     */
+    std::vector<std::string>
+    columns_of(const std::vector<References::Creepages> &points)
+    {
+      std::vector<std::string> columns;
+      const auto add = [&](const double References::Creepages::*component,
+                           const std::string                   &column) {
+        for (const auto &point : points)
+          if (point.*component != points[0].*component)
+            {
+              columns.push_back(column);
+              return;
+            }
+      };
+      add(&References::Creepages::x, "creepage_x");
+      add(&References::Creepages::y, "creepage_y");
+      add(&References::Creepages::spin, "spin_1/m");
+      const auto any = [&](const double References::Creepages::*component) {
+        return std::any_of(points.begin(), points.end(), [&](const auto &it) {
+          return it.*component != 0.;
+        });
+      };
+      if (any(&References::Creepages::x))
+        columns.push_back("force_x_N");
+      if (any(&References::Creepages::y) || any(&References::Creepages::spin))
+        columns.push_back("force_y_N");
+      columns.insert(columns.end(),
+                     {"traction_coefficient", "stick_area_m2", "iterations"});
+      return columns;
+    }
+  } // namespace
+
+
+
   template <int dim>
   void
   CreepCurve<dim>::run()
@@ -32,6 +72,7 @@ namespace RollingContact
     describe_bodies(steady, context);
     const Stopwatch watch;
     Progress        progress(context.log, "point", points.size());
+    WorstRatio      worst;
     for (std::size_t k = 0; k < points.size(); ++k)
       {
         throw_if_interrupted();
@@ -47,23 +88,27 @@ namespace RollingContact
             scientific(steady.solver.residual.worst(), 3) + ", required " +
             scientific(scene.solver.controls.tolerance, 3) + ".");
         note_error(scene, steady, context.report);
+        worst.add(several_solutions(steady.problem, steady.state),
+                  steady.problem,
+                  "point " + std::to_string(k + 1));
         progress.report(k + 1);
       }
     warn_of_large_strains(strain_measures(scene,
                                           steady.result,
                                           steady.state.approach),
                           context.log);
-    context.log.message(context.results.screen_table({"creepage_x",
-                                                      "creepage_y",
-                                                      "spin_1/m",
-                                                      "force_x_N",
-                                                      "force_y_N",
-                                                      "traction_coefficient",
-                                                      "stick_area_m2",
-                                                      "iterations"}));
-    context.log.message(std::to_string(points.size()) + " points in " +
-                        human_seconds(watch.seconds()) +
-                        " after meshing, factorisation and condensation.");
+    warn_of_several_solutions(scene, worst, context.log);
+    context.log.message(context.results.screen_table(columns_of(points)));
+    context.report.find("load",
+                        "N = " + significant(steady.result.normal_force, 6) +
+                          " N at the last point");
+    context.report.find(
+      "curve",
+      std::to_string(points.size()) + " points in " +
+        human_seconds(watch.seconds()) +
+        " after meshing, factorisation and condensation; "
+        "largest |T|/(mu N) = " +
+        significant(*std::max_element(force.begin(), force.end()), 5));
     if (scene.output.plot)
       plot(points);
   }
@@ -80,9 +125,7 @@ namespace RollingContact
     steady.creepage_y = creepages.y;
     steady.spin       = creepages.spin;
     steady.problem.set_creepages(creepages.x, creepages.y, creepages.spin);
-    steady.solver =
-      make_contact_solver(scene.solver.solver, scene.solver.controls)
-        ->solve(steady.problem, steady.state);
+    solve_contact(scene, steady);
     steady.result = resultants(steady.problem, steady.state);
 
     const double friction_force =
@@ -98,6 +141,8 @@ namespace RollingContact
         saturated.push_back(
           std::hypot(reference.saturated.x, reference.saturated.y) /
           friction_force);
+        fastsim.push_back(std::hypot(reference.fastsim.x, reference.fastsim.y) /
+                          friction_force);
       }
     else if (const auto carter = line_reference(scene, steady).carter)
       saturated.push_back(std::abs(carter->force_ratio()));
@@ -125,7 +170,9 @@ namespace RollingContact
                               : spread(x) != 0.    ? "longitudinal creepage (%)"
                               : spread(spin) != 0. ? "spin (1/m)"
                                                    : "creepage";
-    SvgPlot           figure("Creep curve", label, "|T| / (\u03bcN)");
+    SvgPlot           figure("Creep curve",
+                   label,
+                   "|T| / (" + scale_of_friction(scene) + "N)");
     figure.add_curve("finite elements",
                      abscissa,
                      force,
@@ -141,11 +188,14 @@ namespace RollingContact
             }
         figure.add_curve("Kalker, linear", shown_x, shown, CurveStyle::dashed);
       }
-    if (saturated.size() == abscissa.size())
+    const bool constant = !scene.contact.falling_friction();
+    if (constant && saturated.size() == abscissa.size())
       figure.add_curve(dim == 3 ? "Shen, Hedrick, Elkins" : "Carter",
                        abscissa,
                        saturated,
                        CurveStyle::reference);
+    if (constant && dim == 3)
+      figure.add_curve("FASTSIM", abscissa, fastsim, CurveStyle::line);
     figure.write(context.folder, "creep_curve.svg");
   }
 

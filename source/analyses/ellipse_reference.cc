@@ -26,17 +26,18 @@ namespace RollingContact
                                 0.5 / constants.lateral_relative_radius,
                                 constants.contact_modulus),
       {},
+      {},
       {}};
     const int flow = scene.contact.flow();
     reference.linear =
       References::kalker_forces(creepages, reference.hertz, elasticity, flow);
-    if (scene.contact.friction_coefficient > 0.)
-      reference.saturated =
-        References::shen_hedrick_elkins(creepages,
-                                        reference.hertz,
-                                        elasticity,
-                                        scene.contact.friction_coefficient,
-                                        flow);
+    const double mu = scene.contact.friction_coefficient;
+    if (mu == 0.)
+      return reference;
+    reference.saturated = References::shen_hedrick_elkins(
+      creepages, reference.hertz, elasticity, mu, flow);
+    reference.fastsim =
+      References::fastsim(creepages, reference.hertz, elasticity, mu, flow);
     return reference;
   }
 } // namespace RollingContact

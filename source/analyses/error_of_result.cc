@@ -95,6 +95,29 @@ namespace RollingContact
       const ResolutionEstimate estimate = resolution_estimate(scene, steady);
       return {"force", estimate.error, "mu N", estimate.text, true, ""};
     }
+
+
+
+    /**
+     * Against Carter where he holds, else estimated.
+     */
+    template <int dim>
+    ResultError
+    force_error(const SceneParameters &scene, const SteadyState<dim> &steady)
+    {
+      if constexpr (dim == 2)
+        if (follows_carter(scene, steady))
+          {
+            const LineReference reference = line_reference(scene, steady);
+            return {"force",
+                    std::abs(line_errors(scene, steady, reference).force),
+                    "mu N",
+                    "Carter",
+                    false,
+                    ""};
+          }
+      return estimated_force_error(scene, steady);
+    }
   } // namespace
 
 
@@ -130,23 +153,9 @@ namespace RollingContact
       return;
     const bool        friction = steady.problem.n_tangential > 0;
     const StudySample errors   = study_sample(scene, steady, nullptr);
-    if (friction && follows_carter(scene, steady))
-      {
-        if constexpr (dim == 2)
-          keep_largest(
-            {"force",
-             std::abs(
-               line_errors(scene, steady, line_reference(scene, steady)).force),
-             "mu N",
-             "Carter",
-             false,
-             ""},
-            report);
-        return;
-      }
     if (friction)
-      keep_largest(estimated_force_error(scene, steady), report);
-    else if (errors.load_error)
+      keep_largest(force_error(scene, steady), report);
+    if (errors.load_error)
       keep_largest({"load",
                     std::abs(*errors.load_error),
                     "N",

@@ -3,12 +3,12 @@
 #include <rolling_contact/analyses/history.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/log.h>
+#include <rolling_contact/base/silent_errors.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
-#include <iostream>
 #include <sstream>
 
 namespace RollingContact
@@ -41,22 +41,6 @@ namespace RollingContact
       return begin == std::string::npos ? ""
                                         : text.substr(begin, end - begin + 1);
     }
-
-
-
-    /** Nothing reaches std::cerr while it lives: deal.II prints muParser's
-     * errors there and throws them too. */
-    class SilentErrors
-    {
-    public:
-      ~SilentErrors()
-      {
-        std::cerr.rdbuf(buffer);
-      }
-
-    private:
-      std::streambuf *const buffer = std::cerr.rdbuf(nullptr);
-    };
 
 
 

@@ -120,7 +120,7 @@ namespace RollingContact
                             steady.pair->twins(),
                             {}};
     if (std::abs(constants.dundurs_beta) < 1e-12 &&
-        steady.problem.n_tangential > 0)
+        steady.problem.n_tangential > 0 && !steady.problem.friction_law)
       reference.carter.emplace(reference.hertz,
                                constants.relative_radius,
                                scene.contact.friction_coefficient,
@@ -131,7 +131,7 @@ namespace RollingContact
       reference.normal_force =
         References::load_of_two_clamped_annuli(annulus(scene.wheel),
                                                annulus(scene.rail),
-                                               *scene.contact.approach()) *
+                                               steady.state.approach) *
         scene.thickness();
     return reference;
   }

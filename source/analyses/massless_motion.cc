@@ -1,30 +1,9 @@
-#include <deal.II/lac/vector.h>
-
 #include <rolling_contact/analyses/pair_motion.h>
 
 namespace RollingContact
 {
   namespace
   {
-    /**
-     * W r of the tangential components.
-     */
-    std::vector<double>
-    tangential_displacement(const ContactProblem &problem,
-                            const ContactState   &state)
-    {
-      if (problem.n_tangential == 0)
-        return {};
-      std::vector<double> u = problem.tangential_displacement(state.traction);
-      const std::vector<double> coupling =
-        problem.tangential_displacement_of_pressure(state.pressure);
-      for (std::size_t i = 0; i < u.size(); ++i)
-        u[i] += coupling[i];
-      return u;
-    }
-
-
-
     /**
      * Sum of nodal forces times displacements of the pair, r . W r'.
      */
@@ -42,8 +21,9 @@ namespace RollingContact
       for (std::size_t i = 0; i < normal.size(); ++i)
         sum += forces[i] * (normal[i] + coupling[i]);
       if (problem.n_tangential > 0)
-        sum += dot(problem.H.multiply(of.traction),
-                   tangential_displacement(problem, along));
+        sum +=
+          dot(problem.H.multiply(of.traction),
+              problem.tangential_displacement(along.traction, along.pressure));
       return sum;
     }
 
@@ -112,7 +92,7 @@ namespace RollingContact
       start_from(const ContactProblem &problem,
                  const ContactState   &state) override
       {
-        u        = tangential_displacement(problem, state);
+        u = problem.tangential_displacement(state.traction, state.pressure);
         previous = state;
         strain   = work(problem, state, state) / 2;
       }
@@ -123,18 +103,40 @@ namespace RollingContact
         return strain;
       }
 
-      typename PairMotion<dim>::Memory
+      BodyInTime::Memory
       memory_consumption() const override
       {
         return {};
       }
 
-      dealii::Vector<double>
+      BodyField
       displacement(const Side            side,
                    const ContactProblem &problem,
                    const ContactState   &state) const override
       {
         return pair.displacement(side, problem, state);
+      }
+
+      std::vector<std::vector<double>>
+      response(const std::vector<std::vector<double>> &forces) override
+      {
+        return pair.response(forces, false);
+      }
+
+      void
+      remember() override
+      {
+        kept        = previous;
+        kept_u      = u;
+        kept_strain = strain;
+      }
+
+      void
+      go_back() override
+      {
+        previous = kept;
+        u        = kept_u;
+        strain   = kept_strain;
       }
 
       void
@@ -160,10 +162,10 @@ namespace RollingContact
       }
 
       const RollingPair<dim> &pair;
-      std::vector<double>     u;
-      ContactState            previous;
-      double                  strain = 0.;
-      double                  h      = 0.;
+      std::vector<double>     u, kept_u;
+      ContactState            previous, kept;
+      double                  strain = 0., kept_strain = 0.;
+      double                  h = 0.;
     };
   } // namespace
 

@@ -35,7 +35,7 @@ namespace RollingContact
       const bool disc = body.shape == "disc";
       return {disc ? References::LineBody::Shape::disc
                    : References::LineBody::Shape::block,
-              disc ? body.radius : body.block_depth,
+              disc ? body.radius : body.geometry().depth,
               young_modulus(body),
               body.material.poisson_ratio,
               body.rigid};
@@ -54,11 +54,11 @@ namespace RollingContact
       double largest = relative_radius;
       for (const BodyParameters *body : {&scene.wheel, &scene.rail})
         if (!body->rigid)
-          largest =
-            std::min(largest,
-                     body->shape == "disc"
-                       ? body->radius
-                       : std::min(body->block_length / 2, body->block_depth));
+          largest = std::min(largest,
+                             body->shape == "disc"
+                               ? body->radius
+                               : std::min(body->geometry().length / 2,
+                                          body->geometry().depth));
       return largest;
     }
 

@@ -1,18 +1,15 @@
-#include <deal.II/lac/vector.h>
-
 #include <rolling_contact/analyses/adaptive_levels.h>
 #include <rolling_contact/analyses/error_of_result.h>
-#include <rolling_contact/analyses/line_reference.h>
+#include <rolling_contact/analyses/falling_friction_notes.h>
 #include <rolling_contact/analyses/quasi_static.h>
 #include <rolling_contact/analyses/result_row.h>
 #include <rolling_contact/analyses/small_strain.h>
+#include <rolling_contact/analyses/state_summary.h>
 #include <rolling_contact/analyses/traction_plot.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/output/body_fields.h>
 #include <rolling_contact/output/interface_fields.h>
 #include <rolling_contact/output/pvd.h>
-
-#include <cmath>
 
 namespace RollingContact
 {
@@ -77,28 +74,17 @@ namespace RollingContact
     auto &objects = context.report.objects;
     for (const Side side : {Side::wheel, Side::rail})
       {
-        const ElasticBody<dim> *body = steady.pair->body(side);
-        BuiltObject             object;
-        object.object = name_of(side) + ": mesh, stiffness, factor";
-        object.built =
-          body != nullptr && !(side == Side::rail && steady.pair->twins());
+        const bool  is_twin = side == Side::rail && steady.pair->twins();
+        BuiltObject object;
+        object.object = name_of(side) + ": mesh, stiffness, solver";
+        object.built  = steady.pair->is_elastic(side) && !is_twin;
         if (!object.built)
-          object.reason =
-            body == nullptr ? "rigid" : "mirror image of the wheel";
-        else
+          object.reason = is_twin ? "mirror image of the wheel" : "rigid";
+        else if (const ElasticBody<dim> *body = steady.pair->body(side))
           {
-            const auto &size = body->factorisation()->size();
-            object.bytes     = size.memory_consumption();
-            object.seconds =
-              body->assembly_seconds() + size.analysis_s + size.factor_s;
-            context.log.message(
-              name_of(side) + ": " + std::to_string(body->n_unknowns()) +
-              " unknowns; factorisation " + human_seconds(size.factor_s) +
-              ", condensation on " + std::to_string(steady.problem.n_nodes) +
-              " contact nodes " + human_seconds(size.condensation_s) +
-              ": together " +
-              significant(1 + size.condensation_s / size.factor_s, 3) +
-              " factorisations.");
+            object.bytes   = body->solver_memory();
+            object.seconds = body->assembly_seconds() + body->solver_seconds();
+            context.log.message(name_of(side) + ": " + body->description());
           }
         objects.push_back(object);
       }
@@ -108,8 +94,34 @@ namespace RollingContact
 
   template <int dim>
   void
+  describe_surfaces(const RollingPair<dim> &pair, RunContext &context)
+  {
+    for (const Side side : {Side::wheel, Side::rail})
+      {
+        const SurfaceNote &note = pair.note_on_surface(side);
+        if (!note.text.empty())
+          context.log.message(note.text);
+        if (!note.warning.empty())
+          context.log.warning(note.warning);
+      }
+  }
+
+
+
+  template <int dim>
+  void
   describe_bodies(const SteadyState<dim> &steady, RunContext &context)
   {
+    if (!steady.pair->reason_for_solver().empty())
+      {
+        const bool direct = steady.pair->body_solver() == BodySolver::direct;
+        const std::string choice =
+          "Body solver = automatic takes " +
+          std::string(direct ? "direct" : "distributed") + ": " +
+          steady.pair->reason_for_solver() + ".";
+        direct ? context.log.detail(choice) : context.log.message(choice);
+      }
+    describe_surfaces(*steady.pair, context);
     describe_factors(steady, context);
     auto       &objects = context.report.objects;
     const auto &problem = steady.problem;
@@ -121,6 +133,13 @@ namespace RollingContact
                        0.,
                        problem.n_tangential > 0 ? "" : "frictionless"});
     objects.push_back({"mass, damping, B2", false, 0, 0., "quasi-static"});
+    if (problem.friction_law)
+      objects.push_back({dim == 2 ? "reference: Carter"
+                                  : "references: Shen-Hedrick-Elkins, FASTSIM",
+                         false,
+                         0,
+                         0.,
+                         "they have constant friction"});
   }
 
 
@@ -160,16 +179,16 @@ namespace RollingContact
       {
         std::vector<PvdBlock> blocks;
         for (const Side side : {Side::wheel, Side::rail})
-          if (steady.pair->body(side) != nullptr)
+          if (steady.pair->is_elastic(side))
             {
               const bool        is_wheel = side == Side::wheel;
-              const std::string file     = name_of(side) + ".vtu";
-              write_body_fields<dim>(
-                *steady.pair->body(side),
+              const std::string file     = write_body_fields<dim>(
+                steady.pair->body(side),
+                steady.pair->rank_of(side),
                 steady.pair->displacement(side, steady.problem, steady.state),
                 {is_wheel, is_wheel ? -steady.state.approach : 0.},
                 folder,
-                file);
+                name_of(side));
               blocks.push_back({0.,
                                 static_cast<unsigned int>(blocks.size()),
                                 name_of(side),
@@ -191,45 +210,21 @@ namespace RollingContact
     const Resultants   &result = steady.result;
     const SolverReport &solver = steady.solver;
     Log                &log    = context.log;
-    log.message(
-      "solver: " + solver.solver + ", " + std::to_string(solver.normal_solves) +
-      " normal and " + std::to_string(solver.tangential_solves) +
-      " tangential solves in " + std::to_string(solver.passes) +
-      " passes; natural residual " + scientific(solver.residual.normal, 2) +
-      " normal, " + scientific(solver.residual.tangential, 2) + " tangential.");
+    const std::string   work   = "Solver: " + work_of_solver(solver) + ".";
+    (solver.solver.find("fallback") == std::string::npos ? log.detail(work)
+                                                         : log.message(work));
     if (result.n_touching < 5)
       log.warning("Only " + std::to_string(result.n_touching) +
                   " nodes touch: the patch is unresolved, take more elements "
                   "(Mesh/Elements across patch).");
     warn_of_large_strains(strain_measures(scene, result, steady.state.approach),
                           log);
-    log.message("approach " + significant(steady.state.approach * 1e3, 5) +
-                " mm, N = " + significant(result.normal_force, 6) +
-                " N, T = (" + significant(result.force_x, 6) + ", " +
-                significant(result.force_y, 6) +
-                ") N, |T|/N = " + significant(result.traction_coefficient, 5));
-    log.message(
-      "patch: half-width " + significant(result.half_width_x * 1e3, 5) +
-      " mm, peak pressure " + significant(result.max_pressure * 1e-6, 5) +
-      " MPa, " + std::to_string(result.n_touching) + " nodes touch, stick on " +
-      significant(result.contact_area > 0.
-                    ? 100 * result.stick_area / result.contact_area
-                    : 0.,
-                  3) +
-      " % of the area");
-    if constexpr (dim == 2)
-      if (result.normal_force > 0. && scene.contact.roughness.empty())
-        {
-          const LineReference reference = line_reference(scene, steady);
-          const LineErrors    errors    = line_errors(scene, steady, reference);
-          if (errors.normal_force)
-            log.message("load against the exact clamped discs: " +
-                        significant(100 * *errors.normal_force, 3) + " %");
-          if (reference.carter && reference.carter_is_exact)
-            log.message("force against Carter: " + scientific(errors.force, 2) +
-                        " mu N; traction L2 error " +
-                        scientific(errors.traction_l2, 2) + " mu p0");
-        }
+    WorstRatio worst;
+    worst.add(several_solutions(steady.problem, steady.state),
+              steady.problem,
+              "");
+    warn_of_several_solutions(scene, worst, log);
+    note_state(scene, steady, context.report);
   }
 
 
@@ -240,6 +235,10 @@ namespace RollingContact
   describe_factors(const SteadyState<2> &, RunContext &);
   template void
   describe_factors(const SteadyState<3> &, RunContext &);
+  template void
+  describe_surfaces(const RollingPair<2> &, RunContext &);
+  template void
+  describe_surfaces(const RollingPair<3> &, RunContext &);
   template void
   describe_bodies(const SteadyState<2> &, RunContext &);
   template void

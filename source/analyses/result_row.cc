@@ -2,6 +2,7 @@
 #include <rolling_contact/analyses/line_reference.h>
 #include <rolling_contact/analyses/result_row.h>
 #include <rolling_contact/contact/invariants.h>
+#include <rolling_contact/contact/several_solutions.h>
 
 namespace RollingContact
 {
@@ -37,8 +38,27 @@ namespace RollingContact
       table.set("normal_solves", solver.normal_solves);
       table.set("tangential_solves", solver.tangential_solves);
       table.set("passes", solver.passes);
+      table.set("corrections", solver.corrections);
       table.set("solver", solver.solver);
       table.set("converged", solver.converged);
+    }
+
+
+
+    /**
+     * Where friction falls.
+     */
+    template <int dim>
+    void
+    set_falling_friction_columns(const SteadyState<dim> &steady,
+                                 ResultsTable           &table)
+    {
+      if (!steady.problem.friction_law || steady.problem.n_tangential == 0)
+        return;
+      table.set("friction_rounds", steady.solver.friction_rounds);
+      if (!steady.restored)
+        table.set("several_solutions_ratio",
+                  several_solutions(steady.problem, steady.state).ratio);
     }
 
 
@@ -100,8 +120,12 @@ namespace RollingContact
       table.set("kalker_force_x_N", reference.linear.x);
       table.set("kalker_force_y_N", reference.linear.y);
       table.set("kalker_spin_moment_Nm", reference.linear.spin_moment);
+      if (steady.problem.friction_law) // what follows saturates at mu N
+        return;
       table.set("shen_force_x_N", reference.saturated.x);
       table.set("shen_force_y_N", reference.saturated.y);
+      table.set("fastsim_force_x_N", reference.fastsim.x);
+      table.set("fastsim_force_y_N", reference.fastsim.y);
     }
 
 
@@ -135,14 +159,9 @@ namespace RollingContact
                  const SteadyState<dim> &steady,
                  RunContext             &context)
   {
-    ResultsTable &table      = context.results;
-    std::size_t   n_unknowns = 0;
-    for (const Side side : {Side::wheel, Side::rail})
-      if (steady.pair->body(side) != nullptr &&
-          !(side == Side::rail && steady.pair->twins()))
-        n_unknowns += steady.pair->body(side)->n_unknowns();
+    ResultsTable &table = context.results;
     table.set("level", steady.level);
-    table.set("dofs", n_unknowns);
+    table.set("dofs", steady.pair->n_unknowns());
     table.set("contact_nodes", steady.problem.n_nodes);
     table.set("elements_across", steady.elements_across);
     table.set("patch_offset", steady.grading.offset);
@@ -151,8 +170,11 @@ namespace RollingContact
     table.set("creepage_y", steady.creepage_y);
     table.set("spin_1/m", steady.spin);
     table.set("approach_m", steady.state.approach);
+    if (steady.contact_stiffness)
+      table.set("contact_stiffness_N/m", *steady.contact_stiffness);
     set_resultant_columns(steady.result, table);
     set_solver_columns(steady.solver, table);
+    set_falling_friction_columns(steady, table);
     const Invariants found =
       steady.restored ? Invariants() : invariants(steady.problem, steady.state);
     if (!steady.restored)

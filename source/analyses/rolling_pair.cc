@@ -1,133 +1,29 @@
-#include <deal.II/lac/vector.h>
-
 #include <rolling_contact/analyses/both_bodies.h>
 #include <rolling_contact/analyses/patch_estimate.h>
 #include <rolling_contact/analyses/rolling_pair.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/log.h>
 #include <rolling_contact/base/memory.h>
+#include <rolling_contact/base/ranks.h>
 #include <rolling_contact/contact/roughness.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace RollingContact
 {
   using namespace dealii;
 
-  namespace
-  {
-    /**
-     * Throws InputError if the candidate zone does not fit on a body.
-     */
-    template <int dim>
-    void
-    check_room(const SceneParameters &scene, const Grading<dim> &grading)
-    {
-      for (const BodyParameters *body : {&scene.wheel, &scene.rail})
-        {
-          if (body->rigid)
-            continue;
-          const double length = body->shape == "disc" ? 0.55 * body->radius
-                                                      : body->block_length / 2;
-          if (grading.zone_x > length)
-            throw InputError(
-              body->section + ": the contact zone reaches " +
-              significant(grading.zone_x, 3) +
-              " m from its middle, beyond what the body offers (" +
-              significant(length, 3) +
-              " m along x): check load, radii and Block length.");
-          if (dim == 3 && grading.zone_y > body->width / 2)
-            throw InputError(
-              body->section + "/Width = " + significant(body->width, 4) +
-              ": the contact zone is " + significant(2 * grading.zone_y, 3) +
-              " m wide; the patch must not reach the edges of "
-              "the body.");
-        }
-    }
-  } // namespace
-
-
-
   template <int dim>
   RollingPair<dim>::RollingPair(const SceneParameters &scene,
                                 const Grading<dim>    &grading,
                                 const bool             statics)
-    : scene(scene)
+    : BodyPair<dim>(scene, grading, statics)
   {
-    check_room(scene, grading);
-    const auto build = [&](const BodyParameters &body) {
-      auto result = std::make_shared<ElasticBody<dim>>(body.geometry(),
-                                                       body.material,
-                                                       body.thickness,
-                                                       grading);
-      if (statics)
-        result->analyse();
-      return result;
-    };
-    const bool twins = !scene.wheel.rigid &&
-                       scene.wheel.geometry() == scene.rail.geometry() &&
-                       scene.wheel.material == scene.rail.material;
-    for_both_bodies(
-      scene.body_threads,
-      [&]() {
-        if (!scene.wheel.rigid)
-          wheel_body = build(scene.wheel);
-      },
-      [&]() {
-        if (!scene.rail.rigid && !twins)
-          rail_body = build(scene.rail);
-      });
-    if (twins)
-      rail_body = wheel_body;
     if (scene.contact.friction_coefficient > 0.)
       for (unsigned int d = 0; d < dim - 1; ++d)
         components.push_back(d);
     components.push_back(dim - 1);
-    pair_surfaces(grading);
-  }
-
-
-
-  template <int dim>
-  void
-  RollingPair<dim>::pair_surfaces(const Grading<dim> &zone)
-  {
-    using Face = typename ElasticBody<dim>::SurfaceFace;
-    std::vector<Face> faces;
-    if (wheel_body)
-      wheel_body->surface(zone, wheel_nodes, faces);
-    if (twins())
-      rail_nodes = wheel_nodes;
-    else if (rail_body)
-      rail_body->surface(zone, rail_nodes, faces);
-    if (wheel_body && rail_body)
-      {
-        AssertThrow(wheel_nodes.size() == rail_nodes.size(),
-                    ExcMessage("The surfaces of wheel and rail carry different "
-                               "numbers of nodes."));
-        for (std::size_t i = 0; i < wheel_nodes.size(); ++i)
-          AssertThrow(wheel_nodes[i].position.distance(rail_nodes[i].position) <
-                        1e-9 * zone.zone_x,
-                      ExcMessage("The surface nodes of wheel and rail do not "
-                                 "match."));
-      }
-
-    contact_trace              = Trace();
-    contact_trace.n_dimensions = dim - 1;
-    for (const auto &node : wheel_body ? wheel_nodes : rail_nodes)
-      contact_trace.nodes.push_back(
-        {{node.position[0], dim == 3 ? node.position[dim - 2] : 0.}});
-    for (const Face &face : faces)
-      {
-        Trace::Cell cell;
-        for (unsigned int d = 0; d < dim - 1; ++d)
-          {
-            cell.lower[d] = face.lower[d];
-            cell.upper[d] = face.upper[d];
-          }
-        cell.corners = face.corners;
-        contact_trace.cells.push_back(cell);
-      }
   }
 
 
@@ -181,22 +77,6 @@ namespace RollingContact
                          "smaller Mesh/Candidate zone or a smaller "
                          "Mesh/Contact node budget.");
     }
-
-
-
-    /**
-     * Whether anything after the contact solve asks for a displacement: fields,
-     * the marks of the next level, the start of a motion with mass.
-     */
-    bool
-    wants_displacements(const SceneParameters &scene)
-    {
-      const bool has_fields =
-        scene.analysis == "quasi-static" || scene.is_transient();
-      return scene.mesh.adaptive_levels > 0 ||
-             (has_fields && scene.output.body_fields) ||
-             (scene.is_transient() && scene.time.inertia);
-    }
   } // namespace
 
 
@@ -205,36 +85,176 @@ namespace RollingContact
   DenseMatrix
   RollingPair<dim>::pair_compliance()
   {
-    check_contact_memory(contact_trace.nodes.size(), components.size());
-    const bool  recovers = wants_displacements(scene);
+    check_contact_memory(std::max({this->trace().nodes.size(),
+                                   this->nodes(Side::wheel).size(),
+                                   this->nodes(Side::rail).size()}),
+                         components.size());
     DenseMatrix wheel, rail;
     for_both_bodies(
-      scene.body_threads,
+      this->scene.body_threads,
       [&]() {
-        if (wheel_body)
-          wheel = wheel_body->compliance(wheel_nodes, components, recovers);
+        if (this->body(Side::wheel))
+          wheel = this->body(Side::wheel)
+                    ->compliance(this->nodes(Side::wheel), components);
       },
       [&]() {
-        if (rail_body && !twins())
-          rail = rail_body->compliance(rail_nodes, components, recovers);
+        if (this->body(Side::rail) && !this->twins())
+          rail = this->body(Side::rail)
+                   ->compliance(this->nodes(Side::rail), components);
       });
-    return combined(wheel, rail);
+    return combined(std::move(wheel), std::move(rail));
   }
+
+
+
+  namespace
+  {
+    /**
+     * From one rank to all.
+     */
+    void
+    share_matrix(const unsigned int rank, DenseMatrix &matrix)
+    {
+      if (Ranks::count() == 1)
+        return;
+      std::vector<double> size{double(matrix.n_rows())};
+      Ranks::broadcast(size, rank);
+      const std::size_t   n = size[0];
+      std::vector<double> values(matrix.data(),
+                                 matrix.data() +
+                                   matrix.n_rows() * matrix.n_columns());
+      Ranks::broadcast(values, rank);
+      matrix = DenseMatrix(n, n);
+      std::copy(values.begin(), values.end(), matrix.data());
+    }
+  } // namespace
 
 
 
   template <int dim>
   DenseMatrix
-  RollingPair<dim>::combined(const DenseMatrix &wheel,
-                             const DenseMatrix &rail) const
+  RollingPair<dim>::combined(DenseMatrix wheel, DenseMatrix rail) const
   {
-    const std::size_t n_nodes = contact_trace.nodes.size();
+    const std::size_t n_nodes = this->trace().nodes.size();
+    if (this->is_elastic(Side::wheel))
+      share_matrix(this->rank_of(Side::wheel), wheel);
+    if (this->is_elastic(Side::rail) && !this->twins())
+      share_matrix(this->rank_of(Side::rail), rail);
+    wheel = this->coupling(Side::wheel).to_interface(std::move(wheel));
+    rail  = this->coupling(Side::rail).to_interface(std::move(rail));
     DenseMatrix W(components.size() * n_nodes, components.size() * n_nodes);
-    if (wheel_body)
+    if (wheel.n_rows() > 0)
       add_compliance(wheel, true, n_nodes, W);
-    if (rail_body)
-      add_compliance(twins() ? wheel : rail, false, n_nodes, W);
+    if (this->is_elastic(Side::rail) &&
+        (this->twins() ? wheel : rail).n_rows() > 0)
+      add_compliance(this->twins() ? wheel : rail, false, n_nodes, W);
     return W;
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  RollingPair<dim>::relative(std::vector<double> wheel,
+                             std::vector<double> rail) const
+  {
+    const std::size_t n_nodes  = this->trace().nodes.size(),
+                      n_values = components.size() * n_nodes;
+    const bool spread          = this->body_solver() == BodySolver::distributed;
+    for (const Side side : {Side::wheel, Side::rail})
+      if (this->is_elastic(side) && !spread)
+        Ranks::broadcast(side == Side::wheel ? wheel : rail,
+                         this->rank_of(side));
+    wheel = this->coupling(Side::wheel).to_interface(std::move(wheel));
+    rail  = this->coupling(Side::rail).to_interface(std::move(rail));
+    std::vector<double> result(n_values, 0.);
+    for (std::size_t i = 0; i < wheel.size(); ++i)
+      result[i] += i + n_nodes >= n_values ? -wheel[i] : wheel[i];
+    for (std::size_t i = 0; i < rail.size(); ++i)
+      result[i] -= rail[i];
+    return result;
+  }
+
+
+
+  template <int dim>
+  bool
+  RollingPair<dim>::compliance_is_exact() const
+  {
+    return this->body_solver() != BodySolver::distributed;
+  }
+
+
+
+  namespace
+  {
+    using Loads = std::vector<std::vector<double>>;
+
+    /**
+     * Twins answer tangential forces with opposite, normal ones with equal
+     * motions: of each set of forces the tangential and the normal part, where
+     * there are any.
+     */
+    Loads
+    parts_of(const Loads &forces, const std::size_t n_nodes)
+    {
+      Loads parts;
+      for (const std::vector<double> &load : forces)
+        {
+          const std::size_t n_tangential = load.size() - n_nodes;
+          for (const bool normal : {false, true})
+            {
+              std::vector<double> part = load;
+              std::fill(normal ? part.begin() : part.begin() + n_tangential,
+                        normal ? part.begin() + n_tangential : part.end(),
+                        0.);
+              parts.push_back(part);
+            }
+        }
+      return parts;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<std::vector<double>>
+  RollingPair<dim>::response(const Loads &forces, const bool roughly) const
+  {
+    const std::size_t n_nodes = this->trace().nodes.size();
+    const auto        answers = [&](const Side side, const Loads &of) {
+      Loads loads;
+      for (const std::vector<double> &load : of)
+        loads.push_back(on_body(side, load));
+      return this->body(side)->response(this->nodes(side),
+                                        components,
+                                        loads,
+                                        roughly);
+    };
+    Loads result;
+    if (this->twins())
+      {
+        const Loads own = answers(Side::rail, parts_of(forces, n_nodes));
+        for (std::size_t k = 0; k < forces.size(); ++k)
+          {
+            // under mirrored forces the wheel moves by -(tangential) + normal
+            std::vector<double> wheel = own[2 * k + 1], rail = wheel;
+            for (std::size_t i = 0; i < wheel.size(); ++i)
+              {
+                wheel[i] -= own[2 * k][i];
+                rail[i] += own[2 * k][i];
+              }
+            result.push_back(relative(wheel, rail));
+          }
+        return result;
+      }
+    Loads bodies[2];
+    for (const Side side : {Side::wheel, Side::rail})
+      bodies[static_cast<int>(side)] =
+        this->body(side) ? answers(side, forces) : Loads(forces.size());
+    for (std::size_t k = 0; k < forces.size(); ++k)
+      result.push_back(relative(bodies[0][k], bodies[1][k]));
+    return result;
   }
 
 
@@ -253,30 +273,39 @@ namespace RollingContact
   RollingPair<dim>::contact_problem(const SlipOperatorKind slip_operator,
                                     DenseMatrix            W) const
   {
-    const ContactParameters &contact = scene.contact;
+    const ContactParameters &contact = this->scene.contact;
     ContactProblem           problem;
-    problem.n_nodes      = contact_trace.nodes.size();
+    problem.n_nodes      = this->trace().nodes.size();
     problem.n_tangential = components.size() - 1;
-    problem.positions    = contact_trace.nodes;
+    problem.positions    = this->trace().nodes;
     problem.W            = std::move(W);
-    problem.coupled      = !twins() && problem.n_tangential > 0;
-    problem.dundurs_beta = pair_constants(scene).dundurs_beta;
-    problem.H            = contact_matrix(contact_trace,
+    problem.coupled      = !this->twins() && problem.n_tangential > 0;
+    problem.dundurs_beta = pair_constants(this->scene).dundurs_beta;
+    problem.H            = contact_matrix(this->trace(),
                                contact.contact_matrices_kind(),
-                               dim == 2 ? scene.thickness() : 1.);
+                               dim == 2 ? this->scene.thickness() : 1.);
     if (problem.n_tangential > 0)
-      problem.slip_operator = SlipOperator(contact_trace,
+      problem.slip_operator = SlipOperator(this->trace(),
                                            slip_operator,
                                            contact.contact_matrices_kind(),
                                            contact.flow());
-    const BodyGeometry wheel = scene.wheel.geometry(),
-                       rail  = scene.rail.geometry();
+    const BodyGeometry wheel = this->scene.wheel.geometry(),
+                       rail  = this->scene.rail.geometry();
     const Roughness roughness(contact.roughness);
-    for (const auto &node : contact_trace.nodes)
-      problem.gap.push_back(-wheel.surface_height(node[0], node[1]) -
-                            rail.surface_height(node[0], node[1]) +
-                            roughness.value(node[0], node[1]));
+    const auto      height =
+      [&](const Side side, const BodyGeometry &geometry, const std::size_t i) {
+        const std::vector<double> &given = this->heights(side);
+        return given.empty() ? geometry.surface_height(problem.positions[i][0],
+                                                       problem.positions[i][1])
+                             : given[i];
+      };
+    for (std::size_t i = 0; i < problem.n_nodes; ++i)
+      problem.gap.push_back(
+        -height(Side::wheel, wheel, i) - height(Side::rail, rail, i) +
+        roughness.value(problem.positions[i][0], problem.positions[i][1]));
     problem.friction.assign(problem.n_nodes, contact.friction_coefficient);
+    problem.friction_law = contact.falling_friction();
+    problem.speed        = std::abs(contact.speed);
     problem.set_creepages(contact.creepage_x, contact.creepage_y, contact.spin);
     problem.normal_load = contact.normal_load();
     problem.approach    = contact.approach().value_or(0.);
@@ -287,53 +316,46 @@ namespace RollingContact
 
 
   template <int dim>
-  void
-  RollingPair<dim>::release_statics()
-  {
-    for (const auto &body : {wheel_body, rail_body})
-      if (body)
-        body->release_factorisation();
-    release_free_memory();
-  }
-
-
-
-  template <int dim>
   std::vector<double>
-  RollingPair<dim>::reactions(const Side            side,
-                              const ContactProblem &problem,
-                              const ContactState   &state) const
+  RollingPair<dim>::on_body(const Side side, std::vector<double> forces) const
   {
-    std::vector<double> forces;
-    if (problem.n_tangential > 0)
-      forces = problem.H.multiply(state.traction);
-    for (double &force : forces)
-      force *= side == Side::wheel ? 1. : -1.;
-    for (const double force : problem.H.multiply(state.pressure))
-      forces.push_back(-force);
-    return forces;
+    const std::size_t n_tangential = forces.size() - this->trace().nodes.size();
+    for (std::size_t i = 0; i < forces.size(); ++i)
+      if (side == Side::rail || i >= n_tangential)
+        forces[i] = -forces[i];
+    return this->coupling(side).to_body(std::move(forces));
   }
 
 
 
   template <int dim>
-  Vector<double>
+  BodyField
   RollingPair<dim>::displacement(const Side            side,
                                  const ContactProblem &problem,
                                  const ContactState   &state) const
   {
-    return body(side)->recover(nodes(side),
-                               components,
-                               reactions(side, problem, state));
+    if (!this->body(side))
+      return {};
+    return this->body(side)->recover(this->nodes(side),
+                                     components,
+                                     on_body(side,
+                                             nodal_forces(problem, state)));
   }
 
 
 
   template <int dim>
-  std::vector<std::size_t>
-  RollingPair<dim>::unknowns(const Side side) const
+  std::unique_ptr<BodyInTime>
+  RollingPair<dim>::in_time(const Side         side,
+                            const ThetaScheme &scheme,
+                            const MassKind     mass) const
   {
-    return body(side)->unknowns(nodes(side), components);
+    if (!this->body(side))
+      return nullptr;
+    return this->body(side)->in_time(scheme,
+                                     mass,
+                                     this->nodes(side),
+                                     components);
   }
 
 

@@ -1,11 +1,41 @@
+#include <rolling_contact/analyses/analysis.h>
 #include <rolling_contact/analyses/scene_parameters.h>
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/elasticity/make_body.h>
 
 #include <cmath>
 
 namespace RollingContact
 {
   using namespace dealii;
+
+  namespace
+  {
+    /**
+     * "`quasi-static`: one steady rolling state; ...".
+     */
+    std::string
+    analyses_help()
+    {
+      std::string help;
+      for (const AnalysisKind &kind : analysis_kinds())
+        help += (help.empty() ? "`" : "; `") + kind.name + "`: " + kind.help;
+      return help + ".";
+    }
+
+
+
+    std::string
+    analysis_names()
+    {
+      std::string names;
+      for (const AnalysisKind &kind : analysis_kinds())
+        names += (names.empty() ? "" : "|") + kind.name;
+      return names;
+    }
+  } // namespace
+
+
 
   SceneParameters::SceneParameters()
     : ParameterAcceptor("/")
@@ -18,15 +48,23 @@ namespace RollingContact
                   "Units: 1.",
                   prm,
                   Patterns::Integer(2, 3));
+    add_parameter("Analysis",
+                  analysis,
+                  analyses_help(),
+                  prm,
+                  Patterns::Selection(analysis_names()));
     add_parameter(
-      "Analysis",
-      analysis,
-      "`quasi-static`: one steady rolling state; `creep curve`: many creepages, "
-      "see section Creep curve; `transient`: rolling in time, see section "
-      "Time; `accuracy study`: the same state on many meshes, or the same "
-      "transient with many steps, see section Accuracy study.",
+      "Body solver",
+      body_solver,
+      "How the displacements of a body are found. `direct`: one factorisation, "
+      "on one rank or, under mpirun -n 2, wheel and rail on a rank each. "
+      "`distributed`: spread over all ranks of mpirun, multigrid-preconditioned "
+      "conjugate gradients. `automatic`: direct on one rank if the factors are "
+      "predicted to fit into 70 % of the free memory, else distributed. An "
+      "accuracy study and bodies with a Poisson ratio above 0.49 are always "
+      "direct.",
       prm,
-      Patterns::Selection("quasi-static|creep curve|transient|accuracy study"));
+      Patterns::Selection("automatic|direct|distributed"));
     add_parameter("Body threads",
                   body_threads,
                   "2: wheel and rail at the same time; 1: one after the other, "
@@ -63,6 +101,57 @@ namespace RollingContact
 
 
   void
+  SceneParameters::check_speed() const
+  {
+    if (contact.speed_is_given || !contact.falling_friction() ||
+        (is_transient() && !time.speed.empty()))
+      return;
+    throw InputError("Contact/Friction law = " + contact.friction_law +
+                     " and Contact/Speed is empty: friction falls with the "
+                     "sliding speed |s| V, give the rolling speed V in m/s" +
+                     (is_transient() ? ", here or as Time/Speed." : "."));
+  }
+
+
+
+  void
+  SceneParameters::check_mesh_files() const
+  {
+    for (const BodyParameters *body : {&wheel, &rail})
+      {
+        if (!body->is_from_file())
+          continue;
+        const std::string why =
+          ": a body from a mesh file (" + body->section + "/Shape) ";
+        if (body_solver == "distributed")
+          throw InputError("Body solver = distributed" + why +
+                           "lives on one rank; take direct or automatic.");
+        if (analysis == "accuracy study")
+          throw InputError("Analysis = accuracy study" + why +
+                           "has one mesh only, a study needs many.");
+        if (mesh.adaptive_levels > 0)
+          throw InputError(
+            "Mesh/Adaptive levels = " + std::to_string(mesh.adaptive_levels) +
+            why + "is not refined; set it to 0.");
+        if (mesh.rim_levels > 0)
+          throw InputError(
+            "Mesh/Rim levels = " + std::to_string(mesh.rim_levels) + why +
+            "is not refined; set it to 0.");
+      }
+  }
+
+
+
+  void
+  SceneParameters::read_meshes()
+  {
+    wheel.read_mesh(dimension, prm_folder);
+    rail.read_mesh(dimension, prm_folder);
+  }
+
+
+
+  void
   SceneParameters::check() const
   {
     wheel.check(dimension);
@@ -72,9 +161,12 @@ namespace RollingContact
     if (analysis == "accuracy study")
       study.check(dimension);
     creep_curve.check();
+    load_curve.load_shares();
     check_hubs();
+    check_mesh_files();
     if (is_transient())
       time.check(contact, dimension, prm_folder);
+    check_speed();
     if (wheel.rigid && rail.rigid)
       throw InputError("Wheel/Rigid = true and Rail/Rigid = true: at least one "
                        "body must be elastic.");
@@ -84,6 +176,20 @@ namespace RollingContact
         "Wheel/Thickness = " + Patterns::Tools::to_string(wheel.thickness) +
         " and Rail/Thickness = " + Patterns::Tools::to_string(rail.thickness) +
         ": plane strain needs the same thickness in both.");
+    if (analysis == "accuracy study" && body_solver == "distributed")
+      throw InputError(
+        "Body solver = distributed: an accuracy study factorises "
+        "its bodies; take direct or automatic.");
+    if (body_solver == "distributed")
+      for (const BodyParameters *body : {&wheel, &rail})
+        if (!body->rigid &&
+            body->material.poisson_ratio > distributed_poisson_limit)
+          throw InputError(
+            body->section + "/Poisson ratio = " +
+            Patterns::Tools::to_string(body->material.poisson_ratio) +
+            ": conjugate gradients with multigrid converge up to " +
+            Patterns::Tools::to_string(distributed_poisson_limit) +
+            "; take Body solver = direct.");
     if (analysis == "accuracy study" && mesh.adaptive_levels > 0)
       throw InputError(
         "Mesh/Adaptive levels = " + std::to_string(mesh.adaptive_levels) +

@@ -1,4 +1,5 @@
 #include <rolling_contact/analyses/scene_reader.h>
+#include <rolling_contact/base/exception_text.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/prm_text.h>
 
@@ -11,23 +12,6 @@ namespace RollingContact
 
   namespace
   {
-    /**
-     * What a deal.II exception says, in one line and without its frame.
-     */
-    std::string
-    message_of(const ExceptionBase &error)
-    {
-      std::ostringstream text;
-      error.print_info(text);
-      std::string        line, word;
-      std::istringstream words(text.str());
-      while (words >> word)
-        line += (line.empty() ? "" : " ") + word;
-      return line;
-    }
-
-
-
     /**
      * Set Section/Entry (or Entry) of @p prm; the entry must be declared.
      */
@@ -100,6 +84,7 @@ namespace RollingContact
       apply_setting(setting, prm);
     ParameterAcceptor::parse_all_parameters();
     scene.check();
+    scene.read_meshes();
     std::ostringstream used;
     prm.print_parameters(used, ParameterHandler::ShortText);
     text.used = used.str();

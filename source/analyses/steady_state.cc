@@ -2,6 +2,7 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/base/stopwatch.h>
+#include <rolling_contact/solvers/corrected_solve.h>
 
 #include <cmath>
 
@@ -99,6 +100,24 @@ namespace RollingContact
 
 
   template <int dim>
+  void
+  solve_contact(const SceneParameters &scene, SteadyState<dim> &steady)
+  {
+    steady.solver = solve_corrected(
+      *make_contact_solver(scene.solver.solver, scene.solver.controls),
+      [&](const auto &forces, const bool roughly) {
+        // in time small errors of W add up
+        return steady.pair->response(forces, roughly && !scene.is_transient());
+      },
+      steady.pair->compliance_is_exact(),
+      scene.solver.controls,
+      steady.problem,
+      steady.state);
+  }
+
+
+
+  template <int dim>
   SteadyState<dim>
   solve_on(const SceneParameters                                     &scene,
            const Grading<dim>                                        &grading,
@@ -125,13 +144,129 @@ namespace RollingContact
     }
     PhaseTimer::Scope phase(context.timer, "contact solve");
     steady.state = start(steady.problem);
-    steady.solver =
-      make_contact_solver(scene.solver.solver, scene.solver.controls)
-        ->solve(steady.problem, steady.state);
+    solve_contact(scene, steady);
     steady.result = resultants(steady.problem, steady.state);
     steady.wall_s = watch.seconds();
     return steady;
   }
+
+
+
+  namespace
+  {
+    /**
+     * A mesh for a patch that was only estimated, made anew as long as the
+     * states on it ask for another one.
+     */
+    template <int dim>
+    class FittedMesh
+    {
+    public:
+      FittedMesh(const SceneParameters &scene, Log &log)
+        : scene(scene)
+        , log(log)
+        , patch(estimate_patch(scene))
+        , is_aligned(!scene.mesh.aligned())
+      {
+        grade();
+      }
+
+      /**
+       * True if it fits the patch of the state; otherwise changed.
+       */
+      bool
+      fits(const SteadyState<dim> &steady)
+      {
+        return !steady.solver.converged || // its patch means nothing
+               (!enlarge_for(steady) && !resize_for(steady) &&
+                !align_for(steady));
+      }
+
+      const SceneParameters &scene;
+      Log                   &log;
+      PatchEstimate          patch;
+      Grading<dim>           grading;
+
+    private:
+      void
+      grade()
+      {
+        grading = make_grading<dim>(scene,
+                                    patch,
+                                    scene.mesh.elements_across_patch,
+                                    scene.mesh.offset());
+        grading.enlarge_zone(is_enlarged ? 1 : 0);
+      }
+
+      bool
+      enlarge_for(const SteadyState<dim> &steady);
+
+      bool
+      resize_for(const SteadyState<dim> &steady);
+
+      bool
+      align_for(const SteadyState<dim> &steady);
+
+      bool is_enlarged = false, is_resized = false, is_aligned;
+    };
+
+
+
+    template <int dim>
+    bool
+    FittedMesh<dim>::enlarge_for(const SteadyState<dim> &steady)
+    {
+      if (!zone_too_small(steady))
+        return false;
+      // a zone a little too small needs no larger elements
+      if (is_enlarged)
+        {
+          patch.half_width_x *= 1.5;
+          patch.half_width_y *= 1.5;
+        }
+      is_enlarged = true;
+      grade();
+      log.message("The patch reaches the border of the candidate zone; the "
+                  "zone is enlarged to " +
+                  significant(grading.zone_x, 3) + " m on both sides.");
+      return true;
+    }
+
+
+
+    template <int dim>
+    bool
+    FittedMesh<dim>::resize_for(const SteadyState<dim> &steady)
+    {
+      const Resultants &result   = steady.result;
+      const double      mismatch = result.half_width_x / patch.half_width_x;
+      if (is_resized || result.n_touching <= 5 ||
+          (mismatch >= 0.8 && mismatch <= 1.2))
+        return false;
+      log.message("The patch is " + significant(mismatch, 3) +
+                  " times as long as estimated: the mesh is made again for "
+                  "it.");
+      patch.half_width_x = result.half_width_x;
+      if (dim == 3)
+        patch.half_width_y = result.half_width_y;
+      grade();
+      is_resized = true;
+      return true;
+    }
+
+
+
+    template <int dim>
+    bool
+    FittedMesh<dim>::align_for(const SteadyState<dim> &steady)
+    {
+      if (is_aligned || steady.result.n_touching <= 5)
+        return false;
+      grading.offset = aligned_offset(steady, scene.contact.flow());
+      is_aligned     = true;
+      return true;
+    }
+  } // namespace
 
 
 
@@ -141,68 +276,21 @@ namespace RollingContact
   {
     const Stopwatch    watch;
     const unsigned int max_meshes = 10;
-    PatchEstimate      patch      = estimate_patch(scene);
-    double             elements   = 0.; // by which the zone is enlarged
-    const auto         grade      = [&]() {
-      Grading<dim> result = make_grading<dim>(scene,
-                                              patch,
-                                              scene.mesh.elements_across_patch,
-                                              scene.mesh.offset());
-      result.zone_x += elements * result.element_size_x;
-      result.zone_y += elements * result.element_size_y;
-      return result;
-    };
-    Grading<dim> grading = grade();
-    bool         aligned = !scene.mesh.aligned(), resized = false;
-    for (unsigned int mesh = 0; mesh < max_meshes; ++mesh)
+    FittedMesh<dim>    mesh(scene, context.log);
+    for (unsigned int k = 0; k < max_meshes; ++k)
       {
-        SteadyState<dim> steady = solve_on<dim>(
+        const PatchEstimate patch  = mesh.patch;
+        SteadyState<dim>    steady = solve_on<dim>(
           scene,
-          grading,
+          mesh.grading,
           [&](const ContactProblem &problem) {
             return initial_state(problem, patch);
           },
           context);
-        const Resultants &result = steady.result;
-        if (!steady.solver.converged) // its patch means nothing
-          return steady;
-        if (zone_too_small(steady))
-          {
-            // a zone a little too small needs no larger elements
-            if (elements > 0.)
-              {
-                patch.half_width_x *= 1.5;
-                patch.half_width_y *= 1.5;
-              }
-            elements = 1.;
-            grading  = grade();
-            context.log.message(
-              "The patch reaches the border of the candidate zone; the zone is "
-              "enlarged to " +
-              significant(grading.zone_x, 3) + " m on both sides.");
-            continue;
-          }
-        const double mismatch = result.half_width_x / patch.half_width_x;
-        if (!resized && result.n_touching > 5 &&
-            (mismatch < 0.8 || mismatch > 1.2))
-          {
-            context.log.message("The patch is " + significant(mismatch, 3) +
-                                " times as long as estimated: the mesh is made "
-                                "again for it.");
-            patch.half_width_x = result.half_width_x;
-            patch.half_width_y =
-              dim == 3 ? result.half_width_y : patch.half_width_y;
-            grading = grade();
-            resized = true;
-            continue;
-          }
-        if (!aligned && result.n_touching > 5)
-          {
-            grading.offset = aligned_offset(steady, scene.contact.flow());
-            aligned        = true;
-            continue;
-          }
-        steady.wall_s = watch.seconds();
+        if (!mesh.fits(steady))
+          continue;
+        if (steady.solver.converged)
+          steady.wall_s = watch.seconds();
         return steady;
       }
     throw ConvergenceError(
@@ -214,6 +302,10 @@ namespace RollingContact
 
 
   template struct SteadyState<2>;
+  template void
+  solve_contact(const SceneParameters &, SteadyState<2> &);
+  template void
+  solve_contact(const SceneParameters &, SteadyState<3> &);
   template Grading<2>
   make_grading(const SceneParameters &,
                const PatchEstimate &,

@@ -140,9 +140,7 @@ namespace RollingContact
               const double       share,
               StudyErrors       &errors)
     {
-      errors.seconds.mesh += share * sample.seconds.mesh;
-      errors.seconds.factorisation += share * sample.seconds.factorisation;
-      errors.seconds.contact += share * sample.seconds.contact;
+      errors.seconds.add(share, sample.seconds);
       errors.n_unknowns += share * sample.n_unknowns;
       errors.n_contact_nodes += share * sample.n_contact_nodes;
       errors.residual    = std::max(errors.residual, sample.residual);
@@ -213,9 +211,7 @@ namespace RollingContact
         widen(worst.pressure, errors.pressure);
         widen(worst.traction, errors.traction);
         widen(worst.stick_boundary, errors.stick_boundary);
-        worst.seconds.mesh += share * errors.seconds.mesh;
-        worst.seconds.factorisation += share * errors.seconds.factorisation;
-        worst.seconds.contact += share * errors.seconds.contact;
+        worst.seconds.add(share, errors.seconds);
         worst.n_unknowns += share * errors.n_unknowns;
         worst.n_contact_nodes += share * errors.n_contact_nodes;
         worst.residual    = std::max(worst.residual, errors.residual);

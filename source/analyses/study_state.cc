@@ -204,10 +204,7 @@ namespace RollingContact
     if (sample.converged && friction_force > 0.)
       sample.force = {
         {result.force_x / friction_force, result.force_y / friction_force}};
-    for (const Side side : {Side::wheel, Side::rail})
-      if (steady.pair->body(side) != nullptr &&
-          !(side == Side::rail && steady.pair->twins()))
-        sample.n_unknowns += steady.pair->body(side)->n_unknowns();
+    sample.n_unknowns      = steady.pair->n_unknowns();
     sample.n_contact_nodes = steady.problem.n_nodes;
     return sample;
   }

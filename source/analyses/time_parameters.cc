@@ -361,6 +361,7 @@ namespace RollingContact
   TimeParameters::free_on_resume()
   {
     return {"Output/",
+            "Body solver",
             "Time/End time",
             "Time/Rolled distance",
             "Time/Checkpoint interval",

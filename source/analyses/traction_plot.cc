@@ -1,3 +1,4 @@
+#include <rolling_contact/analyses/falling_friction_notes.h>
 #include <rolling_contact/analyses/line_reference.h>
 #include <rolling_contact/analyses/traction_plot.h>
 #include <rolling_contact/output/svg_plot.h>
@@ -19,6 +20,8 @@ namespace RollingContact
     const unsigned n_fine         = 1000;
     const double   extent         = 1.15;
 
+    const TangentialProblem tangential =
+      tangential_problem(steady.problem, steady.state);
     std::vector<double> x, pressure, traction, lower_bound;
     for (unsigned int i = 0; i < steady.problem.n_nodes; ++i)
       {
@@ -28,8 +31,10 @@ namespace RollingContact
         x.push_back(at);
         pressure.push_back(steady.state.pressure[i] / p0);
         traction.push_back(friction ? steady.state.traction[i] / bound : 0.);
-        lower_bound.push_back(
-          std::copysign(pressure.back(), steady.result.force_x));
+        lower_bound.push_back(std::copysign(steady.problem.friction_law
+                                              ? tangential.bound[i] / bound
+                                              : pressure.back(),
+                                            steady.result.force_x));
       }
     std::vector<double> fine_x, hertz, carter;
     for (unsigned int k = 0; k <= n_fine; ++k)
@@ -41,18 +46,20 @@ namespace RollingContact
                            bound);
       }
 
-    SvgPlot plot(friction
-                   ? "T / (\u03bcN) = " +
-                       significant(steady.result.force_x /
-                                     (scene.contact.friction_coefficient *
-                                      steady.result.normal_force),
-                                   4) +
-                       " at creepage " + significant(steady.creepage_x, 4)
-                   : "Frictionless contact",
+    const auto readable = [](const double value) {
+      return (value < 0 ? "\u2212" : "") + significant(std::abs(value), 4);
+    };
+    SvgPlot plot(friction ? "T / (" + scale_of_friction(scene) + "N) = " +
+                              readable(steady.result.force_x /
+                                       (scene.contact.friction_coefficient *
+                                        steady.result.normal_force)) +
+                              " at creepage " + readable(steady.creepage_x)
+                          : "Frictionless contact",
                  "x / a, material flows " + std::string(scene.contact.flow() > 0
                                                           ? "to the right"
                                                           : "to the left"),
-                 "p / p\u2080,   q / (\u03bcp\u2080)");
+                 "p / p\u2080,   q / (" + scale_of_friction(scene) +
+                   "p\u2080)");
     if (reference.carter)
       {
         const auto stick = reference.carter->stick_interval();

@@ -1,10 +1,13 @@
 #include <rolling_contact/analyses/error_of_result.h>
 #include <rolling_contact/analyses/quasi_static.h>
+#include <rolling_contact/analyses/state_summary.h>
 #include <rolling_contact/analyses/transient.h>
+#include <rolling_contact/base/common_end.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/base/prm_entries.h>
 #include <rolling_contact/base/progress.h>
+#include <rolling_contact/base/ranks.h>
 
 #include <cmath>
 
@@ -26,13 +29,13 @@ namespace RollingContact
     stepper.set_time_step(steps.length);
     if (context.resume)
       {
-        refuse_changed_entries(record.tables, stepper.drive().tables, {});
+        refuse_changed_entries(record.tables, files_read(stepper), {});
         stepper.restore(record);
         context.log.message("Resumed after step " +
                             std::to_string(record.step) +
                             ", t = " + significant(record.time, 6) + " s.");
       }
-    record.tables = stepper.drive().tables;
+    record.tables = files_read(stepper);
     describe(stepper, steps);
     TransientOutput<dim> output(scene, context, record);
     try
@@ -41,13 +44,17 @@ namespace RollingContact
       }
     catch (const Interrupted &)
       {
-        output.write_checkpoint(stepper, record);
+        if (Ranks::all_failed(ExitCode::not_converged))
+          output.write_checkpoint(stepper, record);
         throw;
       }
     catch (const ConvergenceError &)
       {
-        output.write_fields(stepper, record, true);
-        output.write_checkpoint(stepper, record);
+        if (Ranks::all_failed(ExitCode::not_converged))
+          {
+            output.write_fields(stepper, record, true);
+            output.write_checkpoint(stepper, record);
+          }
         throw;
       }
     output.write_fields(stepper, record, true);
@@ -55,6 +62,20 @@ namespace RollingContact
     output.finish(stepper, record);
     summarise(stepper, record);
     note_error_of_step(scene, stepper.current(), context.report);
+  }
+
+
+
+  template <int dim>
+  PrmEntries
+  Transient<dim>::files_read(const ContactStepper<dim> &stepper) const
+  {
+    PrmEntries files = stepper.drive().tables;
+    for (const BodyParameters *body : {&scene.wheel, &scene.rail})
+      if (body->is_from_file())
+        files[body->section + "/Mesh file (mesh)"] =
+          body->geometry().mesh->fingerprint();
+    return files;
   }
 
 
@@ -76,6 +97,7 @@ namespace RollingContact
         "Numerical damping at " + significant(scene.time.damping_frequency, 4) +
         " Hz: zeta = " +
         scientific(scene.time.numerical_damping(steps.length), 3) + ".");
+    describe_surfaces(*stepper.current().pair, context);
     if (!scene.time.inertia)
       describe_factors(stepper.current(), context);
     auto      &objects = context.report.objects;
@@ -89,7 +111,7 @@ namespace RollingContact
     const bool inertia = scene.time.inertia,
                slips   = stepper.current().problem.n_tangential > 0;
     add("K, M", inertia, memory.matrices, "Time/Inertia = false");
-    add("factor of the step", inertia, memory.factor, "Time/Inertia = false");
+    add("factor of the step", inertia, memory.solver, "Time/Inertia = false");
     add("columns Y", inertia, memory.columns, "Time/Inertia = false");
     add("compliance W",
         true,
@@ -116,12 +138,11 @@ namespace RollingContact
         throw_if_interrupted();
         take_step(steps, stepper, output, record);
         progress.report(record.step);
-        const bool due = (time.checkpoint_interval > 0 &&
-                          record.step % time.checkpoint_interval == 0) ||
-                         (time.checkpoint_seconds > 0. &&
-                          since_checkpoint.seconds() - last_checkpoint >
-                            time.checkpoint_seconds);
-        if (due)
+        const double elapsed =
+          Ranks::maximum(since_checkpoint.seconds() - last_checkpoint);
+        if ((time.checkpoint_interval > 0 &&
+             record.step % time.checkpoint_interval == 0) ||
+            (time.checkpoint_seconds > 0. && elapsed > time.checkpoint_seconds))
           {
             output.write_checkpoint(stepper, record);
             last_checkpoint = since_checkpoint.seconds();
@@ -140,6 +161,9 @@ namespace RollingContact
   {
     const double      h       = steps.length;
     const StepOutcome outcome = stepper.advance(record.time, h);
+    worst.add(outcome.several,
+              stepper.current().problem,
+              "t = " + significant(record.time + h, 6) + " s");
     ++record.step;
     record.time      = record.step * h;
     record.time_step = h;
@@ -169,22 +193,23 @@ namespace RollingContact
   Transient<dim>::summarise(const ContactStepper<dim> &stepper,
                             const Checkpoint          &record) const
   {
-    const SteadyState<dim> &contact = stepper.current();
-    const Resultants       &result  = contact.result;
-    context.log.message(
-      "t = " + significant(record.time, 6) + " s, rolled " +
-      significant(1e3 * record.rolled_distance, 6) +
-      " mm: N = " + significant(result.normal_force, 6) + " N, T = (" +
-      significant(result.force_x, 6) + ", " + significant(result.force_y, 6) +
-      ") N, |T|/N = " + significant(result.traction_coefficient, 5));
-    context.log.message(
-      "energy: stored " + significant(stepper.bodies().stored_energy(), 5) +
-      " J, supplied " + significant(record.supplied_energy, 5) +
-      " J, friction " + significant(record.friction_energy, 5) +
-      " J, damping " + significant(record.damping_energy, 5) +
-      " J, numerical " + significant(record.numerical_energy, 5) +
-      " J; balance error " + scientific(record.energy_error, 2) + " J; " +
-      std::to_string(record.n_impacts) + " impacts of nodes.");
+    if (!stepper.bodies().description().empty())
+      context.log.message(stepper.bodies().description() + ".");
+    warn_of_several_solutions(scene, worst, context.log);
+    context.report.find("end",
+                        "t = " + significant(record.time, 6) + " s, rolled " +
+                          significant(1e3 * record.rolled_distance, 6) +
+                          " mm, " + std::to_string(record.n_impacts) +
+                          " impacts of nodes");
+    note_state(scene, stepper.current(), context.report);
+    context.report.find(
+      "energy",
+      "stored " + significant(stepper.bodies().stored_energy(), 5) +
+        " J, supplied " + significant(record.supplied_energy, 5) +
+        " J, friction " + significant(record.friction_energy, 5) +
+        " J, damping " + significant(record.damping_energy, 5) +
+        " J, numerical " + significant(record.numerical_energy, 5) +
+        " J; balance error " + scientific(record.energy_error, 2) + " J");
   }
 
 

@@ -1,7 +1,9 @@
 #include <deal.II/lac/vector.h>
 
+#include <rolling_contact/analyses/falling_friction_notes.h>
 #include <rolling_contact/analyses/result_row.h>
 #include <rolling_contact/analyses/transient_output.h>
+#include <rolling_contact/base/ranks.h>
 #include <rolling_contact/output/body_fields.h>
 #include <rolling_contact/output/interface_fields.h>
 #include <rolling_contact/output/pvd.h>
@@ -70,6 +72,20 @@ namespace RollingContact
 
 
 
+    /**
+     * One more where friction falls.
+     */
+    std::vector<std::string>
+    columns_of(const SceneParameters &scene)
+    {
+      std::vector<std::string> names = columns;
+      if (scene.contact.falling_friction())
+        names.push_back("several_solutions_ratio");
+      return names;
+    }
+
+
+
     std::size_t
     place(const std::string &column)
     {
@@ -85,7 +101,7 @@ namespace RollingContact
       const std::string digits = std::to_string(step);
       return name + "-" +
              std::string(digits.size() < 7 ? 7 - digits.size() : 0, '0') +
-             digits + ".vtu";
+             digits;
     }
   } // namespace
 
@@ -99,9 +115,12 @@ namespace RollingContact
     , context(context)
   {
     if (context.resume)
-      history.emplace(context.folder, history_name, columns, record.history);
+      history.emplace(context.folder,
+                      history_name,
+                      columns_of(scene),
+                      record.history);
     else
-      history.emplace(context.folder, history_name, columns);
+      history.emplace(context.folder, history_name, columns_of(scene));
   }
 
 
@@ -118,32 +137,35 @@ namespace RollingContact
       std::max({outcome.energy.kinetic + outcome.energy.strain,
                 std::abs(record.supplied_energy),
                 record.friction_energy});
-    history->add_row({double(record.step),
-                      record.time,
-                      record.rolled_distance,
-                      contact.state.approach,
-                      contact.creepage_x,
-                      contact.creepage_y,
-                      contact.spin,
-                      outcome.speed,
-                      result.normal_force,
-                      result.force_x,
-                      result.force_y,
-                      result.spin_moment,
-                      result.traction_coefficient,
-                      result.max_pressure,
-                      double(result.n_touching),
-                      double(outcome.n_sticking),
-                      double(outcome.n_impacts),
-                      outcome.energy.kinetic,
-                      outcome.energy.strain,
-                      record.supplied_energy,
-                      record.friction_energy,
-                      record.damping_energy,
-                      record.numerical_energy,
-                      scale > 0. ? record.energy_error / scale : 0.,
-                      double(outcome.solver.iterations),
-                      double(outcome.n_parts)});
+    std::vector<double> row{double(record.step),
+                            record.time,
+                            record.rolled_distance,
+                            contact.state.approach,
+                            contact.creepage_x,
+                            contact.creepage_y,
+                            contact.spin,
+                            outcome.speed,
+                            result.normal_force,
+                            result.force_x,
+                            result.force_y,
+                            result.spin_moment,
+                            result.traction_coefficient,
+                            result.max_pressure,
+                            double(result.n_touching),
+                            double(outcome.n_sticking),
+                            double(outcome.n_impacts),
+                            outcome.energy.kinetic,
+                            outcome.energy.strain,
+                            record.supplied_energy,
+                            record.friction_energy,
+                            record.damping_energy,
+                            record.numerical_energy,
+                            scale > 0. ? record.energy_error / scale : 0.,
+                            double(outcome.solver.iterations),
+                            double(outcome.n_parts)};
+    if (scene.contact.falling_friction())
+      row.push_back(outcome.several.ratio);
+    history->add_row(row);
   }
 
 
@@ -166,7 +188,7 @@ namespace RollingContact
     if (scene.output.interface_fields)
       {
         const BodyGeometry rail = scene.rail.geometry();
-        const std::string  file = numbered("interface", record.step);
+        const std::string  file = numbered("interface", record.step) + ".vtu";
         write_interface_fields<dim>(
           contact.pair->trace(),
           contact.problem,
@@ -183,17 +205,17 @@ namespace RollingContact
       return;
     unsigned int part = 0;
     for (const Side side : {Side::wheel, Side::rail})
-      if (contact.pair->body(side) != nullptr)
+      if (contact.pair->is_elastic(side))
         {
           const bool        is_wheel = side == Side::wheel;
-          const std::string name     = is_wheel ? "wheel" : "rail",
-                            file     = numbered(name, record.step);
-          write_body_fields<dim>(
-            *contact.pair->body(side),
+          const std::string name     = is_wheel ? "wheel" : "rail";
+          const std::string file     = write_body_fields<dim>(
+            contact.pair->body(side),
+            contact.pair->rank_of(side),
             stepper.bodies().displacement(side, contact.problem, contact.state),
             {is_wheel, is_wheel ? -contact.state.approach : 0.},
             context.folder,
-            file);
+            numbered(name, record.step));
           record.body_fields.push_back({record.time, part++, name, file});
         }
     write_pvd(record.body_fields, context.folder, "bodies.pvd");
@@ -207,7 +229,7 @@ namespace RollingContact
                                          Checkpoint                &record)
   {
     PhaseTimer::Scope phase(context.timer, "checkpoints");
-    record.history = history->flush();
+    Ranks::on_root([&]() { record.history = history->flush(); });
     stepper.save(record);
     RollingContact::write_checkpoint(record, context.folder);
   }
@@ -219,11 +241,11 @@ namespace RollingContact
   TransientOutput<dim>::finish(const ContactStepper<dim> &stepper,
                                const Checkpoint          &record)
   {
-    history->publish();
+    Ranks::on_root([&]() { history->publish(); });
     context.results.set("time_s", record.time);
     context.results.set("rolled_m", record.rolled_distance);
     add_result_row(scene, stepper.current(), context);
-    if (scene.output.plot)
+    if (scene.output.plot && Ranks::is_root()) // who has the history
       plot();
   }
 
@@ -254,7 +276,8 @@ namespace RollingContact
       }
     SvgPlot figure(rolls ? "Forces on the wheel" : "Load",
                    rolls ? "rolled distance (mm)" : "time (ms)",
-                   rolls ? "T / (\u03bcN)" : "N (kN)");
+                   rolls ? "T / (" + scale_of_friction(scene) + "N)"
+                         : "N (kN)");
     const auto moves = [](const std::vector<double> &force) {
       return std::any_of(force.begin(), force.end(), [](const double f) {
         return std::abs(f) > 1e-6;

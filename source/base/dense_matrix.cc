@@ -2,6 +2,7 @@
 #include <rolling_contact/base/dense_matrix.h>
 
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace RollingContact
@@ -100,6 +101,44 @@ namespace RollingContact
            &info);
     right_hand_side.resize(n);
     return info == 0;
+  }
+
+
+
+  double
+  largest_eigenvalue(DenseMatrix &M, std::vector<double> &vector)
+  {
+    const int           n = M.n_rows(), n_work = 33 * n, n_int_work = 10 * n;
+    const double        unused = 0., tolerance = 0.;
+    int                 n_found = 0, info = 0;
+    std::vector<int>    support(2), int_work(n_int_work);
+    std::vector<double> values(n), work(n_work);
+    vector.assign(n, 0.);
+    dsyevr_("V",
+            "I",
+            "L",
+            &n,
+            M.data(),
+            &n,
+            &unused,
+            &unused,
+            &n,
+            &n,
+            &tolerance,
+            &n_found,
+            values.data(),
+            vector.data(),
+            &n,
+            support.data(),
+            work.data(),
+            &n_work,
+            int_work.data(),
+            &n_int_work,
+            &info);
+    if (info == 0 && n_found == 1)
+      return values[0];
+    vector.clear();
+    return std::numeric_limits<double>::infinity();
   }
 
 

@@ -61,6 +61,33 @@ namespace RollingContact
 
 
   void
+  rename_file(const fs::path &file, const fs::path &new_name)
+  {
+    std::error_code error;
+    fs::rename(file, new_name, error);
+    if (error)
+      throw_write_error(new_name, error.message());
+  }
+
+
+
+  void
+  write_file(const fs::path    &file,
+             const std::string &text,
+             const fs::path    &temporary)
+  {
+    errno = 0;
+    std::ofstream stream(temporary, std::ios::binary);
+    stream << text;
+    stream.close();
+    if (!stream)
+      throw_write_error(file, std::strerror(errno));
+    rename_file(temporary, file);
+  }
+
+
+
+  void
   remove_file(const fs::path &file)
   {
     std::error_code     error;

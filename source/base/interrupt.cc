@@ -3,6 +3,7 @@
 
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/interrupt.h>
+#include <rolling_contact/base/ranks.h>
 
 #include <atomic>
 #include <cerrno>
@@ -11,8 +12,10 @@ namespace RollingContact
 {
   namespace
   {
-    std::atomic<int> received_signal{0};
-    static_assert(std::atomic<int>::is_always_lock_free,
+    std::atomic<int>  received_signal{0};
+    std::atomic<bool> answers{true};
+    static_assert(std::atomic<int>::is_always_lock_free &&
+                    std::atomic<bool>::is_always_lock_free,
                   "A signal handler may only use lock-free atomics.");
 
     extern "C" void
@@ -23,8 +26,11 @@ namespace RollingContact
         "(again to stop at once).\n";
       const int saved_errno = errno;
       received_signal       = signal;
-      [[maybe_unused]] const auto n_written =
-        write(STDERR_FILENO, message, sizeof(message) - 1);
+      if (answers)
+        {
+          [[maybe_unused]] const auto n_written =
+            write(STDERR_FILENO, message, sizeof(message) - 1);
+        }
       errno = saved_errno;
     }
   } // namespace
@@ -35,6 +41,7 @@ namespace RollingContact
   install_interrupt_handlers()
   {
     received_signal = 0;
+    answers         = Ranks::count() == 1;
 
     struct sigaction action = {};
     action.sa_handler       = &handle_interrupt;
@@ -57,9 +64,11 @@ namespace RollingContact
   void
   throw_if_interrupted()
   {
-    if (interrupted())
-      throw Interrupted(received_signal == SIGINT
-                          ? "Interrupted by Ctrl-C (SIGINT)."
-                          : "Interrupted by SIGTERM.");
+    double signal = received_signal;
+    if (!Ranks::others_wait())
+      signal = Ranks::maximum(signal);
+    if (signal != 0)
+      throw Interrupted(signal == SIGINT ? "Interrupted by Ctrl-C (SIGINT)."
+                                         : "Interrupted by SIGTERM.");
   }
 } // namespace RollingContact

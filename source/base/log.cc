@@ -1,4 +1,5 @@
 #include <rolling_contact/base/log.h>
+#include <rolling_contact/base/ranks.h>
 
 #include <algorithm>
 #include <array>
@@ -54,6 +55,14 @@ namespace RollingContact
         }
       const bool in_range = first_two >= 0xF090 && first_two <= 0xF48F;
       return in_range && continues(1) && continues(2) && continues(3) ? 4 : 0;
+    }
+
+    /** The stream, or one that drops everything: only the root talks. */
+    std::ostream &
+    of_the_root(std::ostream &stream)
+    {
+      static std::ostream silent(nullptr);
+      return Ranks::is_root() ? stream : silent;
     }
 
     std::string
@@ -209,7 +218,7 @@ namespace RollingContact
 
 
   Log::Log(const Verbosity verbosity)
-    : Log(verbosity, std::cout, std::cerr)
+    : Log(verbosity, of_the_root(std::cout), of_the_root(std::cerr))
   {}
 
 

@@ -6,11 +6,11 @@
 #include <rolling_contact/base/files.h>
 #include <rolling_contact/base/old_run.h>
 #include <rolling_contact/base/prm_entries.h>
+#include <rolling_contact/base/ranks.h>
 #include <rolling_contact/base/run_folder.h>
 
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 
 namespace RollingContact
 {
@@ -109,23 +109,25 @@ namespace RollingContact
   void
   RunFolder::open()
   {
-    check();
+    Ranks::on_root([&]() {
+      check();
 
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error)
-      refuse(folder, "it cannot be created (" + error.message() + ").");
-    lock();
+      std::error_code error;
+      fs::create_directories(folder, error);
+      if (error)
+        refuse(folder, "it cannot be created (" + error.message() + ").");
+      lock();
 
-    // The mark comes first, with the old list: after a crash anywhere below
-    // the next run knows what is left to remove.
-    claimed_files = read_old_run(folder).files;
-    claimed_files.insert(fixed_names.begin(), fixed_names.end());
-    write_run_json();
-    remove_old_files();
+      // The mark comes first, with the old list: after a crash anywhere below
+      // the next run knows what is left to remove.
+      claimed_files = read_old_run(folder).files;
+      claimed_files.insert(fixed_names.begin(), fixed_names.end());
+      write_run_json();
+      remove_old_files();
 
-    write_atomically("original.prm", original_prm);
-    write_atomically("used.prm", used_prm);
+      write_atomically("original.prm", original_prm);
+      write_atomically("used.prm", used_prm);
+    });
   }
 
 
@@ -133,25 +135,27 @@ namespace RollingContact
   void
   RunFolder::reopen(const Resumption &resumption)
   {
-    check();
-    if (!fs::is_directory(folder))
-      refuse_to_resume(folder, "there is no such folder.");
-    lock();
-    const fs::path used = final_path("used.prm");
-    if (!fs::is_regular_file(final_path(resumption.checkpoint)) ||
-        !fs::is_regular_file(used))
-      refuse_to_resume(folder,
-                       "it holds no checkpoint (no " + resumption.checkpoint +
-                         ").");
-    refuse_changed_entries(prm_entries(read_bytes(used)),
-                           prm_entries(used_prm),
-                           resumption.may_differ);
+    Ranks::on_root([&]() {
+      check();
+      if (!fs::is_directory(folder))
+        refuse_to_resume(folder, "there is no such folder.");
+      lock();
+      const fs::path used = final_path("used.prm");
+      if (!fs::is_regular_file(final_path(resumption.checkpoint)) ||
+          !fs::is_regular_file(used))
+        refuse_to_resume(folder,
+                         "it holds no checkpoint (no " + resumption.checkpoint +
+                           ").");
+      refuse_changed_entries(prm_entries(read_bytes(used)),
+                             prm_entries(used_prm),
+                             resumption.may_differ);
 
-    claimed_files = read_old_run(folder).files;
-    adopt_old_files(resumption.growing_file);
-    write_run_json();
-    write_atomically("original.prm", original_prm);
-    write_atomically("used.prm", used_prm);
+      claimed_files = read_old_run(folder).files;
+      adopt_old_files(resumption.growing_file);
+      write_run_json();
+      write_atomically("original.prm", original_prm);
+      write_atomically("used.prm", used_prm);
+    });
   }
 
 
@@ -167,14 +171,7 @@ namespace RollingContact
   fs::path
   RunFolder::temporary(const std::string &name)
   {
-    if (lock_descriptor < 0)
-      throw std::logic_error("The run folder is not open.");
-    if (!is_plain_name(name) || name == record_name)
-      throw std::logic_error("Not a name for a file of a run: " + name);
-
-    begun_files.insert(name);
-    if (claimed_files.insert(name).second)
-      write_run_json();
+    begin({name});
     return temporary_path(name);
   }
 
@@ -209,10 +206,9 @@ namespace RollingContact
   void
   RunFolder::publish(const std::string &name)
   {
-    std::error_code error;
-    fs::rename(temporary_path(name), final_path(name), error);
-    if (error)
-      throw_write_error(final_path(name), error.message());
+    if (!Ranks::is_root())
+      return;
+    rename_file(temporary_path(name), final_path(name));
     begun_files.erase(name);
     published_files.insert(name);
   }
@@ -222,6 +218,8 @@ namespace RollingContact
   void
   RunFolder::publish_durably(const std::string &name)
   {
+    if (!Ranks::is_root())
+      return;
     synchronise(temporary_path(name));
     publish(name);
     synchronise(folder);
@@ -232,8 +230,10 @@ namespace RollingContact
   void
   RunFolder::write_atomically(const std::string &name, const std::string &text)
   {
-    temporary(name);
-    write_text(name, text);
+    if (!Ranks::is_root())
+      return;
+    begin({name});
+    write_file(final_path(name), text, temporary_path(name));
     begun_files.erase(name);
     published_files.insert(name);
   }
@@ -241,8 +241,28 @@ namespace RollingContact
 
 
   void
+  RunFolder::write_pieces(const std::vector<std::string> &names,
+                          const std::string              &text)
+  {
+    Ranks::on_root([&]() { begin(names); });
+    Ranks::on_all([&]() {
+      const std::string &own = names.at(Ranks::rank());
+      write_file(final_path(own), text, temporary_path(own));
+    });
+    for (const std::string &name : names)
+      {
+        begun_files.erase(name);
+        published_files.insert(name);
+      }
+  }
+
+
+
+  void
   RunFolder::write_record(const std::string &members)
   {
+    if (!Ranks::is_root())
+      return;
     if (lock_descriptor < 0)
       throw std::logic_error("The run folder is not open.");
     record = members;
@@ -294,19 +314,20 @@ namespace RollingContact
 
 
   void
-  RunFolder::write_text(const std::string &name, const std::string &text) const
+  RunFolder::begin(const std::vector<std::string> &names)
   {
-    errno = 0;
-    std::ofstream file(temporary_path(name), std::ios::binary);
-    file << text;
-    file.close();
-    if (!file)
-      throw_write_error(final_path(name), std::strerror(errno));
-
-    std::error_code error;
-    fs::rename(temporary_path(name), final_path(name), error);
-    if (error)
-      throw_write_error(final_path(name), error.message());
+    if (lock_descriptor < 0)
+      throw std::logic_error("The run folder is not open.");
+    const std::size_t n_claimed = claimed_files.size();
+    for (const std::string &name : names)
+      {
+        if (!is_plain_name(name) || name == record_name)
+          throw std::logic_error("Not a name for a file of a run: " + name);
+        begun_files.insert(name);
+        claimed_files.insert(name);
+      }
+    if (claimed_files.size() != n_claimed)
+      write_run_json();
   }
 
 
@@ -318,9 +339,10 @@ namespace RollingContact
     for (const std::string &name : claimed_files)
       list += (list.empty() ? "\n    \"" : ",\n    \"") + name + '"';
 
-    write_text(record_name,
+    write_file(final_path(record_name),
                "{\n  \"program\": \"" + program_name + "\",\n  " + record +
-                 ",\n  \"files\": [" + list + "\n  ]\n}\n");
+                 ",\n  \"files\": [" + list + "\n  ]\n}\n",
+               temporary_path(record_name));
   }
 
 

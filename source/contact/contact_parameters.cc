@@ -28,9 +28,11 @@ namespace RollingContact
       Patterns::Anything());
     add_parameter("Friction coefficient",
                   friction_coefficient,
-                  "Coulomb's mu; 0 leaves all of friction out. Units: 1.",
+                  "Coulomb's mu, the static mu_s of a law that falls; 0 leaves "
+                  "all of friction out. Units: 1.",
                   prm,
                   Patterns::Double(0.));
+    declare_friction_law();
     add_parameter(
       "Creepage x",
       creepage_x,
@@ -52,12 +54,14 @@ namespace RollingContact
       any);
     add_parameter(
       "Speed",
-      speed,
-      "Rolling speed: material flows through the contact in the direction "
-      "of its sign along x. A steady state depends on the sign only. "
-      "Units: m/s.",
+      speed_entry,
+      "Rolling speed V: material flows through the contact in the direction "
+      "of its sign along x; empty for 1. With a constant friction coefficient "
+      "a steady state depends on the sign only, with one that falls it must "
+      "be given. Units: m/s.",
       prm,
-      any);
+      Patterns::Anything());
+    parse_parameters_call_back.connect([&]() { read_speed(); });
     add_parameter(
       "Slip operator",
       slip_operator,
@@ -81,6 +85,36 @@ namespace RollingContact
       "the material. Units: m.",
       prm,
       Patterns::Anything());
+  }
+
+
+
+  void
+  ContactParameters::declare_friction_law()
+  {
+    std::string names;
+    for (const std::string &name : friction_law_names())
+      names += (names.empty() ? "" : "|") + name;
+    add_parameter("Friction law",
+                  friction_law,
+                  "`constant`, or mu falls with the sliding speed v = |s| V "
+                  "from mu_s to mu_k: `exponential`, mu_k + (mu_s - mu_k) "
+                  "exp(-v/v_c), Polach's law with A = mu_k/mu_s and B = 1/v_c; "
+                  "`rational`, mu_k + (mu_s - mu_k)/(1 + v/v_c).",
+                  prm,
+                  Patterns::Selection(names));
+    add_parameter("Kinetic friction coefficient",
+                  kinetic_friction,
+                  "mu_k of a law that falls, mu at high sliding speed. Polach: "
+                  "0.4 mu_s, dry. Units: 1.",
+                  prm,
+                  Patterns::Double(0.));
+    add_parameter("Friction decay speed",
+                  friction_decay_speed,
+                  "v_c of a law that falls. Polach: 1/0.6 m/s, dry. "
+                  "Units: m/s.",
+                  prm,
+                  Patterns::Double(0.));
   }
 
 
@@ -127,6 +161,53 @@ namespace RollingContact
 
 
   void
+  ContactParameters::read_speed()
+  {
+    const auto given = number_or_empty("Speed", speed_entry, "m/s");
+    speed            = given.value_or(1.);
+    speed_is_given   = given.has_value();
+  }
+
+
+
+  std::shared_ptr<const FrictionLaw>
+  ContactParameters::falling_friction() const
+  {
+    return friction_coefficient > 0.
+             ? make_friction_law(friction_law,
+                                 kinetic_friction / friction_coefficient,
+                                 friction_decay_speed)
+             : nullptr;
+  }
+
+
+
+  void
+  ContactParameters::check_friction_law() const
+  {
+    const auto law = falling_friction();
+    if (!law)
+      return;
+    const auto text = [](const double value) {
+      return Patterns::Tools::to_string(value);
+    };
+    if (!(kinetic_friction > 0.) || kinetic_friction > friction_coefficient)
+      throw InputError(
+        "Contact/Kinetic friction coefficient = " + text(kinetic_friction) +
+        ": Contact/Friction law = " + friction_law +
+        " needs mu_k above 0 and at most mu_s, "
+        "Contact/Friction coefficient = " +
+        text(friction_coefficient) + ".");
+    if (!(friction_decay_speed > 0.))
+      throw InputError(
+        "Contact/Friction decay speed = " + text(friction_decay_speed) +
+        ": Contact/Friction law = " + friction_law +
+        " needs the speed in m/s over which mu falls, above 0.");
+  }
+
+
+
+  void
   ContactParameters::check(const unsigned int dimension) const
   {
     const Roughness understood(roughness);
@@ -142,6 +223,7 @@ namespace RollingContact
     if (load && *load < 0.)
       throw InputError("Contact/Normal load = " + normal_load_entry +
                        ": contact cannot pull, give a load of at least 0 N.");
+    check_friction_law();
     if (speed == 0.)
       throw InputError("Contact/Speed = 0: rolling needs a direction, give a "
                        "positive or negative speed.");

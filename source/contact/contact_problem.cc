@@ -137,6 +137,23 @@ namespace RollingContact
 
 
   std::vector<double>
+  ContactProblem::tangential_displacement(
+    const std::vector<double> &traction,
+    const std::vector<double> &pressure) const
+  {
+    if (n_tangential == 0)
+      return {};
+    std::vector<double>       w = tangential_displacement(traction);
+    const std::vector<double> coupling =
+      tangential_displacement_of_pressure(pressure);
+    for (std::size_t i = 0; i < w.size(); ++i)
+      w[i] += coupling[i];
+    return w;
+  }
+
+
+
+  std::vector<double>
   ContactProblem::tangential_distortion(
     const std::vector<double> &traction,
     const std::vector<double> &pressure) const
@@ -198,8 +215,8 @@ namespace RollingContact
   void
   ContactProblem::finish()
   {
-    areas       = H.multiply(std::vector<double>(n_nodes, 1.));
-    W_nn_H      = compliance_of_density(*this, n_tangential * n_nodes, n_nodes);
+    areas = H.multiply(std::vector<double>(n_nodes, 1.));
+    update_pressure_compliance();
     normal_norm = operator_norm(
       n_nodes,
       [&](const std::vector<double> &x) { return normal_displacement(x); },
@@ -210,6 +227,14 @@ namespace RollingContact
       });
     H_columns = H.transposed();
     find_tangential_norm();
+  }
+
+
+
+  void
+  ContactProblem::update_pressure_compliance()
+  {
+    W_nn_H = compliance_of_density(*this, n_tangential * n_nodes, n_nodes);
   }
 
 
@@ -236,6 +261,19 @@ namespace RollingContact
         return H.multiply_transposed(
           block_product(W, 0, 0, n_tangential * n_nodes, y));
       });
+  }
+
+
+
+  std::vector<double>
+  nodal_forces(const ContactProblem &contact, const ContactState &state)
+  {
+    std::vector<double> forces;
+    if (contact.n_tangential > 0)
+      forces = contact.H.multiply(state.traction);
+    const std::vector<double> normal = contact.H.multiply(state.pressure);
+    forces.insert(forces.end(), normal.begin(), normal.end());
+    return forces;
   }
 
 
@@ -334,9 +372,15 @@ namespace RollingContact
   TangentialProblem
   tangential_problem(const ContactProblem &contact, const ContactState &state)
   {
-    return TangentialProblem(contact,
-                             state.pressure,
-                             state.edges,
-                             state.edge_law);
+    TangentialProblem problem(contact,
+                              state.pressure,
+                              state.edges,
+                              state.edge_law);
+    if (contact.friction_law && contact.n_tangential > 0)
+      problem.set_friction(
+        state.holds_friction
+          ? state.friction
+          : problem.friction_at(problem.slip(state.traction)));
+    return problem;
   }
 } // namespace RollingContact

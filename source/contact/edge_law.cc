@@ -208,17 +208,10 @@ namespace RollingContact
                  const std::vector<EdgeExtrapolation> &extrapolations,
                  TangentialProblem                    &problem)
   {
-    const ContactProblem &contact       = problem.contact;
-    const auto            extrapolation = [&](const unsigned int node) {
-      const auto found =
-        std::find_if(extrapolations.begin(),
-                     extrapolations.end(),
-                     [&](const auto &edge) { return edge.first == node; });
-      return found == extrapolations.end() ? nullptr : &*found;
-    };
-    auto                runs = touching_runs(contact.slip_operator, pressure);
-    std::vector<double> frictional = pressure;
-    std::vector<bool>   inside(contact.n_nodes);
+    const ContactProblem &contact = problem.contact;
+    auto                  runs = touching_runs(contact.slip_operator, pressure);
+    std::vector<double>   frictional = pressure;
+    std::vector<bool>     inside(contact.n_nodes);
     for (unsigned int i = 0; i < contact.n_nodes; ++i)
       inside[i] = pressure[i] > 0.;
     auto displacements = displacements_of_pressure(contact, frictional);
@@ -228,7 +221,7 @@ namespace RollingContact
           drops_first_node(contact, run, pressure, displacements))
         {
           const unsigned int first = run.nodes[0];
-          if (extrapolation(run.nodes[1]))
+          if (find_edge(extrapolations, run.nodes[1]))
             {
               problem.bound[first] = frictional[first] = 0.;
               released                                 = true;
@@ -249,7 +242,7 @@ namespace RollingContact
                    run,
                    frictional,
                    displacements,
-                   extrapolation(run.nodes[0]),
+                   find_edge(extrapolations, run.nodes[0]),
                    problem);
       }
   }
@@ -310,7 +303,12 @@ namespace RollingContact
         EdgeExtrapolation law{edge.nodes[0], 1 + r, r, {{0., 0.}}};
         if (slipping < edge.nodes.size())
           {
-            const Vector2 e = g(slipping), g2 = g(1), g3 = g(2);
+            // at the transition, which need not be at rest at a node
+            const unsigned int node = edge.nodes[slipping];
+            const double       share =
+              problem.contact.friction[node] / problem.friction[node];
+            const Vector2 at_node = g(slipping), g2 = g(1), g3 = g(2);
+            const Vector2 e{{share * at_node[0], share * at_node[1]}};
             const Vector2 drop2{{g2[0] - e[0], g2[1] - e[1]}},
               drop3{{g3[0] - e[0], g3[1] - e[1]}};
             const double rho2 = std::hypot(drop2[0], drop2[1]);
@@ -322,7 +320,7 @@ namespace RollingContact
             const double rho1 =
               std::sqrt(std::max((1 + r) * rho2 * rho2 - r * rho3 * rho3,
                                  0.25 * rho2 * rho2));
-            if (!(rho1 > 0.))
+            if (!std::isfinite(rho1))
               continue;
             law.second = (1 + r) * rho2 / rho1;
             law.third  = r * rho3 / rho1;
@@ -332,6 +330,19 @@ namespace RollingContact
         result.push_back(law);
       }
     return result;
+  }
+
+
+
+  const EdgeExtrapolation *
+  find_edge(const std::vector<EdgeExtrapolation> &extrapolations,
+            const unsigned int                    first)
+  {
+    const auto found =
+      std::find_if(extrapolations.begin(),
+                   extrapolations.end(),
+                   [&](const auto &edge) { return edge.first == first; });
+    return found == extrapolations.end() ? nullptr : &*found;
   }
 
 

@@ -1,5 +1,6 @@
 #include <rolling_contact/contact/patch_edge.h>
 #include <rolling_contact/contact/resultants.h>
+#include <rolling_contact/contact/sliding_response.h>
 
 #include <algorithm>
 #include <cmath>
@@ -127,9 +128,16 @@ namespace RollingContact
     for (unsigned int i = 0; i < problem.n_nodes; ++i)
       if (state.pressure[i] > 0.)
         states[i] = traction_size(problem, state, i) <
-                        (1 - 1e-9) * problem.friction[i] * state.pressure[i]
+                        (1 - 1e-9) * tangential.friction[i] * state.pressure[i]
                       ? NodeState::stick
                       : NodeState::slip;
+    if (!problem.friction_law || state.holds_friction)
+      return states;
+    for (unsigned int i = 0; i < problem.n_nodes; ++i)
+      if (states[i] == NodeState::slip)
+        states[i] = NodeState::stick;
+    for (const unsigned int i : slipping_nodes(tangential, state.traction))
+      states[i] = NodeState::slip;
     return states;
   }
 

@@ -2,10 +2,10 @@
 
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/log.h>
+#include <rolling_contact/base/silent_errors.h>
 #include <rolling_contact/contact/roughness.h>
 
 #include <cmath>
-#include <iostream>
 
 namespace RollingContact
 {
@@ -21,23 +21,6 @@ namespace RollingContact
                        "2e-6*cos(2*pi*x/1e-3), or leave it empty.");
     }
 
-
-
-    /**
-     * Nothing reaches std::cerr while it lives: deal.II prints muParser's
-     * errors there and throws them too.
-     */
-    class SilentErrors
-    {
-    public:
-      ~SilentErrors()
-      {
-        std::cerr.rdbuf(buffer);
-      }
-
-    private:
-      std::streambuf *const buffer = std::cerr.rdbuf(nullptr);
-    };
   } // namespace
 
 

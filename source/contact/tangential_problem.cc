@@ -28,13 +28,14 @@ namespace RollingContact
     : contact(contact)
     , B1(contact.slip_operator.rows())
     , B2(identity(contact.n_nodes))
+    , friction(contact.friction)
     , bound(contact.n_nodes)
     , slip_at_zero(contact.n_tangential * contact.n_nodes)
   {
     if (contact.n_tangential == 0)
       return;
     for (unsigned int i = 0; i < contact.n_nodes; ++i)
-      bound[i] = contact.friction[i] * pressure[i];
+      bound[i] = friction[i] * pressure[i];
     if (edge_law && contact.slip_operator.has_edge_law())
       {
         edge_rows.assign(contact.n_tangential, SparseRows(contact.n_nodes));
@@ -150,6 +151,46 @@ namespace RollingContact
               A(row, column) += entry.second;
           }
     return A;
+  }
+
+
+
+  std::vector<double>
+  TangentialProblem::sliding_speeds(const std::vector<double> &slip) const
+  {
+    std::vector<double> speeds(contact.n_nodes, 0.);
+    for (std::size_t i = 0; i < slip.size(); ++i)
+      if (bound[i % contact.n_nodes] > 0.)
+        speeds[i % contact.n_nodes] =
+          std::hypot(speeds[i % contact.n_nodes], slip[i]);
+    for (double &speed : speeds)
+      speed *= contact.speed;
+    return speeds;
+  }
+
+
+
+  std::vector<double>
+  TangentialProblem::friction_at(const std::vector<double> &slip) const
+  {
+    if (!contact.friction_law)
+      return friction;
+    std::vector<double> coefficients = sliding_speeds(slip);
+    for (unsigned int i = 0; i < contact.n_nodes; ++i)
+      coefficients[i] =
+        contact.friction[i] * (1 - contact.friction_law->drop(coefficients[i]));
+    return coefficients;
+  }
+
+
+
+  void
+  TangentialProblem::set_friction(const std::vector<double> &coefficients)
+  {
+    for (unsigned int i = 0; i < contact.n_nodes; ++i)
+      if (friction[i] > 0.)
+        bound[i] *= coefficients[i] / friction[i];
+    friction = coefficients;
   }
 
 

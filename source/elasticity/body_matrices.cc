@@ -6,6 +6,7 @@
 #include <deal.II/lac/sparse_matrix.h>
 
 #include <rolling_contact/elasticity/body_matrices.h>
+#include <rolling_contact/elasticity/cell_matrices.h>
 
 #include <algorithm>
 #include <functional>
@@ -116,75 +117,6 @@ namespace RollingContact
 
 
     /**
-     * B-bar by mean dilatation, K_ij = integral of 2 G dev(eps_i) : dev(eps_j)
-     * + V k mean(div phi_i) mean(div phi_j) with the bulk modulus k and the
-     * deviator of the three-dimensional strain, eps_yy = 0 in plane strain
-     * (Hughes 1980).
-     */
-    template <int dim>
-    void
-    cell_stiffness(const FEValues<dim, dim> &values,
-                   const Material           &material,
-                   FullMatrix<double>       &stiffness)
-    {
-      const FEValuesExtractors::Vector displacement(0);
-      const unsigned int               n = values.dofs_per_cell;
-      const double G = material.shear_modulus(), k = material.bulk_modulus();
-
-      std::vector<double>                  mean_dilatation(n, 0.);
-      std::vector<SymmetricTensor<2, dim>> strain(n);
-      std::vector<double>                  dilatation(n);
-      double                               volume = 0.;
-      stiffness                                   = 0.;
-      for (const unsigned int q : values.quadrature_point_indices())
-        {
-          const double JxW = values.JxW(q);
-          volume += JxW;
-          for (unsigned int i = 0; i < n; ++i)
-            {
-              strain[i]     = values[displacement].symmetric_gradient(i, q);
-              dilatation[i] = trace(strain[i]);
-              mean_dilatation[i] += dilatation[i] * JxW;
-            }
-          for (unsigned int i = 0; i < n; ++i)
-            for (unsigned int j = 0; j <= i; ++j)
-              stiffness(i, j) +=
-                2 * G *
-                (strain[i] * strain[j] - dilatation[i] * dilatation[j] / 3) *
-                JxW;
-        }
-      for (unsigned int i = 0; i < n; ++i)
-        for (unsigned int j = 0; j <= i; ++j)
-          {
-            stiffness(i, j) +=
-              k * mean_dilatation[i] * mean_dilatation[j] / volume;
-            stiffness(j, i) = stiffness(i, j);
-          }
-    }
-
-
-
-    template <int dim>
-    void
-    cell_mass(const FEValues<dim> &values,
-              const double         density,
-              FullMatrix<double>  &mass)
-    {
-      const auto        &element = values.get_fe();
-      const unsigned int n       = values.dofs_per_cell;
-      mass                       = 0.;
-      for (unsigned int i = 0; i < n; ++i)
-        for (unsigned int j = 0; j < n; ++j)
-          if (element.system_to_component_index(i).first ==
-              element.system_to_component_index(j).first)
-            for (const unsigned int q : values.quadrature_point_indices())
-              mass(i, j) += density * values.shape_value(i, q) *
-                            values.shape_value(j, q) * values.JxW(q);
-    }
-
-
-
-    /**
      * The integral of rho phi_i at all nodes, constrained ones included.
      */
     template <int dim>
@@ -197,16 +129,16 @@ namespace RollingContact
                            QGauss<dim>(2),
                            update_values | update_JxW_values);
       std::vector<types::global_dof_index> cell_dofs(element.dofs_per_cell);
+      Vector<double>                       cell_masses(element.dofs_per_cell);
       const double                         density =
         body.material.density * (dim == 2 ? body.thickness : 1.);
       for (const auto &cell : body.dofs.active_cell_iterators())
         {
           values.reinit(cell);
           cell->get_dof_indices(cell_dofs);
+          cell_lumped_mass(values, density, cell_masses);
           for (unsigned int i = 0; i < cell_dofs.size(); ++i)
-            for (const unsigned int q : values.quadrature_point_indices())
-              masses[cell_dofs[i]] +=
-                density * values.shape_value(i, q) * values.JxW(q);
+            masses[cell_dofs[i]] += cell_masses(i);
         }
       return masses;
     }

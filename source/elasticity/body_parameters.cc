@@ -1,5 +1,8 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/elasticity/body_parameters.h>
+#include <rolling_contact/mesh/mesh_file.h>
+
+#include <algorithm>
 
 namespace RollingContact
 {
@@ -12,18 +15,19 @@ namespace RollingContact
     const Patterns::Double any, not_negative(0.);
     add_parameter("Shape",
                   shape,
-                  "`disc`, held at its inner circle, or `block`, held at its "
-                  "bottom.",
+                  "`disc`, held at its inner circle; `block`, held at its "
+                  "bottom; or `mesh file`, read from Mesh file and held at its "
+                  "hub boundary.",
                   prm,
-                  Patterns::Selection("disc|block"));
+                  Patterns::Selection("disc|block|mesh file"));
     add_parameter("Rigid",
                   rigid,
                   "A rigid body is a profile without mesh or compliance.");
     add_parameter(
       "Radius",
       radius,
-      "Radius of the profile in the rolling direction. For a block, 0 "
-      "is flat and a negative radius is concave. Units: m.",
+      "Radius of the profile in the rolling direction. For a block or a mesh "
+      "file, 0 is flat and a negative radius is concave. Units: m.",
       prm,
       any);
     add_parameter(
@@ -67,6 +71,42 @@ namespace RollingContact
                   "inertia alone holds the body.",
                   prm,
                   Patterns::Selection("clamped|free"));
+    add_parameter("Mesh file",
+                  mesh_file,
+                  "Gmsh .msh or Abaqus .inp file of quadrilaterals (2D) or "
+                  "hexahedra (3D), relative to the folder of the .prm file. x "
+                  "is the rolling direction, z (in 2D the file's y) goes from "
+                  "rail to wheel, the contact point is the origin, the wheel "
+                  "lies above it and the rail below.",
+                  prm,
+                  Patterns::Anything());
+    add_parameter("Mesh unit",
+                  mesh_unit,
+                  "Length of one unit of the mesh file, 0.001 for millimetres. "
+                  "Units: m.",
+                  prm,
+                  not_negative);
+    add_parameter("Contact boundary id",
+                  contact_boundary,
+                  "Of the part of the mesh file's boundary that may touch: a "
+                  "physical group of Gmsh, or the digits in the name of an "
+                  "Abaqus surface. Units: 1.",
+                  prm,
+                  Patterns::Integer(1));
+    add_parameter("Hub boundary id",
+                  hub_boundary,
+                  "The same of the part that is clamped. Units: 1.",
+                  prm,
+                  Patterns::Integer(1));
+    add_parameter(
+      "Surface",
+      surface,
+      "Undeformed surface of a mesh file's contact boundary: "
+      "`radii` takes Radius and Lateral radius, which its nodes "
+      "must lie on, and keeps facets out of the gap; `nodes` takes "
+      "the nodes, and the radii for the estimate of the patch only.",
+      prm,
+      Patterns::Selection("radii|nodes"));
     add_parameter("Young modulus",
                   material.young_modulus,
                   "Young's modulus. Units: Pa.",
@@ -124,6 +164,7 @@ namespace RollingContact
     if (rigid && hub == "free")
       throw InputError(section + "/Hub = free: a rigid body is held; take "
                                  "Rigid = false or Hub = clamped.");
+    check_mesh_file();
     if (rigid)
       return;
     if (shape == "block")
@@ -139,6 +180,17 @@ namespace RollingContact
                 block_depth,
                 "it must be above 0 m.");
       }
+    check_fall(dimension);
+    check_material(dimension);
+  }
+
+
+
+  void
+  BodyParameters::check_fall(const unsigned int dimension) const
+  {
+    if (is_from_file())
+      return;
     const BodyGeometry shape_of_body = geometry();
     const double       fall =
       -shape_of_body.surface_height(shape == "block" ? block_length / 2 : 0.,
@@ -150,6 +202,13 @@ namespace RollingContact
         " m below the contact point, and the body is only " +
         Patterns::Tools::to_string(shape_of_body.thickness_below()) +
         " m thick there: take larger radii, a narrower or a thicker body.");
+  }
+
+
+
+  void
+  BodyParameters::check_material(const unsigned int dimension) const
+  {
     require(material.young_modulus > 0.,
             section,
             "Young modulus",
@@ -171,8 +230,60 @@ namespace RollingContact
               "Thickness",
               thickness,
               "it must be above 0 m.");
-    else
+    else if (!is_from_file())
       require(width > 0., section, "Width", width, "it must be above 0 m.");
+  }
+
+
+
+  void
+  BodyParameters::check_mesh_file() const
+  {
+    const std::string given = section + "/Mesh file = " + mesh_file;
+    if (!is_from_file())
+      {
+        if (!mesh_file.empty())
+          throw InputError(given + ": it is read with Shape = mesh file only.");
+        return;
+      }
+    if (mesh_file.empty())
+      throw InputError(given + ": Shape = mesh file needs the name of a .msh "
+                               "or .inp file.");
+    if (rigid)
+      throw InputError(section +
+                       "/Shape = mesh file: a rigid body has no mesh; take "
+                       "disc or block with its radii.");
+    require(mesh_unit > 0.,
+            section,
+            "Mesh unit",
+            mesh_unit,
+            "it must be above 0 m; 0.001 for millimetres.");
+    if (hub == "clamped" && contact_boundary == hub_boundary)
+      throw InputError(section + "/Contact boundary id and " + section +
+                       "/Hub boundary id are both " +
+                       std::to_string(hub_boundary) +
+                       ": the hub must be another part of the boundary.");
+  }
+
+
+
+  void
+  BodyParameters::read_mesh(const unsigned int           dimension,
+                            const std::filesystem::path &folder)
+  {
+    mesh.reset();
+    if (!is_from_file())
+      return;
+    MeshFile file;
+    file.section          = section;
+    file.name             = mesh_file;
+    file.path             = folder / mesh_file;
+    file.unit             = mesh_unit;
+    file.contact_boundary = contact_boundary;
+    file.hub_boundary     = hub_boundary;
+    file.has_hub          = hub == "clamped";
+    file.mirrored         = section == "Wheel";
+    mesh = dimension == 2 ? read_mesh_file<2>(file) : read_mesh_file<3>(file);
   }
 
 
@@ -181,7 +292,9 @@ namespace RollingContact
   BodyParameters::geometry() const
   {
     BodyGeometry geometry;
-    geometry.shape          = shape == "disc" ? Shape::disc : Shape::block;
+    geometry.shape          = shape == "disc"  ? Shape::disc
+                              : is_from_file() ? Shape::mesh_file
+                                               : Shape::block;
     geometry.rigid          = rigid;
     geometry.radius         = radius;
     geometry.lateral_radius = lateral_radius;
@@ -190,6 +303,13 @@ namespace RollingContact
     geometry.depth          = block_depth;
     geometry.width          = width;
     geometry.hub_clamped    = hub == "clamped";
+    geometry.mesh           = mesh;
+    if (mesh)
+      {
+        geometry.length = 2 * std::min(-mesh->lower[0], mesh->upper[0]);
+        geometry.width  = 2 * std::min(-mesh->lower[1], mesh->upper[1]);
+        geometry.depth  = mesh->depth;
+      }
     return geometry;
   }
 } // namespace RollingContact

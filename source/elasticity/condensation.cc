@@ -189,6 +189,52 @@ namespace RollingContact
 
 
 
+    void
+    allocate(Block &block)
+    {
+      if (block.values.empty())
+        block.values.resize(block.n_rows * block.n_columns, 0.);
+    }
+
+
+
+    /**
+     * Subtract the share of a finished block, in @p below, from the blocks of
+     * its ancestors.
+     */
+    void
+    subtract_from_ancestors(const Supernodes          &supernodes,
+                            const Index                k,
+                            const std::vector<double> &below,
+                            std::vector<Block>        &blocks)
+    {
+      const Block &block     = blocks[k];
+      const int    n_columns = block.n_columns,
+                n_below      = supernodes.n_rows(k) - block.n_rows;
+      const Index *rows      = supernodes.rows_below(k);
+      for (int begin = 0, end; begin < n_below; begin = end)
+        {
+          const Index target = supernodes.supernode_of_row(rows[begin]);
+          for (end = begin + 1; end < n_below && supernodes.supernode_of_row(
+                                                   rows[end]) == target;)
+            ++end;
+          Block &ancestor = blocks[target];
+          allocate(ancestor);
+          for (int c = 0; c < n_columns; ++c)
+            {
+              double *to = ancestor.values.data() +
+                           (block.first_column - ancestor.first_column + c) *
+                             ancestor.n_rows;
+              const double *from =
+                below.data() + static_cast<std::size_t>(c) * n_below;
+              for (int i = begin; i < end; ++i)
+                to[rows[i] - ancestor.first_row] -= from[i];
+            }
+        }
+    }
+
+
+
     /**
      * Finish the block of supernode @p k, Y_k = L_kk^-1 Y_k, and subtract its
      * share from the blocks of its ancestors.
@@ -199,10 +245,6 @@ namespace RollingContact
               std::vector<Block>  &blocks,
               std::vector<double> &buffer)
     {
-      const auto allocate = [](Block &block) {
-        if (block.values.empty())
-          block.values.resize(block.n_rows * block.n_columns, 0.);
-      };
       Block    &block      = blocks[k];
       const int n_diagonal = block.n_rows, n_columns = block.n_columns,
                 n_rows = supernodes.n_rows(k), n_below = n_rows - n_diagonal;
@@ -235,26 +277,91 @@ namespace RollingContact
              &zero,
              buffer.data(),
              &n_below);
-      const Index *rows = supernodes.rows_below(k);
-      for (int begin = 0, end; begin < n_below; begin = end)
+      subtract_from_ancestors(supernodes, k, buffer, blocks);
+    }
+
+
+
+    /**
+     * The columns of E by the row of their one in the permuted matrix.
+     */
+    struct SortedColumns
+    {
+      SortedColumns(const cholmod_factor           &L,
+                    const std::vector<std::size_t> &unknowns)
+        : order(unknowns.size())
+      {
+        std::vector<Index> position(L.n);
+        const Index       *permutation = static_cast<const Index *>(L.Perm);
+        for (std::size_t i = 0; i < L.n; ++i)
+          position[permutation[i]] = i;
+        std::iota(order.begin(), order.end(), 0);
+        std::sort(order.begin(),
+                  order.end(),
+                  [&](const Index a, const Index b) {
+                    return position[unknowns[a]] < position[unknowns[b]];
+                  });
+        for (const Index column : order)
+          rows.push_back(position[unknowns[column]]);
+      }
+
+      std::vector<Index> order, rows;
+    };
+
+
+
+    void
+    put_ones(const Supernodes         &supernodes,
+             const std::vector<Index> &rows,
+             std::vector<Block>       &blocks)
+    {
+      for (std::size_t c = 0; c < rows.size(); ++c)
         {
-          const Index target = supernodes.supernode_of_row(rows[begin]);
-          for (end = begin + 1; end < n_below && supernodes.supernode_of_row(
-                                                   rows[end]) == target;)
-            ++end;
-          Block &ancestor = blocks[target];
-          allocate(ancestor);
-          for (int c = 0; c < n_columns; ++c)
-            {
-              double *to = ancestor.values.data() +
-                           (block.first_column - ancestor.first_column + c) *
-                             ancestor.n_rows;
-              const double *from =
-                buffer.data() + static_cast<std::size_t>(c) * n_below;
-              for (int i = begin; i < end; ++i)
-                to[rows[i] - ancestor.first_row] -= from[i];
-            }
+          Block &block = blocks[supernodes.supernode_of_row(rows[c])];
+          allocate(block);
+          block.values[rows[c] - block.first_row +
+                       (c - block.first_column) * block.n_rows] = 1.;
         }
+    }
+
+
+
+    /**
+     * Add Y_k^T Y_k to the lower triangle of W.
+     */
+    void
+    add_product(const Block &block, DenseMatrix &W)
+    {
+      const int n_columns = block.n_columns, n_rows = block.n_rows,
+                leading = W.n_rows();
+      const double one  = 1.;
+      dsyrk_("L",
+             "T",
+             &n_columns,
+             &n_rows,
+             &one,
+             block.values.data(),
+             &n_rows,
+             &one,
+             &W(block.first_column, block.first_column),
+             &leading);
+    }
+
+
+
+    /**
+     * A lower triangle, row and column k of which belong to order[k], as a full
+     * matrix.
+     */
+    DenseMatrix
+    unsorted(const DenseMatrix &lower, const std::vector<Index> &order)
+    {
+      const std::size_t n = order.size();
+      DenseMatrix       W(n, n);
+      for (std::size_t j = 0; j < n; ++j)
+        for (std::size_t i = j; i < n; ++i)
+          W(order[i], order[j]) = W(order[j], order[i]) = lower(i, j);
+      return W;
     }
   } // namespace
 
@@ -265,69 +372,30 @@ namespace RollingContact
                        const std::vector<std::size_t> &unknowns,
                        CondensedColumns               *columns)
   {
-    const Supernodes  supernodes(L);
-    const std::size_t n = unknowns.size();
-
-    std::vector<Index> position(L.n);
-    const Index       *permutation = static_cast<const Index *>(L.Perm);
-    for (std::size_t i = 0; i < L.n; ++i)
-      position[permutation[i]] = i;
-    std::vector<Index> order(n), sorted_rows(n);
-    std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(), [&](const Index a, const Index b) {
-      return position[unknowns[a]] < position[unknowns[b]];
-    });
-    for (std::size_t c = 0; c < n; ++c)
-      sorted_rows[c] = position[unknowns[order[c]]];
-
-    std::vector<Block> blocks = reach(supernodes, sorted_rows);
-    for (std::size_t c = 0; c < n; ++c)
-      {
-        Block &block = blocks[supernodes.supernode_of_row(sorted_rows[c])];
-        if (block.values.empty())
-          block.values.resize(block.n_rows * block.n_columns, 0.);
-        block.values[sorted_rows[c] - block.first_row +
-                     (c - block.first_column) * block.n_rows] = 1.;
-      }
-
-    DenseMatrix         sorted_W(n, n);
+    const Supernodes    supernodes(L);
+    SortedColumns       sorted(L, unknowns);
+    std::vector<Block>  blocks = reach(supernodes, sorted.rows);
+    DenseMatrix         W(unknowns.size(), unknowns.size());
     std::vector<double> buffer;
-    const int           leading = n;
-    const double        one     = 1.;
+    put_ones(supernodes, sorted.rows, blocks);
     for (Index k = 0; k < supernodes.size(); ++k)
       if (blocks[k].n_columns > 0)
         {
           eliminate(supernodes, k, blocks, buffer);
-          Block    &block     = blocks[k];
-          const int n_columns = block.n_columns, n_rows = block.n_rows;
-          dsyrk_("L",
-                 "T",
-                 &n_columns,
-                 &n_rows,
-                 &one,
-                 block.values.data(),
-                 &n_rows,
-                 &one,
-                 &sorted_W(block.first_column, block.first_column),
-                 &leading);
+          add_product(blocks[k], W);
           if (columns == nullptr)
-            block.values = std::vector<double>();
+            blocks[k].values = std::vector<double>();
         }
-
-    DenseMatrix W(n, n);
-    for (std::size_t j = 0; j < n; ++j)
-      for (std::size_t i = j; i < n; ++i)
-        W(order[i], order[j]) = W(order[j], order[i]) = sorted_W(i, j);
+    W = unsorted(W, sorted.order);
     if (columns != nullptr)
       {
-        blocks.erase(std::remove_if(blocks.begin(),
-                                    blocks.end(),
-                                    [](const Block &block) {
-                                      return block.n_columns == 0;
-                                    }),
+        const auto is_empty = [](const Block &block) {
+          return block.n_columns == 0;
+        };
+        blocks.erase(std::remove_if(blocks.begin(), blocks.end(), is_empty),
                      blocks.end());
         columns->blocks       = std::move(blocks);
-        columns->column_order = std::move(order);
+        columns->column_order = std::move(sorted.order);
       }
     return W;
   }

@@ -1,6 +1,6 @@
+#include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
-#include <deal.II/lac/vector.h>
 #include <deal.II/numerics/vector_tools_boundary.h>
 
 #include <rolling_contact/base/exceptions.h>
@@ -18,16 +18,23 @@ namespace RollingContact
   ElasticBody<dim>::ElasticBody(const BodyGeometry &geometry,
                                 const Material     &material,
                                 const double        thickness,
-                                const Grading<dim> &grading)
+                                const Grading<dim> &grading,
+                                const MeshKind      kind)
     : material(material)
     , thickness(thickness)
     , hub_clamped(geometry.hub_clamped)
-    , body_mesh(make_body_mesh<dim>(geometry, grading))
+    , body_mesh(make_body_mesh<dim>(geometry, grading, kind))
     , element(FE_Q<dim>(1), dim)
     , dofs(*body_mesh.triangulation)
   {
     const Stopwatch watch;
-    distribute();
+    dofs.distribute_dofs(element);
+    DoFTools::extract_locally_relevant_dofs(dofs, relevant_dofs);
+    constraints.reinit(relevant_dofs);
+    DoFTools::make_hanging_node_constraints(dofs, constraints);
+    if (hub_clamped)
+      DoFTools::make_zero_boundary_constraints(dofs, hub_boundary, constraints);
+    constraints.close();
     assembly_s = watch.seconds();
   }
 
@@ -35,27 +42,11 @@ namespace RollingContact
 
   template <int dim>
   void
-  ElasticBody<dim>::distribute()
+  ElasticBody<dim>::require_clamped_hub() const
   {
-    dofs.distribute_dofs(element);
-    DoFTools::make_hanging_node_constraints(dofs, constraints);
-    if (hub_clamped)
-      DoFTools::make_zero_boundary_constraints(dofs, hub_boundary, constraints);
-    constraints.close();
-
-    unknown_of_dof.assign(dofs.n_dofs(), -1);
-    int unknown = 0;
-    for (types::global_dof_index i = 0; i < dofs.n_dofs(); ++i)
-      if (constraints.is_constrained(i))
-        ++n_constrained;
-      else
-        {
-          unknown_of_dof[i]    = unknown++;
-          const bool same_node = i % dim != 0 && !node_of_unknown.empty() &&
-                                 unknown_of_dof[i - 1] >= 0;
-          node_of_unknown.push_back(
-            node_of_unknown.empty() ? 0 : node_of_unknown.back() + !same_node);
-        }
+    if (!hub_clamped)
+      throw InputError("Hub = free: a body that nothing holds has no static "
+                       "compliance; take Hub = clamped.");
   }
 
 
@@ -77,49 +68,89 @@ namespace RollingContact
 
 
     /**
-     * True if the middle of a box lies in the zone of contact nodes, by a
-     * margin that keeps rounding from deciding.
+     * True if @p p comes before @p q in ascending x, then y.
      */
     template <int dim>
     bool
-    in_zone(const Point<dim>   &lower,
-            const Point<dim>   &upper,
-            const Grading<dim> &zone)
+    comes_before(const Point<dim>            &p,
+                 const Point<dim>            &q,
+                 const std::array<double, 2> &scale)
     {
-      const std::array<double, 2> semi_axes{{zone.semi_axis_x(), zone.zone_y}},
-        centre{{zone.centre_x(), 0.}};
-      double sum = 0.;
-      for (int d = 0; d < dim - 1; ++d)
-        {
-          const double middle = std::abs((lower[d] + upper[d]) / 2 - centre[d]),
-                       margin = 0.01 * (upper[d] - lower[d]);
-          sum += std::pow(std::max(0., middle - margin) / semi_axes[d], 2);
-        }
-      return sum <= 1.;
+      for (int d = 0; d < dim; ++d)
+        if (std::abs(p[d] - q[d]) > 1e-9 * scale[d])
+          return p[d] < q[d];
+      return false;
     }
 
 
 
     /**
-     * The keys of @p positions by ascending x, then y.
+     * A face of the zone as a rank knows it: corners by degrees of freedom.
      */
     template <int dim>
-    std::vector<types::global_dof_index>
-    sorted(const std::map<types::global_dof_index, Point<dim>> &positions,
-           const std::array<double, 2>                         &scale)
+    struct ZoneFace
     {
-      std::vector<types::global_dof_index> order;
-      for (const auto &entry : positions)
-        order.push_back(entry.first);
-      std::sort(order.begin(), order.end(), [&](const auto a, const auto b) {
-        const auto &p = positions.at(a), &q = positions.at(b);
-        for (int d = 0; d < dim; ++d)
-          if (std::abs(p[d] - q[d]) > 1e-9 * scale[d])
-            return p[d] < q[d];
-        return false;
-      });
-      return order;
-    }
+      Point<dim - 1>           lower, upper;
+      std::vector<Combination> corners;
+
+      template <typename Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &lower &upper &corners;
+      }
+    };
+
+
+
+    /**
+     * What a rank sees of the zone: its faces and the nodes they touch.
+     */
+    template <int dim>
+    struct ZonePart
+    {
+      std::vector<ZoneFace<dim>>                        faces;
+      std::map<types::global_dof_index, Point<dim - 1>> nodes;
+
+      template <typename Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &faces &nodes;
+      }
+
+      void
+      add(const ZonePart &other)
+      {
+        faces.insert(faces.end(), other.faces.begin(), other.faces.end());
+        nodes.insert(other.nodes.begin(), other.nodes.end());
+      }
+
+      void
+      sort_faces(const std::array<double, 2> &scale)
+      {
+        std::sort(faces.begin(),
+                  faces.end(),
+                  [&](const auto &a, const auto &b) {
+                    return comes_before(a.lower, b.lower, scale);
+                  });
+      }
+
+      /**
+       * The nodes by ascending x, then y.
+       */
+      std::vector<types::global_dof_index>
+      sorted_nodes(const std::array<double, 2> &scale) const
+      {
+        std::vector<types::global_dof_index> order;
+        for (const auto &entry : nodes)
+          order.push_back(entry.first);
+        std::sort(order.begin(), order.end(), [&](const auto a, const auto b) {
+          return comes_before(nodes.at(a), nodes.at(b), scale);
+        });
+        return order;
+      }
+    };
   } // namespace
 
 
@@ -131,10 +162,11 @@ namespace RollingContact
     const
   {
     for (const auto &cell : dofs.active_cell_iterators())
-      for (const unsigned int f : cell->face_indices())
-        if (cell->face(f)->at_boundary() &&
-            cell->face(f)->boundary_id() == contact_boundary)
-          action(cell, f);
+      if (!cell->is_artificial())
+        for (const unsigned int f : cell->face_indices())
+          if (cell->face(f)->at_boundary() &&
+              cell->face(f)->boundary_id() == contact_boundary)
+            action(cell, f);
   }
 
 
@@ -145,8 +177,7 @@ namespace RollingContact
                             std::vector<SurfaceNode> &nodes,
                             std::vector<SurfaceFace> &faces) const
   {
-    const std::array<double, 2> extent{{zone.zone_x, zone.zone_y}};
-    std::map<types::global_dof_index, Point<dim - 1>> vertices, used;
+    std::map<types::global_dof_index, Point<dim - 1>> vertices;
     for_each_surface_face([&](const CellIterator &cell, const unsigned int f) {
       for (const unsigned int v : cell->face(f)->vertex_indices())
         {
@@ -156,162 +187,77 @@ namespace RollingContact
         }
     });
 
-    std::vector<std::vector<Combination>> corners;
-    faces.clear();
+    ZonePart<dim> here, whole;
     for_each_surface_face([&](const CellIterator &cell, const unsigned int f) {
-      const auto box = body_mesh.chart_box(cell);
-      if (!in_zone(box.first, box.second, zone))
+      const auto box   = body_mesh.chart_box(cell);
+      const auto lower = without_depth(box.first),
+                 upper = without_depth(box.second);
+      if (!cell->is_locally_owned() || !zone.in_zone(lower, upper))
         return;
-      faces.push_back(
-        {without_depth(box.first), without_depth(box.second), {}});
-      corners.emplace_back();
+      here.faces.push_back({lower, upper, {}});
       for (const unsigned int v : cell->face(f)->vertex_indices())
         {
           const auto  dof  = cell->face(f)->vertex_dof_index(v, 0);
           const auto *line = constraints.get_constraint_entries(dof);
-          corners.back().push_back(line == nullptr ? Combination{{dof, 1.}}
-                                                   : *line);
-          for (const auto &entry : corners.back().back())
-            used[entry.first] = vertices.at(entry.first);
+          here.faces.back().corners.push_back(
+            line == nullptr ? Combination{{dof, 1.}} : *line);
+          for (const auto &entry : here.faces.back().corners.back())
+            here.nodes[entry.first] = vertices.at(entry.first);
         }
     });
+    for (const auto &part :
+         Utilities::MPI::all_gather(body_mesh.triangulation->get_communicator(),
+                                    here))
+      whole.add(part);
+    const std::array<double, 2> extent{{zone.zone_x, zone.zone_y}};
+    whole.sort_faces(extent);
 
     std::map<types::global_dof_index, unsigned int> number;
     nodes.clear();
-    for (const auto dof : sorted(used, extent))
+    for (const auto dof : whole.sorted_nodes(extent))
       {
         number[dof] = nodes.size();
         SurfaceNode node;
-        node.position = used[dof];
+        node.position = whole.nodes[dof];
         for (int d = 0; d < dim; ++d)
           node.dofs[d] = dof + d;
         nodes.push_back(node);
       }
-    for (std::size_t f = 0; f < faces.size(); ++f)
-      for (const Combination &corner : corners[f])
+    faces.clear();
+    for (const ZoneFace<dim> &face : whole.faces)
+      {
+        faces.push_back({face.lower, face.upper, {}});
+        for (const Combination &corner : face.corners)
+          {
+            faces.back().corners.emplace_back();
+            for (const auto &entry : corner)
+              faces.back().corners.back().emplace_back(number.at(entry.first),
+                                                       entry.second);
+          }
+      }
+  }
+
+
+
+  template <int dim>
+  std::vector<typename ElasticBody<dim>::SurfaceNode>
+  ElasticBody<dim>::nodes_at(const std::vector<unsigned int> &vertices) const
+  {
+    std::map<unsigned int, SurfaceNode> found;
+    for_each_surface_face([&](const CellIterator &cell, const unsigned int f) {
+      const auto face = cell->face(f);
+      for (const unsigned int v : face->vertex_indices())
         {
-          faces[f].corners.emplace_back();
-          for (const auto &entry : corner)
-            faces[f].corners.back().emplace_back(number.at(entry.first),
-                                                 entry.second);
+          SurfaceNode &node = found[face->vertex_index(v)];
+          node.position     = without_depth(face->vertex(v));
+          for (unsigned int d = 0; d < dim; ++d)
+            node.dofs[d] = face->vertex_dof_index(v, d);
         }
-  }
-
-
-
-  template <int dim>
-  Discretisation<dim>
-  ElasticBody<dim>::discretisation() const
-  {
-    return {
-      dofs, constraints, unknown_of_dof, n_unknowns(), material, thickness};
-  }
-
-
-
-  template <int dim>
-  SymmetricSparseMatrix
-  ElasticBody<dim>::stiffness() const
-  {
-    return assemble_stiffness(discretisation());
-  }
-
-
-
-  template <int dim>
-  SymmetricSparseMatrix
-  ElasticBody<dim>::mass(const MassKind kind) const
-  {
-    return assemble_mass(discretisation(), kind);
-  }
-
-
-
-  template <int dim>
-  std::vector<std::size_t>
-  ElasticBody<dim>::unknowns(const std::vector<SurfaceNode>  &nodes,
-                             const std::vector<unsigned int> &components) const
-  {
-    std::vector<std::size_t> result;
-    for (const unsigned int component : components)
-      for (const SurfaceNode &node : nodes)
-        result.push_back(unknown_of_dof[node.dofs[component]]);
-    return result;
-  }
-
-
-
-  template <int dim>
-  std::vector<double>
-  ElasticBody<dim>::uniform(const unsigned int component,
-                            const double       value) const
-  {
-    std::vector<double> result(n_unknowns(), 0.);
-    for (std::size_t i = 0; i < unknown_of_dof.size(); ++i)
-      if (unknown_of_dof[i] >= 0 && i % dim == component)
-        result[unknown_of_dof[i]] = value;
-    return result;
-  }
-
-
-
-  template <int dim>
-  Vector<double>
-  ElasticBody<dim>::field(const std::vector<double> &values) const
-  {
-    Vector<double> result(dofs.n_dofs());
-    for (std::size_t i = 0; i < unknown_of_dof.size(); ++i)
-      if (unknown_of_dof[i] >= 0)
-        result[i] = values[unknown_of_dof[i]];
-    constraints.distribute(result);
-    return result;
-  }
-
-
-
-  template <int dim>
-  void
-  ElasticBody<dim>::analyse()
-  {
-    if (factor != nullptr)
-      return;
-    if (!hub_clamped)
-      throw InputError("Hub = free: a body that nothing holds has no static "
-                       "compliance; take Hub = clamped.");
-    const Stopwatch watch;
-    factor = std::make_unique<Factorisation>(stiffness(), node_of_unknown);
-    assembly_s += watch.seconds() - factor->size().analysis_s;
-  }
-
-
-
-  template <int dim>
-  DenseMatrix
-  ElasticBody<dim>::compliance(const std::vector<SurfaceNode>  &nodes,
-                               const std::vector<unsigned int> &components,
-                               const bool                       recovers)
-  {
-    analyse();
-    factor->factorise();
-    DenseMatrix W = factor->condense(unknowns(nodes, components));
-    if (!recovers)
-      factor->release();
-    return W;
-  }
-
-
-
-  template <int dim>
-  Vector<double>
-  ElasticBody<dim>::recover(const std::vector<SurfaceNode>  &nodes,
-                            const std::vector<unsigned int> &components,
-                            const std::vector<double>       &forces) const
-  {
-    std::vector<double> right_hand_side(n_unknowns(), 0.);
-    const auto          loaded = unknowns(nodes, components);
-    for (std::size_t i = 0; i < loaded.size(); ++i)
-      right_hand_side[loaded[i]] += forces[i];
-    return field(factor->solve(right_hand_side));
+    });
+    std::vector<SurfaceNode> nodes;
+    for (const unsigned int vertex : vertices)
+      nodes.push_back(found.at(vertex));
+    return nodes;
   }
 
 

@@ -1,3 +1,4 @@
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/numerics/error_estimator.h>
 
@@ -11,6 +12,44 @@ namespace RollingContact
 
   namespace
   {
+    /**
+     * Those of all ranks, in an order that does not depend on their number.
+     */
+    template <int dim>
+    std::vector<std::pair<double, RefinedBox<dim>>>
+    gathered(std::vector<std::pair<double, RefinedBox<dim>>> here,
+             const MPI_Comm                                  communicator)
+    {
+      std::vector<double> numbers;
+      for (const auto &entry : here)
+        {
+          numbers.push_back(entry.first);
+          numbers.push_back(entry.second.size);
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              numbers.push_back(entry.second.lower[d]);
+              numbers.push_back(entry.second.upper[d]);
+            }
+        }
+      here.clear();
+      for (const auto &part : Utilities::MPI::all_gather(communicator, numbers))
+        for (auto number = part.begin(); number != part.end();)
+          {
+            std::pair<double, RefinedBox<dim>> entry;
+            entry.first       = *number++;
+            entry.second.size = *number++;
+            for (unsigned int d = 0; d < dim; ++d)
+              {
+                entry.second.lower[d] = *number++;
+                entry.second.upper[d] = *number++;
+              }
+            here.push_back(entry);
+          }
+      return here;
+    }
+
+
+
     /**
      * The shortest head of the boxes, sorted by descending indicator, that
      * carries @p fraction of the sum of squares, with all that weigh the same
@@ -48,7 +87,7 @@ namespace RollingContact
   template <int dim>
   std::vector<RefinedBox<dim>>
   bulk_boxes(const ElasticBody<dim> &body,
-             const Vector<double>   &displacement,
+             const BodyField        &displacement,
              const Grading<dim>     &grading,
              const double            fraction)
   {
@@ -60,6 +99,8 @@ namespace RollingContact
     std::vector<std::pair<double, RefinedBox<dim>>> weighted;
     for (const auto &cell : dofs.active_cell_iterators())
       {
+        if (!cell->is_locally_owned())
+          continue;
         const auto   box  = body.mesh().chart_box(cell);
         const double half = grading.size_in_x(box.first, box.second) / 2;
         const double zone = grading.element_size_x;
@@ -69,19 +110,21 @@ namespace RollingContact
           weighted.push_back({indicators[cell->active_cell_index()],
                               {box.first, box.second, half}});
       }
-    return heaviest(std::move(weighted), fraction);
+    return heaviest(gathered(std::move(weighted),
+                             dofs.get_triangulation().get_communicator()),
+                    fraction);
   }
 
 
 
   template std::vector<RefinedBox<2>>
   bulk_boxes(const ElasticBody<2> &,
-             const Vector<double> &,
+             const BodyField &,
              const Grading<2> &,
              const double);
   template std::vector<RefinedBox<3>>
   bulk_boxes(const ElasticBody<3> &,
-             const Vector<double> &,
+             const BodyField &,
              const Grading<3> &,
              const double);
 } // namespace RollingContact

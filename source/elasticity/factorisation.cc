@@ -32,7 +32,7 @@ namespace RollingContact
     {
       const double bytes = size.memory_consumption();
       if (available_memory() > 0 && bytes > 0.7 * available_memory())
-        throw InputError(
+        throw MemoryError(
           "The factor of a body with " + std::to_string(size.n_unknowns) +
           " unknowns needs " + human_bytes(bytes) + ", more than 70 % of the " +
           human_bytes(available_memory()) +

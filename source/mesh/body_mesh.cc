@@ -1,7 +1,11 @@
-#include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/base/log.h>
-#include <rolling_contact/base/memory.h>
+#include <deal.II/distributed/tria.h>
+
+#include <p4est.h>
+
+#include <rolling_contact/base/ranks.h>
 #include <rolling_contact/mesh/body_mesh.h>
+#include <rolling_contact/mesh/file_body_mesh.h>
+#include <rolling_contact/mesh/mesh_memory.h>
 
 #include <algorithm>
 #include <array>
@@ -13,6 +17,12 @@ namespace RollingContact
 
   namespace
   {
+    const std::string generated_remedy =
+      "take fewer Mesh/Elements across patch, a larger Mesh/Growth or a "
+      "smaller Mesh/Candidate zone.";
+
+
+
     /**
      * The largest power-of-two multiple of @p element_size not above @p limit.
      */
@@ -85,28 +95,6 @@ namespace RollingContact
       for (const double x : equal_parts(sector, chart.period(), n_rest))
         points.push_back(x);
       return points;
-    }
-
-
-
-    /**
-     * Throws InputError if a mesh of @p n_cells would need more than 70 % of
-     * the free memory, by the kilobytes of a cell seen in runs: mesh,
-     * stiffness, factor and condensation.
-     */
-    template <int dim>
-    void
-    check_memory(const double n_cells)
-    {
-      const double bytes = n_cells * (dim == 2 ? 6e3 : 45e3);
-      const double free  = available_memory();
-      if (free > 0. && bytes > 0.7 * free)
-        throw InputError(
-          "The mesh of a body would have " + significant(n_cells, 2) +
-          " cells or more and need about " + human_bytes(bytes) +
-          ", more than 70 % of the " + human_bytes(free) +
-          " free: take fewer Mesh/Elements across patch, a larger "
-          "Mesh/Growth or a smaller Mesh/Candidate zone.");
     }
 
 
@@ -234,10 +222,84 @@ namespace RollingContact
 
 
 
+  namespace
+  {
+    /**
+     * p4est says nothing unless it is told before its first use.
+     */
+    void
+    start_p4est()
+    {
+      static bool started = false;
+      if (started)
+        return;
+      started = true;
+      Ranks::start();
+      sc_init(Ranks::communicator(), 0, 0, nullptr, SC_LP_SILENT);
+      p4est_init(nullptr, SC_LP_SILENT);
+    }
+
+
+
+    template <int dim>
+    std::unique_ptr<Triangulation<dim>>
+    make_triangulation(const MeshKind kind)
+    {
+      const auto smoothing =
+        Triangulation<dim>::limit_level_difference_at_vertices;
+      if (kind == MeshKind::serial)
+        return std::make_unique<Triangulation<dim>>(smoothing);
+      start_p4est();
+      return std::make_unique<parallel::distributed::Triangulation<dim>>(
+        Ranks::communicator(), smoothing);
+    }
+
+
+
+    /**
+     * Refine until no cell is larger than @p grading allows.
+     */
+    template <int dim>
+    void
+    refine(const Grading<dim> &grading, BodyMesh<dim> &mesh)
+    {
+      Triangulation<dim> &cells     = *mesh.triangulation;
+      double              n_flagged = 1.;
+      while (n_flagged > 0.)
+        {
+          n_flagged = 0.;
+          for (const auto &cell : cells.active_cell_iterators())
+            if (cell->is_locally_owned())
+              {
+                const auto box = mesh.chart_box(cell);
+                if (grading.refine(box.first, box.second))
+                  {
+                    cell->set_refine_flag();
+                    ++n_flagged;
+                  }
+              }
+          if (mesh.kind == MeshKind::distributed)
+            n_flagged = Ranks::sum(n_flagged);
+          check_mesh_memory<dim>(cells.n_global_active_cells() +
+                                   (std::pow(2., dim) - 1) * n_flagged,
+                                 mesh.kind,
+                                 generated_remedy);
+          if (n_flagged > 0.)
+            cells.execute_coarsening_and_refinement();
+        }
+    }
+  } // namespace
+
+
+
   template <int dim>
   BodyMesh<dim>
-  make_body_mesh(const BodyGeometry &geometry, const Grading<dim> &grading)
+  make_body_mesh(const BodyGeometry &geometry,
+                 const Grading<dim> &grading,
+                 const MeshKind      kind)
   {
+    if (geometry.shape == Shape::mesh_file)
+      return file_body_mesh<dim>(geometry);
     const double thickness = geometry.thickness_below();
     const double limit     = geometry.shape == Shape::disc
                                ? std::min(0.4 * geometry.radius, thickness)
@@ -251,6 +313,7 @@ namespace RollingContact
     const double origin = grading.offset * grading.element_size_x;
 
     BodyMesh<dim> mesh;
+    mesh.kind = kind;
     // the sector covers the zone of contact nodes and stays off the equator
     const double half_sector =
       std::max(1.,
@@ -259,8 +322,7 @@ namespace RollingContact
     mesh.chart         = std::make_unique<BodyChart<dim>>(geometry,
                                                   origin - half_sector * size,
                                                   origin + half_sector * size);
-    mesh.triangulation = std::make_unique<Triangulation<dim>>(
-      Triangulation<dim>::limit_level_difference_at_vertices);
+    mesh.triangulation = make_triangulation<dim>(kind);
 
     std::array<std::vector<double>, dim> breaks;
     breaks[0] =
@@ -280,29 +342,13 @@ namespace RollingContact
     double n_cells = 1.;
     for (const auto &points : breaks)
       n_cells *= points.size() - 1.;
-    check_memory<dim>(n_cells);
+    check_mesh_memory<dim>(n_cells, kind, generated_remedy);
     create_coarse_mesh<dim>(breaks, *mesh.chart, *mesh.triangulation);
     mesh.triangulation->set_all_manifold_ids(0);
     mesh.triangulation->set_manifold(0, *mesh.chart);
     set_boundary_ids(geometry, *mesh.chart, *mesh.triangulation);
 
-    for (unsigned int n_flagged = 1; n_flagged > 0;)
-      {
-        n_flagged = 0;
-        for (const auto &cell : mesh.triangulation->active_cell_iterators())
-          {
-            const auto box = mesh.chart_box(cell);
-            if (grading.refine(box.first, box.second))
-              {
-                cell->set_refine_flag();
-                ++n_flagged;
-              }
-          }
-        check_memory<dim>(mesh.triangulation->n_active_cells() +
-                          (std::pow(2., dim) - 1) * n_flagged);
-        if (n_flagged > 0)
-          mesh.triangulation->execute_coarsening_and_refinement();
-      }
+    refine(grading, mesh);
     return mesh;
   }
 
@@ -311,7 +357,7 @@ namespace RollingContact
   template struct BodyMesh<2>;
   template struct BodyMesh<3>;
   template BodyMesh<2>
-  make_body_mesh(const BodyGeometry &, const Grading<2> &);
+  make_body_mesh(const BodyGeometry &, const Grading<2> &, const MeshKind);
   template BodyMesh<3>
-  make_body_mesh(const BodyGeometry &, const Grading<3> &);
+  make_body_mesh(const BodyGeometry &, const Grading<3> &, const MeshKind);
 } // namespace RollingContact

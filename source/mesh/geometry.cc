@@ -32,7 +32,8 @@ namespace RollingContact
                              body.length,
                              body.depth,
                              body.width,
-                             body.hub_clamped);
+                             body.hub_clamped,
+                             body.mesh);
     };
     return key(*this) == key(other);
   }

@@ -1,6 +1,7 @@
 #include <rolling_contact/mesh/grading.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace RollingContact
@@ -21,6 +22,25 @@ namespace RollingContact
       return std::max({0., begin - upper, lower - end});
     }
   } // namespace
+
+
+
+  template <int dim>
+  bool
+  Grading<dim>::in_zone(const Point<dim - 1> &lower,
+                        const Point<dim - 1> &upper) const
+  {
+    const std::array<double, 2> semi_axes{{semi_axis_x(), zone_y}},
+      centre{{centre_x(), 0.}};
+    double sum = 0.;
+    for (int d = 0; d < dim - 1; ++d)
+      {
+        const double middle = std::abs((lower[d] + upper[d]) / 2 - centre[d]),
+                     margin = 0.01 * (upper[d] - lower[d]);
+        sum += std::pow(std::max(0., middle - margin) / semi_axes[d], 2);
+      }
+    return sum <= 1.;
+  }
 
 
 
@@ -59,7 +79,8 @@ namespace RollingContact
     const double distance = std::hypot(
       outside,
       interval_distance(lower[dim - 1], upper[dim - 1], -zone_depth, 0.));
-    return element_size_x + growth * distance;
+    return element_size_x + growth * std::min(distance, far_distance) +
+           far_growth * std::max(0., distance - far_distance);
   }
 
 

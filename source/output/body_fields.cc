@@ -3,6 +3,7 @@
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/fe/fe_values.h>
 
+#include <rolling_contact/base/ranks.h>
 #include <rolling_contact/output/body_fields.h>
 
 #include <cmath>
@@ -33,7 +34,7 @@ namespace RollingContact
     /** Mean over the cell; eps_yy = 0 in plane strain. */
     template <int dim>
     SymmetricTensor<2, 3>
-    mean_strain(const FEValues<dim> &values, const Vector<double> &displacement)
+    mean_strain(const FEValues<dim> &values, const BodyField &displacement)
     {
       std::vector<Tensor<2, dim>> gradients(values.n_quadrature_points);
       values[FEValuesExtractors::Vector(0)].get_function_gradients(displacement,
@@ -92,7 +93,7 @@ namespace RollingContact
     template <int dim>
     DataOutBase::Patch<dim, dim>
     make_patch(const typename DoFHandler<dim>::active_cell_iterator &cell,
-               const Vector<double>      &displacement,
+               const BodyField           &displacement,
                const BodyPlacement       &placement,
                const std::vector<double> &stresses)
     {
@@ -124,7 +125,7 @@ namespace RollingContact
     template <int dim>
     std::vector<DataOutBase::Patch<dim, dim>>
     make_patches(const ElasticBody<dim> &body,
-                 const Vector<double>   &displacement,
+                 const BodyField        &displacement,
                  const BodyPlacement    &placement)
     {
       const DoFHandler<dim> &dofs = body.dof_handler();
@@ -136,6 +137,8 @@ namespace RollingContact
       patches.reserve(dofs.get_triangulation().n_active_cells());
       for (const auto &cell : dofs.active_cell_iterators())
         {
+          if (!cell->is_locally_owned())
+            continue;
           values.reinit(cell);
           const SymmetricTensor<2, 3> stress =
             stress_of(mean_strain(values, displacement), body.elasticity());
@@ -166,39 +169,86 @@ namespace RollingContact
 
 
 
+  namespace
+  {
+    using VectorRange =
+      std::tuple<unsigned int,
+                 unsigned int,
+                 std::string,
+                 DataComponentInterpretation::DataComponentInterpretation>;
+
+    template <int dim>
+    std::vector<VectorRange>
+    vector_ranges()
+    {
+      return {{0,
+               dim - 1,
+               "displacement",
+               DataComponentInterpretation::component_is_part_of_vector}};
+    }
+  } // namespace
+
+
+
   template <int dim>
-  void
-  write_body_fields(const ElasticBody<dim> &body,
-                    const Vector<double>   &displacement,
+  std::string
+  write_body_fields(const ElasticBody<dim> *body,
+                    const unsigned int      rank,
+                    const BodyField        &displacement,
                     const BodyPlacement    &placement,
                     RunFolder              &folder,
-                    const std::string      &file_name)
+                    const std::string      &name)
   {
-    AssertDimension(displacement.size(), body.dof_handler().n_dofs());
-    std::ostringstream vtu;
-    DataOutBase::write_vtu(
-      make_patches(body, displacement, placement),
-      field_names<dim>(),
-      {{0,
-        dim - 1,
-        "displacement",
-        DataComponentInterpretation::component_is_part_of_vector}},
-      vtk_flags<dim>(),
-      vtu);
-    folder.write_atomically(file_name, vtu.str());
+    const auto text = [&]() {
+      AssertDimension(displacement.size(), body->dof_handler().n_dofs());
+      std::ostringstream vtu;
+      DataOutBase::write_vtu(make_patches(*body, displacement, placement),
+                             field_names<dim>(),
+                             vector_ranges<dim>(),
+                             vtk_flags<dim>(),
+                             vtu);
+      return vtu.str();
+    };
+    if (body == nullptr || body->mesh().kind == MeshKind::serial)
+      {
+        std::string whole;
+        Ranks::on(rank, [&]() { whole = text(); });
+        if (rank != 0)
+          Ranks::broadcast(whole, rank);
+        Ranks::on_root(
+          [&]() { folder.write_atomically(name + ".vtu", whole); });
+        return name + ".vtu";
+      }
+
+    std::vector<std::string> pieces;
+    for (unsigned int rank = 0; rank < Ranks::count(); ++rank)
+      pieces.push_back(name + "-" + std::to_string(rank) + ".vtu");
+    folder.write_pieces(pieces, text());
+    Ranks::on_root([&]() {
+      std::ostringstream record;
+      DataOutBase::write_pvtu_record(record,
+                                     pieces,
+                                     field_names<dim>(),
+                                     vector_ranges<dim>(),
+                                     vtk_flags<dim>());
+      folder.write_atomically(name + ".pvtu", record.str());
+    });
+    return name + ".pvtu";
   }
 
 
 
-  template void
-  write_body_fields(const ElasticBody<2> &,
-                    const Vector<double> &,
+  template std::string
+  write_body_fields(const ElasticBody<2> *,
+                    const unsigned int,
+                    const BodyField &,
                     const BodyPlacement &,
                     RunFolder &,
                     const std::string &);
-  template void
-  write_body_fields(const ElasticBody<3> &,
-                    const Vector<double> &,
+  template std::string
+  write_body_fields(const ElasticBody<3> *,
+                    const unsigned int,
+                    const BodyField &,
                     const BodyPlacement &,
                     RunFolder &,
                     const std::string &);

@@ -8,6 +8,7 @@
 
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/files.h>
+#include <rolling_contact/base/ranks.h>
 #include <rolling_contact/output/checkpoint.h>
 
 #include <cerrno>
@@ -62,7 +63,7 @@ namespace boost
       archive &c.tables;
       archive &c.step &c.time &c.rolled_distance &c.time_step;
       archive &c.wheel &c.rail;
-      archive &c.pressure &c.traction &c.approach &c.edges;
+      archive &c.pressure &c.traction &c.approach &c.edges &c.friction;
       archive &c.supplied_energy &c.friction_energy &c.damping_energy;
       archive &c.numerical_energy &c.energy_error &c.n_impacts;
       archive &c.history.n_rows &c.history.n_bytes;
@@ -79,7 +80,7 @@ namespace RollingContact
     struct Head
     {
       char          mark[24] = "rolling-contact restart"; ///< with its '\0'
-      std::uint32_t version  = 2; ///< to be raised with every change above
+      std::uint32_t version  = 3; ///< to be raised with every change above
       std::uint32_t checksum = 0; ///< CRC-32 of the archive
       std::uint64_t n_bytes  = 0; ///< of the archive
     };
@@ -101,6 +102,32 @@ namespace RollingContact
     {
       throw InputError("Cannot resume from \"" + file.string() +
                        "\": " + reason + " Start the run without --resume.");
+    }
+
+
+
+    void
+    write_file_of(const Checkpoint &checkpoint, RunFolder &folder)
+    {
+      std::ostringstream stream(std::ios::binary);
+      {
+        boost::archive::binary_oarchive archive(stream);
+        archive << checkpoint;
+      }
+      const std::string bytes = stream.str();
+      Head              head;
+      head.n_bytes  = bytes.size();
+      head.checksum = checksum_of(bytes.data(), bytes.size());
+
+      const auto path = folder.temporary(checkpoint_name);
+      errno           = 0;
+      std::ofstream file(path, std::ios::binary);
+      file.write(reinterpret_cast<const char *>(&head), sizeof(head));
+      file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+      file.close();
+      if (!file)
+        throw_write_error(path, std::strerror(errno));
+      folder.publish_durably(checkpoint_name);
     }
 
 
@@ -134,34 +161,18 @@ namespace RollingContact
   void
   write_checkpoint(const Checkpoint &checkpoint, RunFolder &folder)
   {
-    std::ostringstream stream(std::ios::binary);
-    {
-      boost::archive::binary_oarchive archive(stream);
-      archive << checkpoint;
-    }
-    const std::string bytes = stream.str();
-    Head              head;
-    head.n_bytes  = bytes.size();
-    head.checksum = checksum_of(bytes.data(), bytes.size());
-
-    const auto path = folder.temporary(checkpoint_name);
-    errno           = 0;
-    std::ofstream file(path, std::ios::binary);
-    file.write(reinterpret_cast<const char *>(&head), sizeof(head));
-    file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    file.close();
-    if (!file)
-      throw_write_error(path, std::strerror(errno));
-    folder.publish_durably(checkpoint_name);
+    Ranks::on_root([&]() { write_file_of(checkpoint, folder); });
   }
-
 
 
   Checkpoint
   read_checkpoint(const RunFolder &folder)
   {
-    const auto         file = folder.get_path() / checkpoint_name;
-    std::istringstream stream(read_archive(file), std::ios::binary);
+    const auto  file = folder.get_path() / checkpoint_name;
+    std::string bytes;
+    Ranks::on_root([&]() { bytes = read_archive(file); });
+    Ranks::broadcast(bytes);
+    std::istringstream stream(bytes, std::ios::binary);
     Checkpoint         checkpoint;
     try
       {

@@ -4,6 +4,7 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/files.h>
 #include <rolling_contact/base/log.h>
+#include <rolling_contact/base/ranks.h>
 #include <rolling_contact/output/history_table.h>
 
 #include <cerrno>
@@ -60,9 +61,11 @@ namespace RollingContact
     , position{0, buffer.size()}
     , descriptor(-1)
   {
-    const auto path = folder.temporary(file_name);
-    remove_file(path);
-    open_at_end(path);
+    Ranks::on_root([&]() {
+      const auto path = folder.temporary(file_name);
+      remove_file(path);
+      open_at_end(path);
+    });
   }
 
 
@@ -77,12 +80,14 @@ namespace RollingContact
     , position(position)
     , descriptor(-1)
   {
-    const auto path = folder.continued(file_name, position.n_bytes);
-    if (!begins_with(path, header_of(columns)) || !ends_a_line(path))
-      throw InputError("Cannot resume: \"" + path.string() +
-                       "\" is not the table this version of the program "
-                       "writes. Start the run without --resume.");
-    open_at_end(path);
+    Ranks::on_root([&]() {
+      const auto path = folder.continued(file_name, position.n_bytes);
+      if (!begins_with(path, header_of(columns)) || !ends_a_line(path))
+        throw InputError("Cannot resume: \"" + path.string() +
+                         "\" is not the table this version of the program "
+                         "writes. Start the run without --resume.");
+      open_at_end(path);
+    });
   }
 
 
@@ -108,6 +113,8 @@ namespace RollingContact
   void
   HistoryTable::add_row(const std::vector<double> &values)
   {
+    if (!Ranks::is_root())
+      return;
     if (values.size() != n_columns || descriptor < 0)
       throw std::logic_error("A row of " + std::to_string(values.size()) +
                              " values for " + file_name + " of " +
@@ -128,6 +135,8 @@ namespace RollingContact
   HistoryTable::Position
   HistoryTable::flush()
   {
+    if (!Ranks::is_root())
+      return position;
     write_buffer();
     synchronise(folder.temporary(file_name));
     return position;
@@ -138,6 +147,8 @@ namespace RollingContact
   void
   HistoryTable::publish()
   {
+    if (!Ranks::is_root())
+      return;
     flush();
     close(descriptor);
     descriptor = -1;

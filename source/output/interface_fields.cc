@@ -1,5 +1,6 @@
 #include <deal.II/base/data_out_base.h>
 
+#include <rolling_contact/base/ranks.h>
 #include <rolling_contact/contact/resultants.h>
 #include <rolling_contact/output/interface_fields.h>
 
@@ -75,6 +76,13 @@ namespace RollingContact
       fields.add("pressure", state.pressure);
       fields.add("traction_size", traction_sizes(problem, state));
       fields.add("traction_bound", tangential.bound);
+      if (problem.friction_law && problem.n_tangential > 0)
+        {
+          fields.add("friction_coefficient", tangential.friction);
+          fields.add("sliding_speed",
+                     tangential.sliding_speeds(
+                       tangential.slip(state.traction)));
+        }
       fields.add("gap", normal_gap(problem, state));
       fields.add("area", problem.areas);
       fields.add("state", states);
@@ -138,6 +146,7 @@ namespace RollingContact
                                    {"pressure", "Pa"},
                                    {"traction_size", "Pa"},
                                    {"traction_bound", "Pa"},
+                                   {"sliding_speed", "m/s"},
                                    {"gap", "m"},
                                    {"area", "m^2"}};
       return flags;
@@ -158,25 +167,27 @@ namespace RollingContact
   {
     AssertDimension(trace.n_dimensions, dim - 1);
     AssertDimension(trace.nodes.size(), problem.n_nodes);
-    const NodalFields fields = nodal_fields<dim>(problem, state);
+    Ranks::on_root([&]() {
+      const NodalFields fields = nodal_fields<dim>(problem, state);
 
-    std::vector<DataOutBase::Patch<dim - 1, dim>> patches;
-    for (const Trace::Cell &cell : trace.cells)
-      {
-        patches.push_back(make_patch<dim>(cell, fields, surface_height));
-        patches.back().patch_index = patches.size() - 1;
-      }
+      std::vector<DataOutBase::Patch<dim - 1, dim>> patches;
+      for (const Trace::Cell &cell : trace.cells)
+        {
+          patches.push_back(make_patch<dim>(cell, fields, surface_height));
+          patches.back().patch_index = patches.size() - 1;
+        }
 
-    const auto is_vector =
-      DataComponentInterpretation::component_is_part_of_vector;
-    std::ostringstream vtu;
-    DataOutBase::write_vtu(patches,
-                           fields.names,
-                           {{0, dim - 2, "traction", is_vector},
-                            {dim - 1, 2 * dim - 3, "slip", is_vector}},
-                           vtk_flags(),
-                           vtu);
-    folder.write_atomically(file_name, vtu.str());
+      const auto is_vector =
+        DataComponentInterpretation::component_is_part_of_vector;
+      std::ostringstream vtu;
+      DataOutBase::write_vtu(patches,
+                             fields.names,
+                             {{0, dim - 2, "traction", is_vector},
+                              {dim - 1, 2 * dim - 3, "slip", is_vector}},
+                             vtk_flags(),
+                             vtu);
+      folder.write_atomically(file_name, vtu.str());
+    });
   }
 
 

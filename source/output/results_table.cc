@@ -1,4 +1,5 @@
 #include <rolling_contact/base/log.h>
+#include <rolling_contact/base/ranks.h>
 #include <rolling_contact/output/results_table.h>
 
 #include <algorithm>
@@ -103,7 +104,7 @@ namespace RollingContact
   void
   ResultsTable::flush()
   {
-    if (n_written_rows == rows.size())
+    if (n_written_rows == rows.size() || !Ranks::is_root())
       return;
     folder.write_atomically(file_name, csv());
     n_written_rows = rows.size();
@@ -166,6 +167,9 @@ namespace RollingContact
         std::size_t width = 0;
         for (const std::string &text : texts)
           width = std::max(width, n_characters(text));
+        const std::size_t gap = lines[0].empty() ? 0 : 2;
+        if (n_characters(lines[0]) + gap + width > 80)
+          break;
         for (std::size_t i = 0; i < lines.size(); ++i)
           lines[i] +=
             (lines[i].empty() ? "" : "  ") + right_aligned(texts[i], width);

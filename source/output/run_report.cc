@@ -1,11 +1,13 @@
 #include <rolling_contact/base/log.h>
 #include <rolling_contact/base/memory.h>
 #include <rolling_contact/base/platform.h>
+#include <rolling_contact/base/ranks.h>
 #include <rolling_contact/base/shares.h>
 #include <rolling_contact/output/run_report.h>
 
 #include <cctype>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <stdexcept>
 
@@ -166,6 +168,21 @@ namespace RollingContact
 
 
     std::string
+    json_totals(const RankTotals &totals)
+    {
+      const auto bytes = [](const double value) {
+        return std::to_string(static_cast<std::uint64_t>(value));
+      };
+      return json_object(
+        {{"cpu_seconds", json_number(totals.cpu_seconds)},
+         {"largest_cpu_seconds", json_number(totals.largest_cpu_seconds)},
+         {"peak_memory_bytes", bytes(totals.peak_memory)},
+         {"largest_peak_memory_bytes", bytes(totals.largest_peak_memory)}});
+    }
+
+
+
+    std::string
     status_name(const RunStatus status)
     {
       switch (status)
@@ -203,6 +220,19 @@ namespace RollingContact
 
 
 
+  RankTotals
+  totals_of_ranks(const PhaseTimer &timer)
+  {
+    const double cpu    = PhaseTimer::total(timer.rows()).cpu_seconds;
+    const double memory = static_cast<double>(peak_memory());
+    return {Ranks::sum(cpu),
+            Ranks::maximum(cpu),
+            Ranks::sum(memory),
+            Ranks::maximum(memory)};
+  }
+
+
+
   void
   RunReport::write(RunFolder        &folder,
                    const RunStatus   status,
@@ -211,22 +241,23 @@ namespace RollingContact
     const std::vector<PhaseTimer::Row> phases = timer.rows();
     const PhaseTimer::Row              total  = PhaseTimer::total(phases);
 
-    const JsonMembers members{{"version", json_string(version)},
-                              {"git_revision", json_string(git_revision)},
-                              {"status", json_string(status_name(status))},
-                              {"command_line", json_strings(command_line)},
-                              {"libraries", json_libraries(libraries)},
-                              {"host_cpus", std::to_string(n_host_cpus())},
-                              {"threads", std::to_string(n_threads)},
-                              {"ranks", std::to_string(n_ranks)},
-                              {"wall_seconds", json_number(total.wall_seconds)},
-                              {"cpu_seconds", json_number(total.cpu_seconds)},
-                              {"phases", json_phases(phases)},
-                              {"peak_memory_bytes",
-                               std::to_string(peak_memory())},
-                              {"objects", json_objects(objects)},
-                              {"errors", json_errors(errors)},
-                              {"warnings", json_strings(warnings)}};
+    JsonMembers members{{"version", json_string(version)},
+                        {"git_revision", json_string(git_revision)},
+                        {"status", json_string(status_name(status))},
+                        {"command_line", json_strings(command_line)},
+                        {"libraries", json_libraries(libraries)},
+                        {"host_cpus", std::to_string(n_host_cpus())},
+                        {"threads", std::to_string(n_threads)},
+                        {"ranks", std::to_string(n_ranks)},
+                        {"wall_seconds", json_number(total.wall_seconds)},
+                        {"cpu_seconds", json_number(total.cpu_seconds)},
+                        {"phases", json_phases(phases)},
+                        {"peak_memory_bytes", std::to_string(peak_memory())},
+                        {"objects", json_objects(objects)},
+                        {"errors", json_errors(errors)},
+                        {"warnings", json_strings(warnings)}};
+    if (rank_totals)
+      members.emplace_back("all_ranks", json_totals(*rank_totals));
 
     std::string text;
     for (const auto &[key, value] : members)
@@ -252,35 +283,88 @@ namespace RollingContact
   ResultError::text() const
   {
     if (std::isnan(value))
-      return "error of the " + quantity + " not estimated (" + reference + ")";
-    const std::string size = scientific(value, 2) + " of " + scale;
-    return (estimated ? "estimated error of the " + quantity + " " + size +
-                          " (" + reference
-                      : "error of the " + quantity + " against " + reference +
-                          " " + size + (remark.empty() ? "" : " (")) +
-           (estimated && !remark.empty() ? "; " : "") + remark +
-           (estimated || !remark.empty() ? ")" : "");
+      return quantity + " not estimated (" + reference + ")";
+    const std::string size = quantity + ' ' + scientific(value, 2) + " of " +
+                             scale + (estimated ? "" : " against " + reference);
+    if (estimated)
+      return size + " (estimate: " + reference +
+             (remark.empty() ? "" : "; " + remark) + ')';
+    return size + (remark.empty() ? "" : " (" + remark + ')');
+  }
+
+
+
+  void
+  RunReport::find(const std::string &label, const std::string &text)
+  {
+    for (auto &finding : findings)
+      if (finding.first == label)
+        {
+          finding.second = text;
+          return;
+        }
+    findings.emplace_back(label, text);
   }
 
 
 
   std::string
-  RunReport::error_line(const PhaseTimer &timer) const
+  RunReport::all_errors() const
   {
     std::string text;
     for (const ResultError &error : errors)
       text += (text.empty() ? "" : ", ") + error.text();
-    if (errors.empty())
-      text = "no contact, no error";
-    text[0] = static_cast<char>(std::toupper(text[0]));
+    return errors.empty() ? "no contact, no error" : text;
+  }
 
+
+
+  std::string
+  RunReport::cost(const PhaseTimer &timer) const
+  {
     const std::vector<PhaseTimer::Row> phases  = timer.rows();
     const std::vector<int>             percent = cpu_percentages(phases);
-    text +=
-      " in " + human_seconds(PhaseTimer::total(phases).cpu_seconds) + " CPU";
+    const PhaseTimer::Row              total   = PhaseTimer::total(phases);
+
+    std::string text = human_seconds(total.wall_seconds);
+    if (rank_totals)
+      text += " on " + std::to_string(n_ranks) + " ranks, " +
+              human_bytes(rank_totals->peak_memory) + " (at most " +
+              human_bytes(rank_totals->largest_peak_memory) + " of one), " +
+              human_seconds(rank_totals->cpu_seconds) + " CPU (at most " +
+              human_seconds(rank_totals->largest_cpu_seconds) +
+              " of one); of rank 0 ";
+    else
+      text += ", " + human_bytes(static_cast<double>(peak_memory())) + "; ";
+    text += human_seconds(total.cpu_seconds) + " CPU: ";
     for (std::size_t k = 0; k < phases.size(); ++k)
-      text += (k == 0 ? ": " : ", ") + phases[k].name + " " +
+      text += (k == 0 ? "" : ", ") + phases[k].name + ' ' +
               std::to_string(percent[k]) + " %";
+    return text;
+  }
+
+
+
+  std::string
+  RunReport::summary(const PhaseTimer &timer, const std::string &folder) const
+  {
+    auto lines = findings;
+    lines.emplace_back("error", all_errors());
+    lines.emplace_back("time", cost(timer));
+    lines.emplace_back("files", folder);
+    const std::size_t width = 7;
+    std::string       text;
+    for (const auto &[label, line] : lines)
+      {
+        std::istringstream parts(wrapped(line, 80 - width, 0));
+        std::string        start = left_aligned(label, width);
+        for (std::string part; std::getline(parts, part);)
+          {
+            text += start + part + '\n';
+            start = std::string(width, ' ');
+          }
+      }
+    text.pop_back();
     return text;
   }
 } // namespace RollingContact

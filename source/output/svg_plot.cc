@@ -20,6 +20,9 @@ namespace RollingContact
     const std::array<std::string, 3> band_colours{
       {"#E3EBF4", "#F6ECDC", "#E4F1E7"}};
 
+    /** Of the references, which have one colour. */
+    const std::array<std::string, 3> dash_patterns{{"6 4", "2 2.5", "8 3 2 3"}};
+
 
 
     /** Writes one plot. */
@@ -60,6 +63,8 @@ namespace RollingContact
 
       std::string
       stroke(const std::size_t index) const;
+      std::string
+      dashes(const std::size_t index) const;
 
       const SvgPlot::Content &content;
       const PlotLayout        layout;
@@ -204,16 +209,29 @@ namespace RollingContact
 
 
     std::string
+    Drawing::dashes(const std::size_t index) const
+    {
+      const CurveStyle style = content.curves[index].style;
+      if (style != CurveStyle::dashed && style != CurveStyle::reference)
+        return "";
+      std::size_t n_before = 0;
+      if (style == CurveStyle::reference)
+        for (std::size_t i = 0; i < index; ++i)
+          n_before += content.curves[i].style == CurveStyle::reference;
+      return " stroke-dasharray=\"" +
+             dash_patterns[n_before % dash_patterns.size()] + '"';
+    }
+
+
+
+    std::string
     Drawing::stroke(const std::size_t index) const
     {
       const CurveStyle style = content.curves[index].style;
-      const bool       is_dashed =
-        style == CurveStyle::dashed || style == CurveStyle::reference;
       return "fill=\"none\" stroke=\"" + layout.colours[index] +
              "\" stroke-width=\"" +
              (style == CurveStyle::reference ? "1.4" : "1.8") +
-             "\" stroke-linejoin=\"round\"" +
-             (is_dashed ? " stroke-dasharray=\"6 4\"" : "");
+             "\" stroke-linejoin=\"round\"" + dashes(index);
     }
 
 

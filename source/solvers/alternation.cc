@@ -51,21 +51,6 @@ namespace RollingContact
     using Edges = std::vector<EdgeExtrapolation>;
 
     /**
-     * The law of @p now at the edge of @p next, null if it has none.
-     */
-    const EdgeExtrapolation *
-    find(const Edges &now, const EdgeExtrapolation &next)
-    {
-      const auto found =
-        std::find_if(now.begin(), now.end(), [&](const auto &edge) {
-          return edge.first == next.first;
-        });
-      return found == now.end() ? nullptr : &*found;
-    }
-
-
-
-    /**
      * @p part of the way from @p now to @p next.
      */
     Edges
@@ -73,7 +58,7 @@ namespace RollingContact
     {
       Edges result = next;
       for (EdgeExtrapolation &edge : result)
-        if (const EdgeExtrapolation *old = find(now, edge))
+        if (const EdgeExtrapolation *old = find_edge(now, edge.first))
           {
             edge.second = old->second + part * (edge.second - old->second);
             edge.third  = old->third + part * (edge.third - old->third);
@@ -94,7 +79,7 @@ namespace RollingContact
     {
       Edges result;
       for (const EdgeExtrapolation &edge : now)
-        if (find(next, edge))
+        if (find_edge(next, edge.first))
           result.push_back(edge);
       return result;
     }
@@ -112,40 +97,38 @@ namespace RollingContact
     report.solver = "active set";
     state.pressure.resize(problem.n_nodes, 0.);
     state.traction.resize(problem.n_tangential * problem.n_nodes, 0.);
-    ContactState solved;
-    for (unsigned int round = 0; round < max_rounds; ++round)
+    Edges asked = alternate(problem, state, report);
+    if (!report.converged && !state.edges.empty())
       {
-        alternate(problem, state, report);
-        if (!report.converged && (round > 0 || !state.edges.empty()))
-          {
-            // a node that barely touches may come and go with what is asked of
-            // the next one: go back to a law that had a solution
-            if (round > 0)
-              state = solved;
-            else
-              state.edges.clear();
-            alternate(problem, state, report);
-            report.solver += ", edges of an earlier round";
-            return report;
-          }
-        if (!report.converged)
-          return report;
-        solved = state;
-        const Edges edges =
-          extrapolate_edges(tangential_problem(problem, state), state.traction);
-        if (difference(edges, state.edges) <= settled)
-          return report;
-        state.edges = round < full_rounds      ? edges
-                      : round + 1 < max_rounds ? moved(state.edges, edges, part)
-                                               : common(state.edges, edges);
+        // those of another state
+        state.edges.clear();
+        asked = alternate(problem, state, report);
       }
-    alternate(problem, state, report);
+    for (unsigned int round = 0;
+         report.converged && difference(asked, state.edges) > settled &&
+         round < max_rounds;
+         ++round)
+      {
+        const ContactState solved = state;
+        state.edges               = round < full_rounds ? asked
+                                    : round + 1 < max_rounds ? moved(state.edges, asked, part)
+                                                             : common(state.edges, asked);
+        asked                     = alternate(problem, state, report);
+        if (report.converged)
+          continue;
+        // a node that barely touches may come and go with what is asked of the
+        // next one: go back to a law that had a solution
+        state = solved;
+        alternate(problem, state, report);
+        report.solver += ", edges of an earlier round";
+        break;
+      }
     return report;
   }
 
 
 
-  void
+  std::vector<EdgeExtrapolation>
   Alternation::alternate(const ContactProblem &problem,
                          ContactState         &state,
                          SolverReport         &report) const
@@ -163,32 +146,31 @@ namespace RollingContact
         const SolverReport pressure = normal->solve(problem, state);
         report.iterations += pressure.iterations;
         report.normal_solves += pressure.normal_solves;
-        const std::vector<double> start = state.traction;
+        const std::vector<double> start    = state.traction;
+        const TangentialProblem   friction = tangential_problem(problem, state);
         const bool                solved =
-          pressure.converged &&
-          (problem.n_tangential == 0 ||
-           solve_with_any(tangential_problem(problem, state), state, report));
+          pressure.converged && (problem.n_tangential == 0 ||
+                                 solve_with_any(friction, state, report));
         if (!pressure.converged)
           report.reason = pressure.reason;
-        report.residual =
-          natural_residual(problem, tangential_problem(problem, state), state);
+        report.residual = natural_residual(problem, friction, state);
         report.history.push_back(report.residual);
         if (!std::isfinite(report.residual.worst()))
           report.reason = std::isfinite(report.residual.normal)
                             ? "the traction is not a number"
                             : "the pressure is not a number";
         if (!solved || !std::isfinite(report.residual.worst()))
-          return;
+          return {};
         if (report.residual.worst() <= controls.tolerance)
           {
             report.converged = true;
             report.reason.clear();
-            return;
+            return extrapolate_edges(friction, state.traction);
           }
         if (!problem.coupled)
           {
             report.reason = "rounding keeps the residual above the tolerance";
-            return;
+            return {};
           }
         n_stalled = report.residual.worst() < 0.5 * lowest ? 0 : n_stalled + 1;
         lowest    = std::min(lowest, report.residual.worst());
@@ -196,5 +178,6 @@ namespace RollingContact
           state.traction = anderson.next(start, state.traction);
       }
     report.reason = "alternating normal and tangential solves did not settle";
+    return {};
   }
 } // namespace RollingContact

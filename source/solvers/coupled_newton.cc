@@ -164,7 +164,7 @@ namespace RollingContact
       const unsigned int N = problem.n_nodes, i = nodes[touching];
       const double       p = now.pressure[i],
                    coefficient =
-                     p > 0. ? friction.bound[i] / p : problem.friction[i],
+                     p > 0. ? friction.bound[i] / p : friction.friction[i],
                    bound = coefficient * std::max(0., p - rho_n * u_n[i]);
       std::array<double, 2> z{};
       for (unsigned int c = 0; c < n_tangential; ++c)

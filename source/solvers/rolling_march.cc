@@ -9,22 +9,6 @@ namespace RollingContact
   namespace
   {
     /**
-     * W_tt H q + W_tn H p. Units: m.
-     */
-    std::vector<double>
-    displacement(const ContactProblem &problem, const ContactState &state)
-    {
-      std::vector<double> w = problem.tangential_displacement(state.traction);
-      const std::vector<double> coupling =
-        problem.tangential_displacement_of_pressure(state.pressure);
-      for (std::size_t i = 0; i < w.size(); ++i)
-        w[i] += coupling[i];
-      return w;
-    }
-
-
-
-    /**
      * Length along x of the nodes that touch, at least that of one element.
      */
     double
@@ -70,11 +54,12 @@ namespace RollingContact
     report.solver = "rolling march";
     state.pressure.resize(problem.n_nodes, 0.);
     state.traction.assign(problem.n_tangential * problem.n_nodes, 0.);
-    const double   length     = patch_length(problem, state);
-    double         h          = first_step * length;
-    ContactProblem step       = problem;
-    auto           before     = displacement(problem, state);
-    unsigned int   n_halvings = 0, n_done = 0;
+    const double   length = patch_length(problem, state);
+    double         h      = first_step * length;
+    ContactProblem step   = problem;
+    auto           before =
+      problem.tangential_displacement(state.traction, state.pressure);
+    unsigned int n_halvings = 0, n_done = 0;
     for (unsigned int k = 0; k < max_steps && n_halvings < max_halvings; ++k)
       {
         throw_if_interrupted();
@@ -91,8 +76,9 @@ namespace RollingContact
             ++n_halvings;
             continue;
           }
-        state  = next;
-        before = displacement(problem, state);
+        state = next;
+        before =
+          problem.tangential_displacement(state.traction, state.pressure);
         h *= growth;
         if (++n_done % between_trials != 0 && h < last_step * length)
           continue;

@@ -351,10 +351,8 @@ main(const int argc, char **argv)
                        entry.path().stem().string()) != chosen.end()))
           files.push_back(entry.path());
       std::sort(files.begin(), files.end());
-      char folder[] = "/tmp/extreme_cases.XXXXXX";
-      if (mkdtemp(folder) == nullptr)
-        throw std::runtime_error("cannot make a folder to work in");
-      ExtremeCases cases(fs::absolute(argv[1]).string(), quick, folder);
+      const std::string folder = make_work_folder();
+      ExtremeCases      cases(fs::absolute(argv[1]).string(), quick, folder);
       for (const fs::path &file : files)
         cases.run(VariedScene(file.string()));
       fs::remove_all(folder);

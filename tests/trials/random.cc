@@ -145,10 +145,8 @@ main(const int argc, char **argv)
 {
   try
     {
-      Options options  = read_options(argc, argv);
-      char    folder[] = "/tmp/random_scenes.XXXXXX";
-      if (mkdtemp(folder) == nullptr)
-        throw std::runtime_error("cannot make a folder to work in");
+      Options           options = read_options(argc, argv);
+      const std::string folder  = make_work_folder();
       if (options.keep.empty())
         options.keep = folder;
       fs::create_directories(options.keep);
@@ -163,13 +161,11 @@ main(const int argc, char **argv)
           const std::string file =
             (fs::path(options.keep) / name.str()).string();
           std::ofstream(file) << scene.prm();
-          judge(scene,
-                run_trial(options.program,
-                          {file},
-                          std::string(folder) + "/run",
-                          TrialLimits()),
-                file,
-                counts);
+          judge(
+            scene,
+            run_trial(options.program, {file}, folder + "/run", TrialLimits()),
+            file,
+            counts);
         }
       if (counts.n_failed == 0 || options.keep != folder)
         fs::remove_all(folder);

@@ -236,6 +236,19 @@ run_trial(const std::string              &program,
 
 
 std::string
+make_work_folder()
+{
+  std::string folder =
+    (std::filesystem::temp_directory_path() / "rolling_contact_trials_XXXXXX")
+      .string();
+  if (mkdtemp(folder.data()) == nullptr)
+    throw std::runtime_error("cannot make a folder to work in");
+  return folder;
+}
+
+
+
+std::string
 short_number(const double value)
 {
   char text[32];

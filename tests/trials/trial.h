@@ -70,6 +70,12 @@ run_trial(const std::string              &program,
           const TrialLimits              &limits);
 
 /**
+ * A new folder to work in, where the system keeps its temporary files.
+ */
+std::string
+make_work_folder();
+
+/**
  * Two decimals and the like, for tables.
  */
 std::string

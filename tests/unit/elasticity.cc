@@ -2,7 +2,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include <rolling_contact/elasticity/elastic_body.h>
+#include <rolling_contact/elasticity/direct_body.h>
 #include <rolling_contact/references/clamped_annulus.h>
 
 #include <cmath>
@@ -64,7 +64,7 @@ namespace
   compression_ratio(const double poisson_ratio, const double growth)
   {
     const Material    material{210e9, poisson_ratio};
-    ElasticBody<2>    body(disc(0.46, 0.08), material, 1., grading(48, growth));
+    DirectBody<2>     body(disc(0.46, 0.08), material, 1., grading(48, growth));
     const Surface     surface(body);
     const std::size_t n = surface.nodes.size();
     std::vector<double> forces(n, 0.);
@@ -113,14 +113,14 @@ BOOST_AUTO_TEST_CASE(surfaces_of_any_radii_match)
   shifted.rim_levels     = 2;
   shifted.leading_edge_x = -half_width;
   shifted.rim_width      = 2 * shifted.element_size_x;
-  const ElasticBody<2> reference(disc(0.46, 0.08), material, 1., shifted);
-  const Surface        expected(reference);
+  const DirectBody<2> reference(disc(0.46, 0.08), material, 1., shifted);
+  const Surface       expected(reference);
   BOOST_TEST(expected.nodes.size() > 40u);
   for (const BodyGeometry &geometry :
        {disc(0.05, 0.01), disc(5., 1.), block(0.), block(0.3), block(-0.6)})
     {
-      const ElasticBody<2> body(geometry, material, 1., shifted);
-      const Surface        surface(body);
+      const DirectBody<2> body(geometry, material, 1., shifted);
+      const Surface       surface(body);
       BOOST_TEST_CONTEXT("radius " << geometry.radius)
       BOOST_REQUIRE_EQUAL(surface.nodes.size(), expected.nodes.size());
       for (std::size_t i = 0; i < surface.nodes.size(); ++i)
@@ -160,8 +160,8 @@ BOOST_AUTO_TEST_CASE(surface_vertices_lie_on_the_profile)
 
 BOOST_AUTO_TEST_CASE(compliance_is_symmetric_positive_and_equals_recovery)
 {
-  ElasticBody<2> body(disc(0.46, 0.08), {210e9, 0.3}, 0.02, grading(12, 0.4));
-  const Surface  surface(body);
+  DirectBody<2> body(disc(0.46, 0.08), {210e9, 0.3}, 0.02, grading(12, 0.4));
+  const Surface surface(body);
   const std::vector<unsigned int> components{0, 1};
   const DenseMatrix   W = body.compliance(surface.nodes, components);
   const std::size_t   n = surface.nodes.size();
@@ -171,8 +171,7 @@ BOOST_AUTO_TEST_CASE(compliance_is_symmetric_positive_and_equals_recovery)
   std::vector<double> displacement(2 * n);
   W.multiply_block(0, 0, forces, displacement);
   BOOST_TEST(dot(forces, displacement) > 0.);
-  const dealii::Vector<double> field =
-    body.recover(surface.nodes, components, forces);
+  const BodyField field = body.recover(surface.nodes, components, forces);
   for (std::size_t c = 0; c < 2; ++c)
     for (std::size_t i = 0; i < n; ++i)
       BOOST_TEST(std::abs(field[surface.nodes[i].dofs[c]] -
@@ -184,7 +183,7 @@ BOOST_AUTO_TEST_CASE(compliance_is_symmetric_positive_and_equals_recovery)
 
 BOOST_AUTO_TEST_CASE(mirroring_x_mirrors_the_compliance)
 {
-  ElasticBody<2>    body(disc(0.46, 0.08), {210e9, 0.3}, 1., grading(12, 0.4));
+  DirectBody<2>     body(disc(0.46, 0.08), {210e9, 0.3}, 1., grading(12, 0.4));
   const Surface     surface(body);
   const DenseMatrix W       = body.compliance(surface.nodes, {0, 1});
   const std::size_t n       = surface.nodes.size();

@@ -2,20 +2,29 @@
 #include <boost/test/unit_test.hpp>
 
 #include <rolling_contact/base/platform.h>
+#include <rolling_contact/base/ranks.h>
 
 namespace
 {
   /**
    * As the program does: BLAS threads that wait for each other on busy cores
-   * can make a test a hundred times slower.
+   * can make a test a hundred times slower; MPI, started by the tests that need
+   * it, ends after all of them.
    */
-  struct OneSolverThread
+  struct Process
   {
-    OneSolverThread()
+    Process()
     {
       RollingContact::use_one_solver_thread();
+      if (RollingContact::Ranks::launched())
+        RollingContact::Ranks::start();
+    }
+
+    ~Process()
+    {
+      RollingContact::Ranks::finish();
     }
   };
 } // namespace
 
-BOOST_TEST_GLOBAL_FIXTURE(OneSolverThread);
+BOOST_TEST_GLOBAL_FIXTURE(Process);

@@ -528,10 +528,13 @@ BOOST_AUTO_TEST_CASE(plot_is_valid_and_escaped)
   plot.add_curve("first", {0., 1., 2., 3., 4.}, {1., 2., gap, 2., 1.});
   plot.add_curve("second", {0., 4.}, {0., 2e6}, CurveStyle::line_and_points);
   plot.add_curve("reference", {0., 4.}, {1., 1.}, CurveStyle::reference);
+  plot.add_curve("another", {0., 4.}, {2., 2.}, CurveStyle::reference);
 
   const std::string svg = plot.svg();
   BOOST_TEST(read_xml(svg).get<std::string>("svg.title") == "p < q & r");
-  BOOST_TEST(count(svg, "<polyline") == 4u);
+  BOOST_TEST(count(svg, "<polyline") == 5u);
+  BOOST_TEST(count(svg, "stroke-dasharray=\"6 4\"") == 2u);
+  BOOST_TEST(count(svg, "stroke-dasharray=\"2 2.5\"") == 2u);
   BOOST_TEST(count(svg, "<polygon") == 3u);
   BOOST_TEST(count(svg, ">stick zone<") == 1u);
   BOOST_TEST(count(svg, "nan") == 0u);

@@ -294,15 +294,20 @@ BOOST_AUTO_TEST_CASE(line_of_a_run)
 {
   RunReport  report;
   PhaseTimer timer;
-  BOOST_TEST(contains(report.error_line(timer), "No contact, no error in"));
+  report.find("load", "N = 1 N");
+  report.find("force", "T = 2 N");
+  report.find("load", "N = 3 N");
+  BOOST_TEST(contains(report.summary(timer, "run"),
+                      "load   N = 3 N\nforce  T = 2 N\nerror  no contact, no "
+                      "error\ntime   "));
   report.errors.push_back({"force", 2.94e-4, "mu N", "Carter", false, ""});
   report.errors.push_back({"pressure", 0.5, "p0", "Hertz", false, "L2"});
   report.errors.push_back({"load", 1e-3, "N", "2/n", true, "not in time"});
-  BOOST_TEST(contains(report.error_line(timer),
-                      "Error of the force against Carter 2.9e-04 of mu N, "
-                      "error of the pressure against Hertz 5.0e-01 of p0 (L2), "
-                      "estimated error of the load 1.0e-03 of N (2/n; not in "
-                      "time) in "));
+  BOOST_TEST(contains(report.summary(timer, "run"),
+                      "error  force 2.9e-04 of mu N against Carter, pressure "
+                      "5.0e-01 of p0 against\n       Hertz (L2), load 1.0e-03 "
+                      "of N (estimate: 2/n; not in time)\ntime   "));
+  BOOST_TEST(contains(report.summary(timer, "run"), "\nfiles  run"));
 }
 
 

@@ -1,6 +1,7 @@
 #ifndef rolling_contact_analyses_accuracy_study_h
 #define rolling_contact_analyses_accuracy_study_h
 
+#include <rolling_contact/analyses/analysis.h>
 #include <rolling_contact/analyses/study_summary.h>
 
 #include <string>
@@ -18,13 +19,13 @@ namespace RollingContact
    * state.
    */
   template <int dim>
-  class AccuracyStudy
+  class AccuracyStudy : public Analysis
   {
   public:
     AccuracyStudy(SceneParameters &scene, RunContext &context);
 
     void
-    run();
+    run() override;
 
   private:
     /**

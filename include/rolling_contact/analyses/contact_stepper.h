@@ -3,6 +3,7 @@
 
 #include <rolling_contact/analyses/pair_motion.h>
 #include <rolling_contact/analyses/steady_state.h>
+#include <rolling_contact/contact/several_solutions.h>
 
 #include <memory>
 
@@ -15,13 +16,14 @@ namespace RollingContact
    */
   struct StepOutcome
   {
-    SolverReport solver;
-    StepEnergy   energy;
-    double       friction   = 0.;
-    double       speed      = 0.;
-    unsigned int n_impacts  = 0; ///< nodes that closed
-    unsigned int n_sticking = 0;
-    unsigned int n_parts    = 0; ///< 1 unless halved
+    SolverReport     solver;
+    StepEnergy       energy;
+    double           friction   = 0.;
+    double           speed      = 0.;
+    unsigned int     n_impacts  = 0; ///< nodes that closed
+    unsigned int     n_sticking = 0;
+    unsigned int     n_parts    = 0; ///< 1 unless halved
+    SeveralSolutions several;        ///< the worst of the parts
   };
 
   /**

@@ -1,6 +1,7 @@
 #ifndef rolling_contact_analyses_creep_curve_h
 #define rolling_contact_analyses_creep_curve_h
 
+#include <rolling_contact/analyses/analysis.h>
 #include <rolling_contact/analyses/steady_state.h>
 
 namespace RollingContact
@@ -13,7 +14,7 @@ namespace RollingContact
    * solved; the rows before it are kept.
    */
   template <int dim>
-  class CreepCurve
+  class CreepCurve : public Analysis
   {
   public:
     CreepCurve(const SceneParameters &scene, RunContext &context)
@@ -22,7 +23,7 @@ namespace RollingContact
     {}
 
     void
-    run();
+    run() override;
 
   private:
     void
@@ -34,7 +35,7 @@ namespace RollingContact
 
     const SceneParameters &scene;
     RunContext            &context;
-    std::vector<double>    force, linear, saturated; ///< |T| / (mu N)
+    std::vector<double>    force, linear, saturated, fastsim; ///< |T|/(mu N)
   };
 } // namespace RollingContact
 

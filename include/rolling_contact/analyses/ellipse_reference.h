@@ -2,22 +2,22 @@
 #define rolling_contact_analyses_ellipse_reference_h
 
 #include <rolling_contact/analyses/steady_state.h>
-#include <rolling_contact/references/hertz_ellipse.h>
-#include <rolling_contact/references/kalker.h>
-#include <rolling_contact/references/shen_hedrick_elkins.h>
+#include <rolling_contact/references/fastsim.h>
 
 namespace RollingContact
 {
   /**
    * What half-space theory says of a 3D state at a given load: Hertz, Kalker's
-   * linear theory and its saturation by Shen, Hedrick and Elkins. The last two
-   * are approximations, shown beside the result and no measure of its error.
+   * linear theory, its saturation by Shen, Hedrick and Elkins, and FASTSIM. All
+   * but the first are approximations, shown beside the result and no measure of
+   * its error.
    */
   struct EllipseReference
   {
     References::HertzEllipse    hertz;
     References::CreepForces     linear;
     References::TangentialForce saturated;
+    References::TangentialForce fastsim;
   };
 
   EllipseReference

@@ -12,9 +12,9 @@ namespace RollingContact
   /**
    * Closed forms a 2D state is compared with, at the computed load: Hertz
    * always, Carter when half-planes of these materials uncouple (Dundurs' beta
-   * = 0), the exact load of two clamped discs when the approach is given.
-   * Carter is exact for mirror-identical bodies; others differ from it by their
-   * unequal bulk strains.
+   * = 0) and friction is constant, the exact load of two clamped discs when the
+   * approach is given. Carter is exact for mirror-identical bodies; others
+   * differ from it by their unequal bulk strains.
    */
   struct LineReference
   {

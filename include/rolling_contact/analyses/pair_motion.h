@@ -2,7 +2,6 @@
 #define rolling_contact_analyses_pair_motion_h
 
 #include <rolling_contact/analyses/rolling_pair.h>
-#include <rolling_contact/elasticity/theta_stepper.h>
 #include <rolling_contact/output/checkpoint.h>
 
 #include <memory>
@@ -52,6 +51,13 @@ namespace RollingContact
     virtual DenseMatrix
     compliance() const = 0;
 
+    /**
+     * W r of the bodies for nodal forces r, as RollingPair::response(), in the
+     * step that has begun.
+     */
+    virtual std::vector<std::vector<double>>
+    response(const std::vector<std::vector<double>> &forces) = 0;
+
     virtual double
     displacement_share() const = 0;
 
@@ -84,23 +90,34 @@ namespace RollingContact
     /**
      * What the time step keeps for all bodies, in bytes.
      */
-    struct Memory
-    {
-      std::size_t matrices = 0; ///< K and M
-      std::size_t factor   = 0;
-      std::size_t columns  = 0; ///< Y
-    };
-
-    virtual Memory
+    virtual BodyInTime::Memory
     memory_consumption() const = 0;
+
+    /**
+     * What the steps of the bodies took, for the log; may be empty.
+     */
+    virtual std::string
+    description() const
+    {
+      return "";
+    }
 
     /**
      * For fields, in the body's own frame. Units: m.
      */
-    virtual dealii::Vector<double>
+    virtual BodyField
     displacement(const Side            side,
                  const ContactProblem &problem,
                  const ContactState   &state) const = 0;
+
+    /**
+     * Keep the bodies' state now for go_back().
+     */
+    virtual void
+    remember() = 0;
+
+    virtual void
+    go_back() = 0;
 
     /**
      * Into a checkpoint and back; @p problem and @p state are those of the last

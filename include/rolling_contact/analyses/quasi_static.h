@@ -1,6 +1,7 @@
 #ifndef rolling_contact_analyses_quasi_static_h
 #define rolling_contact_analyses_quasi_static_h
 
+#include <rolling_contact/analyses/analysis.h>
 #include <rolling_contact/analyses/steady_state.h>
 
 namespace RollingContact
@@ -11,7 +12,7 @@ namespace RollingContact
    * writing what there is, when the state is not solved.
    */
   template <int dim>
-  class QuasiStatic
+  class QuasiStatic : public Analysis
   {
   public:
     QuasiStatic(const SceneParameters &scene, RunContext &context)
@@ -20,7 +21,7 @@ namespace RollingContact
     {}
 
     void
-    run();
+    run() override;
 
   private:
     void
@@ -42,6 +43,13 @@ namespace RollingContact
   template <int dim>
   void
   describe_factors(const SteadyState<dim> &steady, RunContext &context);
+
+  /**
+   * Log how bodies from files are coupled to the interface.
+   */
+  template <int dim>
+  void
+  describe_surfaces(const RollingPair<dim> &pair, RunContext &context);
 
   /**
    * Log the sizes and cost of the bodies and note in run.json what was built

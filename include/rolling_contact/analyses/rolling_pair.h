@@ -1,36 +1,24 @@
 #ifndef rolling_contact_analyses_rolling_pair_h
 #define rolling_contact_analyses_rolling_pair_h
 
-#include <rolling_contact/analyses/scene_parameters.h>
+#include <rolling_contact/analyses/body_pair.h>
 #include <rolling_contact/contact/contact_problem.h>
-#include <rolling_contact/contact/trace.h>
-#include <rolling_contact/elasticity/elastic_body.h>
 
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace RollingContact
 {
-  enum class Side
-  {
-    wheel,
-    rail
-  };
-
   /**
-   * Wheel and rail on matching meshes and the contact problem between them.
-   * Owns the elastic bodies; builds only what the scene needs: a rigid body has
-   * none, mirror-identical bodies share one, a frictionless contact has only
-   * normal compliance.
+   * Wheel and rail and the contact problem between them, which is the same on
+   * every rank; a frictionless contact has only normal compliance.
    */
   template <int dim>
-  class RollingPair
+  class RollingPair : public BodyPair<dim>
   {
   public:
     /**
-     * Mesh; assemble and analyse K as well if @p statics are wanted. Throws
-     * InputError, before meshing, if the zone does not fit on the bodies.
+     * See BodyPair.
      */
     RollingPair(const SceneParameters &scene,
                 const Grading<dim>    &grading,
@@ -38,8 +26,7 @@ namespace RollingContact
 
     /**
      * The contact problem for the scene's load and creepages with this slip
-     * operator. Factorises and condenses the bodies: once, take W of the
-     * problem for the next.
+     * operator. Condenses the bodies: once, take W of the problem for the next.
      */
     ContactProblem
     contact_problem(const SlipOperatorKind slip_operator);
@@ -51,85 +38,72 @@ namespace RollingContact
     contact_problem(const SlipOperatorKind slip_operator, DenseMatrix W) const;
 
     /**
-     * Of compliances of the bodies in their own frames, that of the pair, for
-     * the gap and the displacement of the wheel over the rail; an empty matrix
-     * for a rigid body, and for the rail of twins. Units: m/N.
+     * Of compliances of the bodies in their own frames, on the ranks that have
+     * them, that of the pair on all, for the gap and the displacement of the
+     * wheel over the rail; an empty matrix for a rigid body, and for the rail
+     * of twins. Units: m/N.
      */
     DenseMatrix
-    combined(const DenseMatrix &wheel, const DenseMatrix &rail) const;
+    combined(DenseMatrix wheel, DenseMatrix rail) const;
 
     /**
-     * Give back what only static solutions need, the factors.
-     */
-    void
-    release_statics();
-
-    /**
-     * Nodal forces of a state on a body in its own frame, component by
-     * component. Units: N.
+     * Of motions of the contact nodes of the bodies in their own frames, on the
+     * ranks that have them, that of the wheel over the rail at the interface's
+     * nodes on all: tangential components, and what opens the gap. Empty for a
+     * rigid body.
      */
     std::vector<double>
-    reactions(const Side            side,
-              const ContactProblem &problem,
-              const ContactState   &state) const;
+    relative(std::vector<double> wheel, std::vector<double> rail) const;
 
     /**
-     * The unknowns of a body's contact nodes, in the order of the reactions.
+     * False if W of a problem is an approximation that response() corrects.
      */
-    std::vector<std::size_t>
-    unknowns(const Side side) const;
+    bool
+    compliance_is_exact() const;
+
+    /**
+     * W r of the bodies for nodal forces r of the pair, tangential components
+     * first, for each of the given sets; see ElasticBody::response(). Units: N
+     * to m.
+     */
+    std::vector<std::vector<double>>
+    response(const std::vector<std::vector<double>> &forces,
+             const bool                              roughly) const;
+
+    /**
+     * Nodal forces of the pair (see nodal_forces()) as those on a body's
+     * contact nodes in its own frame, component by component. Units: N.
+     */
+    std::vector<double>
+    on_body(const Side side, std::vector<double> forces) const;
+
+    /**
+     * A body in time, with the pair's contact nodes; nullptr where the body is
+     * not.
+     */
+    std::unique_ptr<BodyInTime>
+    in_time(const Side         side,
+            const ThetaScheme &scheme,
+            const MassKind     mass) const;
 
     /**
      * Displacement of a body in its own frame (z out of the body) under the
-     * reactions of a state; without the wheel's rigid approach.
+     * reactions of a state; without the wheel's rigid approach. Empty on ranks
+     * that hold nothing of the body.
      */
-    dealii::Vector<double>
+    BodyField
     displacement(const Side            side,
                  const ContactProblem &problem,
                  const ContactState   &state) const;
 
-    /**
-     * nullptr for a rigid body; the same pointer for both sides of twins.
-     */
-    const ElasticBody<dim> *
-    body(const Side side) const
-    {
-      return side == Side::wheel ? wheel_body.get() : rail_body.get();
-    }
-
-    bool
-    twins() const
-    {
-      return wheel_body != nullptr && wheel_body == rail_body;
-    }
-
-    const Trace &
-    trace() const
-    {
-      return contact_trace;
-    }
-
   private:
-    const std::vector<typename ElasticBody<dim>::SurfaceNode> &
-    nodes(const Side side) const
-    {
-      return side == Side::wheel ? wheel_nodes : rail_nodes;
-    }
-
-    void
-    pair_surfaces(const Grading<dim> &zone);
-
     /**
      * W = W_W + W_R. Units: m/N.
      */
     DenseMatrix
     pair_compliance();
 
-    const SceneParameters                              &scene;
-    std::shared_ptr<ElasticBody<dim>>                   wheel_body, rail_body;
-    Trace                                               contact_trace;
-    std::vector<typename ElasticBody<dim>::SurfaceNode> wheel_nodes, rail_nodes;
-    std::vector<unsigned int>                           components;
+    std::vector<unsigned int> components;
   };
 } // namespace RollingContact
 

@@ -2,6 +2,7 @@
 #define rolling_contact_analyses_scene_parameters_h
 
 #include <rolling_contact/analyses/creep_curve_parameters.h>
+#include <rolling_contact/analyses/load_curve_parameters.h>
 #include <rolling_contact/analyses/study_parameters.h>
 #include <rolling_contact/analyses/time_parameters.h>
 #include <rolling_contact/contact/contact_parameters.h>
@@ -28,6 +29,12 @@ namespace RollingContact
     check() const;
 
     /**
+     * Read the mesh files of the bodies. Throws InputError.
+     */
+    void
+    read_meshes();
+
+    /**
      * Thickness in 2D of the bodies that are not rigid. Units: m.
      */
     double
@@ -49,8 +56,15 @@ namespace RollingContact
     void
     check_hubs() const;
 
+    void
+    check_speed() const;
+
+    void
+    check_mesh_files() const;
+
     unsigned int dimension    = 2;
     std::string  analysis     = "quasi-static";
+    std::string  body_solver  = "automatic";
     unsigned int body_threads = 2;
     /** Of the .prm file: where the files it names are. */
     std::filesystem::path prm_folder;
@@ -61,6 +75,7 @@ namespace RollingContact
     SolverParameters     solver;
     MeshParameters       mesh;
     CreepCurveParameters creep_curve;
+    LoadCurveParameters  load_curve;
     StudyParameters      study;
     TimeParameters       time;
     OutputParameters     output;

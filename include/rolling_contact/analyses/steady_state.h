@@ -31,6 +31,7 @@ namespace RollingContact
     Resultants     result;
     bool   restored = false; ///< its step's own gap and slip are not known
     double wall_s   = 0.;
+    std::optional<double> contact_stiffness; ///< dN/d(approach), N/m
 
     std::optional<double>     change; ///< from the level before
     std::optional<LevelLimit> limit;  ///< of the levels up to this
@@ -51,6 +52,14 @@ namespace RollingContact
    */
   ContactState
   initial_state(const ContactProblem &problem, const PatchEstimate &patch);
+
+  /**
+   * Solve the contact problem of a state with the scene's solver, from where it
+   * is.
+   */
+  template <int dim>
+  void
+  solve_contact(const SceneParameters &scene, SteadyState<dim> &steady);
 
   /**
    * Mesh, condense and solve the scene's state on this grading, from the state

@@ -45,6 +45,14 @@ namespace RollingContact
     {
       return mesh + factorisation + contact;
     }
+
+    void
+    add(const double share, const StateSeconds &other)
+    {
+      mesh += share * other.mesh;
+      factorisation += share * other.factorisation;
+      contact += share * other.contact;
+    }
   };
 
   /**

@@ -1,6 +1,7 @@
 #ifndef rolling_contact_analyses_time_study_h
 #define rolling_contact_analyses_time_study_h
 
+#include <rolling_contact/analyses/analysis.h>
 #include <rolling_contact/analyses/error_cost.h>
 #include <rolling_contact/analyses/force_history.h>
 #include <rolling_contact/analyses/study_state.h>
@@ -20,7 +21,7 @@ namespace RollingContact
    * run.
    */
   template <int dim>
-  class TimeStudy
+  class TimeStudy : public Analysis
   {
   public:
     TimeStudy(SceneParameters &scene, RunContext &context)
@@ -29,7 +30,7 @@ namespace RollingContact
     {}
 
     void
-    run();
+    run() override;
 
   private:
     /**

@@ -1,6 +1,8 @@
 #ifndef rolling_contact_analyses_transient_h
 #define rolling_contact_analyses_transient_h
 
+#include <rolling_contact/analyses/analysis.h>
+#include <rolling_contact/analyses/falling_friction_notes.h>
 #include <rolling_contact/analyses/transient_output.h>
 
 namespace RollingContact
@@ -13,7 +15,7 @@ namespace RollingContact
    * numbers. Throws ConvergenceError with the last good state kept.
    */
   template <int dim>
-  class Transient
+  class Transient : public Analysis
   {
   public:
     Transient(const SceneParameters &scene, RunContext &context)
@@ -22,9 +24,15 @@ namespace RollingContact
     {}
 
     void
-    run();
+    run() override;
 
   private:
+    /**
+     * Fingerprints of the tables and mesh files of the scene.
+     */
+    PrmEntries
+    files_read(const ContactStepper<dim> &stepper) const;
+
     void
     describe(const ContactStepper<dim> &stepper, const TimeSteps &steps) const;
 
@@ -49,6 +57,7 @@ namespace RollingContact
 
     const SceneParameters &scene;
     RunContext            &context;
+    WorstRatio             worst; ///< of the steps of this run
   };
 } // namespace RollingContact
 

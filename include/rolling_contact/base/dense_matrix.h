@@ -104,6 +104,13 @@ namespace RollingContact
   bool
   solve_least_squares(DenseMatrix &M, std::vector<double> &right_hand_side);
 
+  /**
+   * Largest eigenvalue of a symmetric @p M (dsyevr), which is destroyed, and
+   * its @p vector; infinite and no vector if none is found.
+   */
+  double
+  largest_eigenvalue(DenseMatrix &M, std::vector<double> &vector);
+
   double
   dot(const std::vector<double> &x, const std::vector<double> &y);
 

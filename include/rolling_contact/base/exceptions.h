@@ -28,6 +28,15 @@ namespace RollingContact
   };
 
   /**
+   * A scene that does not fit into the memory that is free.
+   */
+  class MemoryError : public InputError
+  {
+  public:
+    using InputError::InputError;
+  };
+
+  /**
    * A solve that did not reach its tolerance, or an invariant that broke. What
    * was computed so far is kept and marked.
    */

@@ -25,6 +25,18 @@ namespace RollingContact
   void
   synchronise(const std::filesystem::path &file_or_folder);
 
+  /** Replaces any file of the new name in one step. Throws InputError. */
+  void
+  rename_file(const std::filesystem::path &file,
+              const std::filesystem::path &new_name);
+
+  /** Writes the text under the temporary name, in the same folder, and gives it
+   * its own when it is complete. Throws InputError if the disk is full. */
+  void
+  write_file(const std::filesystem::path &file,
+             const std::string           &text,
+             const std::filesystem::path &temporary);
+
   /** Removes a file or a link; leaves folders alone. Throws InputError. */
   void
   remove_file(const std::filesystem::path &file);

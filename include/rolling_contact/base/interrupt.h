@@ -5,7 +5,9 @@ namespace RollingContact
 {
   /**
    * From here on the first SIGINT or SIGTERM only sets a flag, and a second one
-   * of the same kind ends the program at once. Clears the flag.
+   * of the same kind ends the program at once. Clears the flag. A process on
+   * its own answers the first with a message; mpirun, which also ends ranks
+   * this way when another one failed, waits for one second (see the README).
    */
   void
   install_interrupt_handlers();
@@ -14,8 +16,11 @@ namespace RollingContact
   bool
   interrupted();
 
-  /** Throws Interrupted if interrupted(); to be called between two states and
-   * in solvers that may take minutes. */
+  /**
+   * Throws Interrupted if any rank is interrupted(), on all of them; to be
+   * called between two states and in solvers that may take minutes. Collective,
+   * but inside Ranks::on() only the own rank counts.
+   */
   void
   throw_if_interrupted();
 } // namespace RollingContact

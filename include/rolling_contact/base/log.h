@@ -64,7 +64,8 @@ namespace RollingContact
   class Log
   {
   public:
-    /** Writes to std::cout, warnings and errors to std::cerr. */
+    /** Writes to std::cout, warnings and errors to std::cerr; on other ranks
+     * than the root nowhere. */
     explicit Log(Verbosity verbosity);
 
     Log(Verbosity verbosity, std::ostream &out, std::ostream &errors);

@@ -15,7 +15,11 @@ namespace RollingContact
    * as the mark of a folder this program made: it begins with the program's
    * name and ends with the list of files, so that the next run knows what it
    * may remove, even after a crash; what stands between comes from others
-   * (RunReport). Belongs to the first MPI rank.
+   * (RunReport).
+   *
+   * With several MPI ranks every one has this object, and the root does it all:
+   * what is not marked otherwise does nothing on the other ranks, and errors
+   * are the root's alone.
    *
    * A run that was interrupted or killed can be continued: reopen() in place of
    * open(). The lock is the kernel's and dies with the process that holds it.
@@ -39,7 +43,8 @@ namespace RollingContact
     RunFolder &
     operator=(const RunFolder &) = delete;
 
-    /** Throws InputError if open() would refuse; changes nothing. */
+    /** Throws InputError if open() would refuse; changes nothing. Only for the
+     * root. */
     void
     check() const;
 
@@ -47,6 +52,7 @@ namespace RollingContact
      * Creates the folder, or removes an old run's files from it, no others.
      * Throws InputError, and leaves the folder as it is, if it holds something
      * else, cannot be written to, or belongs to a run that is still going.
+     * Collective: errors are thrown on all ranks.
      */
     void
     open();
@@ -67,6 +73,7 @@ namespace RollingContact
      * Throws InputError, and leaves the folder as it is, if this program did
      * not make it, it has no checkpoint, its used.prm differs from the scene
      * (naming the entry and both values), or its run is still going.
+     * Collective: errors are thrown on all ranks.
      */
     void
     reopen(const Resumption &resumption);
@@ -75,7 +82,8 @@ namespace RollingContact
     get_path() const;
 
     /** Where to write the file `name`; a temporary name in the same folder.
-     * Names are plain: letters, digits, '.', '_', '-', no leading '.'. */
+     * Names are plain: letters, digits, '.', '_', '-', no leading '.'. Only for
+     * the root. */
     std::filesystem::path
     temporary(const std::string &name);
 
@@ -87,7 +95,8 @@ namespace RollingContact
     /**
      * Like temporary() for the growing file of the run that is continued: its
      * first n_bytes, from what a killed run left or from the published file,
-     * which stays. Throws InputError if neither is that long.
+     * which stays. Throws InputError if neither is that long. Only for the
+     * root.
      */
     std::filesystem::path
     continued(const std::string &name, const std::uintmax_t n_bytes);
@@ -99,6 +108,15 @@ namespace RollingContact
     /** temporary() and publish() for a text; InputError if the disk is full. */
     void
     write_atomically(const std::string &name, const std::string &text);
+
+    /**
+     * Like write_atomically() for a file in pieces: rank r writes its text to
+     * names[r], as many names as ranks. Collective: errors are thrown on all
+     * ranks.
+     */
+    void
+    write_pieces(const std::vector<std::string> &names,
+                 const std::string              &text);
 
     /** Writes run.json; `members` are JSON members without the outer braces. */
     void
@@ -117,7 +135,7 @@ namespace RollingContact
     void
     lock();
     void
-    write_text(const std::string &name, const std::string &text) const;
+    begin(const std::vector<std::string> &names);
     void
     write_run_json() const;
     void

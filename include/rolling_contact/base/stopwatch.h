@@ -2,11 +2,12 @@
 #define rolling_contact_base_stopwatch_h
 
 #include <chrono>
+#include <ctime>
 
 namespace RollingContact
 {
   /**
-   * Wall seconds since its construction.
+   * Wall and CPU seconds of this process since its construction.
    */
   class Stopwatch
   {
@@ -19,9 +20,16 @@ namespace RollingContact
         .count();
     }
 
+    double
+    cpu_seconds() const
+    {
+      return double(std::clock() - cpu_start) / CLOCKS_PER_SEC;
+    }
+
   private:
     std::chrono::steady_clock::time_point start =
       std::chrono::steady_clock::now();
+    std::clock_t cpu_start = std::clock();
   };
 } // namespace RollingContact
 

@@ -3,6 +3,7 @@
 
 #include <deal.II/base/parameter_acceptor.h>
 
+#include <rolling_contact/contact/friction_law.h>
 #include <rolling_contact/contact/operators.h>
 
 #include <optional>
@@ -45,6 +46,12 @@ namespace RollingContact
     contact_matrices_kind() const;
 
     /**
+     * The law by which mu falls; none if it is constant.
+     */
+    std::shared_ptr<const FrictionLaw>
+    falling_friction() const;
+
+    /**
      * Direction of the material flow along x, the sign of the speed.
      */
     int
@@ -56,13 +63,28 @@ namespace RollingContact
     std::string normal_load_entry;
     std::string approach_entry;
     double      friction_coefficient = 0.3;
+    std::string friction_law         = "constant";
+    double      kinetic_friction     = 0.; ///< of the laws that fall
+    double      friction_decay_speed = 0.; ///< of the laws that fall, m/s
     double      creepage_x           = 0.;
     double      creepage_y           = 0.;
     double      spin                 = 0.;
-    double      speed                = 1.;
-    std::string slip_operator        = "calibrated";
-    std::string contact_matrices     = "lumped";
+    std::string speed_entry;
+    double      speed            = 1.;
+    bool        speed_is_given   = true;
+    std::string slip_operator    = "calibrated";
+    std::string contact_matrices = "lumped";
     std::string roughness;
+
+  private:
+    void
+    declare_friction_law();
+
+    void
+    read_speed();
+
+    void
+    check_friction_law() const;
   };
 } // namespace RollingContact
 

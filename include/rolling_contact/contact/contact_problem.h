@@ -2,9 +2,11 @@
 #define rolling_contact_contact_contact_problem_h
 
 #include <rolling_contact/base/dense_matrix.h>
+#include <rolling_contact/contact/friction_law.h>
 #include <rolling_contact/contact/slip_operator.h>
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -25,7 +27,8 @@ namespace RollingContact
    * eqs. (8) and (12) of Lai et al. 2017. Steady rolling has convection 1 and
    * no rate; a time step h at speed V has the rate 1/(h |V|) of (1/V) B2, and
    * what the step does without reactions in gap, rigid_slip and
-   * free_displacement.
+   * free_displacement. With a friction law mu falls with the sliding speed |s|
+   * |V|, s the slip that the traction answers, and p, q, s and mu hold at once.
    */
   struct ContactProblem
   {
@@ -35,19 +38,23 @@ namespace RollingContact
     std::vector<std::array<double, 2>> positions; ///< (x, y), m
 
     DenseMatrix W; ///< m/N; tangential components first, normal last
-    bool        coupled      = true; ///< false if W_nt = 0 exactly
-    double      dundurs_beta = 0.;   ///< of the materials, for the edge law
-    SparseRows  H;                   ///< m^2
-    std::vector<double> areas;       ///< row sums of H, m^2
-    std::vector<double> gap;         ///< undeformed, m
-    std::vector<double> friction;    ///< mu of each node
-    std::vector<double> rigid_slip;  ///< T N values
+    bool        coupled            = true;  ///< false if W_nt = 0 exactly
+    bool        knows_smooth_loads = false; ///< an approximate W was corrected
+    double      dundurs_beta       = 0.; ///< of the materials, for the edge law
+    SparseRows  H;                       ///< m^2
+    std::vector<double> areas;           ///< row sums of H, m^2
+    std::vector<double> gap;             ///< undeformed, m
+    std::vector<double> friction;        ///< mu of each node, mu_s if it falls
+    std::vector<double> rigid_slip;      ///< T N values
 
     std::vector<double> free_displacement; ///< T N values, empty for zero; m
     double              convection = 1.;
     double              rate       = 0.; ///< 1/m
 
     SlipOperator slip_operator;
+
+    std::shared_ptr<const FrictionLaw> friction_law; ///< none: mu is constant
+    double                             speed = 0.;   ///< |V| for it, m/s
 
     std::optional<double> normal_load; ///< N; the approach is unknown if given
     double                approach = 0.; ///< m
@@ -61,6 +68,12 @@ namespace RollingContact
      */
     void
     finish();
+
+    /**
+     * pressure_compliance(), for a changed W.
+     */
+    void
+    update_pressure_compliance();
 
     /**
      * tangential_norm, for a new convection or rate.
@@ -109,7 +122,14 @@ namespace RollingContact
       const std::vector<double> &pressure) const;
 
     /**
-     * W_tt H q + W_tn H p, in every component without the displacement of one
+     * W_tt H q + W_tn H p.
+     */
+    std::vector<double>
+    tangential_displacement(const std::vector<double> &traction,
+                            const std::vector<double> &pressure) const;
+
+    /**
+     * The same, in every component without the displacement of one
      * node. That of a rigid motion, which B1 does not see, may be many orders
      * of magnitude larger than what is left, and is never added up.
      */
@@ -171,6 +191,8 @@ namespace RollingContact
     double                         approach = 0.;
     std::vector<EdgeExtrapolation> edges;           ///< where not g1 = g2
     bool                           edge_law = true; ///< if B1 has one
+    std::vector<double>            friction;        ///< mu it was solved with
+    bool holds_friction = false; ///< whatever the slip: to solve for the rest
   };
 
   /**
@@ -219,6 +241,24 @@ namespace RollingContact
     slip_compliance(const std::vector<std::size_t> &unknowns) const;
 
     /**
+     * |s| |V| of the nodes that carry friction, 0 elsewhere. Units: m/s.
+     */
+    std::vector<double>
+    sliding_speeds(const std::vector<double> &slip) const;
+
+    /**
+     * mu of the friction law at this slip; as it is without a law.
+     */
+    std::vector<double>
+    friction_at(const std::vector<double> &slip) const;
+
+    /**
+     * Take these nodal mu.
+     */
+    void
+    set_friction(const std::vector<double> &coefficients);
+
+    /**
      * Project the nodal tractions onto the discs |q| <= bound.
      */
     void
@@ -242,6 +282,7 @@ namespace RollingContact
     const ContactProblem &contact;
     SparseRows            B1;
     SparseRows            B2;           ///< where the law holds: at the nodes
+    std::vector<double>   friction;     ///< mu of each node
     std::vector<double>   bound;        ///< mu p, Pa
     std::vector<double>   slip_at_zero; ///< T N values
 
@@ -249,6 +290,12 @@ namespace RollingContact
     std::vector<double>      edge_constants; ///< their share at q = 0, or empty
     std::vector<ContactEdge> edges;
   };
+
+  /**
+   * H q and H p of a state, tangential components first. Units: N.
+   */
+  std::vector<double>
+  nodal_forces(const ContactProblem &contact, const ContactState &state);
 
   /**
    * u_n of a state.
@@ -279,7 +326,8 @@ namespace RollingContact
                    const ContactState      &state);
 
   /**
-   * The frictional half at the pressure and with the edge law of a state.
+   * The frictional half at the pressure and with the edge law of a state, mu
+   * that of the friction law at the state's own slip unless the state holds it.
    */
   TangentialProblem
   tangential_problem(const ContactProblem &contact, const ContactState &state);

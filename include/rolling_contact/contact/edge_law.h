@@ -56,6 +56,14 @@ namespace RollingContact
                     const std::vector<double> &traction);
 
   /**
+   * The extrapolation at the edge that begins with a node; nullptr if there is
+   * none.
+   */
+  const EdgeExtrapolation *
+  find_edge(const std::vector<EdgeExtrapolation> &extrapolations,
+            const unsigned int                    first);
+
+  /**
    * The largest difference between two sets of extrapolations, in their
    * coefficients a and b; infinite if they are of different edges.
    */

@@ -4,8 +4,10 @@
 #include <deal.II/base/parameter_acceptor.h>
 
 #include <rolling_contact/elasticity/material.h>
+#include <rolling_contact/mesh/file_mesh.h>
 #include <rolling_contact/mesh/geometry.h>
 
+#include <filesystem>
 #include <string>
 
 namespace RollingContact
@@ -23,21 +25,54 @@ namespace RollingContact
     void
     check(const unsigned int dimension) const;
 
+    /**
+     * Read the mesh file, if there is one, from @p folder. Throws InputError.
+     */
+    void
+    read_mesh(const unsigned int           dimension,
+              const std::filesystem::path &folder);
+
+    /**
+     * That of a body from a file needs read_mesh().
+     */
     BodyGeometry
     geometry() const;
 
-    std::string section;
-    std::string shape          = "disc";
-    bool        rigid          = false;
-    double      radius         = 0.46;
-    double      lateral_radius = 0.;
-    double      hub_radius     = 0.08;
-    double      block_length   = 1.;
-    double      block_depth    = 0.5;
-    double      thickness      = 0.02;
-    double      width          = 0.1;
-    std::string hub            = "clamped";
-    Material    material       = {210e9, 0.3};
+    bool
+    is_from_file() const
+    {
+      return shape == "mesh file";
+    }
+
+    std::string  section;
+    std::string  shape          = "disc";
+    bool         rigid          = false;
+    double       radius         = 0.46;
+    double       lateral_radius = 0.;
+    double       hub_radius     = 0.08;
+    double       block_length   = 1.;
+    double       block_depth    = 0.5;
+    double       thickness      = 0.02;
+    double       width          = 0.1;
+    std::string  hub            = "clamped";
+    std::string  mesh_file;
+    double       mesh_unit        = 1.;
+    unsigned int contact_boundary = 1;
+    unsigned int hub_boundary     = 2;
+    std::string  surface          = "radii";
+    Material     material         = {210e9, 0.3};
+
+  private:
+    void
+    check_fall(const unsigned int dimension) const;
+
+    void
+    check_material(const unsigned int dimension) const;
+
+    void
+    check_mesh_file() const;
+
+    std::shared_ptr<const FileMesh> mesh;
   };
 } // namespace RollingContact
 

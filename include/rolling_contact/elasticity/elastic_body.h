@@ -6,22 +6,24 @@
 #include <deal.II/lac/affine_constraints.h>
 
 #include <rolling_contact/base/dense_matrix.h>
+#include <rolling_contact/elasticity/body_in_time.h>
 #include <rolling_contact/elasticity/body_matrices.h>
-#include <rolling_contact/elasticity/factorisation.h>
 #include <rolling_contact/elasticity/material.h>
 #include <rolling_contact/mesh/body_mesh.h>
 
 #include <functional>
 #include <memory>
+#include <string>
 
 namespace RollingContact
 {
   /**
    * One elastic body in its own frame (z out of the body), hub clamped or free:
-   * linear elements with B-bar, in 2D plane strain with a thickness. Owns mesh,
-   * unknowns and the factorisation of K; contact space sees it only through
-   * compliance() and recover(). Dynamics asks for stiffness() and mass(), which
-   * are assembled on demand and not kept.
+   * linear elements with B-bar, in 2D plane strain with a thickness. Contact
+   * space sees it only through compliance(), response() and recover(), dynamics
+   * through in_time(). How K is solved is left to DirectBody and
+   * DistributedBody. All members are called on all ranks that hold a part of
+   * the body, and unless they say otherwise give the same on each.
    */
   template <int dim>
   class ElasticBody
@@ -47,17 +49,11 @@ namespace RollingContact
       std::vector<std::vector<std::pair<unsigned int, double>>> corners;
     };
 
-    /**
-     * Mesh and distribute. @p thickness is used in 2D. Units: m.
-     */
-    ElasticBody(const BodyGeometry &geometry,
-                const Material     &material,
-                const double        thickness,
-                const Grading<dim> &grading);
+    virtual ~ElasticBody() = default;
 
     /**
      * Faces of the contact surface in the zone of contact nodes and the nodes
-     * they touch, in ascending x (then y).
+     * they touch, both in ascending x (then y).
      */
     void
     surface(const Grading<dim>       &zone,
@@ -65,84 +61,87 @@ namespace RollingContact
             std::vector<SurfaceFace> &faces) const;
 
     /**
-     * Assemble K and analyse its factorisation for compliance(), which does so
+     * The contact nodes at given vertices of the contact surface, in the mesh's
+     * numbers, in their order.
+     */
+    std::vector<SurfaceNode>
+    nodes_at(const std::vector<unsigned int> &vertices) const;
+
+    /**
+     * Assemble K and prepare its solution for compliance(), which does so
      * itself if need be. Throws InputError if the hub is free.
      */
-    void
-    analyse();
+    virtual void
+    analyse() = 0;
 
     /**
      * Compliance of the given nodes: displacement of component @p components[i]
-     * at node n for unit nodal forces; row and column i * N + n. Factorises K
-     * on first use; L is kept for recover() unless @p recovers is false. Units:
-     * m/N.
+     * at node n for unit nodal forces; row and column i * N + n. Exact, or an
+     * approximation that response() corrects. One rank does the work and has
+     * the matrix, without the others, where it is empty. Units: m/N.
      */
-    DenseMatrix
+    virtual DenseMatrix
     compliance(const std::vector<SurfaceNode>  &nodes,
-               const std::vector<unsigned int> &components,
-               const bool                       recovers = true);
+               const std::vector<unsigned int> &components) = 0;
+
+    /**
+     * Displacement of the given nodes under nodal forces on them, in the order
+     * of compliance(), for several loads at once; to all digits, or roughly, to
+     * seven. Units: N to m.
+     */
+    virtual std::vector<std::vector<double>>
+    response(const std::vector<SurfaceNode>         &nodes,
+             const std::vector<unsigned int>        &components,
+             const std::vector<std::vector<double>> &forces,
+             const bool                              roughly) = 0;
 
     /**
      * Displacement of the whole body under nodal forces (component i of node n
      * at components[i] * N + n). Units: N to m.
      */
-    dealii::Vector<double>
+    virtual BodyField
     recover(const std::vector<SurfaceNode>  &nodes,
             const std::vector<unsigned int> &components,
-            const std::vector<double>       &forces) const;
+            const std::vector<double>       &forces) = 0;
 
     /**
-     * K of the unknowns, assembled anew. Units: N/m.
+     * The body in time, with contact on the given nodes.
      */
-    SymmetricSparseMatrix
-    stiffness() const;
+    virtual std::unique_ptr<BodyInTime>
+    in_time(const ThetaScheme               &scheme,
+            const MassKind                   mass,
+            const std::vector<SurfaceNode>  &nodes,
+            const std::vector<unsigned int> &components) = 0;
 
     /**
-     * M of the unknowns. Units: kg.
+     * Give the memory of what solves K back; compliance() would compute it
+     * again.
      */
-    SymmetricSparseMatrix
-    mass(const MassKind kind = MassKind::lumped) const;
+    virtual void
+    release_solver() = 0;
+
+    virtual std::size_t
+    n_unknowns() const = 0;
 
     /**
-     * The node of each unknown, for the order of elimination.
+     * What prepared the solution of K and what it took, for the log: "120000
+     * unknowns; factorisation 3 s, ...". Empty before compliance().
      */
-    const std::vector<unsigned int> &
-    nodes_of_unknowns() const
-    {
-      return node_of_unknown;
-    }
+    virtual std::string
+    description() const = 0;
 
     /**
-     * Number of the unknown behind a degree of freedom, -1 if it is
-     * constrained.
+     * Bytes and seconds of what solves K.
      */
-    int
-    unknown(const dealii::types::global_dof_index dof) const
-    {
-      return unknown_of_dof[dof];
-    }
+    virtual std::size_t
+    solver_memory() const = 0;
+
+    virtual double
+    solver_seconds() const = 0;
 
     /**
-     * The unknown of component @p components[i] at node n, at i * N + n.
+     * Cells of other ranks are not locally owned.
      */
-    std::vector<std::size_t>
-    unknowns(const std::vector<SurfaceNode>  &nodes,
-             const std::vector<unsigned int> &components) const;
-
-    /**
-     * The unknowns of a field that is @p value in one component and zero in the
-     * others, away from a clamped hub.
-     */
-    std::vector<double>
-    uniform(const unsigned int component, const double value) const;
-
-    /**
-     * The field of given unknowns on all nodes, hanging and clamped ones
-     * included.
-     */
-    dealii::Vector<double>
-    field(const std::vector<double> &values) const;
-
     const dealii::DoFHandler<dim> &
     dof_handler() const
     {
@@ -161,35 +160,37 @@ namespace RollingContact
       return body_mesh;
     }
 
-    std::size_t
-    n_unknowns() const
-    {
-      return unknown_of_dof.size() - n_constrained;
-    }
-
-    /**
-     * Give the memory of the factor back; compliance() would compute it again.
-     */
-    void
-    release_factorisation()
-    {
-      factor.reset();
-    }
-
-    /**
-     * Sizes and seconds of the factorisation; nullptr before it exists.
-     */
-    const Factorisation *
-    factorisation() const
-    {
-      return factor.get();
-    }
-
     double
     assembly_seconds() const
     {
       return assembly_s;
     }
+
+  protected:
+    /**
+     * Mesh and distribute. @p thickness is used in 2D. Units: m.
+     */
+    ElasticBody(const BodyGeometry &geometry,
+                const Material     &material,
+                const double        thickness,
+                const Grading<dim> &grading,
+                const MeshKind      kind);
+
+    /**
+     * Throws InputError if nothing holds the body.
+     */
+    void
+    require_clamped_hub() const;
+
+    Material                          material;
+    double                            thickness;
+    bool                              hub_clamped;
+    BodyMesh<dim>                     body_mesh;
+    dealii::FESystem<dim>             element;
+    dealii::DoFHandler<dim>           dofs;
+    dealii::IndexSet                  relevant_dofs;
+    dealii::AffineConstraints<double> constraints;
+    double                            assembly_s = 0.;
 
   private:
     using CellIterator = typename dealii::DoFHandler<dim>::active_cell_iterator;
@@ -198,25 +199,6 @@ namespace RollingContact
     for_each_surface_face(
       const std::function<void(const CellIterator &, const unsigned int)>
         &action) const;
-
-    void
-    distribute();
-
-    Discretisation<dim>
-    discretisation() const;
-
-    Material                          material;
-    double                            thickness;
-    bool                              hub_clamped;
-    BodyMesh<dim>                     body_mesh;
-    dealii::FESystem<dim>             element;
-    dealii::DoFHandler<dim>           dofs;
-    dealii::AffineConstraints<double> constraints;
-    std::vector<int>                  unknown_of_dof; ///< -1 if constrained
-    std::vector<unsigned int>         node_of_unknown;
-    std::size_t                       n_constrained = 0;
-    double                            assembly_s    = 0.;
-    std::unique_ptr<Factorisation>    factor;
   };
 } // namespace RollingContact
 

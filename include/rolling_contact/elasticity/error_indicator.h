@@ -1,8 +1,6 @@
 #ifndef rolling_contact_elasticity_error_indicator_h
 #define rolling_contact_elasticity_error_indicator_h
 
-#include <deal.II/lac/vector.h>
-
 #include <rolling_contact/elasticity/elastic_body.h>
 
 #include <vector>
@@ -14,14 +12,14 @@ namespace RollingContact
    * displacement gradient are largest (Kelly et al. 1983): the fewest cells
    * that make up @p fraction of the sum of squared indicators. Only cells
    * outside the zone of contact nodes and no smaller than those in it, so that
-   * the zone stays as it is.
+   * the zone stays as it is. Of all ranks that hold a part of the body.
    */
   template <int dim>
   std::vector<RefinedBox<dim>>
-  bulk_boxes(const ElasticBody<dim>       &body,
-             const dealii::Vector<double> &displacement,
-             const Grading<dim>           &grading,
-             const double                  fraction);
+  bulk_boxes(const ElasticBody<dim> &body,
+             const BodyField        &displacement,
+             const Grading<dim>     &grading,
+             const double            fraction);
 } // namespace RollingContact
 
 #endif

@@ -64,7 +64,7 @@ namespace RollingContact
 
     /**
      * Compute L and release the matrix. Throws ConvergenceError when the matrix
-     * is not positive definite, InputError when L needs more than 70 % of the
+     * is not positive definite, MemoryError when L needs more than 70 % of the
      * free memory.
      */
     void

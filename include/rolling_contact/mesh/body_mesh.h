@@ -20,12 +20,19 @@ namespace RollingContact
     hub_boundary     = 2
   };
 
+  enum class MeshKind
+  {
+    serial,     ///< whole, on this rank alone
+    distributed ///< by p4est over all ranks
+  };
+
   /**
-   * A body mesh and the chart it lives in.
+   * A body mesh and the chart it lives in; one from a file has no chart.
    */
   template <int dim>
   struct BodyMesh
   {
+    MeshKind                                    kind = MeshKind::serial;
     std::unique_ptr<BodyChart<dim>>             chart;
     std::unique_ptr<dealii::Triangulation<dim>> triangulation;
 
@@ -38,14 +45,17 @@ namespace RollingContact
   };
 
   /**
-   * Mesh a body: boxes in its chart, refined as @p grading asks. The coarse
-   * mesh has an edge at x = offset * element_size_x and coarse cells that are
-   * powers of two of the element size, which makes the surface nodes of two
-   * bodies match.
+   * Mesh a body, or take it from its file: boxes in its chart, refined as @p
+   * grading asks. The coarse mesh has an edge at x = offset * element_size_x
+   * and coarse cells that are powers of two of the element size, which makes
+   * the surface nodes of two bodies match. Both kinds of mesh have the same
+   * cells and vertices.
    */
   template <int dim>
   BodyMesh<dim>
-  make_body_mesh(const BodyGeometry &geometry, const Grading<dim> &grading);
+  make_body_mesh(const BodyGeometry &geometry,
+                 const Grading<dim> &grading,
+                 const MeshKind      kind = MeshKind::serial);
 } // namespace RollingContact
 
 #endif

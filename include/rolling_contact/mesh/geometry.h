@@ -1,6 +1,8 @@
 #ifndef rolling_contact_mesh_geometry_h
 #define rolling_contact_mesh_geometry_h
 
+#include <memory>
+
 namespace RollingContact
 {
   /**
@@ -14,13 +16,16 @@ namespace RollingContact
   enum class Shape
   {
     disc,
-    block
+    block,
+    mesh_file
   };
+
+  struct FileMesh;
 
   /**
    * Geometry of one body in its own frame: the contact point is the origin, z
-   * points out of the body. The program builds every body this way; the wheel
-   * is its mirror image in z. Units: m.
+   * points out of the body. The program builds or reads every body this way;
+   * the wheel is its mirror image in z. Units: m.
    */
   struct BodyGeometry
   {
@@ -33,6 +38,8 @@ namespace RollingContact
     double depth          = 0.;   ///< of a block, down to its bottom, the hub
     double width          = 0.;   ///< across, 3D only
     bool   hub_clamped    = true; ///< otherwise nothing holds the body
+
+    std::shared_ptr<const FileMesh> mesh; ///< of a mesh file
 
     /**
      * Thickness of material under the contact point.

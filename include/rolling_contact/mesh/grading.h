@@ -4,6 +4,7 @@
 #include <deal.II/base/point.h>
 
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace RollingContact
@@ -25,13 +26,16 @@ namespace RollingContact
    * may touch are those of the ellipse with semi-axes zone_x and zone_y, longer
    * by an element on its upstream side. Elements have size element_size[] in it
    * and one element around it, to zone_depth, growing by @p growth times the
-   * distance from there. Towards the rim of the patch, sizes are halved up to
-   * rim_levels more times, the leading edge alone if leading_edge_only. Refined
-   * boxes come on top. Units: m, shifts in elements.
+   * distance from there, and beyond far_distance by far_growth. Towards the rim
+   * of the patch, sizes are halved up to rim_levels more times, the leading
+   * edge alone if leading_edge_only. Refined boxes come on top. Units: m,
+   * shifts in elements.
    */
   template <int dim>
   struct Grading
   {
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
+
     double       element_size_x  = 0.;
     double       element_size_y  = 0.; ///< 3D only
     double       zone_x          = 0.;
@@ -39,6 +43,8 @@ namespace RollingContact
     int          upstream        = 0; ///< its side: sign of x, 0 for none
     double       zone_depth      = 0.;
     double       growth          = 0.5;
+    double       far_distance    = infinity; ///< from where on sizes grow by
+    double       far_growth      = 0.5;      ///< this instead
     double       offset          = 0.; ///< shift of the mesh in +x, in elements
     unsigned int rim_levels      = 0;
     double       leading_edge_x  = 0.; ///< where the rim is refined
@@ -61,6 +67,24 @@ namespace RollingContact
     semi_axis_x() const
     {
       return zone_x + std::abs(centre_x());
+    }
+
+    /**
+     * True if the middle of a box of the surface lies in the zone of nodes that
+     * may touch, by a margin that keeps rounding from deciding.
+     */
+    bool
+    in_zone(const dealii::Point<dim - 1> &lower,
+            const dealii::Point<dim - 1> &upper) const;
+
+    /**
+     * Let more nodes touch: by as many elements on each side.
+     */
+    void
+    enlarge_zone(const unsigned int n_elements)
+    {
+      zone_x += n_elements * element_size_x;
+      zone_y += n_elements * element_size_y;
     }
 
     /**

@@ -1,8 +1,6 @@
 #ifndef rolling_contact_output_body_fields_h
 #define rolling_contact_output_body_fields_h
 
-#include <deal.II/lac/vector.h>
-
 #include <rolling_contact/base/run_folder.h>
 #include <rolling_contact/elasticity/elastic_body.h>
 
@@ -22,18 +20,22 @@ namespace RollingContact
   };
 
   /**
-   * Writes a VTU with the displacement and, constant in each cell, the stress
-   * of its mean strain and the von Mises stress. @p displacement is that of
-   * ElasticBody::recover(). Units: m, Pa. Throws InputError if the file cannot
-   * be written.
+   * Writes name.vtu, of a distributed body name.pvtu and a piece of each rank,
+   * with the displacement and, constant in each cell, the stress of its mean
+   * strain and the von Mises stress. @p displacement is that of
+   * ElasticBody::recover(). Collective: @p rank has the body if it is on one
+   * rank alone, on others @p body is nullptr; errors are thrown on all. Returns
+   * the name of the file. Units: m, Pa. Throws InputError if a file cannot be
+   * written.
    */
   template <int dim>
-  void
-  write_body_fields(const ElasticBody<dim>       &body,
-                    const dealii::Vector<double> &displacement,
-                    const BodyPlacement          &placement,
-                    RunFolder                    &folder,
-                    const std::string            &file_name);
+  std::string
+  write_body_fields(const ElasticBody<dim> *body,
+                    const unsigned int      rank,
+                    const BodyField        &displacement,
+                    const BodyPlacement    &placement,
+                    RunFolder              &folder,
+                    const std::string      &name);
 } // namespace RollingContact
 
 #endif

@@ -4,6 +4,7 @@
 #include <rolling_contact/base/prm_entries.h>
 #include <rolling_contact/base/run_folder.h>
 #include <rolling_contact/contact/contact_problem.h>
+#include <rolling_contact/elasticity/body_motion.h>
 #include <rolling_contact/output/history_table.h>
 #include <rolling_contact/output/pvd.h>
 
@@ -16,20 +17,13 @@ namespace RollingContact
   inline const std::string checkpoint_name = "checkpoint.bin";
   inline const std::string history_name    = "history.csv";
 
-  /** What a body has at the end of a step; empty for a rigid one. */
-  struct BodyMotion
-  {
-    std::vector<double> displacement; ///< in the order of the unknowns; m
-    std::vector<double> velocity;     ///< m/s
-  };
-
   /**
    * All that a transient run needs to continue with the same numbers, bit by
    * bit, after the step it was taken. Meshes and factors are made again.
    */
   struct Checkpoint
   {
-    /** Fingerprints of the table files the scene names, to be compared with
+    /** Fingerprints of the files the scene names, to be compared with
      * refuse_changed_entries(); RunFolder compares the scene itself. */
     PrmEntries tables;
 
@@ -40,8 +34,9 @@ namespace RollingContact
 
     BodyMotion          wheel, rail; ///< twins share a mesh, not a motion
     std::vector<double> pressure, traction;
-    double              approach = 0.;    ///< m
-    std::vector<EdgeExtrapolation> edges; ///< see edge_law.h
+    double              approach = 0.;       ///< m
+    std::vector<EdgeExtrapolation> edges;    ///< see edge_law.h
+    std::vector<double>            friction; ///< mu of the nodes, if it falls
 
     double        supplied_energy  = 0.; ///< since the start; J
     double        friction_energy  = 0.; ///< dissipated since the start; J
@@ -57,14 +52,15 @@ namespace RollingContact
 
   /**
    * Replaces checkpoint.bin in one step that survives a loss of power. Flush
-   * the history before. Throws InputError if the disk is full.
+   * the history before. Throws InputError if the disk is full. Collective: the
+   * root writes.
    */
   void
   write_checkpoint(const Checkpoint &checkpoint, RunFolder &folder);
 
   /**
    * Throws InputError naming the file if it is missing, truncated, damaged or
-   * of another version.
+   * of another version. Collective: the root reads, all get it.
    */
   Checkpoint
   read_checkpoint(const RunFolder &folder);

@@ -14,7 +14,8 @@ namespace RollingContact
    * has its temporary name in the run folder until it is published, at the end
    * or when the run stops with an exception. A killed run leaves it there, to
    * be continued from the position of a checkpoint. Does not own the folder.
-   * Throws InputError if the disk is full or the file gone.
+   * Throws InputError if the disk is full or the file gone. With several MPI
+   * ranks only the root has a file; only the constructors are collective.
    */
   class HistoryTable
   {
@@ -50,7 +51,8 @@ namespace RollingContact
     void
     add_row(const std::vector<double> &values);
 
-    /** Returns when all rows are on the disk; where the file ends. */
+    /** Returns when all rows are on the disk; where the file of the root
+     * ends. */
     Position
     flush();
 

@@ -13,8 +13,10 @@ namespace RollingContact
   /**
    * Writes a VTU of the contact surface at z = @p surface_height(x, y):
    * traction and slip of the wheel, their sizes and bounds, pressure, gap,
-   * nodal area and NodeState; zero traction and slip without friction. Units:
-   * Pa, m, m^2. Throws InputError if the file cannot be written.
+   * nodal area and NodeState; zero traction and slip without friction; where it
+   * falls the friction coefficient and the sliding speed. Units: Pa, m, m^2,
+   * m/s. Throws InputError if the file cannot be written. Collective:
+   * the root writes.
    */
   template <int dim>
   void

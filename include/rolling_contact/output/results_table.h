@@ -17,7 +17,8 @@ namespace RollingContact
    * One row per computed state, columns in the order of first use, names with
    * their unit. The CSV file in the run folder is rewritten whole after every
    * row, so an interrupt keeps the rows; beyond a thousand rows at most once a
-   * second, the rest at the end. Does not own the folder.
+   * second, the rest at the end. Does not own the folder. All MPI ranks have
+   * the rows, the root writes them.
    */
   class ResultsTable
   {

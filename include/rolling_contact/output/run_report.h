@@ -4,6 +4,7 @@
 #include <rolling_contact/base/phase_timer.h>
 #include <rolling_contact/base/run_folder.h>
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -47,10 +48,24 @@ namespace RollingContact
     text() const;
   };
 
+  /** Of all MPI ranks together, and of the one that has most. */
+  struct RankTotals
+  {
+    double cpu_seconds         = 0.;
+    double largest_cpu_seconds = 0.;
+    double peak_memory         = 0.; ///< bytes
+    double largest_peak_memory = 0.; ///< bytes
+  };
+
+  /** Of the ranks so far. Collective. */
+  RankTotals
+  totals_of_ranks(const PhaseTimer &timer);
+
   /**
    * What a run was and did, as it stands in run.json. Filled by the driver and
    * the analyses; adds the times, the memory and the CPUs of the host itself,
-   * and leaves the list of files to the run folder.
+   * and leaves the list of files to the run folder. Times and memory are those
+   * of the root, but for the totals.
    */
   struct RunReport
   {
@@ -59,10 +74,14 @@ namespace RollingContact
     std::vector<std::pair<std::string, std::string>> libraries;
     unsigned int                                     n_threads = 1;
     unsigned int                                     n_ranks   = 1;
-    std::vector<std::string>                         command_line;
-    std::vector<BuiltObject>                         objects;
-    std::vector<std::string>                         warnings;
-    std::vector<ResultError>                         errors;
+    /** Of several ranks, once all are done. */
+    std::optional<RankTotals> rank_totals;
+    std::vector<std::string>  command_line;
+    std::vector<BuiltObject>  objects;
+    std::vector<std::string>  warnings;
+    std::vector<ResultError>  errors;
+    /** What the run found, for the summary: "load", "N = ..."; in order. */
+    std::vector<std::pair<std::string, std::string>> findings;
 
     /** Rewrites run.json; to be called at the start, whenever something worth
      * keeping happened, and at the end. */
@@ -71,14 +90,29 @@ namespace RollingContact
           const RunStatus   status,
           const PhaseTimer &timer) const;
 
+    /** Adds a finding, in place of an earlier one with this label. */
+    void
+    find(const std::string &label, const std::string &text);
+
     /** The objects as text for the screen: built, then left out. */
     std::string
     objects_summary() const;
 
-    /** Errors of the results, CPU seconds and where they went, in percent that
-     * add up to 100. */
+    /**
+     * What a user wants first, as lines for the screen: the findings, errors,
+     * seconds and where they went in percent that add up to 100, files.
+     */
     std::string
-    error_line(const PhaseTimer &timer) const;
+    summary(const PhaseTimer &timer, const std::string &folder) const;
+
+  private:
+    std::string
+    all_errors() const;
+
+    /** "3.1 s, 120 MB; 2.9 s CPU: ..."; with the totals of the ranks if
+     * known. */
+    std::string
+    cost(const PhaseTimer &timer) const;
   };
 } // namespace RollingContact
 

@@ -14,7 +14,7 @@ namespace RollingContact
     dashed,
     points,
     line_and_points,
-    /** Black and dashed; takes no colour of the palette. */
+    /** Black, each dashed in its way; takes no colour of the palette. */
     reference
   };
 

@@ -33,9 +33,10 @@ namespace RollingContact
                    SolverReport            &report) const;
 
     /**
-     * With the edge extrapolations of the state.
+     * With the edge extrapolations of the state. Returns those the traction
+     * asks for, none where it fails.
      */
-    void
+    std::vector<EdgeExtrapolation>
     alternate(const ContactProblem &problem,
               ContactState         &state,
               SolverReport         &report) const;

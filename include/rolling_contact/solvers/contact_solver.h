@@ -21,6 +21,8 @@ namespace RollingContact
     unsigned int normal_solves     = 0; ///< linear solves on active sets
     unsigned int tangential_solves = 0;
     unsigned int passes            = 0; ///< of the alternation
+    unsigned int corrections       = 0; ///< of an approximate compliance
+    unsigned int friction_rounds   = 0; ///< of friction that falls
 
     NaturalResidual              residual;
     std::vector<NaturalResidual> history;

@@ -1,0 +1,43 @@
+#ifndef rolling_contact_elasticity_cell_matrices_h
+#define rolling_contact_elasticity_cell_matrices_h
+
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <rolling_contact/elasticity/material.h>
+
+namespace RollingContact
+{
+  /**
+   * B-bar by mean dilatation, K_ij = integral of 2 G dev(eps_i) : dev(eps_j)
+   * + V k mean(div phi_i) mean(div phi_j) with the bulk modulus k and the
+   * deviator of the three-dimensional strain, eps_yy = 0 in plane strain
+   * (Hughes 1980).
+   */
+  template <int dim>
+  void
+  cell_stiffness(const dealii::FEValues<dim, dim> &values,
+                 const Material                   &material,
+                 dealii::FullMatrix<double>       &stiffness);
+
+  /**
+   * The integral of rho phi_i phi_j.
+   */
+  template <int dim>
+  void
+  cell_mass(const dealii::FEValues<dim, dim> &values,
+            const double                      density,
+            dealii::FullMatrix<double>       &mass);
+
+  /**
+   * Its row sums, the integral of rho phi_i.
+   */
+  template <int dim>
+  void
+  cell_lumped_mass(const dealii::FEValues<dim, dim> &values,
+                   const double                      density,
+                   dealii::Vector<double>           &mass);
+} // namespace RollingContact
+
+#endif

@@ -1,0 +1,150 @@
+#ifndef rolling_contact_elasticity_direct_body_h
+#define rolling_contact_elasticity_direct_body_h
+
+#include <rolling_contact/elasticity/elastic_body.h>
+#include <rolling_contact/elasticity/factorisation.h>
+
+namespace RollingContact
+{
+  /**
+   * A body on one rank whose K is factorised: the compliance is exact, a
+   * response and recovery are two triangular solves each.
+   */
+  template <int dim>
+  class DirectBody : public ElasticBody<dim>
+  {
+  public:
+    using typename ElasticBody<dim>::SurfaceNode;
+    using typename ElasticBody<dim>::SurfaceFace;
+
+    /**
+     * With @p recovers false, the factor is freed as soon as the compliance is
+     * known and recover() throws.
+     */
+    DirectBody(const BodyGeometry &geometry,
+               const Material     &material,
+               const double        thickness,
+               const Grading<dim> &grading,
+               const bool          recovers = true);
+
+    void
+    analyse() override;
+
+    /**
+     * Factorises K on first use.
+     */
+    DenseMatrix
+    compliance(const std::vector<SurfaceNode>  &nodes,
+               const std::vector<unsigned int> &components) override;
+
+    std::vector<std::vector<double>>
+    response(const std::vector<SurfaceNode>         &nodes,
+             const std::vector<unsigned int>        &components,
+             const std::vector<std::vector<double>> &forces,
+             const bool                              roughly) override;
+
+    BodyField
+    recover(const std::vector<SurfaceNode>  &nodes,
+            const std::vector<unsigned int> &components,
+            const std::vector<double>       &forces) override;
+
+    std::unique_ptr<BodyInTime>
+    in_time(const ThetaScheme               &scheme,
+            const MassKind                   mass,
+            const std::vector<SurfaceNode>  &nodes,
+            const std::vector<unsigned int> &components) override;
+
+    void
+    release_solver() override
+    {
+      factor.reset();
+    }
+
+    std::size_t
+    n_unknowns() const override
+    {
+      return unknown_of_dof.size() - n_constrained;
+    }
+
+    std::string
+    description() const override;
+
+    std::size_t
+    solver_memory() const override;
+
+    double
+    solver_seconds() const override;
+
+    /**
+     * K of the unknowns, assembled anew. Units: N/m.
+     */
+    SymmetricSparseMatrix
+    stiffness() const;
+
+    /**
+     * M of the unknowns. Units: kg.
+     */
+    SymmetricSparseMatrix
+    mass(const MassKind kind = MassKind::lumped) const;
+
+    /**
+     * The node of each unknown, for the order of elimination.
+     */
+    const std::vector<unsigned int> &
+    nodes_of_unknowns() const
+    {
+      return node_of_unknown;
+    }
+
+    /**
+     * The unknown of component @p components[i] at node n, at i * N + n.
+     */
+    std::vector<std::size_t>
+    unknowns(const std::vector<SurfaceNode>  &nodes,
+             const std::vector<unsigned int> &components) const;
+
+    /**
+     * The unknowns of a field that is @p value in one component and zero in the
+     * others, away from a clamped hub.
+     */
+    std::vector<double>
+    uniform(const unsigned int component, const double value) const;
+
+    /**
+     * The field of given unknowns on all nodes, hanging and clamped ones
+     * included, and back.
+     */
+    BodyField
+    field(const std::vector<double> &values) const;
+
+    std::vector<double>
+    unknowns_of(const BodyField &field) const;
+
+    /**
+     * The unknowns in the order of BodyMotion.
+     */
+    std::vector<std::size_t>
+    motion_order() const;
+
+    /**
+     * Sizes and seconds of the factorisation; nullptr before it exists.
+     */
+    const Factorisation *
+    factorisation() const
+    {
+      return factor.get();
+    }
+
+  private:
+    Discretisation<dim>
+    discretisation() const;
+
+    const bool                     recovers;
+    std::vector<int>               unknown_of_dof; ///< -1 if constrained
+    std::vector<unsigned int>      node_of_unknown;
+    std::size_t                    n_constrained = 0;
+    std::unique_ptr<Factorisation> factor;
+  };
+} // namespace RollingContact
+
+#endif

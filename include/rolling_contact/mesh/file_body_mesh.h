@@ -1,0 +1,18 @@
+#ifndef rolling_contact_mesh_file_body_mesh_h
+#define rolling_contact_mesh_file_body_mesh_h
+
+#include <rolling_contact/mesh/body_mesh.h>
+
+namespace RollingContact
+{
+  /**
+   * The mesh of a body that was read from a file, serial and without a chart.
+   * Vertices have the numbers of the FileMesh. Throws MemoryError if it does
+   * not fit.
+   */
+  template <int dim>
+  BodyMesh<dim>
+  file_body_mesh(const BodyGeometry &geometry);
+} // namespace RollingContact
+
+#endif

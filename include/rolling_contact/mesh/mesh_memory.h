@@ -1,0 +1,23 @@
+#ifndef rolling_contact_mesh_mesh_memory_h
+#define rolling_contact_mesh_mesh_memory_h
+
+#include <rolling_contact/mesh/body_mesh.h>
+
+#include <string>
+
+namespace RollingContact
+{
+  /**
+   * Throws MemoryError with the @p remedy if a mesh of @p n_cells would need
+   * more than 70 % of the free memory, by the kilobytes of a cell seen in runs:
+   * mesh and stiffness, with factor and condensation or with the multigrid
+   * levels. The ranks are taken to share one machine.
+   */
+  template <int dim>
+  void
+  check_mesh_memory(const double       n_cells,
+                    const MeshKind     kind,
+                    const std::string &remedy);
+} // namespace RollingContact
+
+#endif

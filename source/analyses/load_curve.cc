@@ -1,0 +1,126 @@
+#include <rolling_contact/analyses/adaptive_levels.h>
+#include <rolling_contact/analyses/ellipse_reference.h>
+#include <rolling_contact/analyses/error_of_result.h>
+#include <rolling_contact/analyses/falling_friction_notes.h>
+#include <rolling_contact/analyses/load_curve.h>
+#include <rolling_contact/analyses/quasi_static.h>
+#include <rolling_contact/analyses/result_row.h>
+#include <rolling_contact/analyses/state_summary.h>
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/interrupt.h>
+#include <rolling_contact/base/stopwatch.h>
+#include <rolling_contact/output/svg_plot.h>
+
+namespace RollingContact
+{
+  template <int dim>
+  void
+  LoadCurve<dim>::run()
+  {
+    if (estimate_patch(scene).half_width_x <= 0.)
+      throw InputError("Analysis = load curve needs contact: check "
+                       "Contact/Approach and Contact/Normal load.");
+    SteadyState<dim> steady =
+      AdaptiveLevels<dim>(scene, context).run([](const auto &) {});
+    describe_bodies(steady, context);
+    const double largest = steady.result.normal_force;
+    WorstRatio   worst;
+    for (const double share : scene.load_curve.load_shares())
+      {
+        throw_if_interrupted();
+        const Stopwatch   watch;
+        PhaseTimer::Scope phase(context.timer, "contact solve");
+        solve_at(share * largest, steady);
+        const double k           = stiffness(steady);
+        steady.contact_stiffness = k;
+        steady.wall_s            = watch.seconds();
+        add_result_row(scene, steady, context);
+        note_error(scene, steady, context.report);
+        worst.add(several_solutions(steady.problem, steady.state),
+                  steady.problem,
+                  significant(steady.result.normal_force, 4) + " N");
+        loads.push_back(steady.result.normal_force);
+        approaches.push_back(steady.state.approach);
+        if constexpr (dim == 3)
+          hertz.push_back(
+            ellipse_reference(scene, loads.back(), {}).hertz.approach);
+      }
+    warn_of_several_solutions(scene, worst, context.log);
+    context.log.message(context.results.screen_table({"normal_force_N",
+                                                      "approach_m",
+                                                      "contact_stiffness_N/m",
+                                                      "half_width_x_m",
+                                                      "max_pressure_Pa"}));
+    note_state(scene, steady, context.report);
+    context.report.find("spring",
+                        "k = " + significant(*steady.contact_stiffness, 5) +
+                          " N/m under the last load");
+    if (scene.output.plot)
+      plot();
+  }
+
+
+
+  template <int dim>
+  void
+  LoadCurve<dim>::solve_at(const double load, SteadyState<dim> &steady) const
+  {
+    steady.problem.normal_load = load;
+    solve_contact(scene, steady);
+    if (!steady.solver.converged)
+      throw ConvergenceError(
+        "Load curve, " + significant(load, 6) + " N: " + steady.solver.reason +
+        ". Natural residual " + scientific(steady.solver.residual.worst(), 3) +
+        ", required " + scientific(scene.solver.controls.tolerance, 3) + ".");
+    steady.result = resultants(steady.problem, steady.state);
+  }
+
+
+
+  template <int dim>
+  double
+  LoadCurve<dim>::stiffness(SteadyState<dim> &steady) const
+  {
+    const double load = *steady.problem.normal_load, change = 0.1;
+    const auto   solver = steady.solver;
+    const auto   state  = steady.state;
+    solve_at((1 + change) * load, steady);
+    const double above = steady.state.approach;
+    solve_at((1 - change) * load, steady);
+    const double below         = steady.state.approach;
+    steady.problem.normal_load = load;
+    steady.state               = state;
+    steady.solver              = solver;
+    steady.result              = resultants(steady.problem, state);
+    return 2 * change * load / (above - below);
+  }
+
+
+
+  template <int dim>
+  void
+  LoadCurve<dim>::plot() const
+  {
+    const auto scaled = [](std::vector<double> values, const double factor) {
+      for (double &value : values)
+        value *= factor;
+      return values;
+    };
+    SvgPlot figure("Load curve", "approach (\u00b5m)", "load (kN)");
+    figure.add_curve("finite elements",
+                     scaled(approaches, 1e6),
+                     scaled(loads, 1e-3),
+                     CurveStyle::line_and_points);
+    if (dim == 3)
+      figure.add_curve("Hertz, without bulk",
+                       scaled(hertz, 1e6),
+                       scaled(loads, 1e-3),
+                       CurveStyle::reference);
+    figure.write(context.folder, "load_curve.svg");
+  }
+
+
+
+  template class LoadCurve<2>;
+  template class LoadCurve<3>;
+} // namespace RollingContact

@@ -1,0 +1,142 @@
+#include <boost/math/tools/minima.hpp>
+
+#include <rolling_contact/contact/friction_law.h>
+
+#include <cmath>
+#include <functional>
+#include <utility>
+
+namespace RollingContact
+{
+  double
+  FrictionLaw::steepest_fall(const double carried, const double speed) const
+  {
+    if (speed > 0.) // the drop is concave: steepest to rest
+      return drop(speed) / speed;
+    const auto fall = [&](const double logarithm) {
+      const double w = decay_speed() * std::exp(logarithm);
+      return -(carried - 1 + drop(w)) / w;
+    };
+    const double reach = 14.; // of the speeds in question: e^-14 to e^14 v_c
+    const int    bits  = 24;
+    return -boost::math::tools::brent_find_minima(fall, -reach, reach, bits)
+              .second;
+  }
+
+
+
+  namespace
+  {
+    class ExponentialFriction : public FrictionLaw
+    {
+    public:
+      ExponentialFriction(const double kinetic_over_static,
+                          const double decay_speed)
+        : range(1 - kinetic_over_static)
+        , v_c(decay_speed)
+      {}
+
+      double
+      drop(const double speed) const override
+      {
+        return -range * std::expm1(-speed / v_c);
+      }
+
+      double
+      slope(const double speed) const override
+      {
+        return range / v_c * std::exp(-speed / v_c);
+      }
+
+      double
+      decay_speed() const override
+      {
+        return v_c;
+      }
+
+    private:
+      const double range, v_c;
+    };
+
+
+
+    class RationalFriction : public FrictionLaw
+    {
+    public:
+      RationalFriction(const double kinetic_over_static,
+                       const double decay_speed)
+        : range(1 - kinetic_over_static)
+        , v_c(decay_speed)
+      {}
+
+      double
+      drop(const double speed) const override
+      {
+        return range * speed / (v_c + speed);
+      }
+
+      double
+      slope(const double speed) const override
+      {
+        return range * v_c / ((v_c + speed) * (v_c + speed));
+      }
+
+      double
+      decay_speed() const override
+      {
+        return v_c;
+      }
+
+    private:
+      const double range, v_c;
+    };
+
+
+
+    template <typename Law>
+    std::unique_ptr<const FrictionLaw>
+    make(const double kinetic_over_static, const double decay_speed)
+    {
+      return std::make_unique<Law>(kinetic_over_static, decay_speed);
+    }
+
+
+
+    using Maker =
+      std::function<std::unique_ptr<const FrictionLaw>(double, double)>;
+
+    const std::vector<std::pair<std::string, Maker>> &
+    laws()
+    {
+      static const std::vector<std::pair<std::string, Maker>> list{
+        {"constant", [](double, double) { return nullptr; }},
+        {"exponential", make<ExponentialFriction>},
+        {"rational", make<RationalFriction>}};
+      return list;
+    }
+  } // namespace
+
+
+
+  std::vector<std::string>
+  friction_law_names()
+  {
+    std::vector<std::string> names;
+    for (const auto &law : laws())
+      names.push_back(law.first);
+    return names;
+  }
+
+
+
+  std::unique_ptr<const FrictionLaw>
+  make_friction_law(const std::string &name,
+                    const double       kinetic_over_static,
+                    const double       decay_speed)
+  {
+    for (const auto &law : laws())
+      if (law.first == name)
+        return law.second(kinetic_over_static, decay_speed);
+    return nullptr;
+  }
+} // namespace RollingContact

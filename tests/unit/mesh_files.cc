@@ -1,0 +1,237 @@
+#include "mesh_files.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include "complaint.h"
+#include "scene_run.h"
+
+#include <cmath>
+
+using namespace RollingContact;
+
+/** What is said of mesh files that cannot be read or used. */
+BOOST_AUTO_TEST_SUITE(mesh_files)
+
+namespace
+{
+  /** What is said of a scene with this rail. */
+  struct Complaints : public Files
+  {
+    std::string
+    of(const std::string                            &name,
+       const std::string                            &text,
+       const std::function<void(SceneParameters &)> &change = {},
+       const unsigned int                            dim    = 2) const
+    {
+      save(name, text);
+      return of_scene(name, change, dim);
+    }
+
+    std::string
+    of_scene(const std::string                            &name,
+             const std::function<void(SceneParameters &)> &change = {},
+             const unsigned int                            dim    = 2) const
+    {
+      return complaint([&]() {
+        const auto take_it = [&](SceneParameters &scene) {
+          scene.dimension                 = dim;
+          scene.mesh.growth               = 0.5;
+          scene.wheel.lateral_radius      = 0.3;
+          scene.rail.radius               = 0.;
+          scene.contact.normal_load_entry = dim == 2 ? "40e3" : "10e3";
+          take(scene.rail, name);
+          if (change)
+            change(scene);
+          scene.check();
+          scene.read_meshes();
+        };
+        if (dim == 2)
+          SceneRun<2>(
+            [](SceneParameters &scene) {
+              scene.mesh.elements_across_patch = 12;
+            },
+            take_it);
+        else
+          SceneRun<3>(
+            [](SceneParameters &scene) {
+              scene.mesh.elements_across_patch = 6;
+            },
+            take_it);
+      });
+    }
+  };
+
+  std::string
+  replaced(std::string text, const std::string &what, const std::string &by)
+  {
+    const std::size_t at = text.find(what);
+    BOOST_REQUIRE(at != std::string::npos);
+    return text.replace(at, what.size(), by);
+  }
+} // namespace
+
+BOOST_AUTO_TEST_CASE(files_that_cannot_be_read)
+{
+  const Complaints  said;
+  const WrittenMesh good = block(2, 40, 0.);
+  BOOST_TEST(said.of("good.msh", good.gmsh()) == "");
+  BOOST_TEST(said.of("good.inp", good.abaqus()) == "");
+  const auto check = [](const std::string &text, const std::string &part) {
+    BOOST_TEST(contains(text, "Rail/"), text);
+    BOOST_TEST(contains(text, part), text);
+  };
+  check(said.of_scene("none.msh"), "there is no file");
+  check(said.of_scene(""), "there is no file");
+  check(said.of("empty.msh", ""), "is empty");
+  check(said.of("mesh.vtk", good.gmsh()), ".msh, or an Abaqus input file");
+  check(said.of("text.msh", "hello"), "$MeshFormat");
+  check(said.of("binary.msh", replaced(good.gmsh(), "2.2 0 8", "4.1 1 8")),
+        "it is binary");
+  check(said.of("old.msh", replaced(good.gmsh(), "2.2 0 8", "3.0 0 8")),
+        "its format is not one of");
+  check(said.of("short.msh", good.gmsh().substr(0, 4000)),
+        "in its $Nodes a number is missing");
+  check(said.of("cut.msh", good.gmsh().substr(0, good.gmsh().size() - 3000)),
+        "in its $Elements a number is missing");
+  check(said.of("node.msh",
+                replaced(good.gmsh(), "3 2 3 1 1 ", "3 2 3 1 999 ")),
+        "a node that is not there");
+  check(said.of("order.msh",
+                replaced(good.gmsh(), "3 2 3 1 1 ", "10 2 3 1 1 ")),
+        "only those of first order");
+  check(said.of("text.inp", "hello"), "it has no *ELEMENT");
+  check(said.of("triangle.inp",
+                "*NODE\n1, 0, 0\n2, 1, 0\n3, 0, 1\n*ELEMENT, TYPE=CPE3\n"
+                "1, 1, 2, 3\n"),
+        "line 6: an element of type CPE3 with 3 nodes");
+  check(said.of("numbers.inp",
+                "*NODE\n1, 0, 0\n*ELEMENT, TYPE=CPE4\n5, 1, 2, 3, 4\n"),
+        "element 5 is number 1");
+  check(said.of("face.inp",
+                replaced(good.abaqus(), "_Top_S, S4", "_Top_S, S7")),
+        "no face of an element");
+  check(said.of("set.inp", replaced(good.abaqus(), "_Top_S, S4", "_Bot_S, S4")),
+        "neither the name of an *ELSET");
+}
+
+
+
+BOOST_AUTO_TEST_CASE(meshes_that_cannot_be_used)
+{
+  const Complaints said;
+  const auto check = [](const std::string &text, const std::string &part) {
+    BOOST_TEST(contains(text, "Rail/"), text);
+    BOOST_TEST(contains(text, part), text);
+  };
+  const WrittenMesh good = block(2, 40, 0.), solid = block(3, 24, 0.);
+  BOOST_TEST(said.of("good.msh", solid.gmsh(), {}, 3) == "");
+  check(said.of("solid.msh", solid.gmsh()), "Dimension = 2");
+  check(said.of("flat.msh", good.gmsh(), {}, 3), "Dimension = 3");
+  check(said.of("triangle.msh",
+                "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 -1 0 0\n"
+                "2 1 0 0\n3 0 -1 0\n$EndNodes\n$Elements\n3\n1 1 2 1 1 1 2\n"
+                "2 1 2 2 1 2 3\n3 2 2 3 1 1 2 3\n$EndElements\n"),
+        "it has triangles");
+  check(said.of("tetrahedron.msh",
+                "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 -1 -1 0\n"
+                "2 1 -1 0\n3 0 1 0\n4 0 0 -1\n$EndNodes\n$Elements\n3\n"
+                "1 2 2 1 1 1 2 3\n2 2 2 2 1 1 2 4\n3 4 2 3 1 1 2 3 4\n"
+                "$EndElements\n",
+                {},
+                3),
+        "it has tetrahedra");
+  check(said.of("good.msh",
+                good.gmsh(),
+                [](SceneParameters &scene) {
+                  scene.rail.contact_boundary = 7;
+                }),
+        "Contact boundary id = 7; its boundary has 0, 1, 2");
+  check(said.of("good.msh",
+                good.gmsh(),
+                [](SceneParameters &scene) { scene.rail.hub_boundary = 5; }),
+        "Hub boundary id = 5");
+  // a node drawn through the opposite side of its cells
+  WrittenMesh folded = good;
+  folded.map         = [&](double a, double b, double c) {
+    auto p = good.map(a, b, c);
+    if (std::abs(a - 0.01) < 1e-9 && c > 0. && c < 0.015)
+      p[0] += 0.0015;
+    return p;
+  };
+  check(said.of("folded.msh", folded.gmsh()), "inverted, folded or flat");
+  // the same nodes and cells once more, 1 m away
+  WrittenMesh two = block(2, 2, 0.);
+  check(said.of("two.msh",
+                "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n8\n1 -1 0 0\n"
+                "2 1 0 0\n3 1 -1 0\n4 -1 -1 0\n5 9 0 0\n6 10 0 0\n7 10 -1 0\n"
+                "8 9 -1 0\n$EndNodes\n$Elements\n4\n1 1 2 1 1 1 2\n"
+                "2 1 2 2 1 3 4\n3 3 2 3 1 1 4 3 2\n4 3 2 3 1 5 8 7 6\n"
+                "$EndElements\n"),
+        "1 of 2 hang together");
+  const auto moved = [&](const double dx, const double dz, const double sign) {
+    WrittenMesh mesh = good;
+    mesh.map         = [=](double a, double b, double c) {
+      auto p = good.map(a, b, c);
+      return WrittenMesh::Point{{p[0] + dx, p[1], sign * p[2] + dz}};
+    };
+    return mesh.gmsh();
+  };
+  check(said.of("aside.msh", moved(0.1, 0., 1.)), "not around the origin");
+  check(said.of("above.msh", moved(0., 0., -1.)), "turns away");
+  check(said.of("low.msh", moved(0., -1e-4, 1.)), "off the surface of");
+  check(said.of("near.msh", moved(0.018, 0., 1.)), "and the file's origin");
+  // units: the file in millimetres read as metres, and the reverse
+  WrittenMesh millimetres = good;
+  millimetres.unit        = 0.001;
+  check(said.of("mm.msh", millimetres.gmsh()), "Mesh unit");
+  check(said.of("small.msh",
+                good.gmsh(),
+                [](SceneParameters &scene) { scene.rail.mesh_unit = 0.001; }),
+        "Mesh unit");
+  check(said.of("good.msh",
+                good.gmsh(),
+                [](SceneParameters &scene) { scene.rail.radius = 0.46; }),
+        "off the surface of Rail/Radius = 0.46");
+}
+
+
+
+BOOST_AUTO_TEST_CASE(what_a_body_from_a_file_does_not_go_with)
+{
+  const Complaints said;
+  said.save("good.msh", block(2, 40, 0.).gmsh());
+  const auto with = [&](const std::function<void(SceneParameters &)> &change) {
+    return said.of_scene("good.msh", change);
+  };
+  BOOST_TEST(contains(with([](SceneParameters &scene) {
+                        scene.body_solver = "distributed";
+                      }),
+                      "Body solver = distributed"));
+  BOOST_TEST(contains(with([](SceneParameters &scene) {
+                        scene.mesh.adaptive_levels = 1;
+                      }),
+                      "Mesh/Adaptive levels = 1"));
+  BOOST_TEST(
+    contains(with([](SceneParameters &scene) { scene.mesh.rim_levels = 1; }),
+             "Mesh/Rim levels = 1"));
+  BOOST_TEST(contains(with([](SceneParameters &scene) {
+                        scene.analysis = "accuracy study";
+                      }),
+                      "Analysis = accuracy study"));
+  BOOST_TEST(
+    contains(with([](SceneParameters &scene) { scene.rail.rigid = true; }),
+             "a rigid body has no mesh"));
+  BOOST_TEST(
+    contains(with([](SceneParameters &scene) { scene.rail.shape = "block"; }),
+             "Shape = mesh file only"));
+  BOOST_TEST(
+    contains(with([](SceneParameters &scene) { scene.rail.hub_boundary = 1; }),
+             "Hub boundary id are both 1"));
+  BOOST_TEST(contains(with([](SceneParameters &scene) {
+                        scene.wheel.rigid                = true;
+                        scene.mesh.elements_across_patch = 12;
+                      }),
+                      "Mesh/Elements across patch: the interface's elements"));
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,387 @@
+#define BOOST_TEST_MODULE ranks
+#include <boost/test/unit_test.hpp>
+
+#include "complaint.h"
+#include "scratch_folder.h"
+#include <signal.h>
+
+#include <rolling_contact/base/common_end.h>
+#include <rolling_contact/base/interrupt.h>
+#include <rolling_contact/base/log.h>
+#include <rolling_contact/base/ranks.h>
+#include <rolling_contact/output/checkpoint.h>
+#include <rolling_contact/output/run_report.h>
+
+#include <cmath>
+#include <iostream>
+#include <memory>
+#include <new>
+#include <thread>
+
+/** To be run by mpirun, on any number of ranks. */
+namespace
+{
+  using namespace RollingContact;
+  namespace fs = std::filesystem;
+
+  struct StartedMpi
+  {
+    StartedMpi()
+    {
+      Ranks::start();
+    }
+
+    ~StartedMpi()
+    {
+      Ranks::finish();
+    }
+  };
+
+
+
+  /** The same folder on all ranks; it must not go before all are done. */
+  struct SharedFolder
+  {
+    SharedFolder()
+    {
+      std::string name;
+      Ranks::on_root([&]() {
+        own  = std::make_unique<ScratchFolder>();
+        name = own->folder.string();
+      });
+      Ranks::broadcast(name);
+      folder = name;
+    }
+
+    ~SharedFolder()
+    {
+      Ranks::sum(0.);
+    }
+
+    std::unique_ptr<ScratchFolder> own;
+    fs::path                       folder;
+  };
+
+
+
+  unsigned int
+  last()
+  {
+    return Ranks::count() - 1;
+  }
+} // namespace
+
+BOOST_TEST_GLOBAL_FIXTURE(StartedMpi);
+
+BOOST_AUTO_TEST_SUITE(ranks)
+
+BOOST_AUTO_TEST_CASE(sums_and_extremes)
+{
+  const double n = Ranks::count(), own = Ranks::rank() + 1.;
+  BOOST_TEST(Ranks::sum(own) == n * (n + 1) / 2);
+  BOOST_TEST(Ranks::minimum(own) == 1.);
+  BOOST_TEST(Ranks::maximum(own) == n);
+  BOOST_TEST(Ranks::maximum(-own) == -1.);
+  BOOST_TEST(Ranks::sum(Ranks::is_root()) == 1.);
+  BOOST_TEST(Ranks::launched());
+}
+
+
+
+// 2.5 million entries go in three messages
+BOOST_AUTO_TEST_CASE(vectors_in_pieces)
+{
+  const double        n = Ranks::count();
+  std::vector<double> values(2500000);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] = (Ranks::rank() + 1.) * i;
+  Ranks::sum(values);
+  std::size_t n_wrong = 0;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    n_wrong += values[i] != n * (n + 1) / 2 * i;
+  BOOST_TEST(n_wrong == 0u);
+
+  std::vector<double> sent(Ranks::rank());
+  if (Ranks::rank() == last())
+    sent = values;
+  Ranks::broadcast(sent, last());
+  BOOST_TEST((sent == values));
+
+  std::vector<double> none;
+  Ranks::sum(none);
+  Ranks::broadcast(none);
+  BOOST_TEST(none.empty());
+}
+
+
+
+BOOST_AUTO_TEST_CASE(texts_of_any_length)
+{
+  const std::string zeros("a\0b", 3);
+  for (const std::string &text :
+       {std::string(), zeros, std::string(3000001, 'x')})
+    {
+      std::string sent = Ranks::is_root() ? text : "something else";
+      Ranks::broadcast(sent);
+      BOOST_TEST((sent == text));
+    }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(one_rank_acts_the_others_wait)
+{
+  double n_calls = 0;
+  Ranks::on(last(), [&]() {
+    ++n_calls;
+    BOOST_TEST(Ranks::rank() == last());
+    BOOST_TEST(Ranks::others_wait() == (Ranks::count() > 1));
+    Ranks::on_root([&]() { ++n_calls; });
+    if (Ranks::count() > 1)
+      BOOST_CHECK_THROW(Ranks::sum(1.), std::logic_error);
+  });
+  BOOST_TEST(!Ranks::others_wait());
+  BOOST_TEST(n_calls == (Ranks::rank() == last() ? 2. : 0.));
+}
+
+
+
+template <typename Exception>
+void
+check_shared(const Exception &exception, const std::string &message)
+{
+  for (const unsigned int rank : {0u, last()})
+    {
+      const auto is_it = [&](const Exception &error) {
+        return error.what() == message;
+      };
+      BOOST_CHECK_EXCEPTION(Ranks::on(rank, [&]() { throw exception; }),
+                            Exception,
+                            is_it);
+      BOOST_TEST(!Ranks::others_wait());
+    }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(what_one_throws_all_throw)
+{
+  check_shared(InputError("no such file"), "no such file");
+  check_shared(ConvergenceError("50 iterations"), "50 iterations");
+  check_shared(Interrupted("stop"), "stop");
+  check_shared(std::logic_error("a bug"), "a bug");
+  check_shared(std::runtime_error(std::string(5000000, 'r')),
+               std::string(5000000, 'r'));
+  check_shared(std::bad_alloc(), std::bad_alloc().what());
+  if (Ranks::count() > 1) // a type the others do not know
+    BOOST_CHECK_THROW(Ranks::on(last(),
+                                []() { throw fs::filesystem_error("a", {}); }),
+                      std::runtime_error);
+  BOOST_TEST(Ranks::sum(1.) == Ranks::count());
+}
+
+
+
+BOOST_AUTO_TEST_CASE(the_lowest_failure_of_all)
+{
+  Ranks::on_all([]() {});
+  const unsigned int first = Ranks::count() > 1 ? 1 : 0;
+  BOOST_TEST(complaint([&]() {
+               Ranks::on_all([&]() {
+                 if (Ranks::rank() >= first)
+                   throw InputError("rank " + std::to_string(Ranks::rank()));
+               });
+             }) == "rank " + std::to_string(first));
+}
+
+
+
+// A signal to one rank stops all, but inside on() only that one.
+BOOST_AUTO_TEST_CASE(interrupts_are_agreed_on)
+{
+  install_interrupt_handlers();
+  BOOST_CHECK_NO_THROW(throw_if_interrupted());
+  if (Ranks::rank() == last())
+    raise(SIGTERM);
+  BOOST_TEST(interrupted() == (Ranks::rank() == last()));
+  if (Ranks::count() > 1)
+    BOOST_CHECK_NO_THROW(Ranks::on_root(throw_if_interrupted));
+  BOOST_CHECK_THROW(Ranks::on(last(), throw_if_interrupted), Interrupted);
+  BOOST_CHECK_EXCEPTION(throw_if_interrupted(),
+                        Interrupted,
+                        [](const Interrupted &error) {
+                          return contains(error.what(), "SIGTERM");
+                        });
+  install_interrupt_handlers();
+  BOOST_CHECK_NO_THROW(throw_if_interrupted());
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(files_of_ranks)
+
+BOOST_AUTO_TEST_CASE(only_the_root_talks)
+{
+  std::ostringstream    out, errors;
+  std::streambuf *const old_out    = std::cout.rdbuf(out.rdbuf());
+  std::streambuf *const old_errors = std::cerr.rdbuf(errors.rdbuf());
+  Log                   log(Verbosity::normal);
+  log.message("hello");
+  log.warning("careful");
+  std::cout.rdbuf(old_out);
+  std::cerr.rdbuf(old_errors);
+  BOOST_TEST(out.str() == (Ranks::is_root() ? "hello\n" : ""));
+  BOOST_TEST(errors.str().empty() == !Ranks::is_root());
+  BOOST_TEST(log.warnings().size() == 1u);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(only_the_root_writes)
+{
+  const SharedFolder shared;
+  RunFolder          run(shared.folder, "a", "b");
+  run.open();
+  run.write_atomically("who.txt", std::to_string(Ranks::rank()));
+  run.write_record("\"status\": \"done\"");
+  Ranks::sum(0.);
+  BOOST_TEST(read(shared.folder / "who.txt") == "0");
+  BOOST_TEST(contains(read(shared.folder / "run.json"), "who.txt"));
+}
+
+
+
+BOOST_AUTO_TEST_CASE(a_file_in_pieces)
+{
+  const SharedFolder       shared;
+  std::vector<std::string> names;
+  for (unsigned int r = 0; r < Ranks::count(); ++r)
+    names.push_back("piece-" + std::to_string(r));
+  RunFolder run(shared.folder, "", "");
+  run.open();
+  run.write_pieces(names, "of " + std::to_string(Ranks::rank()));
+  for (unsigned int r = 0; r < Ranks::count(); ++r)
+    {
+      BOOST_TEST(read(shared.folder / names[r]) == "of " + std::to_string(r));
+      BOOST_TEST(contains(read(shared.folder / "run.json"), names[r]));
+    }
+
+  // the last rank finds a folder where its file should be
+  Ranks::on_root([&]() { fs::create_directory(shared.folder / "taken"); });
+  names.back() = "taken";
+  BOOST_TEST(
+    contains(complaint([&]() { run.write_pieces(names, ""); }), "taken"));
+}
+
+
+
+BOOST_AUTO_TEST_CASE(a_folder_that_is_refused)
+{
+  const SharedFolder shared;
+  Ranks::on_root([&]() { write(shared.folder / "thesis.tex", ""); });
+  RunFolder run(shared.folder, "", "");
+  BOOST_TEST(contains(complaint([&]() { run.open(); }), "did not write"));
+  BOOST_TEST(contains(complaint([&]() { run.reopen({}); }), "did not write"));
+}
+
+
+
+BOOST_AUTO_TEST_CASE(checkpoint_and_history)
+{
+  const SharedFolder shared;
+  RunFolder          run(shared.folder, "", "");
+  run.open();
+  Checkpoint record;
+  {
+    HistoryTable history(run, history_name, {"step", "force"});
+    history.add_row({1., 2.});
+    record.history  = history.flush();
+    record.pressure = {1. + Ranks::rank(), 0.5};
+    write_checkpoint(record, run);
+  }
+  const Checkpoint kept = read_checkpoint(run); // of the root
+  BOOST_TEST((kept.pressure == std::vector<double>{1., 0.5}));
+  BOOST_TEST(kept.history.n_rows == 1u);
+  Ranks::sum(0.);
+  BOOST_TEST(read(shared.folder / history_name) == "step,force\n1,2\n");
+  Ranks::on_root([&]() { write(shared.folder / checkpoint_name, "noise"); });
+  BOOST_TEST(contains(complaint([&]() { read_checkpoint(run); }), "truncated"));
+  BOOST_TEST(contains(complaint([&]() {
+                        HistoryTable(run, history_name, {"a"}, {1, 1000});
+                      }),
+                      "has less than"));
+}
+
+
+
+BOOST_AUTO_TEST_CASE(totals)
+{
+  const PhaseTimer timer;
+  const RankTotals totals = totals_of_ranks(timer);
+  const double     n      = Ranks::count();
+  BOOST_TEST(totals.largest_peak_memory > 1e6);
+  BOOST_TEST(totals.peak_memory <= n * totals.largest_peak_memory);
+  BOOST_TEST(totals.peak_memory > 0.5 * n * totals.largest_peak_memory);
+  BOOST_TEST(totals.cpu_seconds >= totals.largest_cpu_seconds);
+
+  RunReport report;
+  report.n_ranks = 3;
+  BOOST_TEST(!contains(report.summary(timer, ""), "ranks"));
+  report.rank_totals = {{3., 1.25, 5e6, 2e6}};
+  BOOST_TEST(contains(report.summary(timer, ""),
+                      "on 3 ranks, 5 MB (at most 2 MB of one), 3 s CPU"));
+  BOOST_TEST(contains(report.summary(timer, ""), "1.25"));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+// Only mpirun sees how it ends: a suite for a run of its own.
+BOOST_AUTO_TEST_SUITE(terminated_rank)
+
+BOOST_AUTO_TEST_CASE(the_others_do_not_wait)
+{
+  Ranks::end_all_on_terminate();
+  if (Ranks::rank() == last())
+    std::thread([]() { throw std::runtime_error("lost in a thread"); }).join();
+  Ranks::sum(1.);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+// Asked once in a run: each of the two in a run of its own.
+BOOST_AUTO_TEST_SUITE(alike_failures)
+
+BOOST_AUTO_TEST_CASE(one_code_one_message)
+{
+  BOOST_TEST(Ranks::all_failed(ExitCode::not_converged));
+  std::ostringstream    errors;
+  std::streambuf *const old = std::cerr.rdbuf(errors.rdbuf());
+  const int code = Ranks::end_failed_run(ExitCode::not_converged, "diverged");
+  std::cerr.rdbuf(old);
+  BOOST_TEST(code == 2);
+  BOOST_TEST(errors.str() ==
+             (Ranks::is_root() ? "rolling-contact: diverged\n" : ""));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(different_failures)
+
+BOOST_AUTO_TEST_CASE(the_root_speaks_for_itself)
+{
+  const bool     several = Ranks::count() > 1;
+  const ExitCode own =
+    Ranks::is_root() ? ExitCode::input_error : ExitCode::internal_error;
+  BOOST_TEST(Ranks::all_failed(own) == !several);
+  std::ostringstream    errors;
+  std::streambuf *const old = std::cerr.rdbuf(errors.rdbuf());
+  const int code = Ranks::end_failed_run(own, std::to_string(Ranks::rank()));
+  std::cerr.rdbuf(old);
+  BOOST_TEST(code == 1);
+  const std::string name =
+    several ? "rank 0 of " + std::to_string(Ranks::count()) + ": " : "";
+  BOOST_TEST(errors.str() ==
+             (Ranks::is_root() ? "rolling-contact: " + name + "0\n" : ""));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
