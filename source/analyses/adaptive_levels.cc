@@ -198,6 +198,7 @@ namespace RollingContact
            steady.solver.converged && steady.result.n_touching > 0 &&
            refine(steady, grading))
       {
+        steady.pair->release_statics();
         steady  = solve_next(steady, grading);
         grading = steady.grading;
         history.add(level_values(steady, scene.contact.friction_coefficient));
@@ -235,7 +236,8 @@ namespace RollingContact
         next.elements_across =
           std::lround(previous.elements_across *
                       previous.grading.element_size_x / grading.element_size_x);
-        if (!zone_too_small(next))
+        // the patch of a state that is none means nothing
+        if (!next.solver.converged || !zone_too_small(next))
           return next;
         grading.enlarge_zone(1u << attempt);
         context.log.message(

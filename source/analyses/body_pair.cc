@@ -167,12 +167,12 @@ namespace RollingContact
         build(grading, statics);
         return;
       }
-    const double free = 0.7 * available_memory();
     try
       {
         solver = BodySolver::direct;
         build(grading, statics);
-        const double needed = factor_memory(statics);
+        const double needed = factor_memory(statics),
+                     free   = 0.7 * available_memory();
         reason = "bodies whose factors need " + human_bytes(needed) +
                  ", 70 % of the free memory is " + human_bytes(free);
         if (free <= 0. || needed < free)
@@ -211,7 +211,7 @@ namespace RollingContact
   BodyPair<dim>::build(const Grading<dim> &grading, const bool statics)
   {
     const bool         direct  = solver == BodySolver::direct;
-    const unsigned int n_ranks = Ranks::count();
+    const unsigned int n_ranks = Ranks::count(), here = Ranks::rank();
     const unsigned int n_bodies =
       is_elastic(Side::wheel) && is_elastic(Side::rail) && !are_twins ? 2 : 1;
     if (direct && n_ranks > n_bodies)
@@ -225,7 +225,7 @@ namespace RollingContact
     const auto make       = [&](const Side side, const BodyParameters &body) {
       Part &it = part(side);
       if (!it.elastic || (side == Side::rail && are_twins) ||
-          (direct && it.rank != Ranks::rank()))
+          (direct && it.rank != here))
         return;
       it.body = make_body<dim>(
         solver, body, grading, wants_displacements(scene), it.rank);
@@ -233,7 +233,7 @@ namespace RollingContact
         it.body->analyse();
     };
     for_both_bodies(
-      direct ? scene.body_threads : 1,
+      n_threads(),
       [&]() { make(Side::wheel, scene.wheel); },
       [&]() { make(Side::rail, scene.rail); });
     if (are_twins)

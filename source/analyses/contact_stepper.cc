@@ -1,4 +1,6 @@
 #include <rolling_contact/analyses/contact_stepper.h>
+#include <rolling_contact/analyses/initial_contact.h>
+#include <rolling_contact/analyses/solved_state.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/contact/invariants.h>
 #include <rolling_contact/solvers/corrected_solve.h>
@@ -8,135 +10,20 @@
 
 namespace RollingContact
 {
-  namespace
-  {
-    /**
-     * The edge law needs the static compliance, which a run with inertia has
-     * at most to start from.
-     */
-    SlipOperatorKind
-    operator_in_time(const SceneParameters &scene)
-    {
-      const SlipOperatorKind kind = scene.contact.slip_operator_kind();
-      return scene.time.inertia && kind == SlipOperatorKind::calibrated
-               ? SlipOperatorKind::upwind_2
-               : kind;
-    }
-  } // namespace
-
-
-
   template <int dim>
   ContactStepper<dim>::ContactStepper(const SceneParameters &scene,
                                       RunContext            &context)
     : scene(scene)
     , context(context)
     , histories(scene.time.histories(scene.contact, scene.prm_folder))
-    , slip_operator(operator_in_time(scene))
     , solver(make_contact_solver(scene.solver.solver, scene.solver.controls))
   {
-    if (slip_operator != scene.contact.slip_operator_kind())
-      context.log.message("With inertia B1 is `upwind 2`: the edge law of "
-                          "`calibrated` needs the static compliance.");
-    if (scene.time.inertia)
-      make_inertial();
-    else
-      make_massless();
-    contact.slip_operator = slip_operator == SlipOperatorKind::upwind_2
-                              ? "upwind 2"
-                              : scene.contact.slip_operator;
-    undeformed_gap        = contact.problem.gap;
-    border                = contact.pair->trace().border_nodes();
-  }
-
-
-
-  template <int dim>
-  void
-  ContactStepper<dim>::make_massless()
-  {
-    contact = solve_steady_state<dim>(scene, context);
-    motion  = make_massless_motion<dim>(*contact.pair);
-    if (scene.time.initial_state == "steady")
-      solve_initial_state();
-    else
-      start_at_rest();
-  }
-
-
-
-  template <int dim>
-  void
-  ContactStepper<dim>::start_at_rest()
-  {
-    const ContactProblem &problem = contact.problem;
-    contact.state                 = ContactState();
-    contact.state.pressure.assign(problem.n_nodes, 0.);
-    contact.state.traction.assign(problem.n_tangential * problem.n_nodes, 0.);
-  }
-
-
-
-  template <int dim>
-  void
-  ContactStepper<dim>::make_inertial()
-  {
-    if (scene.time.initial_state == "steady")
-      contact = solve_steady_state<dim>(scene, context);
-    else
-      {
-        PhaseTimer::Scope   phase(context.timer, "mesh and assembly");
-        const PatchEstimate patch = estimate_patch(scene);
-        contact.grading           = make_grading<dim>(scene,
-                                            patch,
-                                            scene.mesh.elements_across_patch,
-                                            scene.mesh.offset());
-        contact.elements_across   = scene.mesh.elements_across_patch;
-        contact.pair =
-          std::make_unique<RollingPair<dim>>(scene, contact.grading, false);
-      }
-    {
-      PhaseTimer::Scope phase(context.timer, "mass and order of elimination");
-      motion = make_inertial_motion<dim>(scene, *contact.pair);
-    }
-    if (scene.time.initial_state == "steady")
-      {
-        contact.problem =
-          contact.pair->contact_problem(slip_operator,
-                                        std::move(contact.problem.W));
-        solve_initial_state();
-        contact.pair->release_statics();
-        return;
-      }
-    // the compliance comes with the time step
-    contact.problem =
-      contact.pair->contact_problem(slip_operator,
-                                    contact.pair->combined({}, {}));
-    start_at_rest();
-  }
-
-
-
-  template <int dim>
-  void
-  ContactStepper<dim>::solve_initial_state()
-  {
-    PhaseTimer::Scope phase(context.timer, "contact solve");
-    ContactProblem   &problem = contact.problem;
-    problem.set_creepages(histories.creepage_x.value(0.),
-                          histories.creepage_y.value(0.),
-                          histories.spin.value(0.));
-    problem.speed = std::abs(histories.speed.value(0.));
-    if (histories.normal_load)
-      problem.normal_load = histories.normal_load->value(0.);
-    else
-      problem.approach = histories.approach->value(0.);
-    solve_contact(scene, contact);
-    if (!contact.solver.converged)
-      throw ConvergenceError(
-        "The steady initial state did not converge: " + contact.solver.reason +
-        "; try Time/Initial state = rest.");
-    motion->start_from(problem, contact.state);
+    InitialContact<dim> initial =
+      make_initial_contact<dim>(scene, histories, context);
+    contact        = std::move(initial.contact);
+    motion         = std::move(initial.motion);
+    undeformed_gap = contact.problem.gap;
+    border         = contact.pair->trace().border_nodes();
   }
 
 
@@ -319,9 +206,7 @@ namespace RollingContact
       throw ConvergenceError(
         "The contact solver did not converge at t = " + significant(time, 9) +
         " s with a step of " + significant(h, 3) +
-        " s: " + outcome.solver.reason + ". Natural residual " +
-        scientific(outcome.solver.residual.worst(), 3) + ", required " +
-        scientific(scene.solver.controls.tolerance, 3) +
+        " s: " + shortfall(outcome.solver, scene.solver.controls.tolerance) +
         ". Take a smaller Time/Time step, more Time/Maximum halvings or "
         "another Contact/Solver.");
     context.log.message(
@@ -346,7 +231,8 @@ namespace RollingContact
       }
     catch (...)
       {
-        contact.state = before;
+        contact.state    = before;
+        contact.restored = true; // the drive is that of the failed step
         motion->go_back();
         throw;
       }
@@ -368,6 +254,14 @@ namespace RollingContact
       throw ConvergenceError(
         "The patch reaches the border of the candidate zone at t = " +
         significant(time + h, 9) + " s: take a larger Mesh/Candidate zone.");
+    const double scale = outcome.energy.kinetic + outcome.energy.strain +
+                         friction_energy + std::abs(outcome.friction);
+    if (outcome.friction < -1e-9 * scale)
+      throw ConvergenceError(
+        "Friction created " + scientific(-outcome.friction, 3) +
+        " J in the step to t = " + significant(time + h, 9) +
+        " s: the contact state is wrong, take a smaller Contact/Tolerance.");
+    friction_energy += outcome.friction;
     find_resultants();
     return outcome;
   }
@@ -414,7 +308,8 @@ namespace RollingContact
                        std::to_string(problem.n_nodes) +
                        ". Start the run without --resume.");
     restore_state(checkpoint);
-    const double h = checkpoint.time_step;
+    friction_energy = checkpoint.friction_energy;
+    const double h  = checkpoint.time_step;
     if (h == 0.) // before the first step
       return;
     set_time_step(h);

@@ -7,6 +7,7 @@
 #include <rolling_contact/analyses/quasi_static.h>
 #include <rolling_contact/analyses/result_row.h>
 #include <rolling_contact/analyses/small_strain.h>
+#include <rolling_contact/analyses/solved_state.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/base/progress.h>
@@ -20,6 +21,24 @@ namespace RollingContact
 {
   namespace
   {
+    const char needs_contact[] =
+      "Analysis = creep curve needs contact and friction: check "
+      "Contact/Approach, Contact/Normal load and "
+      "Contact/Friction coefficient.";
+
+
+
+    bool
+    varies(const std::vector<References::Creepages> &points,
+           const double References::Creepages::*component)
+    {
+      return std::any_of(points.begin(), points.end(), [&](const auto &point) {
+        return point.*component != points[0].*component;
+      });
+    }
+
+
+
     /**
      * For the screen: the creepages that vary, then forces.
      */
@@ -29,12 +48,8 @@ namespace RollingContact
       std::vector<std::string> columns;
       const auto add = [&](const double References::Creepages::*component,
                            const std::string                   &column) {
-        for (const auto &point : points)
-          if (point.*component != points[0].*component)
-            {
-              columns.push_back(column);
-              return;
-            }
+        if (varies(points, component))
+          columns.push_back(column);
       };
       add(&References::Creepages::x, "creepage_x");
       add(&References::Creepages::y, "creepage_y");
@@ -63,41 +78,15 @@ namespace RollingContact
     const auto points = scene.creep_curve.points();
     if (scene.contact.friction_coefficient <= 0. ||
         estimate_patch(scene).half_width_x <= 0.)
-      throw InputError(
-        "Analysis = creep curve needs contact and friction: check "
-        "Contact/Approach, Contact/Normal load and "
-        "Contact/Friction coefficient.");
+      throw InputError(needs_contact);
     SteadyState<dim> steady =
       AdaptiveLevels<dim>(scene, context).run([](const auto &) {});
+    require_solved(scene, steady, "Creep curve, the state to start from");
+    if (steady.result.normal_force <= 0.)
+      throw InputError(needs_contact);
     describe_bodies(steady, context);
     const Stopwatch watch;
-    Progress        progress(context.log, "point", points.size());
-    WorstRatio      worst;
-    for (std::size_t k = 0; k < points.size(); ++k)
-      {
-        throw_if_interrupted();
-        const Stopwatch point_watch;
-        solve_point(points[k], steady);
-        steady.wall_s = point_watch.seconds();
-        add_result_row(scene, steady, context);
-        if (!steady.solver.converged)
-          throw ConvergenceError(
-            "Creep curve, point " + std::to_string(k + 1) + " of " +
-            std::to_string(points.size()) + ": " + steady.solver.reason +
-            ". Natural residual " +
-            scientific(steady.solver.residual.worst(), 3) + ", required " +
-            scientific(scene.solver.controls.tolerance, 3) + ".");
-        note_error(scene, steady, context.report);
-        worst.add(several_solutions(steady.problem, steady.state),
-                  steady.problem,
-                  "point " + std::to_string(k + 1));
-        progress.report(k + 1);
-      }
-    warn_of_large_strains(strain_measures(scene,
-                                          steady.result,
-                                          steady.state.approach),
-                          context.log);
-    warn_of_several_solutions(scene, worst, context.log);
+    march(points, steady);
     context.log.message(context.results.screen_table(columns_of(points)));
     context.report.find("load",
                         "N = " + significant(steady.result.normal_force, 6) +
@@ -111,6 +100,39 @@ namespace RollingContact
         significant(*std::max_element(force.begin(), force.end()), 5));
     if (scene.output.plot)
       plot(points);
+  }
+
+
+
+  template <int dim>
+  void
+  CreepCurve<dim>::march(const std::vector<References::Creepages> &points,
+                         SteadyState<dim>                         &steady)
+  {
+    Progress   progress(context.log, "point", points.size());
+    WorstRatio worst;
+    for (std::size_t k = 0; k < points.size(); ++k)
+      {
+        throw_if_interrupted();
+        const Stopwatch point_watch;
+        solve_point(points[k], steady);
+        steady.wall_s = point_watch.seconds();
+        add_result_row(scene, steady, context);
+        require_solved(scene,
+                       steady,
+                       "Creep curve, point " + std::to_string(k + 1) + " of " +
+                         std::to_string(points.size()));
+        note_error(scene, steady, context.report);
+        worst.add(several_solutions(steady.problem, steady.state),
+                  steady.problem,
+                  "point " + std::to_string(k + 1));
+        progress.report(k + 1);
+      }
+    warn_of_large_strains(strain_measures(scene,
+                                          steady.result,
+                                          steady.state.approach),
+                          context.log);
+    warn_of_several_solutions(scene, worst, context.log);
   }
 
 
@@ -154,22 +176,14 @@ namespace RollingContact
   void
   CreepCurve<dim>::plot(const std::vector<References::Creepages> &points) const
   {
-    const auto spread = [&](const auto &component) {
-      return component(points.back()) - component(points.front());
-    };
-    const auto x    = [](const auto &point) { return point.x; };
-    const auto y    = [](const auto &point) { return point.y; };
-    const auto spin = [](const auto &point) { return point.spin; };
-
+    const bool y = varies(points, &References::Creepages::y),
+               x = varies(points, &References::Creepages::x);
     std::vector<double> abscissa;
     for (const auto &point : points)
-      abscissa.push_back(spread(y) != 0.   ? 100 * point.y
-                         : spread(x) != 0. ? 100 * point.x
-                                           : point.spin);
-    const std::string label = spread(y) != 0.      ? "lateral creepage (%)"
-                              : spread(x) != 0.    ? "longitudinal creepage (%)"
-                              : spread(spin) != 0. ? "spin (1/m)"
-                                                   : "creepage";
+      abscissa.push_back(y ? 100 * point.y : x ? 100 * point.x : point.spin);
+    const std::string label = y   ? "lateral creepage (%)"
+                              : x ? "longitudinal creepage (%)"
+                                  : "spin (1/m)";
     SvgPlot           figure("Creep curve",
                    label,
                    "|T| / (" + scale_of_friction(scene) + "N)");

@@ -11,9 +11,7 @@ namespace RollingContact
     public:
       InertialMotion(const SceneParameters &scene, const RollingPair<dim> &pair)
         : pair(pair)
-        , n_threads(pair.twins() || pair.body_solver() != BodySolver::direct
-                      ? 1
-                      : scene.body_threads)
+        , n_threads(pair.n_threads())
         , theta(scene.time.theta)
         , shifted(scene.time.contact_law == "shifted")
       {
@@ -165,11 +163,13 @@ namespace RollingContact
       description() const override
       {
         std::string text;
-        for (unsigned int side = 0; side < 2; ++side)
-          if (bodies[side] && !bodies[side]->description().empty())
-            text += std::string(text.empty() ? "" : "; ") +
-                    (side == 0 ? "wheel: " : "rail: ") +
-                    bodies[side]->description();
+        for (const Side side : {Side::wheel, Side::rail})
+          {
+            const auto &body = bodies[static_cast<int>(side)];
+            if (body && !body->description().empty())
+              text += (text.empty() ? "" : "; ") + name_of(side) + ": " +
+                      body->description();
+          }
         return text;
       }
 

@@ -5,26 +5,42 @@
 #include <rolling_contact/analyses/load_curve.h>
 #include <rolling_contact/analyses/quasi_static.h>
 #include <rolling_contact/analyses/result_row.h>
+#include <rolling_contact/analyses/small_strain.h>
+#include <rolling_contact/analyses/solved_state.h>
 #include <rolling_contact/analyses/state_summary.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/base/stopwatch.h>
 #include <rolling_contact/output/svg_plot.h>
 
+#include <algorithm>
+
 namespace RollingContact
 {
+  namespace
+  {
+    const char needs_contact[] =
+      "Analysis = load curve needs contact: check Contact/Approach and "
+      "Contact/Normal load.";
+  } // namespace
+
+
+
   template <int dim>
   void
   LoadCurve<dim>::run()
   {
     if (estimate_patch(scene).half_width_x <= 0.)
-      throw InputError("Analysis = load curve needs contact: check "
-                       "Contact/Approach and Contact/Normal load.");
+      throw InputError(needs_contact);
     SteadyState<dim> steady =
       AdaptiveLevels<dim>(scene, context).run([](const auto &) {});
+    require_solved(scene, steady, "Load curve, the largest load");
+    if (steady.result.normal_force <= 0.)
+      throw InputError(needs_contact);
     describe_bodies(steady, context);
     const double largest = steady.result.normal_force;
     WorstRatio   worst;
+    unsigned int fewest = steady.result.n_touching;
     for (const double share : scene.load_curve.load_shares())
       {
         throw_if_interrupted();
@@ -39,12 +55,18 @@ namespace RollingContact
         worst.add(several_solutions(steady.problem, steady.state),
                   steady.problem,
                   significant(steady.result.normal_force, 4) + " N");
+        fewest = std::min(fewest, steady.result.n_touching);
         loads.push_back(steady.result.normal_force);
         approaches.push_back(steady.state.approach);
         if constexpr (dim == 3)
           hertz.push_back(
             ellipse_reference(scene, loads.back(), {}).hertz.approach);
       }
+    warn_of_few_nodes(fewest, context.log);
+    warn_of_large_strains(strain_measures(scene,
+                                          steady.result,
+                                          steady.state.approach),
+                          context.log);
     warn_of_several_solutions(scene, worst, context.log);
     context.log.message(context.results.screen_table({"normal_force_N",
                                                       "approach_m",
@@ -67,12 +89,8 @@ namespace RollingContact
   {
     steady.problem.normal_load = load;
     solve_contact(scene, steady);
-    if (!steady.solver.converged)
-      throw ConvergenceError(
-        "Load curve, " + significant(load, 6) + " N: " + steady.solver.reason +
-        ". Natural residual " + scientific(steady.solver.residual.worst(), 3) +
-        ", required " + scientific(scene.solver.controls.tolerance, 3) + ".");
     steady.result = resultants(steady.problem, steady.state);
+    require_solved(scene, steady, "Load curve, " + significant(load, 6) + " N");
   }
 
 

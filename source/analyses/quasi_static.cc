@@ -4,26 +4,15 @@
 #include <rolling_contact/analyses/quasi_static.h>
 #include <rolling_contact/analyses/result_row.h>
 #include <rolling_contact/analyses/small_strain.h>
+#include <rolling_contact/analyses/solved_state.h>
+#include <rolling_contact/analyses/state_fields.h>
 #include <rolling_contact/analyses/state_summary.h>
 #include <rolling_contact/analyses/traction_plot.h>
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/output/body_fields.h>
-#include <rolling_contact/output/interface_fields.h>
 #include <rolling_contact/output/pvd.h>
 
 namespace RollingContact
 {
-  namespace
-  {
-    std::string
-    name_of(const Side side)
-    {
-      return side == Side::wheel ? "wheel" : "rail";
-    }
-  } // namespace
-
-
-
   template <int dim>
   void
   QuasiStatic<dim>::run()
@@ -48,9 +37,8 @@ namespace RollingContact
     summarise(steady);
     if (!steady.solver.converged)
       throw ConvergenceError(
-        "The contact solver did not converge: " + steady.solver.reason +
-        ". Natural residual " + scientific(steady.solver.residual.worst(), 3) +
-        ", required " + scientific(scene.solver.controls.tolerance, 3) +
+        "The contact solver did not converge: " +
+        shortfall(steady.solver, scene.solver.controls.tolerance) +
         "; its history is in residuals.csv. Try Contact/Solver = automatic.");
     note_error(scene, steady, context.report);
   }
@@ -146,56 +134,46 @@ namespace RollingContact
 
   template <int dim>
   void
+  QuasiStatic<dim>::write_residuals(const SteadyState<dim> &steady) const
+  {
+    std::string history = "iteration,residual_normal,residual_tangential\n";
+    for (std::size_t k = 0; k < steady.solver.history.size(); ++k)
+      history += std::to_string(k + 1) + "," +
+                 scientific(steady.solver.history[k].normal, 9) + "," +
+                 scientific(steady.solver.history[k].tangential, 9) + "\n";
+    context.folder.write_atomically("residuals.csv", history);
+  }
+
+
+
+  template <int dim>
+  void
   QuasiStatic<dim>::write_fields(const SteadyState<dim> &steady)
   {
     PhaseTimer::Scope phase(context.timer, "fields and plots");
     RunFolder        &folder = context.folder;
     if (!steady.solver.converged)
-      {
-        std::string history = "iteration,residual_normal,residual_tangential\n";
-        for (std::size_t k = 0; k < steady.solver.history.size(); ++k)
-          history += std::to_string(k + 1) + "," +
-                     scientific(steady.solver.history[k].normal, 9) + "," +
-                     scientific(steady.solver.history[k].tangential, 9) + "\n";
-        folder.write_atomically("residuals.csv", history);
-      }
+      write_residuals(steady);
     if (scene.output.interface_fields)
       {
-        const BodyGeometry rail = scene.rail.geometry();
-        write_interface_fields<dim>(
-          steady.pair->trace(),
-          steady.problem,
-          steady.state,
-          [&](const double x, const double y) {
-            return rail.surface_height(x, y);
-          },
-          folder,
-          "interface.vtu");
+        write_interface(scene, steady, folder, "interface.vtu");
         write_pvd({{0., 0, "interface", "interface.vtu"}},
                   folder,
                   "interface.pvd");
       }
     if (scene.output.body_fields)
-      {
-        std::vector<PvdBlock> blocks;
-        for (const Side side : {Side::wheel, Side::rail})
-          if (steady.pair->is_elastic(side))
-            {
-              const bool        is_wheel = side == Side::wheel;
-              const std::string file     = write_body_fields<dim>(
-                steady.pair->body(side),
-                steady.pair->rank_of(side),
-                steady.pair->displacement(side, steady.problem, steady.state),
-                {is_wheel, is_wheel ? -steady.state.approach : 0.},
+      write_pvd(write_bodies<dim>(
+                  steady,
+                  [&](const Side side) {
+                    return steady.pair->displacement(side,
+                                                     steady.problem,
+                                                     steady.state);
+                  },
+                  [](const std::string &body) { return body; },
+                  0.,
+                  folder),
                 folder,
-                name_of(side));
-              blocks.push_back({0.,
-                                static_cast<unsigned int>(blocks.size()),
-                                name_of(side),
-                                file});
-            }
-        write_pvd(blocks, folder, "bodies.pvd");
-      }
+                "bodies.pvd");
     if constexpr (dim == 2)
       if (scene.output.plot && steady.result.normal_force > 0.)
         plot_line_tractions(scene, steady, folder);
@@ -213,10 +191,7 @@ namespace RollingContact
     const std::string   work   = "Solver: " + work_of_solver(solver) + ".";
     (solver.solver.find("fallback") == std::string::npos ? log.detail(work)
                                                          : log.message(work));
-    if (result.n_touching < 5)
-      log.warning("Only " + std::to_string(result.n_touching) +
-                  " nodes touch: the patch is unresolved, take more elements "
-                  "(Mesh/Elements across patch).");
+    warn_of_few_nodes(result.n_touching, log);
     warn_of_large_strains(strain_measures(scene, result, steady.state.approach),
                           log);
     WorstRatio worst;

@@ -91,7 +91,7 @@ namespace RollingContact
                          components.size());
     DenseMatrix wheel, rail;
     for_both_bodies(
-      this->scene.body_threads,
+      this->n_threads(),
       [&]() {
         if (this->body(Side::wheel))
           wheel = this->body(Side::wheel)

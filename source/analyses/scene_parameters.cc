@@ -1,5 +1,6 @@
 #include <rolling_contact/analyses/analysis.h>
 #include <rolling_contact/analyses/scene_parameters.h>
+#include <rolling_contact/base/choices.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/elasticity/make_body.h>
 
@@ -8,34 +9,6 @@
 namespace RollingContact
 {
   using namespace dealii;
-
-  namespace
-  {
-    /**
-     * "`quasi-static`: one steady rolling state; ...".
-     */
-    std::string
-    analyses_help()
-    {
-      std::string help;
-      for (const AnalysisKind &kind : analysis_kinds())
-        help += (help.empty() ? "`" : "; `") + kind.name + "`: " + kind.help;
-      return help + ".";
-    }
-
-
-
-    std::string
-    analysis_names()
-    {
-      std::string names;
-      for (const AnalysisKind &kind : analysis_kinds())
-        names += (names.empty() ? "" : "|") + kind.name;
-      return names;
-    }
-  } // namespace
-
-
 
   SceneParameters::SceneParameters()
     : ParameterAcceptor("/")
@@ -50,9 +23,9 @@ namespace RollingContact
                   Patterns::Integer(2, 3));
     add_parameter("Analysis",
                   analysis,
-                  analyses_help(),
+                  choice_help(analysis_kinds()),
                   prm,
-                  Patterns::Selection(analysis_names()));
+                  Patterns::Selection(choice_names(analysis_kinds())));
     add_parameter(
       "Body solver",
       body_solver,

@@ -73,6 +73,17 @@ namespace RollingContact
 
 
 
+  void
+  warn_of_few_nodes(const unsigned int n_touching, Log &log)
+  {
+    if (n_touching < 5)
+      log.warning("Only " + std::to_string(n_touching) +
+                  " nodes touch: the patch is unresolved, take more elements "
+                  "(Mesh/Elements across patch).");
+  }
+
+
+
   template void
   note_state(const SceneParameters &, const SteadyState<2> &, RunReport &);
   template void

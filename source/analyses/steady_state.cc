@@ -22,13 +22,16 @@ namespace RollingContact
                                          : elements_across_patch;
     // vibration makes patches larger than Hertz's, and time cannot go back to
     // enlarge the zone; the flow needs an element more on its upstream side
-    const bool   in_time = scene.is_transient();
-    const double factor  = mesh.candidate_zone > 0. ? mesh.candidate_zone
-                           : in_time                ? 1.5
-                                                    : 1.15,
-                 margin  = in_time ? 3. : 1.;
-    const auto zone      = [&](const double half_width, const double size) {
-      return std::max(factor * half_width, half_width + margin * size);
+    const bool in_time = scene.is_transient();
+    // contact stiffness is found with 10 % more than the load
+    const double swelling = scene.analysis == "load curve" ? 1.05 : 1.,
+                 factor   = mesh.candidate_zone > 0. ? mesh.candidate_zone
+                            : in_time                ? 1.5
+                                                     : 1.15,
+                 margin   = in_time ? 3. : 1.;
+    const auto zone       = [&](const double half_width, const double size) {
+      return std::max(factor * swelling * half_width,
+                      swelling * half_width + margin * size);
     };
     const double half_width = patch.half_width_x;
     grading.element_size_x  = 2 * half_width / elements_across_patch;
@@ -166,6 +169,7 @@ namespace RollingContact
         : scene(scene)
         , log(log)
         , patch(estimate_patch(scene))
+        , offset(scene.mesh.offset())
         , is_aligned(!scene.mesh.aligned())
       {
         grade();
@@ -194,7 +198,7 @@ namespace RollingContact
         grading = make_grading<dim>(scene,
                                     patch,
                                     scene.mesh.elements_across_patch,
-                                    scene.mesh.offset());
+                                    offset);
         grading.enlarge_zone(is_enlarged ? 1 : 0);
       }
 
@@ -207,7 +211,8 @@ namespace RollingContact
       bool
       align_for(const SteadyState<dim> &steady);
 
-      bool is_enlarged = false, is_resized = false, is_aligned;
+      double offset; ///< in elements
+      bool   is_enlarged = false, is_resized = false, is_aligned;
     };
 
 
@@ -223,6 +228,7 @@ namespace RollingContact
         {
           patch.half_width_x *= 1.5;
           patch.half_width_y *= 1.5;
+          is_aligned = !scene.mesh.aligned(); // for the new elements
         }
       is_enlarged = true;
       grade();
@@ -251,6 +257,7 @@ namespace RollingContact
         patch.half_width_y = result.half_width_y;
       grade();
       is_resized = true;
+      is_aligned = !scene.mesh.aligned();
       return true;
     }
 
@@ -262,8 +269,9 @@ namespace RollingContact
     {
       if (is_aligned || steady.result.n_touching <= 5)
         return false;
-      grading.offset = aligned_offset(steady, scene.contact.flow());
-      is_aligned     = true;
+      offset     = aligned_offset(steady, scene.contact.flow());
+      is_aligned = true;
+      grade();
       return true;
     }
   } // namespace
@@ -294,9 +302,10 @@ namespace RollingContact
         return steady;
       }
     throw ConvergenceError(
-      "The patch still reaches the border of the candidate zone after " +
+      "No mesh fits the patch, which reached the border of the candidate zone "
+      "or the estimated size in " +
       std::to_string(max_meshes) +
-      " enlargements: check radii, load and Mesh/Candidate zone.");
+      " attempts: check radii, load and Mesh/Candidate zone.");
   }
 
 

@@ -1,6 +1,8 @@
 #include <rolling_contact/analyses/study_parameters.h>
+#include <rolling_contact/base/choices.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/log.h>
+#include <rolling_contact/solvers/contact_solver.h>
 
 #include <algorithm>
 #include <cmath>
@@ -110,14 +112,13 @@ namespace RollingContact
       prm,
       Patterns::List(
         Patterns::Selection("upwind 1|upwind 2|calibrated|galerkin|paper"), 1));
-    add_parameter(
-      "Solvers",
-      solvers,
-      "Contact solvers to compare, as Contact/Solver.",
-      prm,
-      Patterns::List(Patterns::Selection(
-                       "automatic|active set|extragradient|fixed point"),
-                     1));
+    add_parameter("Solvers",
+                  solvers,
+                  "Contact solvers to compare, as Contact/Solver.",
+                  prm,
+                  Patterns::List(Patterns::Selection(
+                                   choice_names(contact_solver_kinds())),
+                                 1));
     add_parameter("Combinations",
                   combinations,
                   "`one at a time`: the first mesh, operator and solver, and "

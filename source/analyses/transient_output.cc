@@ -2,10 +2,9 @@
 
 #include <rolling_contact/analyses/falling_friction_notes.h>
 #include <rolling_contact/analyses/result_row.h>
+#include <rolling_contact/analyses/state_fields.h>
 #include <rolling_contact/analyses/transient_output.h>
 #include <rolling_contact/base/ranks.h>
-#include <rolling_contact/output/body_fields.h>
-#include <rolling_contact/output/interface_fields.h>
 #include <rolling_contact/output/pvd.h>
 #include <rolling_contact/output/svg_plot.h>
 
@@ -187,37 +186,26 @@ namespace RollingContact
     const SteadyState<dim> &contact = stepper.current();
     if (scene.output.interface_fields)
       {
-        const BodyGeometry rail = scene.rail.geometry();
-        const std::string  file = numbered("interface", record.step) + ".vtu";
-        write_interface_fields<dim>(
-          contact.pair->trace(),
-          contact.problem,
-          contact.state,
-          [&](const double x, const double y) {
-            return rail.surface_height(x, y);
-          },
-          context.folder,
-          file);
+        const std::string file = numbered("interface", record.step) + ".vtu";
+        write_interface(scene, contact, context.folder, file);
         record.interface_fields.push_back({record.time, 0, "interface", file});
         write_pvd(record.interface_fields, context.folder, "interface.pvd");
       }
     if (!scene.output.body_fields)
       return;
-    unsigned int part = 0;
-    for (const Side side : {Side::wheel, Side::rail})
-      if (contact.pair->is_elastic(side))
-        {
-          const bool        is_wheel = side == Side::wheel;
-          const std::string name     = is_wheel ? "wheel" : "rail";
-          const std::string file     = write_body_fields<dim>(
-            contact.pair->body(side),
-            contact.pair->rank_of(side),
-            stepper.bodies().displacement(side, contact.problem, contact.state),
-            {is_wheel, is_wheel ? -contact.state.approach : 0.},
-            context.folder,
-            numbered(name, record.step));
-          record.body_fields.push_back({record.time, part++, name, file});
-        }
+    const auto blocks = write_bodies<dim>(
+      contact,
+      [&](const Side side) {
+        return stepper.bodies().displacement(side,
+                                             contact.problem,
+                                             contact.state);
+      },
+      [&](const std::string &body) { return numbered(body, record.step); },
+      record.time,
+      context.folder);
+    record.body_fields.insert(record.body_fields.end(),
+                              blocks.begin(),
+                              blocks.end());
     write_pvd(record.body_fields, context.folder, "bodies.pvd");
   }
 

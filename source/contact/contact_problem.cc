@@ -323,37 +323,6 @@ namespace RollingContact
         }
       return load > 0. ? sum / load : sum;
     }
-
-
-
-    double
-    tangential_residual(const ContactProblem    &contact,
-                        const TangentialProblem &tangential,
-                        const ContactState      &state)
-    {
-      if (contact.n_tangential == 0)
-        return 0.;
-      const double friction_force = contact.resultant(tangential.bound);
-      if (friction_force <= 0. || contact.tangential_norm <= 0.)
-        return 0.;
-      const std::vector<double> s = tangential.slip(state.traction);
-      std::vector<double>       projected(state.traction);
-      for (std::size_t i = 0; i < projected.size(); ++i)
-        projected[i] -= s[i] / contact.tangential_norm;
-      tangential.project(projected);
-      double sum = 0.;
-      for (unsigned int i = 0; i < contact.n_nodes; ++i)
-        {
-          double size = 0.;
-          for (unsigned int c = 0; c < contact.n_tangential; ++c)
-            {
-              const std::size_t k = c * contact.n_nodes + i;
-              size = std::hypot(size, state.traction[k] - projected[k]);
-            }
-          sum += contact.areas[i] * size;
-        }
-      return sum / friction_force;
-    }
   } // namespace
 
 
@@ -364,7 +333,10 @@ namespace RollingContact
                    const ContactState      &state)
   {
     return {normal_residual(contact, state),
-            tangential_residual(contact, tangential, state)};
+            contact.n_tangential == 0
+              ? 0.
+              : tangential.residual(state.traction,
+                                    tangential.slip(state.traction))};
   }
 
 

@@ -127,10 +127,13 @@ namespace RollingContact
     std::vector<NodeState> states(problem.n_nodes, NodeState::open);
     for (unsigned int i = 0; i < problem.n_nodes; ++i)
       if (state.pressure[i] > 0.)
-        states[i] = traction_size(problem, state, i) <
-                        (1 - 1e-9) * tangential.friction[i] * state.pressure[i]
-                      ? NodeState::stick
-                      : NodeState::slip;
+        // the edge law may release a node, which slips without traction
+        states[i] =
+          tangential.bound[i] > 0. &&
+              traction_size(problem, state, i) <
+                (1 - 1e-9) * tangential.friction[i] * state.pressure[i]
+            ? NodeState::stick
+            : NodeState::slip;
     if (!problem.friction_law || state.holds_friction)
       return states;
     for (unsigned int i = 0; i < problem.n_nodes; ++i)

@@ -209,4 +209,29 @@ namespace RollingContact
             traction[c * n + i] *= bound[i] / size;
       }
   }
+
+
+
+  double
+  TangentialProblem::residual(const std::vector<double> &traction,
+                              const std::vector<double> &slip) const
+  {
+    const double friction_force = contact.resultant(bound);
+    if (friction_force <= 0. || contact.tangential_norm <= 0.)
+      return 0.;
+    std::vector<double> projected(traction);
+    for (std::size_t i = 0; i < projected.size(); ++i)
+      projected[i] -= slip[i] / contact.tangential_norm;
+    project(projected);
+    const unsigned int n   = contact.n_nodes;
+    double             sum = 0.;
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        double size = 0.;
+        for (std::size_t k = i; k < traction.size(); k += n)
+          size = std::hypot(size, traction[k] - projected[k]);
+        sum += contact.areas[i] * size;
+      }
+    return sum / friction_force;
+  }
 } // namespace RollingContact

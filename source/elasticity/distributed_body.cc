@@ -217,6 +217,7 @@ namespace RollingContact
       solve(contact, forces, rough_tolerance, rough);
     else if (forces != loads)
       {
+        loads.clear(); // should the solve fail
         solve(contact, forces, solve_tolerance, solutions);
         loads = forces;
       }
@@ -268,6 +269,7 @@ namespace RollingContact
                 return field(sum);
               }
       }
+    loads.clear();
     solve(contact_dofs(nodes, components),
           {forces},
           solve_tolerance,

@@ -43,11 +43,20 @@ namespace RollingContact
   void
   DistributedMotion<dim>::set_time_step(const double h)
   {
+    start_anew();
+    system->set_time_step(h);
+  }
+
+
+
+  template <int dim>
+  void
+  DistributedMotion<dim>::start_anew()
+  {
     begun_step = 0.;
     free_motion.forget();
     answer.forget();
     answered.clear();
-    system->set_time_step(h);
   }
 
 
@@ -66,17 +75,14 @@ namespace RollingContact
   DistributedMotion<dim>::set_state(const DistributedVector &displacement,
                                     const DistributedVector &velocity)
   {
-    begun_step = 0.;
-    u          = displacement;
-    v          = velocity;
+    u = displacement;
+    v = velocity;
     system->multiply_stiffness(u, Ku);
     system->multiply_mass(v, Mv);
     step_energy         = StepEnergy();
     step_energy.kinetic = (v * Mv) / 2;
     step_energy.strain  = (u * Ku) / 2;
-    free_motion.forget();
-    answer.forget();
-    answered.clear();
+    start_anew();
   }
 
 
@@ -312,8 +318,7 @@ namespace RollingContact
   void
   DistributedMotion<dim>::remember()
   {
-    kept_u = u;
-    kept_v = v;
+    kept = {u, v, Ku, Mv, step_energy};
   }
 
 
@@ -322,7 +327,13 @@ namespace RollingContact
   void
   DistributedMotion<dim>::go_back()
   {
-    set_state(kept_u, kept_v);
+    // alone: the other ranks may have other things to do
+    u           = kept.u;
+    v           = kept.v;
+    Ku          = kept.Ku;
+    Mv          = kept.Mv;
+    step_energy = kept.energy;
+    start_anew();
   }
 
 

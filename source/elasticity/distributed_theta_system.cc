@@ -66,6 +66,7 @@ namespace RollingContact
     if (model)
       model->set_time_step(new_h);
     const double theta = parameters.theta;
+    h                  = 0.; // should anything fail
     multigrid.reset();
     A.copy_from(K);
     A *= theta * new_h * (theta * new_h + parameters.stiffness_damping);

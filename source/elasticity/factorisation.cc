@@ -151,10 +151,10 @@ namespace RollingContact
     cholmod_sparse A = own.view();
     cholmod_l_factorize(&A, own.L, &own.common);
     if (own.common.status == CHOLMOD_OUT_OF_MEMORY)
-      throw InputError("The factor needs " +
-                       std::to_string(size().memory_consumption() >> 20) +
-                       " MB, more than this machine has free: take fewer "
-                       "elements.");
+      throw MemoryError("The factor needs " +
+                        std::to_string(size().memory_consumption() >> 20) +
+                        " MB, more than this machine has free: take fewer "
+                        "elements.");
     if (own.common.status != CHOLMOD_OK || own.L->minor < own.L->n)
       throw ConvergenceError(
         "The stiffness matrix is not positive definite (column " +
@@ -178,6 +178,18 @@ namespace RollingContact
 
 
 
+  namespace
+  {
+    void
+    require_factor(const cholmod_factor *L)
+    {
+      if (L == nullptr)
+        throw std::logic_error("The factor was released.");
+    }
+  } // namespace
+
+
+
   std::vector<double>
   Factorisation::solve(const std::vector<double> &right_hand_side) const
   {
@@ -195,8 +207,7 @@ namespace RollingContact
                                std::vector<double>       &z) const
   {
     auto &own = *implementation;
-    if (own.L == nullptr)
-      throw std::logic_error("The factor was released.");
+    require_factor(own.L);
     const Index *permutation = static_cast<const Index *>(own.L->Perm);
     z.resize(b.size());
     for (std::size_t i = 0; i < z.size(); ++i)
@@ -212,7 +223,8 @@ namespace RollingContact
   Factorisation::solve_backward(std::vector<double> &z,
                                 std::vector<double> &x) const
   {
-    auto         &own      = *implementation;
+    auto &own = *implementation;
+    require_factor(own.L);
     cholmod_dense solution = view(z), workspace = view(own.workspace);
     if (!cholmod_l_super_ltsolve(own.L, &solution, &workspace, &own.common))
       throw std::runtime_error("CHOLMOD could not solve.");
@@ -228,6 +240,7 @@ namespace RollingContact
   Factorisation::condense(const std::vector<std::size_t> &unknowns,
                           CondensedColumns               *columns) const
   {
+    require_factor(implementation->L);
     const Stopwatch watch;
     DenseMatrix W = condensed_compliance(*implementation->L, unknowns, columns);
     release_free_memory();

@@ -10,6 +10,7 @@
 #include <rolling_contact/elasticity/multigrid_solver.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace RollingContact
@@ -111,6 +112,8 @@ namespace RollingContact
                          const double  tolerance) const
   {
     const double norm = b.l2_norm();
+    if (!std::isfinite(norm))
+      throw ConvergenceError("A load of a body is not a number.");
     if (norm == 0.)
       {
         x = 0.;
@@ -149,7 +152,7 @@ namespace RollingContact
         // b - A x cannot be told more exactly
         const double rounding = 10 * std::numeric_limits<double>::epsilon() *
                                 matrix.linfty_norm() * x.l2_norm();
-        if (report.residual > 1e-9 || report.residual * norm > rounding)
+        if (!(report.residual <= 1e-9 && report.residual * norm <= rounding))
           throw ConvergenceError(
             "CG with multigrid is at a residual of " +
             significant(report.residual, 2) + " |b| after " +

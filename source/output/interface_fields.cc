@@ -61,12 +61,18 @@ namespace RollingContact
     /** All fields; those with dim - 1 components first, the state last. */
     template <int dim>
     NodalFields
-    nodal_fields(const ContactProblem &problem, const ContactState &state)
+    nodal_fields(const ContactProblem &problem,
+                 const ContactState   &state,
+                 const bool            step_is_known)
     {
+      const auto known = [&](const std::vector<double> &values) {
+        return step_is_known ? values
+                             : std::vector<double>(values.size(), std::nan(""));
+      };
       const TangentialProblem tangential = tangential_problem(problem, state);
       std::vector<double>     slip, states;
       if (problem.n_tangential > 0)
-        slip = tangential.material_slip(state.traction);
+        slip = known(tangential.material_slip(state.traction));
       for (const NodeState node_state : node_states(tangential, state))
         states.push_back(static_cast<int>(node_state));
 
@@ -80,10 +86,10 @@ namespace RollingContact
         {
           fields.add("friction_coefficient", tangential.friction);
           fields.add("sliding_speed",
-                     tangential.sliding_speeds(
-                       tangential.slip(state.traction)));
+                     known(tangential.sliding_speeds(
+                       tangential.slip(state.traction))));
         }
-      fields.add("gap", normal_gap(problem, state));
+      fields.add("gap", known(normal_gap(problem, state)));
       fields.add("area", problem.areas);
       fields.add("state", states);
       return fields;
@@ -161,6 +167,7 @@ namespace RollingContact
     const Trace                                 &trace,
     const ContactProblem                        &problem,
     const ContactState                          &state,
+    const bool                                   step_is_known,
     const std::function<double(double, double)> &surface_height,
     RunFolder                                   &folder,
     const std::string                           &file_name)
@@ -168,7 +175,8 @@ namespace RollingContact
     AssertDimension(trace.n_dimensions, dim - 1);
     AssertDimension(trace.nodes.size(), problem.n_nodes);
     Ranks::on_root([&]() {
-      const NodalFields fields = nodal_fields<dim>(problem, state);
+      const NodalFields fields =
+        nodal_fields<dim>(problem, state, step_is_known);
 
       std::vector<DataOutBase::Patch<dim - 1, dim>> patches;
       for (const Trace::Cell &cell : trace.cells)
@@ -196,6 +204,7 @@ namespace RollingContact
   write_interface_fields<2>(const Trace &,
                             const ContactProblem &,
                             const ContactState &,
+                            const bool,
                             const std::function<double(double, double)> &,
                             RunFolder &,
                             const std::string &);
@@ -203,6 +212,7 @@ namespace RollingContact
   write_interface_fields<3>(const Trace &,
                             const ContactProblem &,
                             const ContactState &,
+                            const bool,
                             const std::function<double(double, double)> &,
                             RunFolder &,
                             const std::string &);

@@ -1,4 +1,6 @@
+#include <rolling_contact/base/choices.h>
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/solvers/accelerated_projection.h>
 #include <rolling_contact/solvers/alternation.h>
 #include <rolling_contact/solvers/extragradient.h>
 #include <rolling_contact/solvers/falling_friction.h>
@@ -12,40 +14,71 @@ namespace RollingContact
   namespace
   {
     /**
-     * For friction coefficients that do not depend on the slip.
+     * Pressure by active sets and traction by the first of @p Tangential that
+     * converges, in turn.
      */
+    template <class... Tangential>
     std::unique_ptr<ContactSolver>
-    make_coulomb_solver(const std::string &name, const SolverControls &controls)
+    alternating(const SolverControls &controls)
     {
-      if (name == "fixed point")
-        return std::make_unique<FixedPoint>(controls);
       std::vector<std::unique_ptr<TangentialSolver>> tangential;
-      if (name == "active set" || name == "automatic")
-        tangential.push_back(std::make_unique<TangentialActiveSet>(controls));
-      if (name == "extragradient" || name == "automatic")
-        tangential.push_back(std::make_unique<Extragradient>(controls));
-      if (tangential.empty())
-        throw InputError("Contact/Solver = " + name +
-                         ": choose automatic, active set, extragradient or "
-                         "fixed point.");
-      auto alternation =
-        std::make_unique<Alternation>(std::make_unique<NormalActiveSet>(
-                                        controls),
-                                      std::move(tangential),
-                                      controls);
-      if (name == "automatic")
-        return std::make_unique<SolverChain>(std::move(alternation), controls);
-      return alternation;
+      (tangential.push_back(std::make_unique<Tangential>(controls)), ...);
+      return std::make_unique<Alternation>(std::make_unique<NormalActiveSet>(
+                                             controls),
+                                           std::move(tangential),
+                                           controls);
+    }
+
+
+
+    std::unique_ptr<ContactSolver>
+    automatic(const SolverControls &controls)
+    {
+      return std::make_unique<SolverChain>(
+        alternating<TangentialActiveSet, Extragradient>(controls), controls);
+    }
+
+
+
+    template <class Solver>
+    std::unique_ptr<ContactSolver>
+    make(const SolverControls &controls)
+    {
+      return std::make_unique<Solver>(controls);
     }
   } // namespace
+
+
+
+  const std::vector<ContactSolverKind> &
+  contact_solver_kinds()
+  {
+    static const std::vector<ContactSolverKind> kinds{
+      {"automatic",
+       "active set, and what else there is where that fails",
+       &automatic},
+      {"active set",
+       "pressure and traction by active sets, in 3D traction by Newton",
+       &alternating<TangentialActiveSet>},
+      {"extragradient",
+       "traction by projection and correction",
+       &alternating<Extragradient>},
+      {"accelerated projection",
+       "traction by projections with Anderson acceleration",
+       &alternating<AcceleratedProjection>},
+      {"fixed point", "Lai et al. 2017", &make<FixedPoint>}};
+    return kinds;
+  }
 
 
 
   std::unique_ptr<ContactSolver>
   make_contact_solver(const std::string &name, const SolverControls &controls)
   {
-    return std::make_unique<FallingFriction>(make_coulomb_solver(name,
-                                                                 controls),
-                                             controls);
+    for (const ContactSolverKind &kind : contact_solver_kinds())
+      if (kind.name == name)
+        return std::make_unique<FallingFriction>(kind.make(controls), controls);
+    throw InputError("Contact/Solver = " + name + ": choose one of " +
+                     choice_names(contact_solver_kinds()) + ".");
   }
 } // namespace RollingContact

@@ -42,12 +42,11 @@ namespace RollingContact
                        ContactState            &state) const
   {
     SolverReport report;
-    report.solver               = "extragradient";
-    std::vector<double> &q      = state.traction;
-    const double         norm   = problem.contact.tangential_norm;
-    const double friction_force = problem.contact.resultant(problem.bound);
+    report.solver             = "extragradient";
+    std::vector<double> &q    = state.traction;
+    const double         norm = problem.contact.tangential_norm;
     problem.project(q);
-    if (norm == 0. || friction_force <= 0.)
+    if (norm == 0.)
       {
         report.converged = true;
         return report;
@@ -56,14 +55,13 @@ namespace RollingContact
     while (report.iterations < controls.max_iterations)
       {
         const std::vector<double> s = problem.slip(q);
-        const std::vector<double> natural =
-          projected_step(problem, q, s, 1 / norm);
-        double residual = 0.;
-        for (std::size_t i = 0; i < q.size(); ++i)
-          residual += problem.contact.areas[i % problem.contact.n_nodes] *
-                      std::abs(q[i] - natural[i]);
-        report.residual.tangential = residual / friction_force;
+        report.residual.tangential  = problem.residual(q, s);
         report.history.push_back(report.residual);
+        if (!std::isfinite(report.residual.tangential))
+          {
+            report.reason = "the traction is not a number";
+            return report;
+          }
         if (report.residual.tangential <= 0.5 * controls.tolerance)
           {
             report.converged = true;

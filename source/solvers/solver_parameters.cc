@@ -1,3 +1,4 @@
+#include <rolling_contact/base/choices.h>
 #include <rolling_contact/solvers/solver_parameters.h>
 
 namespace RollingContact
@@ -7,13 +8,11 @@ namespace RollingContact
   SolverParameters::SolverParameters()
     : ParameterAcceptor("/Contact")
   {
-    add_parameter(
-      "Solver",
-      solver,
-      "`automatic` (active set, extragradient if that fails), `active "
-      "set`, `extragradient`, or `fixed point` (Lai et al. 2017).",
-      prm,
-      Patterns::Selection("automatic|active set|extragradient|fixed point"));
+    add_parameter("Solver",
+                  solver,
+                  choice_help(contact_solver_kinds()),
+                  prm,
+                  Patterns::Selection(choice_names(contact_solver_kinds())));
     add_parameter(
       "Tolerance",
       controls.tolerance,

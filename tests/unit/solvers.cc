@@ -72,9 +72,15 @@ BOOST_AUTO_TEST_CASE(solvers_agree)
       const ContactProblem problem  = half_plane_problem(options);
       const Solution       active   = solve(problem, "active set");
       const Solution       gradient = solve(problem, "extragradient");
+      const Solution accelerated    = solve(problem, "accelerated projection");
       BOOST_TEST(active.report.converged);
       BOOST_TEST(gradient.report.converged);
+      BOOST_TEST(accelerated.report.converged);
       BOOST_TEST(std::abs(force(active) - force(gradient)) < 1e-8);
+      BOOST_TEST(std::abs(force(active) - force(accelerated)) < 1e-8);
+      // a product with W for each step, and two of the extragradient
+      BOOST_TEST(accelerated.report.iterations <
+                 1.5 * gradient.report.iterations);
     }
 }
 

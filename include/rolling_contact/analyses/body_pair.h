@@ -19,6 +19,12 @@ namespace RollingContact
     rail
   };
 
+  inline std::string
+  name_of(const Side side)
+  {
+    return side == Side::wheel ? "wheel" : "rail";
+  }
+
   /**
    * The elastic bodies of a scene, the interface between them, and the ranks
    * they live on: spread over all (distributed) or on one each (direct). Bodies
@@ -95,6 +101,15 @@ namespace RollingContact
     twins() const
     {
       return are_twins;
+    }
+
+    /**
+     * For work on both bodies: distributed ones use MPI, from one thread only.
+     */
+    unsigned int
+    n_threads() const
+    {
+      return twins() || solver != BodySolver::direct ? 1 : scene.body_threads;
     }
 
     /**

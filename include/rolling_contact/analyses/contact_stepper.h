@@ -53,7 +53,8 @@ namespace RollingContact
      * Step from @p time by @p h; when the contact solve fails, in 2, 4, ...
      * parts up to 2^`Time/Maximum halvings`. Throws ConvergenceError, leaving
      * the last good state, when that fails too, when the patch reaches the
-     * border of the candidate zone or an energy is not a number. Units: s.
+     * border of the candidate zone, an energy is not a number or friction
+     * creates energy. Units: s.
      */
     StepOutcome
     advance(const double time, const double h);
@@ -89,24 +90,6 @@ namespace RollingContact
     restore(const Checkpoint &checkpoint);
 
   private:
-    void
-    make_massless();
-
-    void
-    make_inertial();
-
-    /**
-     * No pressure, no traction.
-     */
-    void
-    start_at_rest();
-
-    /**
-     * The steady state under what drives at t = 0.
-     */
-    void
-    solve_initial_state();
-
     void
     set_drive(const double time, const double h);
 
@@ -145,13 +128,13 @@ namespace RollingContact
     const SceneParameters           &scene;
     RunContext                      &context;
     const DrivingHistories           histories;
-    const SlipOperatorKind           slip_operator;
     SteadyState<dim>                 contact;
     std::unique_ptr<PairMotion<dim>> motion;
     std::unique_ptr<ContactSolver>   solver;
     std::vector<double>              undeformed_gap;
     std::vector<bool>                border;
-    double                           time_step = 0.;
+    double                           time_step       = 0.;
+    double                           friction_energy = 0.; ///< of all steps, J
   };
 } // namespace RollingContact
 

@@ -26,6 +26,13 @@ namespace RollingContact
     run() override;
 
   private:
+    /**
+     * A row of results for each point.
+     */
+    void
+    march(const std::vector<References::Creepages> &points,
+          SteadyState<dim>                         &steady);
+
     void
     solve_point(const References::Creepages &creepages,
                 SteadyState<dim>            &steady);

@@ -31,6 +31,9 @@ namespace RollingContact
     summarise(const SteadyState<dim> &steady);
 
     void
+    write_residuals(const SteadyState<dim> &steady) const;
+
+    void
     write_fields(const SteadyState<dim> &steady);
 
     const SceneParameters &scene;

@@ -21,6 +21,12 @@ namespace RollingContact
   note_state(const SceneParameters  &scene,
              const SteadyState<dim> &steady,
              RunReport              &report);
+
+  /**
+   * Where fewer than five nodes touch.
+   */
+  void
+  warn_of_few_nodes(const unsigned int n_touching, Log &log);
 } // namespace RollingContact
 
 #endif

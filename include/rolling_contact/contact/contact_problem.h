@@ -265,6 +265,14 @@ namespace RollingContact
     project(std::vector<double> &traction) const;
 
     /**
+     * Nodal forces of q - Proj(q - rho_t s), rho_t one over tangential_norm,
+     * summed and divided by mu N; zero without friction.
+     */
+    double
+    residual(const std::vector<double> &traction,
+             const std::vector<double> &slip) const;
+
+    /**
      * What a displacement w adds to the slip, flow B1 (convection w) + rate
      * B2 w. Units: m to 1.
      */

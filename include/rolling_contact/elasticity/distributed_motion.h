@@ -85,9 +85,24 @@ namespace RollingContact
     description() const override;
 
   private:
+    /**
+     * What a failed step goes back to, without asking the other ranks.
+     */
+    struct Kept
+    {
+      DistributedVector u, v, Ku, Mv;
+      StepEnergy        energy;
+    };
+
     void
     set_state(const DistributedVector &displacement,
               const DistributedVector &velocity);
+
+    /**
+     * No step has begun, nothing is known of the next one.
+     */
+    void
+    start_anew();
 
     void
     require_begun() const;
@@ -110,7 +125,6 @@ namespace RollingContact
     const DistributedBody<dim>                  &body;
     std::shared_ptr<DistributedThetaSystem<dim>> system;
     DistributedVector                            u, v, Ku, Mv, f, work, z;
-    DistributedVector                            kept_u, kept_v;
     FollowedSolution                             free_motion, answer;
     DistributedVector   inertia; ///< M e_z, or empty; kg
     std::vector<double> answered;
@@ -118,6 +132,7 @@ namespace RollingContact
     double              begun_step        = 0.;
     unsigned int        n_steps = 0, n_solves = 0, n_iterations = 0;
     StepEnergy          step_energy;
+    Kept                kept;
   };
 } // namespace RollingContact
 

@@ -93,8 +93,26 @@ namespace RollingContact
   };
 
   /**
-   * The solver of this name: `automatic`, `active set`, `extragradient` or
-   * `fixed point`.
+   * A solver as Contact/Solver and --print-parameters know it.
+   */
+  struct ContactSolverKind
+  {
+    using Maker = std::unique_ptr<ContactSolver> (*)(const SolverControls &);
+
+    std::string name;
+    std::string help; ///< "what it is", for the list of parameters
+    Maker       make; ///< for friction that does not depend on the slip
+  };
+
+  /**
+   * All of them, the default first.
+   */
+  const std::vector<ContactSolverKind> &
+  contact_solver_kinds();
+
+  /**
+   * The solver of a name in contact_solver_kinds(), with falling friction
+   * around it. Throws InputError for any other name.
    */
   std::unique_ptr<ContactSolver>
   make_contact_solver(const std::string &name, const SolverControls &controls);

@@ -1,0 +1,38 @@
+#ifndef rolling_contact_base_choices_h
+#define rolling_contact_base_choices_h
+
+#include <string>
+#include <vector>
+
+namespace RollingContact
+{
+  /**
+   * The names of a table of choices as a selection, "one|another".
+   */
+  template <class Kind>
+  std::string
+  choice_names(const std::vector<Kind> &kinds)
+  {
+    std::string names;
+    for (const Kind &kind : kinds)
+      names += (names.empty() ? "" : "|") + kind.name;
+    return names;
+  }
+
+
+
+  /**
+   * "`one`: what it is; `another`: what that is."
+   */
+  template <class Kind>
+  std::string
+  choice_help(const std::vector<Kind> &kinds)
+  {
+    std::string help;
+    for (const Kind &kind : kinds)
+      help += (help.empty() ? "`" : "; `") + kind.name + "`: " + kind.help;
+    return help + ".";
+  }
+} // namespace RollingContact
+
+#endif
