@@ -2,8 +2,6 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/elasticity/error_indicator.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <tuple>
 

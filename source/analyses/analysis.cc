@@ -5,7 +5,7 @@
 #include <rolling_contact/analyses/quasi_static.h>
 #include <rolling_contact/analyses/time_study.h>
 #include <rolling_contact/analyses/transient.h>
-#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/choices.h>
 
 namespace RollingContact
 {
@@ -76,9 +76,6 @@ namespace RollingContact
   const AnalysisKind &
   analysis_kind(const std::string &name)
   {
-    for (const AnalysisKind &kind : analysis_kinds())
-      if (kind.name == name)
-        return kind;
-    throw InputError("Analysis = " + name + ": there is no such analysis.");
+    return choice(analysis_kinds(), name, "Analysis");
   }
 } // namespace RollingContact

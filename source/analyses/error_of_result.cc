@@ -44,14 +44,14 @@ namespace RollingContact
     Bound
     measured_bound(const SceneParameters &scene, const SteadyState<dim> &steady)
     {
-      const std::string &slip_operator = steady.slip_operator;
-      if (slip_operator == "upwind 1")
+      const SlipOperatorKind kind = steady.slip_operator;
+      if (kind == SlipOperatorKind::upwind_1)
         return {dim == 2 ? 0.65 : 1.1, 1.};
-      if (slip_operator == "galerkin")
+      if (kind == SlipOperatorKind::galerkin)
         return {dim == 2 ? 1.6 : 0.8, 1.};
       if (!edge_law_holds(scene))
         return {dim == 2 ? 0.5 : 0.65, 1.};
-      if (slip_operator == "upwind 2")
+      if (kind == SlipOperatorKind::upwind_2)
         return {dim == 2 ? 0.4 : 0.65, 1.};
       if (dim == 2)
         return {2.3, 2.};

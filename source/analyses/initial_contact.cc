@@ -147,9 +147,7 @@ namespace RollingContact
       scene.time.inertia
         ? make_inertial<dim>(scene, histories, slip_operator, context)
         : make_massless<dim>(scene, histories, context);
-    initial.contact.slip_operator = slip_operator == SlipOperatorKind::upwind_2
-                                      ? "upwind 2"
-                                      : scene.contact.slip_operator;
+    initial.contact.slip_operator = slip_operator;
     return initial;
   }
 

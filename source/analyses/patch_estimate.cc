@@ -5,7 +5,6 @@
 #include <rolling_contact/references/line_approach.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace RollingContact

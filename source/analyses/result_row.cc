@@ -165,7 +165,7 @@ namespace RollingContact
     table.set("contact_nodes", steady.problem.n_nodes);
     table.set("elements_across", steady.elements_across);
     table.set("patch_offset", steady.grading.offset);
-    table.set("slip_operator", steady.slip_operator);
+    table.set("slip_operator", name_of(steady.slip_operator));
     table.set("creepage_x", steady.creepage_x);
     table.set("creepage_y", steady.creepage_y);
     table.set("spin_1/m", steady.spin);

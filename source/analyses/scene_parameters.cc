@@ -4,8 +4,6 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/elasticity/make_body.h>
 
-#include <cmath>
-
 namespace RollingContact
 {
   using namespace dealii;
@@ -131,8 +129,7 @@ namespace RollingContact
     rail.check(dimension);
     contact.check(dimension);
     mesh.check();
-    if (analysis == "accuracy study")
-      study.check(dimension);
+    check_study();
     creep_curve.check();
     load_curve.load_shares();
     check_hubs();
@@ -140,6 +137,16 @@ namespace RollingContact
     if (is_transient())
       time.check(contact, dimension, prm_folder);
     check_speed();
+    check_pair();
+    check_body_solver();
+    check_profiles();
+  }
+
+
+
+  void
+  SceneParameters::check_pair() const
+  {
     if (wheel.rigid && rail.rigid)
       throw InputError("Wheel/Rigid = true and Rail/Rigid = true: at least one "
                        "body must be elastic.");
@@ -149,25 +156,50 @@ namespace RollingContact
         "Wheel/Thickness = " + Patterns::Tools::to_string(wheel.thickness) +
         " and Rail/Thickness = " + Patterns::Tools::to_string(rail.thickness) +
         ": plane strain needs the same thickness in both.");
-    if (analysis == "accuracy study" && body_solver == "distributed")
+  }
+
+
+
+  void
+  SceneParameters::check_body_solver() const
+  {
+    if (body_solver != "distributed")
+      return;
+    if (analysis == "accuracy study")
       throw InputError(
         "Body solver = distributed: an accuracy study factorises "
         "its bodies; take direct or automatic.");
-    if (body_solver == "distributed")
-      for (const BodyParameters *body : {&wheel, &rail})
-        if (!body->rigid &&
-            body->material.poisson_ratio > distributed_poisson_limit)
-          throw InputError(
-            body->section + "/Poisson ratio = " +
-            Patterns::Tools::to_string(body->material.poisson_ratio) +
-            ": conjugate gradients with multigrid converge up to " +
-            Patterns::Tools::to_string(distributed_poisson_limit) +
-            "; take Body solver = direct.");
-    if (analysis == "accuracy study" && mesh.adaptive_levels > 0)
+    for (const BodyParameters *body : {&wheel, &rail})
+      if (!body->rigid &&
+          body->material.poisson_ratio > distributed_poisson_limit)
+        throw InputError(
+          body->section + "/Poisson ratio = " +
+          Patterns::Tools::to_string(body->material.poisson_ratio) +
+          ": conjugate gradients with multigrid converge up to " +
+          Patterns::Tools::to_string(distributed_poisson_limit) +
+          "; take Body solver = direct.");
+  }
+
+
+
+  void
+  SceneParameters::check_study() const
+  {
+    if (analysis != "accuracy study")
+      return;
+    study.check(dimension);
+    if (mesh.adaptive_levels > 0)
       throw InputError(
         "Mesh/Adaptive levels = " + std::to_string(mesh.adaptive_levels) +
         ": an accuracy study has its own meshes (Accuracy study/Elements "
         "across patch); set it to 0.");
+  }
+
+
+
+  void
+  SceneParameters::check_profiles() const
+  {
     const auto curvature = [](const double radius) {
       return radius == 0. ? 0. : 1 / radius;
     };

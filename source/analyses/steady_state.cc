@@ -4,6 +4,7 @@
 #include <rolling_contact/base/stopwatch.h>
 #include <rolling_contact/solvers/corrected_solve.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace RollingContact
@@ -132,7 +133,7 @@ namespace RollingContact
     SteadyState<dim> steady;
     steady.grading         = grading;
     steady.elements_across = scene.mesh.elements_across_patch;
-    steady.slip_operator   = scene.contact.slip_operator;
+    steady.slip_operator   = scene.contact.slip_operator_kind();
     steady.creepage_x      = scene.contact.creepage_x;
     steady.creepage_y      = scene.contact.creepage_y;
     steady.spin            = scene.contact.spin;

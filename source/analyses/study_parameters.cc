@@ -21,6 +21,7 @@ namespace RollingContact
                   prm,
                   Patterns::Selection("mesh|time step"));
     declare_meshes();
+    declare_cases();
     declare_methods();
     declare_time();
   }
@@ -79,7 +80,7 @@ namespace RollingContact
 
 
   void
-  StudyParameters::declare_methods()
+  StudyParameters::declare_cases()
   {
     add_parameter("Creepages over saturation",
                   creepages,
@@ -96,6 +97,13 @@ namespace RollingContact
       prm,
       Patterns::List(Patterns::Selection("longitudinal|lateral|spin|combined"),
                      1));
+  }
+
+
+
+  void
+  StudyParameters::declare_methods()
+  {
     add_parameter("Meshes",
                   meshes,
                   "Kinds of meshes: `uniform`, `graded` (finer at the leading "
@@ -110,8 +118,9 @@ namespace RollingContact
       "with consistent contact matrices, by the extragradient iteration where "
       "the solver is `automatic` (Lai et al. 2017).",
       prm,
-      Patterns::List(
-        Patterns::Selection("upwind 1|upwind 2|calibrated|galerkin|paper"), 1));
+      Patterns::List(Patterns::Selection(choice_names(slip_operator_choices()) +
+                                         "|paper"),
+                     1));
     add_parameter("Solvers",
                   solvers,
                   "Contact solvers to compare, as Contact/Solver.",

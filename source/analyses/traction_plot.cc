@@ -7,54 +7,105 @@
 
 namespace RollingContact
 {
+  namespace
+  {
+    const double extent = 1.15; // of the picture, in half-widths
+
+    /**
+     * Lines over x/a, scaled by Hertz's peak pressure and friction bound.
+     */
+    struct Lines
+    {
+      std::vector<double> x, pressure, traction, bound;
+    };
+
+
+
+    Lines
+    computed_lines(const SceneParameters &scene,
+                   const SteadyState<2>  &steady,
+                   const LineReference   &reference)
+    {
+      const double p0                 = reference.hertz.max_pressure,
+                   bound              = scene.contact.friction_coefficient * p0;
+      const ContactProblem   &problem = steady.problem;
+      const TangentialProblem tangential =
+        tangential_problem(problem, steady.state);
+      Lines lines;
+      for (unsigned int i = 0; i < problem.n_nodes; ++i)
+        {
+          const double at =
+            problem.positions[i][0] / reference.hertz.half_width;
+          if (std::abs(at) > extent)
+            continue;
+          lines.x.push_back(at);
+          lines.pressure.push_back(steady.state.pressure[i] / p0);
+          if (problem.n_tangential == 0)
+            continue;
+          lines.traction.push_back(steady.state.traction[i] / bound);
+          lines.bound.push_back(std::copysign(problem.friction_law
+                                                ? tangential.bound[i] / bound
+                                                : lines.pressure.back(),
+                                              steady.result.force_x));
+        }
+      return lines;
+    }
+
+
+
+    /**
+     * Hertz, and Carter where there is one.
+     */
+    Lines
+    reference_lines(const SceneParameters &scene,
+                    const LineReference   &reference)
+    {
+      const unsigned int n = 1000;
+      const double       a = reference.hertz.half_width,
+                   p0      = reference.hertz.max_pressure,
+                   bound   = scene.contact.friction_coefficient * p0;
+      Lines lines;
+      for (unsigned int k = 0; k <= n; ++k)
+        {
+          const double at = extent * (2. * k / n - 1);
+          lines.x.push_back(at);
+          lines.pressure.push_back(reference.hertz.pressure(at * a) / p0);
+          if (reference.carter)
+            lines.traction.push_back(reference.carter->traction(at * a) /
+                                     bound);
+        }
+      return lines;
+    }
+
+
+
+    std::string
+    title(const SceneParameters &scene, const SteadyState<2> &steady)
+    {
+      if (steady.problem.n_tangential == 0)
+        return "Frictionless contact";
+      const auto readable = [](const double value) {
+        return (value < 0 ? "\u2212" : "") + significant(std::abs(value), 4);
+      };
+      return "T / (" + scale_of_friction(scene) + "N) = " +
+             readable(steady.result.force_x /
+                      (scene.contact.friction_coefficient *
+                       steady.result.normal_force)) +
+             " at creepage " + readable(steady.creepage_x);
+    }
+  } // namespace
+
+
+
   void
   plot_line_tractions(const SceneParameters &scene,
                       const SteadyState<2>  &steady,
                       RunFolder             &folder)
   {
     const LineReference reference = line_reference(scene, steady);
-    const double        a         = reference.hertz.half_width,
-                 p0               = reference.hertz.max_pressure,
-                 bound            = scene.contact.friction_coefficient * p0;
-    const bool     friction       = steady.problem.n_tangential > 0;
-    const unsigned n_fine         = 1000;
-    const double   extent         = 1.15;
-
-    const TangentialProblem tangential =
-      tangential_problem(steady.problem, steady.state);
-    std::vector<double> x, pressure, traction, lower_bound;
-    for (unsigned int i = 0; i < steady.problem.n_nodes; ++i)
-      {
-        const double at = steady.problem.positions[i][0] / a;
-        if (std::abs(at) > extent)
-          continue;
-        x.push_back(at);
-        pressure.push_back(steady.state.pressure[i] / p0);
-        traction.push_back(friction ? steady.state.traction[i] / bound : 0.);
-        lower_bound.push_back(std::copysign(steady.problem.friction_law
-                                              ? tangential.bound[i] / bound
-                                              : pressure.back(),
-                                            steady.result.force_x));
-      }
-    std::vector<double> fine_x, hertz, carter;
-    for (unsigned int k = 0; k <= n_fine; ++k)
-      {
-        fine_x.push_back(extent * (2. * k / n_fine - 1));
-        hertz.push_back(reference.hertz.pressure(fine_x.back() * a) / p0);
-        if (reference.carter)
-          carter.push_back(reference.carter->traction(fine_x.back() * a) /
-                           bound);
-      }
-
-    const auto readable = [](const double value) {
-      return (value < 0 ? "\u2212" : "") + significant(std::abs(value), 4);
-    };
-    SvgPlot plot(friction ? "T / (" + scale_of_friction(scene) + "N) = " +
-                              readable(steady.result.force_x /
-                                       (scene.contact.friction_coefficient *
-                                        steady.result.normal_force)) +
-                              " at creepage " + readable(steady.creepage_x)
-                          : "Frictionless contact",
+    const Lines         found     = computed_lines(scene, steady, reference),
+                exact             = reference_lines(scene, reference);
+    SvgPlot plot(title(scene, steady),
                  "x / a, material flows " + std::string(scene.contact.flow() > 0
                                                           ? "to the right"
                                                           : "to the left"),
@@ -62,21 +113,22 @@ namespace RollingContact
                    "p\u2080)");
     if (reference.carter)
       {
-        const auto stick = reference.carter->stick_interval();
+        const double a     = reference.hertz.half_width;
+        const auto   stick = reference.carter->stick_interval();
         if (stick.second > stick.first)
           plot.add_band("stick (Carter)", stick.first / a, stick.second / a);
       }
-    plot.add_curve("Hertz", fine_x, hertz, CurveStyle::reference);
+    plot.add_curve("Hertz", exact.x, exact.pressure, CurveStyle::reference);
     if (reference.carter)
-      plot.add_curve("Carter", fine_x, carter, CurveStyle::reference);
-    plot.add_curve("pressure p", x, pressure, CurveStyle::points);
-    if (friction)
+      plot.add_curve("Carter", exact.x, exact.traction, CurveStyle::reference);
+    plot.add_curve("pressure p", found.x, found.pressure, CurveStyle::points);
+    if (steady.problem.n_tangential > 0)
       {
         plot.add_curve("traction q on the wheel",
-                       x,
-                       traction,
+                       found.x,
+                       found.traction,
                        CurveStyle::points);
-        plot.add_curve("bound \u03bcp", x, lower_bound, CurveStyle::line);
+        plot.add_curve("bound \u03bcp", found.x, found.bound, CurveStyle::line);
       }
     plot.write(folder, "tractions.svg");
   }

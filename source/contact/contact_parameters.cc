@@ -1,3 +1,4 @@
+#include <rolling_contact/base/choices.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/contact/contact_parameters.h>
 #include <rolling_contact/contact/roughness.h>
@@ -11,7 +12,17 @@ namespace RollingContact
   ContactParameters::ContactParameters()
     : ParameterAcceptor("/Contact")
   {
-    const Patterns::Double any;
+    declare_load();
+    declare_friction();
+    declare_rolling();
+    declare_operators();
+  }
+
+
+
+  void
+  ContactParameters::declare_load()
+  {
     add_parameter(
       "Normal load",
       normal_load_entry,
@@ -26,13 +37,46 @@ namespace RollingContact
       "the load follows. Units: m.",
       prm,
       Patterns::Anything());
+  }
+
+
+
+  void
+  ContactParameters::declare_friction()
+  {
     add_parameter("Friction coefficient",
                   friction_coefficient,
                   "Coulomb's mu, the static mu_s of a law that falls; 0 leaves "
                   "all of friction out. Units: 1.",
                   prm,
                   Patterns::Double(0.));
-    declare_friction_law();
+    add_parameter("Friction law",
+                  friction_law,
+                  "How mu falls with the sliding speed v = |s| V from mu_s to "
+                  "mu_k. " +
+                    choice_help(friction_law_kinds()),
+                  prm,
+                  Patterns::Selection(choice_names(friction_law_kinds())));
+    add_parameter("Kinetic friction coefficient",
+                  kinetic_friction,
+                  "mu_k of a law that falls, mu at high sliding speed. Polach: "
+                  "0.4 mu_s, dry. Units: 1.",
+                  prm,
+                  Patterns::Double(0.));
+    add_parameter("Friction decay speed",
+                  friction_decay_speed,
+                  "v_c of a law that falls. Polach: 1/0.6 m/s, dry. "
+                  "Units: m/s.",
+                  prm,
+                  Patterns::Double(0.));
+  }
+
+
+
+  void
+  ContactParameters::declare_rolling()
+  {
+    const Patterns::Double any;
     add_parameter(
       "Creepage x",
       creepage_x,
@@ -62,20 +106,24 @@ namespace RollingContact
       prm,
       Patterns::Anything());
     parse_parameters_call_back.connect([&]() { read_speed(); });
-    add_parameter(
-      "Slip operator",
-      slip_operator,
-      "B1: `upwind 1`, `upwind 2`, `calibrated` (upwind 2 corrected at the "
-      "edges of the contact) or `galerkin` (Lai et al. 2017).",
-      prm,
-      Patterns::Selection("upwind 1|upwind 2|calibrated|galerkin"));
+  }
+
+
+
+  void
+  ContactParameters::declare_operators()
+  {
+    add_parameter("Slip operator",
+                  slip_operator,
+                  "B1. " + choice_help(slip_operator_choices()),
+                  prm,
+                  Patterns::Selection(choice_names(slip_operator_choices())));
     add_parameter("Contact matrices",
                   contact_matrices,
-                  "H_n and H_t: `lumped`, `consistent` (Lai et al. 2017), or "
-                  "`balanced`: lumped, with smoother pressures where element "
-                  "sizes change and forces less exact.",
+                  "H_n and H_t. " + choice_help(contact_matrices_choices()),
                   prm,
-                  Patterns::Selection("lumped|consistent|balanced"));
+                  Patterns::Selection(
+                    choice_names(contact_matrices_choices())));
     add_parameter(
       "Roughness",
       roughness,
@@ -85,36 +133,6 @@ namespace RollingContact
       "the material. Units: m.",
       prm,
       Patterns::Anything());
-  }
-
-
-
-  void
-  ContactParameters::declare_friction_law()
-  {
-    std::string names;
-    for (const std::string &name : friction_law_names())
-      names += (names.empty() ? "" : "|") + name;
-    add_parameter("Friction law",
-                  friction_law,
-                  "`constant`, or mu falls with the sliding speed v = |s| V "
-                  "from mu_s to mu_k: `exponential`, mu_k + (mu_s - mu_k) "
-                  "exp(-v/v_c), Polach's law with A = mu_k/mu_s and B = 1/v_c; "
-                  "`rational`, mu_k + (mu_s - mu_k)/(1 + v/v_c).",
-                  prm,
-                  Patterns::Selection(names));
-    add_parameter("Kinetic friction coefficient",
-                  kinetic_friction,
-                  "mu_k of a law that falls, mu at high sliding speed. Polach: "
-                  "0.4 mu_s, dry. Units: 1.",
-                  prm,
-                  Patterns::Double(0.));
-    add_parameter("Friction decay speed",
-                  friction_decay_speed,
-                  "v_c of a law that falls. Polach: 1/0.6 m/s, dry. "
-                  "Units: m/s.",
-                  prm,
-                  Patterns::Double(0.));
   }
 
 
@@ -238,12 +256,12 @@ namespace RollingContact
 
 
   SlipOperatorKind
-  ContactParameters::kind_of_slip_operator(const std::string &name)
+  ContactParameters::slip_operator_kind() const
   {
-    return name == "upwind 1"     ? SlipOperatorKind::upwind_1
-           : name == "upwind 2"   ? SlipOperatorKind::upwind_2
-           : name == "calibrated" ? SlipOperatorKind::calibrated
-                                  : SlipOperatorKind::galerkin;
+    return choice(slip_operator_choices(),
+                  slip_operator,
+                  "Contact/Slip operator")
+      .kind;
   }
 
 
@@ -251,8 +269,9 @@ namespace RollingContact
   ContactMatrices
   ContactParameters::contact_matrices_kind() const
   {
-    return contact_matrices == "lumped"     ? ContactMatrices::lumped
-           : contact_matrices == "balanced" ? ContactMatrices::balanced
-                                            : ContactMatrices::consistent;
+    return choice(contact_matrices_choices(),
+                  contact_matrices,
+                  "Contact/Contact matrices")
+      .kind;
   }
 } // namespace RollingContact

@@ -1,10 +1,9 @@
 #include <boost/math/tools/minima.hpp>
 
+#include <rolling_contact/base/choices.h>
 #include <rolling_contact/contact/friction_law.h>
 
 #include <cmath>
-#include <functional>
-#include <utility>
 
 namespace RollingContact
 {
@@ -99,32 +98,23 @@ namespace RollingContact
     {
       return std::make_unique<Law>(kinetic_over_static, decay_speed);
     }
-
-
-
-    using Maker =
-      std::function<std::unique_ptr<const FrictionLaw>(double, double)>;
-
-    const std::vector<std::pair<std::string, Maker>> &
-    laws()
-    {
-      static const std::vector<std::pair<std::string, Maker>> list{
-        {"constant", [](double, double) { return nullptr; }},
-        {"exponential", make<ExponentialFriction>},
-        {"rational", make<RationalFriction>}};
-      return list;
-    }
   } // namespace
 
 
 
-  std::vector<std::string>
-  friction_law_names()
+  const std::vector<FrictionLawKind> &
+  friction_law_kinds()
   {
-    std::vector<std::string> names;
-    for (const auto &law : laws())
-      names.push_back(law.first);
-    return names;
+    static const std::vector<FrictionLawKind> kinds{
+      {"constant", "it does not fall", nullptr},
+      {"exponential",
+       "mu_k + (mu_s - mu_k) exp(-v/v_c), Polach's law with A = mu_k/mu_s and "
+       "B = 1/v_c",
+       &make<ExponentialFriction>},
+      {"rational",
+       "mu_k + (mu_s - mu_k)/(1 + v/v_c)",
+       &make<RationalFriction>}};
+    return kinds;
   }
 
 
@@ -134,9 +124,8 @@ namespace RollingContact
                     const double       kinetic_over_static,
                     const double       decay_speed)
   {
-    for (const auto &law : laws())
-      if (law.first == name)
-        return law.second(kinetic_over_static, decay_speed);
-    return nullptr;
+    const FrictionLawKind &kind =
+      choice(friction_law_kinds(), name, "Contact/Friction law");
+    return kind.make ? kind.make(kinetic_over_static, decay_speed) : nullptr;
   }
 } // namespace RollingContact

@@ -6,6 +6,48 @@
 
 namespace RollingContact
 {
+  const std::vector<OperatorChoice<ContactMatrices>> &
+  contact_matrices_choices()
+  {
+    static const std::vector<OperatorChoice<ContactMatrices>> choices{
+      {"lumped", "row sums", ContactMatrices::lumped},
+      {"consistent", "Lai et al. 2017", ContactMatrices::consistent},
+      {"balanced",
+       "lumped, with smoother pressures where element sizes change and forces "
+       "less exact",
+       ContactMatrices::balanced}};
+    return choices;
+  }
+
+
+
+  const std::vector<OperatorChoice<SlipOperatorKind>> &
+  slip_operator_choices()
+  {
+    static const std::vector<OperatorChoice<SlipOperatorKind>> choices{
+      {"upwind 1", "first order", SlipOperatorKind::upwind_1},
+      {"upwind 2", "second order", SlipOperatorKind::upwind_2},
+      {"calibrated",
+       "upwind 2 corrected at the edges of the contact",
+       SlipOperatorKind::calibrated},
+      {"galerkin", "Lai et al. 2017", SlipOperatorKind::galerkin}};
+    return choices;
+  }
+
+
+
+  const std::string &
+  name_of(const SlipOperatorKind kind)
+  {
+    const auto &choices = slip_operator_choices();
+    return std::find_if(choices.begin(),
+                        choices.end(),
+                        [&](const auto &it) { return it.kind == kind; })
+      ->name;
+  }
+
+
+
   namespace
   {
     /**

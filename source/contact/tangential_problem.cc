@@ -1,7 +1,6 @@
 #include <rolling_contact/contact/contact_problem.h>
 #include <rolling_contact/contact/edge_law.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace RollingContact

@@ -1,6 +1,5 @@
 #include <rolling_contact/contact/trace.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace RollingContact

@@ -12,7 +12,18 @@ namespace RollingContact
     : ParameterAcceptor("/" + section)
     , section(section)
   {
-    const Patterns::Double any, not_negative(0.);
+    declare_profile();
+    declare_extent();
+    declare_mesh_file();
+    declare_material();
+  }
+
+
+
+  void
+  BodyParameters::declare_profile()
+  {
+    const Patterns::Double any;
     add_parameter("Shape",
                   shape,
                   "`disc`, held at its inner circle; `block`, held at its "
@@ -37,6 +48,14 @@ namespace RollingContact
       "is flat, negative concave. Units: m.",
       prm,
       any);
+  }
+
+
+
+  void
+  BodyParameters::declare_extent()
+  {
+    const Patterns::Double not_negative(0.);
     add_parameter("Hub radius",
                   hub_radius,
                   "Radius of the inner circle of a disc. Units: m.",
@@ -71,6 +90,14 @@ namespace RollingContact
                   "inertia alone holds the body.",
                   prm,
                   Patterns::Selection("clamped|free"));
+  }
+
+
+
+  void
+  BodyParameters::declare_mesh_file()
+  {
+    const Patterns::Double not_negative(0.);
     add_parameter("Mesh file",
                   mesh_file,
                   "Gmsh .msh or Abaqus .inp file of quadrilaterals (2D) or "
@@ -107,6 +134,14 @@ namespace RollingContact
       "the nodes, and the radii for the estimate of the patch only.",
       prm,
       Patterns::Selection("radii|nodes"));
+  }
+
+
+
+  void
+  BodyParameters::declare_material()
+  {
+    const Patterns::Double not_negative(0.);
     add_parameter("Young modulus",
                   material.young_modulus,
                   "Young's modulus. Units: Pa.",

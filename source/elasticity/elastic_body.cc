@@ -171,6 +171,46 @@ namespace RollingContact
 
 
 
+  namespace
+  {
+    /**
+     * Nodes and faces of the whole zone, with nodes by their numbers.
+     */
+    template <int dim>
+    void
+    number_nodes(ZonePart<dim>                                       &whole,
+                 const std::array<double, 2>                         &extent,
+                 std::vector<typename ElasticBody<dim>::SurfaceNode> &nodes,
+                 std::vector<typename ElasticBody<dim>::SurfaceFace> &faces)
+    {
+      std::map<types::global_dof_index, unsigned int> number;
+      nodes.clear();
+      for (const auto dof : whole.sorted_nodes(extent))
+        {
+          number[dof] = nodes.size();
+          typename ElasticBody<dim>::SurfaceNode node;
+          node.position = whole.nodes[dof];
+          for (int d = 0; d < dim; ++d)
+            node.dofs[d] = dof + d;
+          nodes.push_back(node);
+        }
+      faces.clear();
+      for (const ZoneFace<dim> &face : whole.faces)
+        {
+          faces.push_back({face.lower, face.upper, {}});
+          for (const Combination &corner : face.corners)
+            {
+              faces.back().corners.emplace_back();
+              for (const auto &entry : corner)
+                faces.back().corners.back().emplace_back(number.at(entry.first),
+                                                         entry.second);
+            }
+        }
+    }
+  } // namespace
+
+
+
   template <int dim>
   void
   ElasticBody<dim>::surface(const Grading<dim>       &zone,
@@ -211,30 +251,7 @@ namespace RollingContact
       whole.add(part);
     const std::array<double, 2> extent{{zone.zone_x, zone.zone_y}};
     whole.sort_faces(extent);
-
-    std::map<types::global_dof_index, unsigned int> number;
-    nodes.clear();
-    for (const auto dof : whole.sorted_nodes(extent))
-      {
-        number[dof] = nodes.size();
-        SurfaceNode node;
-        node.position = whole.nodes[dof];
-        for (int d = 0; d < dim; ++d)
-          node.dofs[d] = dof + d;
-        nodes.push_back(node);
-      }
-    faces.clear();
-    for (const ZoneFace<dim> &face : whole.faces)
-      {
-        faces.push_back({face.lower, face.upper, {}});
-        for (const Combination &corner : face.corners)
-          {
-            faces.back().corners.emplace_back();
-            for (const auto &entry : corner)
-              faces.back().corners.back().emplace_back(number.at(entry.first),
-                                                       entry.second);
-          }
-      }
+    number_nodes(whole, extent, nodes, faces);
   }
 
 

@@ -7,9 +7,7 @@
 #include <rolling_contact/elasticity/dissection.h>
 #include <rolling_contact/elasticity/factorisation.h>
 
-#include <algorithm>
 #include <atomic>
-#include <numeric>
 #include <string>
 
 namespace RollingContact

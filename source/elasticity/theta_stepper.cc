@@ -229,16 +229,4 @@ namespace RollingContact
       result.push_back(values[i]);
     return result;
   }
-
-
-
-  std::size_t
-  ThetaStepper::memory_consumption() const
-  {
-    std::size_t n_values = 0;
-    for (const auto *vector :
-         {&u, &v, &Ku, &Mv, &f, &z, &work, &free_theta_velocity})
-      n_values += vector->capacity();
-    return n_values * sizeof(double);
-  }
 } // namespace RollingContact

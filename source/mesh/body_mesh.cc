@@ -288,6 +288,33 @@ namespace RollingContact
             cells.execute_coarsening_and_refinement();
         }
     }
+
+
+
+    /**
+     * Of coarse cells of this @p size, in depth and across; cells never deeper
+     * than long, so that x alone decides on the surface nodes.
+     */
+    template <int dim>
+    std::array<std::vector<double>, dim>
+    break_points_below(const BodyGeometry &geometry,
+                       const Grading<dim> &grading,
+                       const double        size)
+    {
+      const double thickness = geometry.thickness_below();
+      std::array<std::vector<double>, dim> breaks;
+      breaks[dim - 1] =
+        equal_parts(-thickness,
+                    0.,
+                    std::max(1., std::ceil(thickness / size - 1e-6)));
+      if (dim == 3)
+        breaks[1] =
+          break_points(-geometry.width / 2,
+                       geometry.width / 2,
+                       0.,
+                       size * grading.element_size_y / grading.element_size_x);
+      return breaks;
+    }
   } // namespace
 
 
@@ -324,21 +351,10 @@ namespace RollingContact
                                                   origin + half_sector * size);
     mesh.triangulation = make_triangulation<dim>(kind);
 
-    std::array<std::vector<double>, dim> breaks;
+    std::array<std::vector<double>, dim> breaks =
+      break_points_below<dim>(geometry, grading, size);
     breaks[0] =
       break_points_x(geometry, *mesh.chart, origin, size, 2 * half_sector);
-    // cells never deeper than long, so that x alone decides on the surface
-    // nodes
-    breaks[dim - 1] =
-      equal_parts(-thickness,
-                  0.,
-                  std::max(1., std::ceil(thickness / size - 1e-6)));
-    if (dim == 3)
-      breaks[1] =
-        break_points(-geometry.width / 2,
-                     geometry.width / 2,
-                     0.,
-                     size * grading.element_size_y / grading.element_size_x);
     double n_cells = 1.;
     for (const auto &points : breaks)
       n_cells *= points.size() - 1.;

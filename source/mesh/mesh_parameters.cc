@@ -10,6 +10,16 @@ namespace RollingContact
   MeshParameters::MeshParameters()
     : ParameterAcceptor("/Mesh")
   {
+    declare_patch();
+    declare_zone();
+    declare_levels();
+  }
+
+
+
+  void
+  MeshParameters::declare_patch()
+  {
     add_parameter(
       "Elements across patch",
       elements_across_patch,
@@ -32,6 +42,13 @@ namespace RollingContact
       "upstream of a node. Units: 1.",
       prm,
       Patterns::Anything());
+  }
+
+
+
+  void
+  MeshParameters::declare_zone()
+  {
     add_parameter(
       "Candidate zone",
       candidate_zone,
@@ -65,6 +82,13 @@ namespace RollingContact
                   "Which part of the rim: `leading` or `both`.",
                   prm,
                   Patterns::Selection("leading|both"));
+  }
+
+
+
+  void
+  MeshParameters::declare_levels()
+  {
     add_parameter("Adaptive levels",
                   adaptive_levels,
                   "Solve again on at most so many refined meshes. Units: 1.",

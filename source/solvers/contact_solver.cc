@@ -1,5 +1,4 @@
 #include <rolling_contact/base/choices.h>
-#include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/solvers/accelerated_projection.h>
 #include <rolling_contact/solvers/alternation.h>
 #include <rolling_contact/solvers/extragradient.h>
@@ -11,6 +10,20 @@
 
 namespace RollingContact
 {
+  void
+  SolverReport::add_work(const SolverReport &part)
+  {
+    iterations += part.iterations;
+    normal_solves += part.normal_solves;
+    tangential_solves += part.tangential_solves;
+    passes += part.passes;
+    corrections += part.corrections;
+    friction_rounds += part.friction_rounds;
+    history.insert(history.end(), part.history.begin(), part.history.end());
+  }
+
+
+
   namespace
   {
     /**
@@ -75,10 +88,8 @@ namespace RollingContact
   std::unique_ptr<ContactSolver>
   make_contact_solver(const std::string &name, const SolverControls &controls)
   {
-    for (const ContactSolverKind &kind : contact_solver_kinds())
-      if (kind.name == name)
-        return std::make_unique<FallingFriction>(kind.make(controls), controls);
-    throw InputError("Contact/Solver = " + name + ": choose one of " +
-                     choice_names(contact_solver_kinds()) + ".");
+    const ContactSolverKind &kind =
+      choice(contact_solver_kinds(), name, "Contact/Solver");
+    return std::make_unique<FallingFriction>(kind.make(controls), controls);
   }
 } // namespace RollingContact

@@ -182,18 +182,6 @@ namespace RollingContact
               false);
       problem.update_pressure_compliance();
     }
-
-
-
-    void
-    add_work(const SolverReport &part, SolverReport &sum)
-    {
-      sum.iterations += part.iterations;
-      sum.normal_solves += part.normal_solves;
-      sum.tangential_solves += part.tangential_solves;
-      sum.passes += part.passes;
-      sum.friction_rounds += part.friction_rounds;
-    }
   } // namespace
 
 
@@ -227,11 +215,13 @@ namespace RollingContact
                             std::to_string(correction) + " corrections";
             break;
           }
-        SolverReport next = solve_on_root(solver, problem, state);
-        add_work(report, next);
-        next.corrections = report.corrections + 1;
-        next.history     = std::move(report.history);
-        report           = std::move(next);
+        const SolverReport next = solve_on_root(solver, problem, state);
+        report.add_work(next);
+        report.corrections = correction + 1;
+        report.solver      = next.solver;
+        report.converged   = next.converged;
+        report.reason      = next.reason;
+        report.residual    = next.residual;
       }
     return report;
   }

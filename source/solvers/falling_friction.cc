@@ -26,16 +26,10 @@ namespace RollingContact
     add_round(const SolverReport &round, SolverReport &report)
     {
       report.solver = round.solver;
-      report.iterations += round.iterations;
-      report.normal_solves += round.normal_solves;
-      report.tangential_solves += round.tangential_solves;
-      report.passes += round.passes;
+      report.add_work(round);
       ++report.friction_rounds;
       report.residual = round.residual;
       report.reason   = round.reason;
-      report.history.insert(report.history.end(),
-                            round.history.begin(),
-                            round.history.end());
     }
 
 

@@ -25,22 +25,6 @@ namespace RollingContact
                ? upper - lower
                : problem.positions.back()[0] - problem.positions.front()[0];
     }
-
-
-
-    void
-    add_work(const SolverReport &part, SolverReport &whole)
-    {
-      whole.iterations += part.iterations;
-      whole.normal_solves += part.normal_solves;
-      whole.tangential_solves += part.tangential_solves;
-      whole.passes += part.passes;
-      whole.residual = part.residual;
-      whole.reason   = part.reason;
-      whole.history.insert(whole.history.end(),
-                           part.history.begin(),
-                           part.history.end());
-    }
   } // namespace
 
 
@@ -69,7 +53,7 @@ namespace RollingContact
         step.find_tangential_norm();
         ContactState       next = state;
         const SolverReport part = step_solver->solve(step, next);
-        add_work(part, report);
+        report.add_work(part);
         if (!part.converged)
           {
             h /= 2;
@@ -84,11 +68,12 @@ namespace RollingContact
           continue;
         ContactState       steady = state;
         const SolverReport end    = step_solver->solve(problem, steady);
-        add_work(end, report);
+        report.add_work(end);
         if (end.converged)
           {
             state            = steady;
             report.converged = true;
+            report.residual  = end.residual;
             return report;
           }
         if (h >= last_step * length)

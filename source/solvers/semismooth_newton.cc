@@ -199,6 +199,51 @@ namespace RollingContact
       for (std::size_t k = 0; k < unknowns.size(); ++k)
         field[unknowns[k]] = values[k];
     }
+
+
+
+    /**
+     * The traction on the way down, and the best so far.
+     */
+    class Descent
+    {
+    public:
+      explicit Descent(std::vector<double> start)
+        : q(std::move(start))
+        , best_q(q)
+      {}
+
+      /**
+       * The residual of q.
+       */
+      void
+      note(const double residual)
+      {
+        const bool lower = residual < best;
+        n_stalled        = lower ? 0 : n_stalled + 1;
+        if (!lower)
+          return;
+        best   = residual;
+        best_q = q;
+      }
+
+      /**
+       * Go on from another traction, whatever its residual.
+       */
+      void
+      restart(std::vector<double> other)
+      {
+        q         = std::move(other);
+        n_stalled = 0;
+        best      = std::numeric_limits<double>::infinity();
+      }
+
+      std::vector<double> q, best_q;
+      unsigned int        n_stalled = 0;
+
+    private:
+      double best = std::numeric_limits<double>::infinity();
+    };
   } // namespace
 
 
@@ -217,54 +262,57 @@ namespace RollingContact
         report.converged = true;
         return report;
       }
-    const double        rho = controls.tangential_augmentation / touching.norm;
-    std::vector<double> q = gathered(touching.unknowns, state.traction), best_q;
+    const double rho = controls.tangential_augmentation / touching.norm;
+    Descent      way(gathered(touching.unknowns, state.traction));
     // a slip too small for the tolerance still gets its traction
-    const bool from_rest =
-      std::all_of(q.begin(), q.end(), [](const double x) { return x == 0.; });
-    double       best      = 0.;
-    unsigned int n_stalled = 0, n_rescues = 0;
+    const bool   from_rest = std::all_of(way.q.begin(),
+                                       way.q.end(),
+                                       [](const double x) { return x == 0.; });
+    unsigned int n_rescues = 0;
     for (unsigned int k = 0; k <= max_steps; ++k)
       {
-        const double now           = touching.residual(q);
+        const double now           = touching.residual(way.q);
         report.residual.tangential = now;
         report.history.push_back(report.residual);
         if (now <= 0.5 * controls.tolerance &&
             (k > 0 || !from_rest || now == 0.))
           {
-            scatter(touching.unknowns, q, state.traction);
+            scatter(touching.unknowns, way.q, state.traction);
             report.converged = true;
             return report;
           }
-        n_stalled = k > 0 && !(now < best) ? n_stalled + 1 : 0;
-        if (n_stalled == 0)
-          {
-            best   = now;
-            best_q = q;
-          }
+        way.note(now);
         if (n_rescues > max_rescues || (k == 0 && !std::isfinite(now)))
           break;
-        if (n_stalled > patience || !std::isfinite(now))
+        if (way.n_stalled > patience || !std::isfinite(now))
           {
-            SolverControls rescue = controls;
-            rescue.max_iterations = 20u << n_rescues++;
-            scatter(touching.unknowns, best_q, state.traction);
-            report.iterations +=
-              Extragradient(rescue).solve(problem, state).iterations;
-            q         = gathered(touching.unknowns, state.traction);
-            n_stalled = 0;
-            best      = std::numeric_limits<double>::infinity();
+            const unsigned int n_steps = 20u << n_rescues++;
+            scatter(touching.unknowns, way.best_q, state.traction);
+            report.iterations += rescue(problem, n_steps, state);
+            way.restart(gathered(touching.unknowns, state.traction));
             continue;
           }
         DenseMatrix step;
-        if (!newton_step(touching, q, rho, step))
+        if (!newton_step(touching, way.q, rho, step))
           break;
-        take_damped_step(touching, step, now, q);
+        take_damped_step(touching, step, now, way.q);
         ++report.iterations;
         ++report.tangential_solves;
       }
-    scatter(touching.unknowns, best_q, state.traction);
+    scatter(touching.unknowns, way.best_q, state.traction);
     report.reason = "the semismooth Newton iteration stopped falling";
     return report;
+  }
+
+
+
+  unsigned int
+  SemismoothNewton::rescue(const TangentialProblem &problem,
+                           const unsigned int       n_steps,
+                           ContactState            &state) const
+  {
+    SolverControls few = controls;
+    few.max_iterations = n_steps;
+    return Extragradient(few).solve(problem, state).iterations;
   }
 } // namespace RollingContact

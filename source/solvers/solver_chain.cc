@@ -2,8 +2,6 @@
 #include <rolling_contact/solvers/rolling_march.h>
 #include <rolling_contact/solvers/solver_chain.h>
 
-#include <cmath>
-
 namespace RollingContact
 {
   namespace
@@ -57,13 +55,7 @@ namespace RollingContact
                        ContactState         &state) const
   {
     const SolverReport next = solver.solve(problem, from);
-    report.iterations += next.iterations;
-    report.normal_solves += next.normal_solves;
-    report.tangential_solves += next.tangential_solves;
-    report.passes += next.passes;
-    report.history.insert(report.history.end(),
-                          next.history.begin(),
-                          next.history.end());
+    report.add_work(next);
     if (!next.converged)
       return false;
     report.converged = true;

@@ -1,8 +1,6 @@
 #include <rolling_contact/solvers/semismooth_newton.h>
 #include <rolling_contact/solvers/tangential_active_set.h>
 
-#include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <set>
 

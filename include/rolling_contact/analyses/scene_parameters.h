@@ -54,6 +54,18 @@ namespace RollingContact
     }
 
     void
+    check_pair() const;
+
+    void
+    check_profiles() const;
+
+    void
+    check_body_solver() const;
+
+    void
+    check_study() const;
+
+    void
     check_hubs() const;
 
     void

@@ -23,12 +23,12 @@ namespace RollingContact
     Grading<dim>                      grading;
     unsigned int                      elements_across = 0;
     unsigned int                      level           = 0;
-    std::string                       slip_operator;
-    double         creepage_x = 0., creepage_y = 0., spin = 0.;
-    ContactProblem problem;
-    ContactState   state;
-    SolverReport   solver;
-    Resultants     result;
+    SlipOperatorKind slip_operator = SlipOperatorKind::calibrated;
+    double           creepage_x = 0., creepage_y = 0., spin = 0.;
+    ContactProblem   problem;
+    ContactState     state;
+    SolverReport     solver;
+    Resultants       result;
     bool   restored = false; ///< its step's own gap and slip are not known
     double wall_s   = 0.;
     std::optional<double> contact_stiffness; ///< dN/d(approach), N/m

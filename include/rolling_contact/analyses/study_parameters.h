@@ -59,6 +59,9 @@ namespace RollingContact
     void
     declare_meshes();
     void
+    declare_cases();
+
+    void
     declare_methods();
     void
     declare_time();

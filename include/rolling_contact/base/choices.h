@@ -1,6 +1,8 @@
 #ifndef rolling_contact_base_choices_h
 #define rolling_contact_base_choices_h
 
+#include <rolling_contact/base/exceptions.h>
+
 #include <string>
 #include <vector>
 
@@ -32,6 +34,25 @@ namespace RollingContact
     for (const Kind &kind : kinds)
       help += (help.empty() ? "`" : "; `") + kind.name + "`: " + kind.help;
     return help + ".";
+  }
+
+
+
+  /**
+   * The one of this name. Throws InputError, with the @p entry it was given in,
+   * if there is none.
+   */
+  template <class Kind>
+  const Kind &
+  choice(const std::vector<Kind> &kinds,
+         const std::string       &name,
+         const std::string       &entry)
+  {
+    for (const Kind &kind : kinds)
+      if (kind.name == name)
+        return kind;
+    throw InputError(entry + " = " + name + ": choose one of " +
+                     choice_names(kinds) + ".");
   }
 } // namespace RollingContact
 

@@ -34,13 +34,7 @@ namespace RollingContact
     approach() const;
 
     SlipOperatorKind
-    slip_operator_kind() const
-    {
-      return kind_of_slip_operator(slip_operator);
-    }
-
-    static SlipOperatorKind
-    kind_of_slip_operator(const std::string &name);
+    slip_operator_kind() const;
 
     ContactMatrices
     contact_matrices_kind() const;
@@ -78,7 +72,16 @@ namespace RollingContact
 
   private:
     void
-    declare_friction_law();
+    declare_load();
+
+    void
+    declare_friction();
+
+    void
+    declare_rolling();
+
+    void
+    declare_operators();
 
     void
     read_speed();

@@ -47,14 +47,25 @@ namespace RollingContact
   };
 
   /**
-   * The names of the laws: `constant` and those that fall.
+   * A law as Contact/Friction law and --print-parameters know it.
    */
-  std::vector<std::string>
-  friction_law_names();
+  struct FrictionLawKind
+  {
+    using Maker =
+      std::unique_ptr<const FrictionLaw> (*)(const double kinetic_over_static,
+                                             const double decay_speed);
+
+    std::string name;
+    std::string help;
+    Maker       make; ///< nullptr for friction that does not fall
+  };
+
+  const std::vector<FrictionLawKind> &
+  friction_law_kinds();
 
   /**
-   * The law of this name with the ratio mu_k / mu_s of kinetic to static
-   * friction and the speed v_c (m/s); nullptr for `constant`:
+   * The law of a name in friction_law_kinds() with the ratio mu_k / mu_s of
+   * kinetic to static friction and the speed v_c (m/s); nullptr for `constant`:
    *
    *   exponential  mu = mu_k + (mu_s - mu_k) exp(-v / v_c), the decay of
    *                CONTACT with its s_h = v_c ln 2, and Polach's (2005) mu_s

@@ -3,6 +3,9 @@
 
 #include <rolling_contact/contact/trace.h>
 
+#include <string>
+#include <vector>
+
 namespace RollingContact
 {
   enum class ContactMatrices
@@ -19,6 +22,27 @@ namespace RollingContact
     galerkin,
     calibrated
   };
+
+  /**
+   * Operators as their entries of the .prm file and --print-parameters know
+   * them.
+   */
+  template <class Kind>
+  struct OperatorChoice
+  {
+    std::string name;
+    std::string help;
+    Kind        kind;
+  };
+
+  const std::vector<OperatorChoice<ContactMatrices>> &
+  contact_matrices_choices();
+
+  const std::vector<OperatorChoice<SlipOperatorKind>> &
+  slip_operator_choices();
+
+  const std::string &
+  name_of(const SlipOperatorKind kind);
 
   /**
    * H: nodal forces from nodal values of pressure or traction, eq. (12) of Lai

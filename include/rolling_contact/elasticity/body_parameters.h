@@ -64,6 +64,18 @@ namespace RollingContact
 
   private:
     void
+    declare_profile();
+
+    void
+    declare_extent();
+
+    void
+    declare_mesh_file();
+
+    void
+    declare_material();
+
+    void
     check_fall(const unsigned int dimension) const;
 
     void

@@ -126,15 +126,6 @@ namespace RollingContact
     std::vector<std::size_t>
     motion_order() const;
 
-    /**
-     * Sizes and seconds of the factorisation; nullptr before it exists.
-     */
-    const Factorisation *
-    factorisation() const
-    {
-      return factor.get();
-    }
-
   private:
     Discretisation<dim>
     discretisation() const;

@@ -135,12 +135,6 @@ namespace RollingContact
       return *matrices;
     }
 
-    /**
-     * Bytes of the vectors; the matrices count on their own.
-     */
-    std::size_t
-    memory_consumption() const;
-
   private:
     void
     require_begun() const;

@@ -44,6 +44,16 @@ namespace RollingContact
     std::string  level_marking           = "adaptive";
     unsigned int contact_node_budget     = 2000;
     double       target_change           = 1e-3;
+
+  private:
+    void
+    declare_patch();
+
+    void
+    declare_zone();
+
+    void
+    declare_levels();
   };
 } // namespace RollingContact
 

@@ -26,6 +26,12 @@ namespace RollingContact
 
     NaturalResidual              residual;
     std::vector<NaturalResidual> history;
+
+    /**
+     * Count the work of a part, whose history follows what is there.
+     */
+    void
+    add_work(const SolverReport &part);
   };
 
   /**

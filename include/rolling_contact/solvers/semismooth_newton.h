@@ -21,6 +21,15 @@ namespace RollingContact
 
     SolverReport
     solve(const TangentialProblem &problem, ContactState &state) const override;
+
+  private:
+    /**
+     * That many extragradient steps; how many were taken.
+     */
+    unsigned int
+    rescue(const TangentialProblem &problem,
+           const unsigned int       n_steps,
+           ContactState            &state) const;
   };
 } // namespace RollingContact
 
