@@ -43,22 +43,24 @@ namespace RollingContact
     std::vector<AnalysisKind>
     make_kinds()
     {
-      std::vector<AnalysisKind> kinds{
-        kind<QuasiStatic>("quasi-static", "one steady rolling state"),
-        kind<CreepCurve>("creep curve",
-                         "many creepages, see section Creep curve"),
-        kind<LoadCurve>("load curve",
-                        "approach and contact stiffness under many loads, see "
-                        "section Load curve"),
-        kind<Transient>("transient", "rolling in time, see section Time"),
-        {"accuracy study",
-         "the same state on many meshes, or the same transient with many "
-         "steps, see section Accuracy study",
-         &make_study<2>,
-         &make_study<3>}};
-      kinds[3].resumes  = true;
-      kinds[4].on_ranks = false;
-      return kinds;
+      AnalysisKind transient =
+        kind<Transient>("transient", "rolling in time, see section Time");
+      transient.resumes = true;
+      AnalysisKind study{
+        "accuracy study",
+        "the same state on many meshes, or the same transient with many "
+        "steps, see section Accuracy study",
+        &make_study<2>,
+        &make_study<3>};
+      study.on_ranks = false;
+      return {kind<QuasiStatic>("quasi-static", "one steady rolling state"),
+              kind<CreepCurve>("creep curve",
+                               "many creepages, see section Creep curve"),
+              kind<LoadCurve>("load curve",
+                              "approach and contact stiffness under many "
+                              "loads, see section Load curve"),
+              transient,
+              study};
     }
   } // namespace
 

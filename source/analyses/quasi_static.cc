@@ -72,7 +72,7 @@ namespace RollingContact
           {
             object.bytes   = body->solver_memory();
             object.seconds = body->assembly_seconds() + body->solver_seconds();
-            context.log.message(name_of(side) + ": " + body->description());
+            context.log.detail(name_of(side) + ": " + body->description());
           }
         objects.push_back(object);
       }

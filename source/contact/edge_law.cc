@@ -275,6 +275,58 @@ namespace RollingContact
         }
       return k;
     }
+
+
+
+    /**
+     * (q - q_n) / p at the node @p k of the edge.
+     */
+    Vector2
+    scaled_traction(const ContactEdge         &edge,
+                    const TangentialProblem   &problem,
+                    const std::vector<double> &traction,
+                    const std::size_t          k)
+    {
+      Vector2 g{{0., 0.}};
+      for (unsigned int c = 0; c < problem.contact.n_tangential; ++c)
+        g[c] = (traction[c * problem.contact.n_nodes + edge.nodes[k]] -
+                edge.coupling[c][k]) /
+               edge.companion[c][k];
+      return g;
+    }
+
+
+
+    /**
+     * Make @p law that of a square rho = |g - e|^2 on a line through the second
+     * and third node, e the value at the transition to slip. False if there is
+     * none.
+     */
+    bool
+    square_law(const double       r,
+               const Vector2     &g2,
+               const Vector2     &g3,
+               const Vector2     &e,
+               EdgeExtrapolation &law)
+    {
+      const Vector2 drop2{{g2[0] - e[0], g2[1] - e[1]}},
+        drop3{{g3[0] - e[0], g3[1] - e[1]}};
+      const double rho2 = std::hypot(drop2[0], drop2[1]);
+      if (!(rho2 > 0.))
+        return false;
+      const double rho3 =
+        std::max(0., (drop2[0] * drop3[0] + drop2[1] * drop3[1]) / rho2);
+      // never less than half of the next node's, whatever the roughness
+      const double rho1 = std::sqrt(
+        std::max((1 + r) * rho2 * rho2 - r * rho3 * rho3, 0.25 * rho2 * rho2));
+      if (!std::isfinite(rho1))
+        return false;
+      law.second = (1 + r) * rho2 / rho1;
+      law.third  = r * rho3 / rho1;
+      for (unsigned int c = 0; c < 2; ++c)
+        law.rest[c] = e[c] * (1 - law.second + law.third);
+      return true;
+    }
   } // namespace
 
 
@@ -283,8 +335,6 @@ namespace RollingContact
   extrapolate_edges(const TangentialProblem   &problem,
                     const std::vector<double> &traction)
   {
-    const unsigned int n            = problem.contact.n_nodes,
-                       n_components = problem.contact.n_tangential;
     std::vector<EdgeExtrapolation> result;
     for (const ContactEdge &edge : problem.edges)
       {
@@ -292,11 +342,7 @@ namespace RollingContact
         if (edge.nodes.size() < 4 || slipping < 2)
           continue;
         const auto g = [&](const std::size_t k) {
-          Vector2 value{{0., 0.}};
-          for (unsigned int c = 0; c < n_components; ++c)
-            value[c] = (traction[c * n + edge.nodes[k]] - edge.coupling[c][k]) /
-                       edge.companion[c][k];
-          return value;
+          return scaled_traction(edge, problem, traction, k);
         };
         const double r =
           (edge.along[1] - edge.along[0]) / (edge.along[2] - edge.along[1]);
@@ -307,25 +353,10 @@ namespace RollingContact
             const unsigned int node = edge.nodes[slipping];
             const double       share =
               problem.contact.friction[node] / problem.friction[node];
-            const Vector2 at_node = g(slipping), g2 = g(1), g3 = g(2);
+            const Vector2 at_node = g(slipping);
             const Vector2 e{{share * at_node[0], share * at_node[1]}};
-            const Vector2 drop2{{g2[0] - e[0], g2[1] - e[1]}},
-              drop3{{g3[0] - e[0], g3[1] - e[1]}};
-            const double rho2 = std::hypot(drop2[0], drop2[1]);
-            if (!(rho2 > 0.))
+            if (!square_law(r, g(1), g(2), e, law))
               continue;
-            const double rho3 =
-              std::max(0., (drop2[0] * drop3[0] + drop2[1] * drop3[1]) / rho2);
-            // never less than half of the next node's, whatever the roughness
-            const double rho1 =
-              std::sqrt(std::max((1 + r) * rho2 * rho2 - r * rho3 * rho3,
-                                 0.25 * rho2 * rho2));
-            if (!std::isfinite(rho1))
-              continue;
-            law.second = (1 + r) * rho2 / rho1;
-            law.third  = r * rho3 / rho1;
-            for (unsigned int c = 0; c < n_components; ++c)
-              law.rest[c] = e[c] * (1 - law.second + law.third);
           }
         result.push_back(law);
       }

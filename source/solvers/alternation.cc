@@ -121,8 +121,10 @@ namespace RollingContact
         state = solved;
         alternate(problem, state, report);
         report.solver += ", edges of an earlier round";
-        break;
+        return report;
       }
+    if (report.converged && difference(asked, state.edges) > settled)
+      report.solver += ", edges unsettled";
     return report;
   }
 
