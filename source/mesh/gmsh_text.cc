@@ -1,6 +1,9 @@
 #include <rolling_contact/mesh/gmsh_text.h>
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 #include <sstream>
@@ -10,33 +13,41 @@ namespace RollingContact
 {
   namespace
   {
+    const long largest_int = std::numeric_limits<int>::max();
+
     /**
-     * Reads through the sections that deal.II reads, in their order.
+     * Reads through the sections that deal.II reads, in their order, word by
+     * word as it does: whole numbers are ints there, and none is checked.
      */
     class GmshCheck
     {
     public:
       explicit GmshCheck(const std::string &text)
-        : stream(text)
+        : text(text)
+        , stream(text)
       {}
 
-      void
-      check()
+      std::string
+      checked()
       {
         check_format();
-        for (std::string word; stream >> word;)
-          if (word == "$Entities" && version >= 4.)
+        std::string word;
+        stream >> word;
+        if (word == "$PhysicalNames")
+          skip(word);
+        if (word == "$Entities" && version >= 4.)
+          {
             check_entities();
-          else if (word == "$Nodes")
-            check_nodes();
-          else if (word == "$Elements")
-            {
-              check_elements();
-              return;
-            }
-          else if (word[0] == '$') // names and whatever else is there
-            skip("$End" + word.substr(1));
-        throw std::runtime_error("it has no $Elements, or is cut off.");
+            stream >> word;
+          }
+        if (word == "$PartitionedEntities")
+          skip(word);
+        begin("$Nodes", word);
+        check_nodes();
+        stream >> word;
+        begin("$Elements", word);
+        check_elements();
+        return text;
       }
 
     private:
@@ -57,22 +68,50 @@ namespace RollingContact
           throw std::runtime_error(
             "its format is not one of 2.0 to 2.2, 4.0 and 4.1 (Gmsh: -format "
             "msh41).");
-        number();
+        whole();
         end("$EndMeshFormat");
       }
 
+      /**
+       * To the word after the end of a section.
+       */
       void
-      skip(const std::string &mark)
+      skip(std::string &word)
       {
-        std::string word;
+        const std::string mark = "$End" + word.substr(1);
         while (stream >> word && word != mark)
           ;
+        stream >> word;
+      }
+
+      void
+      begin(const std::string &mark, const std::string &word)
+      {
+        if (!stream)
+          throw std::runtime_error("it has no " + mark + ", or is cut off.");
+        if (word != mark)
+          throw std::runtime_error(
+            line() + "\"" + word + "\" stands in place of " + mark +
+            "; before the nodes a file may have $PhysicalNames, in format 4 "
+            "$Entities, and $PartitionedEntities, in this order, and its "
+            "elements come next. Save it anew with Gmsh.");
+      }
+
+      std::string
+      line()
+      {
+        stream.clear();
+        const auto at = stream.tellg();
+        return "line " +
+               std::to_string(
+                 1 + std::count(text.begin(), text.begin() + at, '\n')) +
+               ": ";
       }
 
       [[noreturn]] void
       complain(const std::string &what)
       {
-        throw std::runtime_error("in its " + section + " " + what +
+        throw std::runtime_error(line() + "in its " + section + " " + what +
                                  "; is it cut off or damaged?");
       }
 
@@ -85,36 +124,70 @@ namespace RollingContact
           complain("\"" + word + "\" stands in place of " + mark);
       }
 
-      double
-      number()
+      /**
+       * Coordinates.
+       */
+      void
+      numbers(const long n)
       {
         double value = 0.;
-        if (!(stream >> value) || !std::isfinite(value))
-          complain("a number is missing");
-        return value;
+        for (long i = 0; i < n; ++i)
+          if (!(stream >> value) || !std::isfinite(value))
+            {
+              std::string rest;
+              stream.clear();
+              stream >> rest;
+              complain(rest.empty()
+                         ? "a number is missing"
+                         : "\"" + rest + "\" stands in place of a number");
+            }
       }
 
       /**
-       * A count or a number of a node, element or group.
+       * A count, a type, or the number of a node, an element or an entity.
        */
       long
-      whole(const long least = 0)
+      whole(const long least = 0, const long most = largest_int)
       {
-        const double value = number();
-        if (value != std::floor(value) || value < least || value > 2e9)
-          complain("a number is out of range");
+        std::string word;
+        if (!(stream >> word))
+          complain("a number is missing");
+        long              value  = 0;
+        const char *const end    = word.data() + word.size();
+        const auto        result = std::from_chars(word.data(), end, value);
+        if (result.ec != std::errc() || result.ptr != end || value < least ||
+            value > most)
+          complain("\"" + word + "\" stands in place of a whole number from " +
+                   std::to_string(least) + " to " + std::to_string(most));
         return value;
       }
 
       void
-      numbers(const long n)
+      wholes(const long n, const long least = 0)
       {
         for (long i = 0; i < n; ++i)
-          number();
+          whole(least);
       }
 
       /**
-       * Points, curves, surfaces and volumes with their physical groups.
+       * Numbers of physical groups: Gmsh puts a minus before that of a group
+       * which takes a curve or surface the other way round. It is taken out.
+       */
+      void
+      groups(const long n)
+      {
+        for (long i = 0; i < n; ++i)
+          {
+            stream >> std::ws;
+            if (stream.peek() == '-')
+              text[stream.tellg()] = ' ';
+            whole(-largest_int);
+          }
+      }
+
+      /**
+       * Points, curves, surfaces and volumes with their physical groups and
+       * the entities around them, whose sign is their direction.
        */
       void
       check_entities()
@@ -128,9 +201,9 @@ namespace RollingContact
             {
               whole();
               numbers(d == 0 && version == 4.1 ? 3 : 6);
-              numbers(whole());
+              groups(whole());
               if (d > 0)
-                numbers(whole());
+                wholes(whole(), -largest_int);
             }
         end("$EndEntities");
       }
@@ -165,8 +238,10 @@ namespace RollingContact
               long type_of_element = type;
               if (version < 4.)
                 {
-                  type_of_element = whole();
-                  numbers(whole(2));
+                  type_of_element   = whole();
+                  const long n_tags = whole(2);
+                  groups(1);
+                  wholes(n_tags - 1, -largest_int);
                 }
               check_nodes_of_element(type_of_element);
             }
@@ -185,8 +260,12 @@ namespace RollingContact
             "it has elements of Gmsh's type " + std::to_string(type) +
             "; only those of first order can be used (Gmsh: -order 1).");
         for (unsigned int v = 0; v < found->second; ++v)
-          if (nodes.count(whole()) == 0)
-            complain("an element has a node that is not there");
+          {
+            const long node = whole();
+            if (nodes.count(node) == 0)
+              complain("an element has a node that is not there, " +
+                       std::to_string(node));
+          }
       }
 
       /**
@@ -203,21 +282,25 @@ namespace RollingContact
             return;
           }
         const long n_blocks = whole(), total = whole();
-        numbers(version == 4.1 ? 2 : 0);
+        wholes(version == 4.1 ? 2 : 0); // least and largest number
         long sum = 0;
         for (long block = 0; block < n_blocks; ++block)
           {
-            numbers(2);
+            whole(0, version == 4.1 ? 3 : largest_int); // dimension, entity
+            whole(0, version == 4.1 ? largest_int : 3); // in 4.0 the reverse
             const long kind = whole(), n = whole();
             sum += n;
             if (sum > total)
-              complain("there are more entries than announced");
+              complain("there are more entries than announced, " +
+                       std::to_string(total));
             action(n, kind);
           }
         if (sum != total)
-          complain("there are fewer entries than announced");
+          complain("there are fewer entries than announced, " +
+                   std::to_string(total));
       }
 
+      std::string        text;
       std::istringstream stream;
       std::string        section = "$MeshFormat";
       double             version = 0.;
@@ -227,9 +310,9 @@ namespace RollingContact
 
 
 
-  void
-  check_gmsh(const std::string &text)
+  std::string
+  checked_gmsh(const std::string &text)
   {
-    GmshCheck(text).check();
+    return GmshCheck(text).checked();
   }
 } // namespace RollingContact

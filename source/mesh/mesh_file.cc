@@ -57,10 +57,9 @@ namespace RollingContact
                ".inp.");
       try
         {
-          GridIn<dim> reader(cells);
-          if (is_gmsh)
-            check_gmsh(text);
-          std::istringstream stream(is_gmsh ? text : checked_abaqus(text, dim));
+          GridIn<dim>        reader(cells);
+          std::istringstream stream(is_gmsh ? checked_gmsh(text)
+                                            : checked_abaqus(text, dim));
           const SilentErrors silence;
           is_gmsh ? reader.read_msh(stream) : reader.read_abaqus(stream);
         }

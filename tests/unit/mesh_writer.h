@@ -129,6 +129,66 @@ namespace RollingContact
       return text.str();
     }
 
+    /** Elements of format 4.1: a block each for the contact boundary, the hub
+     * and the cells; their number. */
+    std::string
+    blocks41(unsigned int &n) const
+    {
+      using Corners = std::vector<unsigned int>;
+      std::ostringstream elements;
+      const auto         add = [&](const std::string &head, const auto &part) {
+        std::ostringstream block;
+        const unsigned int before = n;
+        for_each_cell([&](unsigned int i, unsigned int j, unsigned int k) {
+          const Corners corners = part(cell(i, j, k), k);
+          for (std::size_t v = 0; v < corners.size(); ++v)
+            block << (v == 0 ? std::to_string(++n) : "") << ' ' << corners[v]
+                  << (v + 1 == corners.size() ? "\n" : "");
+        });
+        elements << head << ' ' << n - before << '\n' << block.str();
+      };
+      const auto top = [&](const Corners &all, const unsigned int k) {
+        return k > 0       ? Corners()
+               : is_flat() ? Corners{all[0], all[3]}
+                           : Corners(all.begin() + 4, all.end());
+      };
+      const auto bottom = [&](const Corners &all, const unsigned int k) {
+        return k + 2 < c.size() ? Corners()
+               : is_flat()      ? Corners{all[1], all[2]}
+                                : Corners(all.begin(), all.begin() + 4);
+      };
+      add(is_flat() ? "1 1 1" : "2 1 3", top);
+      add(is_flat() ? "1 2 1" : "2 2 3", bottom);
+      add(is_flat() ? "2 1 3" : "3 1 5",
+          [](const Corners &all, unsigned int) { return all; });
+      return elements.str();
+    }
+
+    /** What gmsh() has in format 4.1, with one block of nodes. */
+    std::string
+    gmsh41() const
+    {
+      unsigned int       n_nodes = 0, n = 0, number = 0;
+      std::ostringstream numbers, points, text;
+      std::istringstream lines(nodes(" "));
+      for (std::string line; lines >> number && std::getline(lines, line);)
+        {
+          ++n_nodes;
+          numbers << number << '\n';
+          points << line << '\n';
+        }
+      const std::string blocks = blocks41(n), at = " 0 0 0 0 0 0 1 ";
+      text << "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n"
+           << (is_flat() ? "0 2 1 0\n" : "0 0 2 1\n") << "1" << at << "1 0\n2"
+           << at << "2 0\n1" << at << "3 2 1 -2\n$EndEntities\n$Nodes\n1 "
+           << n_nodes << " 1 " << n_nodes << '\n'
+           << (is_flat() ? 2 : 3) << " 1 0 " << n_nodes << '\n'
+           << numbers.str() << points.str() << "$EndNodes\n$Elements\n3 " << n
+           << " 1 " << n << '\n'
+           << blocks << "$EndElements\n";
+      return text.str();
+    }
+
     /** As Abaqus/CAE orders it, with what the program is to leave out. */
     std::string
     abaqus() const

@@ -75,6 +75,23 @@ namespace
   }
 } // namespace
 
+BOOST_AUTO_TEST_CASE(both_formats_of_gmsh_give_the_same_body)
+{
+  const Files files;
+  for (const unsigned int dim : {2u, 3u})
+    {
+      const WrittenMesh mesh = block(dim, 5, 0.2);
+      const auto        read = [&](const std::string &text) {
+        const MeshFile file = rail(files.save("a.msh", text));
+        return (dim == 2 ? read_mesh_file<2>(file) : read_mesh_file<3>(file))
+          ->fingerprint();
+      };
+      BOOST_TEST(read(mesh.gmsh41()) == read(mesh.gmsh()));
+    }
+}
+
+
+
 BOOST_AUTO_TEST_CASE(gmsh_and_abaqus_give_the_same_body)
 {
   const Files files;

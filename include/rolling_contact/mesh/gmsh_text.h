@@ -6,12 +6,15 @@
 namespace RollingContact
 {
   /**
-   * Throws std::runtime_error if the text is no mesh of Gmsh that deal.II can
-   * read: formats 2.0 to 2.2, 4.0 and 4.1 in ASCII, elements of first order,
-   * all numbers there. deal.II believes what a file announces.
+   * The text of a mesh of Gmsh as deal.II's reader is to see it: groups with a
+   * minus, which take their entities the other way round, without it. Throws
+   * std::runtime_error, with the line, if deal.II cannot read it: formats 2.0
+   * to 2.2, 4.0 and 4.1 in ASCII, sections in their order, elements of first
+   * order, all numbers there and in their range. deal.II believes what a file
+   * announces.
    */
-  void
-  check_gmsh(const std::string &text);
+  std::string
+  checked_gmsh(const std::string &text);
 } // namespace RollingContact
 
 #endif
