@@ -27,7 +27,7 @@ namespace RollingContact
     const std::vector<double> list =
       number_list("Load curve/Shares of load", shares);
     for (const double share : list)
-      if (share <= 0. || share > 1.)
+      if (!(share > 0. && share <= 1.))
         throw InputError("Load curve/Shares of load = " + shares + ": " +
                          Patterns::Tools::to_string(share) +
                          " is not above 0 and at most 1.");

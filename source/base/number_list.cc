@@ -69,10 +69,13 @@ namespace RollingContact
     if (range.size() != 3 || range[2] < 2 || range[2] > 1e6 ||
         range[2] != std::floor(range[2]))
       reject(entry, text, "a range needs at least 2 points.");
-    const unsigned int  n = range[2];
+    const unsigned int n = range[2];
+    if (!std::isfinite((range[1] - range[0]) * (n - 1)))
+      reject(entry, text, "first and last are too far apart.");
     std::vector<double> list(n);
     for (unsigned int i = 0; i < n; ++i)
       list[i] = range[0] + (range[1] - range[0]) * i / (n - 1);
+    list.back() = range[1]; // without rounding
     return list;
   }
 } // namespace RollingContact

@@ -12,8 +12,9 @@ namespace RollingContact
   extern const char *const number_list_form;
 
   /**
-   * Numbers separated by commas, or "first : last : number of points". Throws
-   * InputError, naming the @p entry with its section, if it is neither.
+   * Numbers separated by commas, or "first : last : number of points", which
+   * begins and ends with exactly these. Throws InputError, naming the @p entry
+   * with its section, if it is neither.
    */
   std::vector<double>
   number_list(const std::string &entry, const std::string &text);
