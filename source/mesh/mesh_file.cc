@@ -12,7 +12,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <new>
 #include <sstream>
+#include <system_error>
 #include <tuple>
 
 namespace RollingContact
@@ -28,13 +30,47 @@ namespace RollingContact
 
 
 
+  void
+  read_or_reject(const MeshFile              &file,
+                 const unsigned int           dimension,
+                 const std::function<void()> &read)
+  {
+    const SilentErrors silence;
+    try
+      {
+        read();
+      }
+    catch (const std::bad_alloc &)
+      {
+        throw;
+      }
+    catch (const ExceptionBase &error)
+      {
+        const std::string cause = silence.cause();
+        reject(file,
+               "deal.II cannot read it as a mesh of " +
+                 std::string(dimension == 2 ? "quadrilaterals" : "hexahedra") +
+                 " (Dimension = " + std::to_string(dimension) +
+                 "): " + (cause.empty() ? message_of(error) : cause));
+      }
+    catch (const std::exception &error)
+      {
+        reject(file, error.what());
+      }
+  }
+
+
+
   namespace
   {
     std::string
     text_of(const MeshFile &file)
     {
-      if (!std::filesystem::is_regular_file(file.path))
-        reject(file, "there is no file \"" + file.path.string() + "\".");
+      std::error_code error;
+      if (!std::filesystem::is_regular_file(file.path, error))
+        reject(file,
+               "there is no file \"" + file.path.string() + "\"" +
+                 (error ? " (" + error.message() + ")." : "."));
       const std::string text = read_bytes(file.path);
       if (text.empty())
         reject(file,
@@ -55,26 +91,12 @@ namespace RollingContact
         reject(file,
                "it must be a mesh of Gmsh, .msh, or an Abaqus input file, "
                ".inp.");
-      try
-        {
-          GridIn<dim>        reader(cells);
-          std::istringstream stream(is_gmsh ? checked_gmsh(text)
-                                            : checked_abaqus(text, dim));
-          const SilentErrors silence;
-          is_gmsh ? reader.read_msh(stream) : reader.read_abaqus(stream);
-        }
-      catch (const ExceptionBase &error)
-        {
-          reject(file,
-                 "deal.II cannot read it as a mesh of " +
-                   std::string(dim == 2 ? "quadrilaterals" : "hexahedra") +
-                   " (Dimension = " + std::to_string(dim) +
-                   "): " + message_of(error));
-        }
-      catch (const std::exception &error)
-        {
-          reject(file, error.what());
-        }
+      read_or_reject(file, dim, [&]() {
+        GridIn<dim>        reader(cells);
+        std::istringstream stream(is_gmsh ? checked_gmsh(text)
+                                          : checked_abaqus(text, dim));
+        is_gmsh ? reader.read_msh(stream) : reader.read_abaqus(stream);
+      });
     }
 
 

@@ -9,6 +9,8 @@
 
 #include <cmath>
 #include <map>
+#include <memory>
+#include <new>
 
 using namespace RollingContact;
 
@@ -232,6 +234,172 @@ BOOST_AUTO_TEST_CASE(abaqus_files_that_cannot_be_read)
         "no face of an element");
   check(said.of("set.inp", replaced(good.abaqus(), "_Top_S, S4", "_Bot_S, S4")),
         "neither the name of an *ELSET");
+}
+
+
+
+namespace
+{
+  /** Two squares, their top in surface 1 and their bottom in 2; with other
+   * nodes of the elements, faces, or lines before them. */
+  struct TwoSquares
+  {
+    std::string
+    text() const
+    {
+      return before + "*NODE\n" + nodes +
+             "*ELEMENT, TYPE=CPE4, ELSET=ALL\n1, " + first + "\n2, " + second +
+             "\n*SURFACE, NAME=SURF-1\n" + top + "*SURFACE, NAME=SURF-2\n" +
+             bottom;
+    }
+
+    std::string before, first = "1, 4, 5, 2", second = "2, 5, 6, 3",
+                        top = "1, S4\n2, S4\n", bottom = "ALL, S2\n",
+                        nodes = "1, -1, 0\n2, 0, 0\n3, 1, 0\n4, -1, -1\n"
+                                "5, 0, -1\n6, 1, -1\n";
+  };
+
+  std::shared_ptr<const FileMesh>
+  read_text(const std::string &text)
+  {
+    const Files files;
+    MeshFile    file;
+    file.section = "Rail";
+    file.name    = "rail.inp";
+    file.path    = files.save("rail.inp", text);
+    return read_mesh_file<2>(file);
+  }
+
+  /** Empty if the file can be read. */
+  std::string
+  said_of(const TwoSquares &file)
+  {
+    return complaint([&]() { read_text(file.text()); });
+  }
+} // namespace
+
+BOOST_AUTO_TEST_CASE(nodes_of_abaqus)
+{
+  const auto said = [](const std::string &line, const std::string &by) {
+    TwoSquares file;
+    file.nodes = replaced(file.nodes, line, by);
+    return said_of(file);
+  };
+  BOOST_TEST(said("1, -1, 0", "1, -1, 0") == "");
+  for (const char *same : {"-1.0D+00, 0.", "-10.0d-1", "-1, , 3", "-1E0,0D0"})
+    BOOST_TEST(said("1, -1, 0", std::string("1, ") + same) == "", same);
+  for (const char *other :
+       {"one", "1.0.0", "nan", "inf", "0x1", "1e999", "1 -"})
+    {
+      const std::string text = said("2, 0, 0", std::string("2, 0, ") + other);
+      BOOST_TEST(contains(text, "Rail/Mesh file = rail.inp: line 3"), text);
+      BOOST_TEST(contains(text, "is no coordinate of node 2"), text);
+    }
+  for (const char *number : {"0", "-1", "1.5", "x", "", "10000000000"})
+    BOOST_TEST(contains(said("2, 0, 0", std::string(number) + ", 0, 0"),
+                        "line 3: \"" +
+                          std::string(*number == 'x' ? "X" : number) +
+                          "\" is no number of a node"));
+  BOOST_TEST(contains(said("2, 0, 0", "1, 0, 0"), "line 3: node 1 is there"));
+  TwoSquares file;
+  file.second = "2, 5, 7, 3";
+  BOOST_TEST(
+    contains(said_of(file), "line 10: an element has node 7, which is not in"));
+  file.second = "2, 5, 0, 3";
+  BOOST_TEST(contains(said_of(file), "line 10: \"0\" is no number of a node"));
+}
+
+
+
+BOOST_AUTO_TEST_CASE(parts_that_abaqus_moves)
+{
+  const auto said = [](const std::string &line) {
+    TwoSquares file;
+    file.before = line + '\n';
+    return said_of(file);
+  };
+  for (const char *line : {"*SYSTEM\n0, 1, 0",
+                           "*Node, system=C\n9, 1, 0",
+                           "*NODE, NSET=A, SYSTEM=S"})
+    BOOST_TEST(contains(said(line), "line 1: a system of coordinates"), line);
+  BOOST_TEST(said("*NODE, SYSTEM=R\n9, 1, 0") == "");
+  BOOST_TEST(said("*INSTANCE, NAME=I, PART=P\n0., 0., 0.\n") == "");
+  BOOST_TEST(said("*INSTANCE, NAME=I, PART=P\n*END INSTANCE") == "");
+  BOOST_TEST(contains(said("*INSTANCE, NAME=I, PART=P\n0., 5., 0."),
+                      "line 2: *INSTANCE moves the part (5.); export it"));
+  BOOST_TEST(contains(said("*INSTANCE, NAME=I\n0, 0, 0\n0, 0, 0, 0, 0, 1, 90"),
+                      "line 3: *INSTANCE moves the part"));
+  for (const char *line : {"*NCOPY, CHANGE NUMBER=10",
+                           "*ELGEN",
+                           "*INCLUDE, INPUT=nodes.inp",
+                           "*NODE, INPUT=nodes.inp"})
+    BOOST_TEST(contains(said(line), "write all nodes and elements"), line);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(sets_and_orders_of_abaqus)
+{
+  const auto good = read_text(TwoSquares().text());
+  BOOST_TEST(good->hub_faces.size() == 2u);
+  BOOST_TEST(good->contact_faces.size() == 2u);
+  // clockwise, as Gmsh's may be, with their faces
+  TwoSquares mixed;
+  mixed.second = "2, 3, 6, 5";
+  mixed.top    = "1, S4\n2, S1\n";
+  mixed.bottom = "1, S2\n2, S3\n";
+  BOOST_TEST(read_text(mixed.text())->fingerprint() == good->fingerprint());
+  TwoSquares unknown;
+  unknown.before = "*SOLID SECTION, ELSET=SOLID\n";
+  unknown.top    = "SOLID, S4\n";
+  BOOST_TEST(contains(said_of(unknown), "neither the name of an *ELSET"));
+  TwoSquares inside;
+  inside.top = "1, S4\n2, S4\n1, S3\n";
+  BOOST_TEST(contains(said_of(inside), "a boundary id for an internal face"));
+  TwoSquares large;
+  large.before = "*SURFACE, NAME=SURF-4000000000\n";
+  BOOST_TEST(contains(said_of(large), "line 1: the id 4000000000 of surface"));
+}
+
+
+
+BOOST_AUTO_TEST_CASE(a_mirrored_hexahedron_of_abaqus)
+{
+  const Files files;
+  const auto  read = [&](const std::string &elements) {
+    MeshFile file;
+    file.section = "Rail";
+    file.path    = files.save(
+      "rail.inp",
+      "*NODE\n1, -1, -1, -1\n2, 0, -1, -1\n3, 0, 1, -1\n4, -1, 1, -1\n"
+          "5, -1, -1, 0\n6, 0, -1, 0\n7, 0, 1, 0\n8, -1, 1, 0\n9, 1, -1, -1\n"
+          "10, 1, 1, -1\n11, 1, -1, 0\n12, 1, 1, 0\n*ELEMENT, TYPE=C3D8\n" +
+        elements);
+    return read_mesh_file<3>(file)->fingerprint();
+  };
+  const std::string first = "1, 1, 2, 3, 4, 5, 6, 7, 8\n";
+  BOOST_TEST(read(first + "2, 6, 11, 12, 7, 2, 9, 10, 3\n*SURFACE, NAME=S-1\n"
+                          "1, S2\n2, S1\n*SURFACE, NAME=S-2\n1, S1\n2, S2\n") ==
+             read(first + "2, 2, 9, 10, 3, 6, 11, 12, 7\n*SURFACE, NAME=S-1\n"
+                          "1, S2\n2, S2\n*SURFACE, NAME=S-2\n1, S1\n2, S1\n"));
+}
+
+
+
+BOOST_AUTO_TEST_CASE(paths_that_are_no_files)
+{
+  const Complaints said;
+  BOOST_TEST(contains(said.of_scene(std::string(304, 'a') + ".msh"),
+                      "there is no file"));
+  std::filesystem::create_symlink("loop.msh", said.scratch / "loop.msh");
+  BOOST_TEST(contains(said.of_scene("loop.msh"), "there is no file"));
+  std::filesystem::create_directory(said.scratch / "folder.msh");
+  BOOST_TEST(contains(said.of_scene("folder.msh"), "there is no file"));
+  // what is no fault of the file
+  BOOST_CHECK_THROW(read_or_reject({}, 2, []() { throw std::bad_alloc(); }),
+                    std::bad_alloc);
+  BOOST_CHECK_THROW(
+    read_or_reject({}, 2, []() { throw std::runtime_error("x"); }), InputError);
 }
 
 

@@ -2,12 +2,14 @@
 #define rolling_contact_base_silent_errors_h
 
 #include <iostream>
+#include <sstream>
+#include <string>
 
 namespace RollingContact
 {
   /**
    * Nothing reaches std::cerr while it lives: deal.II prints muParser's errors
-   * there and throws them too.
+   * there and throws them too, and prints the cause of some that it throws.
    */
   class SilentErrors
   {
@@ -21,8 +23,16 @@ namespace RollingContact
       std::cerr.rdbuf(buffer);
     }
 
+    /**
+     * What deal.II's last exception that was printed says, in one line and
+     * without its frame; empty if there was none.
+     */
+    std::string
+    cause() const;
+
   private:
-    std::streambuf *const buffer = std::cerr.rdbuf(nullptr);
+    std::ostringstream    printed;
+    std::streambuf *const buffer = std::cerr.rdbuf(printed.rdbuf());
   };
 } // namespace RollingContact
 

@@ -7,13 +7,10 @@ namespace RollingContact
 {
   /**
    * An Abaqus input file reduced to what deal.II's reader is to see: *NODE,
-   * *ELEMENT and *SURFACE with the elements of its sets, without comments and
-   * blank lines, everything from the first *STEP on left out. deal.II takes any
-   * other line after them for data, elements for numbered from 1 on, and the
-   * digits in a surface's name for its boundary id. Throws std::runtime_error,
-   * with the line, for what it would misread: elements that are no
-   * quadrilaterals (2D) or hexahedra (3D) of first order, other numbers,
-   * unknown elements or sets in a surface.
+   * *ELEMENT and *SURFACE with the elements of its sets, and an element in the
+   * order of a mirror image turned. deal.II takes any other line after them for
+   * data, elements for numbered from 1 on, and the digits in a surface's name
+   * for its boundary id. Throws what read_abaqus_file() throws.
    */
   std::string
   checked_abaqus(const std::string &text, const unsigned int dimension);

@@ -4,6 +4,7 @@
 #include <rolling_contact/mesh/file_mesh.h>
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -41,6 +42,15 @@ namespace RollingContact
    */
   [[noreturn]] void
   reject(const MeshFile &file, const std::string &reason);
+
+  /**
+   * Does what reads the file. Throws InputError for what that throws, except
+   * std::bad_alloc; nothing is printed.
+   */
+  void
+  read_or_reject(const MeshFile              &file,
+                 const unsigned int           dimension,
+                 const std::function<void()> &read);
 } // namespace RollingContact
 
 #endif
