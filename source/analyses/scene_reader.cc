@@ -1,3 +1,4 @@
+#include <rolling_contact/analyses/mesh_sizes.h>
 #include <rolling_contact/analyses/scene_reader.h>
 #include <rolling_contact/base/exception_text.h>
 #include <rolling_contact/base/exceptions.h>
@@ -85,6 +86,7 @@ namespace RollingContact
     ParameterAcceptor::parse_all_parameters();
     scene.check();
     scene.read_meshes();
+    check_mesh_sizes(scene);
     std::ostringstream used;
     prm.print_parameters(used, ParameterHandler::ShortText);
     text.used = used.str();

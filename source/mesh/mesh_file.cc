@@ -188,7 +188,7 @@ namespace RollingContact
             }
       // of a whole rim the part towards the other body
       for (const ContactFace &face : contact_faces)
-        if (face.upwards > 0.3)
+        if (face.upwards > least_upwards)
           mesh.contact_faces.push_back(face.corners);
       return contact_faces;
     }

@@ -199,6 +199,13 @@ namespace RollingContact
     const std::string boundary =
       "its contact boundary (" + file.section +
       "/Contact boundary id = " + std::to_string(file.contact_boundary) + ")";
+    const std::string side = file.mirrored
+                               ? "the wheel must lie above, at z > 0."
+                               : "the rail must lie below, at z < 0.";
+    if (mesh.contact_faces.empty())
+      reject(file,
+             boundary + ": no face of it looks towards the other body; " +
+               side);
     const ContactFace *at_origin = nullptr;
     for (const ContactFace &face : contact_faces)
       if (holds_origin(mesh, face.corners) &&
@@ -217,11 +224,10 @@ namespace RollingContact
                ". Move the contact point to the origin, with x in the rolling "
                "direction and z from rail to wheel" +
                (mesh.dimension == 2 ? " (the file's y)." : "."));
-    if (at_origin->upwards < 0.3)
+    if (at_origin->upwards <= least_upwards)
       reject(file,
-             boundary + " turns away from the other body at the origin: the " +
-               (file.mirrored ? "wheel must lie above, at z > 0."
-                              : "rail must lie below, at z < 0."));
+             boundary +
+               " turns away from the other body at the origin: " + side);
     if (!(mesh.depth > 0.))
       reject(file,
              "its hub (" + file.section +

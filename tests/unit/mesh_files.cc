@@ -5,6 +5,7 @@
 #include "complaint.h"
 #include "scene_run.h"
 
+#include <rolling_contact/analyses/mesh_sizes.h>
 #include <rolling_contact/mesh/mesh_file.h>
 
 #include <cmath>
@@ -404,82 +405,237 @@ BOOST_AUTO_TEST_CASE(paths_that_are_no_files)
 
 
 
-BOOST_AUTO_TEST_CASE(meshes_that_cannot_be_used)
+namespace
 {
-  const Complaints said;
-  const auto check = [](const std::string &text, const std::string &part) {
+  void
+  expect(const std::string &text, const std::string &part)
+  {
     BOOST_TEST(contains(text, "Rail/"), text);
     BOOST_TEST(contains(text, part), text);
-  };
+  }
+
+  /** A mesh of other places than its map's. */
+  WrittenMesh
+  changed(const WrittenMesh                                     &mesh,
+          const std::function<void(WrittenMesh::Point &,
+                                   const WrittenMesh::Point &)> &change)
+  {
+    WrittenMesh result = mesh;
+    result.map         = [=](double a, double b, double c) {
+      WrittenMesh::Point p = mesh.map(a, b, c);
+      change(p, {{a, b, c}});
+      return p;
+    };
+    return result;
+  }
+} // namespace
+
+BOOST_AUTO_TEST_CASE(cells_that_cannot_be_used)
+{
+  const Complaints  said;
   const WrittenMesh good = block(2, 40, 0.), solid = block(3, 24, 0.);
   BOOST_TEST(said.of("good.msh", solid.gmsh(), {}, 3) == "");
-  check(said.of("solid.msh", solid.gmsh()), "Dimension = 2");
-  check(said.of("flat.msh", good.gmsh(), {}, 3), "Dimension = 3");
-  check(said.of("triangle.msh",
-                "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 -1 0 0\n"
-                "2 1 0 0\n3 0 -1 0\n$EndNodes\n$Elements\n3\n1 1 2 1 1 1 2\n"
-                "2 1 2 2 1 2 3\n3 2 2 3 1 1 2 3\n$EndElements\n"),
-        "it has triangles");
-  check(said.of("tetrahedron.msh",
-                "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 -1 -1 0\n"
-                "2 1 -1 0\n3 0 1 0\n4 0 0 -1\n$EndNodes\n$Elements\n3\n"
-                "1 2 2 1 1 1 2 3\n2 2 2 2 1 1 2 4\n3 4 2 3 1 1 2 3 4\n"
-                "$EndElements\n",
-                {},
-                3),
-        "it has tetrahedra");
-  check(said.of("good.msh",
-                good.gmsh(),
-                [](SceneParameters &scene) {
-                  scene.rail.contact_boundary = 7;
-                }),
-        "Contact boundary id = 7; its boundary has 0, 1, 2");
-  check(said.of("good.msh",
-                good.gmsh(),
-                [](SceneParameters &scene) { scene.rail.hub_boundary = 5; }),
-        "Hub boundary id = 5");
+  expect(said.of("solid.msh", solid.gmsh()), "Dimension = 2");
+  expect(said.of("flat.msh", good.gmsh(), {}, 3), "Dimension = 3");
+  expect(said.of("triangle.msh",
+                 "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 -1 0 0\n"
+                 "2 1 0 0\n3 0 -1 0\n$EndNodes\n$Elements\n3\n1 1 2 1 1 1 2\n"
+                 "2 1 2 2 1 2 3\n3 2 2 3 1 1 2 3\n$EndElements\n"),
+         "it has triangles");
+  expect(said.of("tetrahedron.msh",
+                 "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 -1 -1 0\n"
+                 "2 1 -1 0\n3 0 1 0\n4 0 0 -1\n$EndNodes\n$Elements\n3\n"
+                 "1 2 2 1 1 1 2 3\n2 2 2 2 1 1 2 4\n3 4 2 3 1 1 2 3 4\n"
+                 "$EndElements\n",
+                 {},
+                 3),
+         "it has tetrahedra");
   // a node drawn through the opposite side of its cells
-  WrittenMesh folded = good;
-  folded.map         = [&](double a, double b, double c) {
-    auto p = good.map(a, b, c);
-    if (std::abs(a - 0.01) < 1e-9 && c > 0. && c < 0.015)
-      p[0] += 0.0015;
-    return p;
-  };
-  check(said.of("folded.msh", folded.gmsh()), "inverted, folded or flat");
-  // the same nodes and cells once more, 1 m away
-  WrittenMesh two = block(2, 2, 0.);
-  check(said.of("two.msh",
-                "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n8\n1 -1 0 0\n"
-                "2 1 0 0\n3 1 -1 0\n4 -1 -1 0\n5 9 0 0\n6 10 0 0\n7 10 -1 0\n"
-                "8 9 -1 0\n$EndNodes\n$Elements\n4\n1 1 2 1 1 1 2\n"
-                "2 1 2 2 1 3 4\n3 3 2 3 1 1 4 3 2\n4 3 2 3 1 5 8 7 6\n"
-                "$EndElements\n"),
-        "1 of 2 hang together");
+  const WrittenMesh folded =
+    changed(good, [](auto &p, const WrittenMesh::Point &at) {
+      if (std::abs(at[0] - 0.01) < 1e-9 && at[2] > 0. && at[2] < 0.015)
+        p[0] += 0.0015;
+    });
+  expect(said.of("folded.msh", folded.gmsh()), "inverted, folded or flat");
+  // two cells, 8 m apart
+  expect(said.of("two.msh",
+                 "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n8\n1 -1 0 0\n"
+                 "2 1 0 0\n3 1 -1 0\n4 -1 -1 0\n5 9 0 0\n6 10 0 0\n7 10 -1 0\n"
+                 "8 9 -1 0\n$EndNodes\n$Elements\n4\n1 1 2 1 1 1 2\n"
+                 "2 1 2 2 1 3 4\n3 3 2 3 1 1 4 3 2\n4 3 2 3 1 5 8 7 6\n"
+                 "$EndElements\n"),
+         "1 of 2 hang together");
+}
+
+
+
+BOOST_AUTO_TEST_CASE(contact_boundaries_that_cannot_be_used)
+{
+  const Complaints  said;
+  const WrittenMesh good = block(2, 40, 0.);
+  expect(said.of("good.msh",
+                 good.gmsh(),
+                 [](SceneParameters &scene) {
+                   scene.rail.contact_boundary = 7;
+                 }),
+         "Contact boundary id = 7; its boundary has 0, 1, 2");
+  expect(said.of("good.msh",
+                 good.gmsh(),
+                 [](SceneParameters &scene) { scene.rail.hub_boundary = 5; }),
+         "Hub boundary id = 5");
   const auto moved = [&](const double dx, const double dz, const double sign) {
-    WrittenMesh mesh = good;
-    mesh.map         = [=](double a, double b, double c) {
-      auto p = good.map(a, b, c);
-      return WrittenMesh::Point{{p[0] + dx, p[1], sign * p[2] + dz}};
-    };
+    return changed(good,
+                   [=](auto &p, const auto &) {
+                     p = {{p[0] + dx, p[1], sign * p[2] + dz}};
+                   })
+      .gmsh();
+  };
+  expect(said.of("aside.msh", moved(0.1, 0., 1.)), "not around the origin");
+  expect(said.of("above.msh", moved(0., 0., -1.)),
+         "no face of it looks towards the other body; the rail must lie below");
+  expect(said.of("low.msh", moved(0., -1e-4, 1.)), "off the surface of");
+  expect(said.of("near.msh", moved(0.018, 0., 1.)), "and the file's origin");
+  expect(said.of("good.msh",
+                 good.gmsh(),
+                 [](SceneParameters &scene) { scene.rail.radius = 0.46; }),
+         "off the surface of Rail/Radius = 0.46");
+  // a ring above the origin, whose top looks up
+  WrittenMesh ring = good;
+  ring.closed      = true;
+  ring.a           = equal(0., 2 * dealii::numbers::PI, 16);
+  ring.a.pop_back();
+  ring.map = [](double a, double, double c) {
+    const double radius = 0.1 - c;
+    return WrittenMesh::Point{
+      {radius * std::sin(a), 0., 0.1 + radius * std::cos(a)}};
+  };
+  expect(said.of("ring.msh", ring.gmsh()),
+         "turns away from the other body at the origin: the rail must lie");
+}
+
+
+
+namespace
+{
+  /** A block that ends, on its right, inside a face beyond the zone. */
+  WrittenMesh
+  short_block(const unsigned int dim, const double length, const double width)
+  {
+    return changed(block(dim, 8, 0.), [=](auto &p, const auto &) {
+      p[0] *= length / 0.04;
+      p[1] *= width / 0.04;
+    });
+  }
+} // namespace
+
+BOOST_AUTO_TEST_CASE(a_contact_boundary_that_lies_twice)
+{
+  // three floors, one over the other, of a band that turns back and forth
+  WrittenMesh  band = block(2, 40, 0.);
+  const double pi = dealii::numbers::PI, r = 0.004, end = 0.02;
+  band.a   = equal(0., 6 * end + 2 * pi * r, 200);
+  band.c   = {0., 0.001, 0.002};
+  band.map = [=](double a, double, double c) -> WrittenMesh::Point {
+    const double turn = 2 * end + pi * r;
+    if (a < 2 * end)
+      return {{a - end, 0., -c}};
+    if (a < turn)
+      {
+        const double angle = (a - 2 * end) / r;
+        return {{end + (r - c) * std::sin(angle),
+                 0.,
+                 -r + (r - c) * std::cos(angle)}};
+      }
+    if (a < turn + 2 * end)
+      return {{end - (a - turn), 0., -2 * r + c}};
+    if (a < 2 * turn)
+      {
+        const double angle = (a - turn - 2 * end) / r;
+        return {{-end - (r + c) * std::sin(angle),
+                 0.,
+                 -3 * r + (r + c) * std::cos(angle)}};
+      }
+    return {{a - 2 * turn - end, 0., -4 * r - c}};
+  };
+  const Complaints said;
+  expect(said.of("band.msh", band.gmsh()),
+         "its contact boundary lies twice inside the contact zone");
+}
+
+
+
+BOOST_AUTO_TEST_CASE(a_hub_in_the_contact_zone)
+{
+  const Complaints said;
+  const auto       of = [&](const std::string &text) {
+    return said.of("hub.msh", text, [](SceneParameters &scene) {
+      scene.rail.radius = 0.46;
+    });
+  };
+  std::string text =
+    changed(short_block(2, 0.0072, 0.), [](auto &p, const auto &) {
+      p[2] = p[2] / 5 - crown_depth(0.46, p[0]);
+    }).gmsh();
+  BOOST_TEST(of(text) == "");
+  text = replaced(text, "$Elements\n40\n", "$Elements\n41\n");
+  text = replaced(text, "$EndElements", "41 1 2 2 1 1 2\n$EndElements");
+  expect(of(text),
+         "its hub (Rail/Hub boundary id = 2) reaches into the contact zone, at "
+         "x = -3.6 mm");
+}
+
+
+
+BOOST_AUTO_TEST_CASE(a_face_that_is_not_convex)
+{
+  const Complaints  said;
+  const WrittenMesh good = short_block(3, 0.0116, 0.008);
+  // all columns lean; one at an edge is drawn in and down
+  const WrittenMesh bad = changed(good, [](auto &p, const auto &at) {
+    if (at[0] > 0.0199 && at[1] > 0.0199)
+      p = {{p[0] - 0.8e-3, p[1] - 0.5e-3, p[2] - 0.5e-3}};
+    p[0] -= 0.2 * at[2];
+    p[1] -= 0.2 * at[2];
+  });
+  BOOST_TEST(said.of("good.msh", good.gmsh(), {}, 3) == "");
+  expect(said.of("bad.msh", bad.gmsh(), {}, 3),
+         "is no convex quadrilateral seen along z");
+}
+
+
+
+BOOST_AUTO_TEST_CASE(meshes_in_the_wrong_unit)
+{
+  const Complaints said;
+  const auto       in_unit = [](const double unit, const unsigned int dim) {
+    WrittenMesh mesh = block(dim, 24, 0.);
+    mesh.unit        = unit;
     return mesh.gmsh();
   };
-  check(said.of("aside.msh", moved(0.1, 0., 1.)), "not around the origin");
-  check(said.of("above.msh", moved(0., 0., -1.)), "turns away");
-  check(said.of("low.msh", moved(0., -1e-4, 1.)), "off the surface of");
-  check(said.of("near.msh", moved(0.018, 0., 1.)), "and the file's origin");
-  // units: the file in millimetres read as metres, and the reverse
-  WrittenMesh millimetres = good;
-  millimetres.unit        = 0.001;
-  check(said.of("mm.msh", millimetres.gmsh()), "Mesh unit");
-  check(said.of("small.msh",
-                good.gmsh(),
-                [](SceneParameters &scene) { scene.rail.mesh_unit = 0.001; }),
-        "Mesh unit");
-  check(said.of("good.msh",
-                good.gmsh(),
-                [](SceneParameters &scene) { scene.rail.radius = 0.46; }),
-        "off the surface of Rail/Radius = 0.46");
+  for (const unsigned int dim : {2u, 3u})
+    for (const double unit : {0.001, 1000.})
+      for (const bool first : {true, false})
+        expect(said.of(
+                 "unit.msh",
+                 in_unit(unit, dim),
+                 [=](SceneParameters &scene) {
+                   if (!first)
+                     return;
+                   scene.read_meshes();
+                   check_mesh_sizes(scene);
+                   BOOST_ERROR("a wrong unit is not noticed on reading");
+                 },
+                 dim),
+               "Mesh unit");
+  expect(said.of("approach.msh",
+                 in_unit(1000., 2),
+                 [](SceneParameters &scene) {
+                   scene.contact.normal_load_entry = "";
+                   scene.contact.approach_entry    = "0.2e-3";
+                   scene.read_meshes();
+                   check_mesh_sizes(scene);
+                 }),
+         "Mesh unit");
 }
 
 

@@ -36,6 +36,11 @@ namespace RollingContact
   };
 
   /**
+   * Least z of that normal for a face to look towards the other body. Units: 1.
+   */
+  inline constexpr double least_upwards = 0.3;
+
+  /**
    * Throws InputError unless the contact boundary passes through the origin,
    * with the body below it, away from the hub.
    */
