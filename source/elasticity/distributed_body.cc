@@ -92,9 +92,10 @@ namespace RollingContact
 
 
   template <int dim>
-  std::vector<typename ElasticBody<dim>::SurfaceNode>
+  auto
   DistributedBody<dim>::model_nodes(const DirectBody<dim>          &model,
                                     const std::vector<SurfaceNode> &nodes) const
+    -> std::vector<SurfaceNode>
   {
     std::vector<SurfaceNode> result;
     std::vector<SurfaceFace> faces;
