@@ -48,12 +48,13 @@ namespace RollingContact
                    limit =
                      largest_smallest_face * std::max(1., zone) * half_width;
       const auto complain = [&](const std::string &what) {
-        throw InputError(
-          body.section + "/Mesh file = " + body.mesh_file + ": along " +
-          (d == 0 ? "x" : "y") + " the estimated patch reaches " +
-          significant(half_width, 3) + " m from the origin, " + what +
-          ": check " + body.section + "/Mesh unit (" +
-          significant(body.mesh_unit, 4) + " m), load and radii.");
+        throw InputError(body.section + "/Mesh file = " + body.mesh_file +
+                         ": along " + (d == 0 ? "x" : "y") +
+                         " the estimated patch reaches " +
+                         significant(half_width, 3) + " m from the origin, " +
+                         what + ": check " + body.section + "/Mesh unit (" +
+                         significant(body.mesh_unit, 4) +
+                         " m), load, radii and the file's origin.");
       };
       if (reach <= half_width)
         complain("the contact boundary only " + significant(reach, 3) + " m");

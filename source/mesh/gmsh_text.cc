@@ -219,7 +219,9 @@ namespace RollingContact
           const bool apart = version == 4.1; // numbers first
           for (long i = 0; i < n; ++i)
             {
-              nodes.insert(whole());
+              const long node = whole();
+              if (!nodes.insert(node).second)
+                complain("node " + std::to_string(node) + " is there twice");
               numbers(apart ? 0 : 3);
             }
           numbers(apart ? 3 * n : 0);

@@ -116,6 +116,8 @@ BOOST_AUTO_TEST_CASE(files_that_cannot_be_read)
   check(said.of("comment.msh",
                 replaced(good.gmsh(), "$Elements", "$Comments\n$EndComments")),
         "\"$Comments\" stands in place of $Elements");
+  check(said.of("twice.msh", replaced(good.gmsh(), "\n2 ", "\n1 ")),
+        "line 7: in its $Nodes node 1 is there twice");
   check(said.of("word.msh", replaced(good.gmsh(), "\n2 ", "\n2 zero ")),
         "line 7: in its $Nodes \"zero\" stands in place of a number");
 }
