@@ -96,7 +96,8 @@ namespace RollingContact
       std::to_string(points.size()) + " points in " +
         human_seconds(watch.seconds()) +
         " after meshing, factorisation and condensation; "
-        "largest |T|/(mu N) = " +
+        "largest |T|/(" +
+        (scene.contact.falling_friction() ? "mu_s" : "mu") + " N) = " +
         significant(*std::max_element(force.begin(), force.end()), 5));
     if (scene.output.plot)
       plot(points);

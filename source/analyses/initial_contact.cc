@@ -140,7 +140,8 @@ namespace RollingContact
                        RunContext             &context)
   {
     const SlipOperatorKind slip_operator = operator_in_time(scene);
-    if (slip_operator != scene.contact.slip_operator_kind())
+    if (slip_operator != scene.contact.slip_operator_kind() &&
+        scene.contact.friction_coefficient > 0.)
       context.log.message("With inertia B1 is `upwind 2`: the edge law of "
                           "`calibrated` needs the static compliance.");
     InitialContact<dim> initial =

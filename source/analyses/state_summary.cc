@@ -42,6 +42,14 @@ namespace RollingContact
              RunReport              &report)
   {
     const Resultants &result = steady.result;
+    if (result.n_touching == 0)
+      {
+        report.find("load",
+                    "N = 0 at an approach of " +
+                      millimetres(steady.state.approach) +
+                      ": the bodies do not touch");
+        return;
+      }
     report.find("load",
                 "N = " + significant(result.normal_force, 6) +
                   " N at an approach of " + millimetres(steady.state.approach) +

@@ -59,8 +59,8 @@ namespace RollingContact
       }
     output.write_fields(stepper, record, true);
     output.write_checkpoint(stepper, record);
-    output.finish(stepper, record);
     summarise(stepper, record);
+    output.finish(stepper, record);
     note_error_of_step(scene, stepper.current(), context.report);
   }
 

@@ -233,8 +233,30 @@ namespace RollingContact
     context.results.set("time_s", record.time);
     context.results.set("rolled_m", record.rolled_distance);
     add_result_row(scene, stepper.current(), context);
-    if (scene.output.plot && Ranks::is_root()) // who has the history
+    if (!Ranks::is_root()) // who has the history
+      return;
+    note_largest_load();
+    if (scene.output.plot)
       plot();
+  }
+
+
+
+  template <int dim>
+  void
+  TransientOutput<dim>::note_largest_load() const
+  {
+    const auto values =
+      read_columns(context.folder.get_path() / history_name,
+                   {place("time_s"), place("normal_force_N")});
+    const auto largest = std::max_element(values[1].begin(), values[1].end());
+    if (largest == values[1].end() || *largest <= 0.)
+      return;
+    context.report.find("peak",
+                        "N = " + significant(*largest, 6) + " N at t = " +
+                          significant(values[0][largest - values[1].begin()],
+                                      6) +
+                          " s");
   }
 
 

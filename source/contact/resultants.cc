@@ -125,11 +125,14 @@ namespace RollingContact
   {
     const ContactProblem  &problem = tangential.contact;
     std::vector<NodeState> states(problem.n_nodes, NodeState::open);
+    const bool             rests = std::all_of(state.traction.begin(),
+                                   state.traction.end(),
+                                   [](const double q) { return q == 0.; });
     for (unsigned int i = 0; i < problem.n_nodes; ++i)
       if (state.pressure[i] > 0.)
-        // the edge law may release a node, which slips without traction
+        // a node that the edge law releases slips without traction
         states[i] =
-          tangential.bound[i] > 0. &&
+          (rests || tangential.bound[i] > 0.) &&
               traction_size(problem, state, i) <
                 (1 - 1e-9) * tangential.friction[i] * state.pressure[i]
             ? NodeState::stick

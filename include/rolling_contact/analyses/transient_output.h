@@ -48,12 +48,19 @@ namespace RollingContact
     write_checkpoint(const ContactStepper<dim> &stepper, Checkpoint &record);
 
     /**
-     * history.csv under its final name, results.csv, the plot.
+     * history.csv under its final name, results.csv, the largest load, the
+     * plot.
      */
     void
     finish(const ContactStepper<dim> &stepper, const Checkpoint &record);
 
   private:
+    /**
+     * Of the whole history, as a finding of the run.
+     */
+    void
+    note_largest_load() const;
+
     void
     plot() const;
 
