@@ -80,9 +80,10 @@ namespace RollingContact
     last_acceleration = acceleration;
     if (inertia.empty())
       {
+        // row sums: a consistent mass couples to the hub's own nodes as well
         const std::vector<double> rise = body.uniform(dim - 1, 1.);
         inertia.resize(rise.size());
-        system->mass().multiply(rise, inertia);
+        body.mass(MassKind::lumped).multiply(rise, inertia);
       }
     std::vector<double> loads = inertia;
     for (double &load : loads)

@@ -121,8 +121,9 @@ namespace RollingContact
     last_acceleration = acceleration;
     if (inertia.size() == 0)
       {
-        inertia = u;
-        system->multiply_mass(system->rise(), inertia);
+        // row sums: a consistent mass couples to the hub's own nodes as well
+        inertia = lumped_mass(body.discretisation());
+        inertia.scale(system->rise());
       }
     f.equ(-acceleration, inertia);
   }

@@ -126,7 +126,7 @@ namespace RollingContact
     std::shared_ptr<DistributedThetaSystem<dim>> system;
     DistributedVector                            u, v, Ku, Mv, f, work, z;
     FollowedSolution                             free_motion, answer;
-    DistributedVector   inertia; ///< M e_z, or empty; kg
+    DistributedVector   inertia; ///< row sums of M in e_z, or empty; kg
     std::vector<double> answered;
     double              last_acceleration = 0.;
     double              begun_step        = 0.;
