@@ -189,10 +189,7 @@ namespace RollingContact
     step_energy.load_work    = h * (f * work);
     move_displacement();
     change_velocity();
-    step_energy.balance_error = step_energy.kinetic + step_energy.strain -
-                                energy_before - step_energy.contact_work -
-                                step_energy.load_work + step_energy.damping +
-                                step_energy.numerical_dissipation;
+    step_energy.balance(energy_before);
   }
 
 
@@ -201,16 +198,12 @@ namespace RollingContact
   void
   DistributedMotion<dim>::move_displacement()
   {
-    const double       h      = system->time_step();
-    const ThetaScheme &scheme = system->scheme();
+    const double h = system->time_step();
     u.add(h, work);
     system->multiply_stiffness(u, z);
-    // of strain energy by du: du^T K du = h change
-    const double change = work * z - work * Ku;
+    const double v_K_du = work * z - work * Ku;
     Ku.swap(z);
-    step_energy.strain = (u * Ku) / 2;
-    step_energy.damping += scheme.stiffness_damping * change;
-    step_energy.numerical_dissipation += (scheme.theta - 0.5) * h * change;
+    step_energy.add_displacement(system->scheme(), h, u * Ku, v_K_du);
   }
 
 
@@ -219,22 +212,19 @@ namespace RollingContact
   void
   DistributedMotion<dim>::change_velocity()
   {
-    const ThetaScheme &scheme = system->scheme();
-    const double       theta  = scheme.theta;
+    const double theta = system->scheme().theta;
     work.sadd(1 / theta, -1 / theta, v); // dv
     v += work;
     system->multiply_mass(v, z);
-    const double squared_change = work * z - work * Mv;
+    const double dv_M_dv = work * z - work * Mv;
     // v_th = v - (1 - theta) dv, and the same of M v
     DistributedVector v_theta = v, Mv_theta = z;
     v_theta.add(-(1 - theta), work);
     Mv_theta.sadd(theta, 1 - theta, Mv);
-    const double squared_theta_velocity = v_theta * Mv_theta;
+    const double theta_v_M_v = v_theta * Mv_theta;
     Mv.swap(z);
-    step_energy.kinetic = (v * Mv) / 2;
-    step_energy.damping +=
-      system->time_step() * scheme.mass_damping * squared_theta_velocity;
-    step_energy.numerical_dissipation += (theta - 0.5) * squared_change;
+    step_energy.add_velocity(
+      system->scheme(), system->time_step(), v * Mv, dv_M_dv, theta_v_M_v);
   }
 
 
@@ -271,12 +261,8 @@ namespace RollingContact
   DistributedMotion<dim>::free_contact_velocity() const
   {
     require_begun();
-    const double              theta  = system->scheme().theta;
-    std::vector<double>       result = contact_velocity();
-    const std::vector<double> free   = on_contact(free_motion.now);
-    for (std::size_t i = 0; i < result.size(); ++i)
-      result[i] = (free[i] - (1 - theta) * result[i]) / theta;
-    return result;
+    return system->scheme().end_velocity(on_contact(free_motion.now),
+                                         contact_velocity());
   }
 
 
@@ -286,11 +272,9 @@ namespace RollingContact
   DistributedMotion<dim>::free_contact_displacement() const
   {
     require_begun();
-    std::vector<double>       result = contact_displacement();
-    const std::vector<double> free   = on_contact(free_motion.now);
-    for (std::size_t i = 0; i < result.size(); ++i)
-      result[i] += begun_step * free[i];
-    return result;
+    return end_displacement(on_contact(free_motion.now),
+                            contact_displacement(),
+                            begun_step);
   }
 
 

@@ -5,18 +5,6 @@
 
 namespace RollingContact
 {
-  void
-  StepEnergy::add_changes(const StepEnergy &other)
-  {
-    contact_work += other.contact_work;
-    load_work += other.load_work;
-    damping += other.damping;
-    numerical_dissipation += other.numerical_dissipation;
-    balance_error += other.balance_error;
-  }
-
-
-
   ThetaStepper::ThetaStepper(std::shared_ptr<ThetaSystem> system)
     : matrices(std::move(system))
     , u(matrices->mass().size(), 0.)
@@ -98,64 +86,50 @@ namespace RollingContact
     step_energy.load_work    = f.empty() ? 0. : h * dot(f, work);
     move_displacement();
     change_velocity();
-    step_energy.balance_error = step_energy.kinetic + step_energy.strain -
-                                energy_before - step_energy.contact_work -
-                                step_energy.load_work + step_energy.damping +
-                                step_energy.numerical_dissipation;
+    step_energy.balance(energy_before);
   }
 
 
 
-  /**
-   * u and K u at the end of the step from v_th in @p work, with the energies
-   * that K takes part in.
-   */
   void
   ThetaStepper::move_displacement()
   {
-    const double       h      = matrices->time_step();
-    const ThetaScheme &scheme = matrices->scheme();
+    const double h = matrices->time_step();
     for (std::size_t i = 0; i < u.size(); ++i)
       u[i] += h * work[i];
     matrices->stiffness().multiply(u, z);
-    double change = 0.; // of strain energy by du: du^T K du = h change
+    double v_K_du = 0.;
     for (std::size_t i = 0; i < u.size(); ++i)
-      change += work[i] * (z[i] - Ku[i]);
+      v_K_du += work[i] * (z[i] - Ku[i]);
     std::swap(z, Ku);
-    step_energy.strain = dot(u, Ku) / 2;
-    step_energy.damping += scheme.stiffness_damping * change;
-    step_energy.numerical_dissipation += (scheme.theta - 0.5) * h * change;
+    step_energy.add_displacement(matrices->scheme(), h, dot(u, Ku), v_K_du);
   }
 
 
 
-  /**
-   * v and M v at the end of the step from v_th in @p work, which becomes dv,
-   * with the energies that M takes part in.
-   */
   void
   ThetaStepper::change_velocity()
   {
-    const ThetaScheme &scheme = matrices->scheme();
-    const double       theta  = scheme.theta;
+    const double theta = matrices->scheme().theta;
     for (std::size_t i = 0; i < v.size(); ++i)
       {
         work[i] = (work[i] - v[i]) / theta;
         v[i] += work[i];
       }
     matrices->mass().multiply(v, z);
-    double squared_change = 0., squared_theta_velocity = 0.;
+    double dv_M_dv = 0., theta_v_M_v = 0.;
     for (std::size_t i = 0; i < v.size(); ++i)
       {
-        squared_change += work[i] * (z[i] - Mv[i]);
-        squared_theta_velocity +=
+        dv_M_dv += work[i] * (z[i] - Mv[i]);
+        theta_v_M_v +=
           (v[i] - (1 - theta) * work[i]) * (theta * z[i] + (1 - theta) * Mv[i]);
       }
     std::swap(z, Mv);
-    step_energy.kinetic = dot(v, Mv) / 2;
-    step_energy.damping +=
-      matrices->time_step() * scheme.mass_damping * squared_theta_velocity;
-    step_energy.numerical_dissipation += (theta - 0.5) * squared_change;
+    step_energy.add_velocity(matrices->scheme(),
+                             matrices->time_step(),
+                             dot(v, Mv),
+                             dv_M_dv,
+                             theta_v_M_v);
   }
 
 
@@ -189,11 +163,8 @@ namespace RollingContact
   ThetaStepper::free_contact_velocity() const
   {
     require_begun();
-    const double        theta  = matrices->scheme().theta;
-    std::vector<double> result = contact_velocity();
-    for (std::size_t i = 0; i < result.size(); ++i)
-      result[i] = (free_theta_velocity[i] - (1 - theta) * result[i]) / theta;
-    return result;
+    return matrices->scheme().end_velocity(free_theta_velocity,
+                                           contact_velocity());
   }
 
 
@@ -202,10 +173,9 @@ namespace RollingContact
   ThetaStepper::free_contact_displacement() const
   {
     require_begun();
-    std::vector<double> result = contact_displacement();
-    for (std::size_t i = 0; i < result.size(); ++i)
-      result[i] += begun_step * free_theta_velocity[i];
-    return result;
+    return end_displacement(free_theta_velocity,
+                            contact_displacement(),
+                            begun_step);
   }
 
 

@@ -7,20 +7,6 @@
 
 namespace RollingContact
 {
-  void
-  ThetaScheme::check() const
-  {
-    if (!(theta >= 0.5 && theta <= 1.))
-      throw InputError("theta = " + std::to_string(theta) +
-                       ": the scheme is stable for every step from 0.5 to 1.");
-    if (!(mass_damping >= 0. && stiffness_damping >= 0.))
-      throw InputError("Rayleigh damping of " + std::to_string(mass_damping) +
-                       " 1/s and " + std::to_string(stiffness_damping) +
-                       " s: neither may be negative.");
-  }
-
-
-
   ThetaSystem::ThetaSystem(const ThetaScheme               &scheme,
                            SymmetricSparseMatrix            stiffness,
                            SymmetricSparseMatrix            mass,

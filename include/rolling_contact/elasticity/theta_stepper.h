@@ -9,30 +9,6 @@
 namespace RollingContact
 {
   /**
-   * Energies after a step, and what the step did. With dv, du the changes of
-   * velocity and displacement,
-   *   change of (kinetic + strain) = contact_work + load_work - damping
-   *                                  - numerical_dissipation + balance_error,
-   * balance_error being rounding. Units: J.
-   */
-  struct StepEnergy
-  {
-    double kinetic               = 0.; ///< v^T M v / 2
-    double strain                = 0.; ///< u^T K u / 2
-    double contact_work          = 0.; ///< h r . v_th
-    double load_work             = 0.; ///< h f . v_th
-    double damping               = 0.; ///< h v_th^T C v_th
-    double numerical_dissipation = 0.; ///< (theta - 1/2)(|dv|_M^2 + |du|_K^2)
-    double balance_error         = 0.;
-
-    /**
-     * Add what another step, or another body in the same step, did.
-     */
-    void
-    add_changes(const StepEnergy &other);
-  };
-
-  /**
    * One body in time, u1 = u0 + h v_th with v_th = theta v1 + (1 - theta) v0,
    *   A v_th = M v0 - theta h K u0 + theta h (f + E r),
    * f constant nodal loads, r the reactions on the contact unknowns. A step is
@@ -139,9 +115,17 @@ namespace RollingContact
     void
     require_begun() const;
 
+    /**
+     * u and K u at the end of the step from v_th in `work`, with the energies
+     * that K takes part in.
+     */
     void
     move_displacement();
 
+    /**
+     * v and M v at the end of the step from v_th in `work`, which becomes dv,
+     * with the energies that M takes part in.
+     */
     void
     change_velocity();
 

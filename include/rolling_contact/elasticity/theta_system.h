@@ -2,29 +2,13 @@
 #define rolling_contact_elasticity_theta_system_h
 
 #include <rolling_contact/elasticity/factorisation.h>
+#include <rolling_contact/elasticity/theta_scheme.h>
 
 #include <cstddef>
 #include <vector>
 
 namespace RollingContact
 {
-  /**
-   * The theta-scheme of Moreau and Jean with Rayleigh damping,
-   * C = mass_damping M + stiffness_damping K. Units: 1, 1/s, s.
-   */
-  struct ThetaScheme
-  {
-    double theta             = 0.5;
-    double mass_damping      = 0.;
-    double stiffness_damping = 0.;
-
-    /**
-     * Throws InputError unless theta is in [0.5, 1] and damping not negative.
-     */
-    void
-    check() const;
-  };
-
   /**
    * The matrices of one body in time, shared by all states of it (two for
    * mirror-identical bodies): K, M and, for a time step h, the factor of
