@@ -140,10 +140,8 @@ namespace RollingContact
     const ContactState &old     = previous.state;
     const std::size_t   n_old   = previous.problem.n_nodes;
     const unsigned int  n_nodes = problem.n_nodes;
-    ContactState        state;
-    state.approach = old.approach;
-    state.pressure.assign(n_nodes, 0.);
-    state.traction.assign(problem.n_tangential * n_nodes, 0.);
+    ContactState        state   = open_state(problem);
+    state.approach              = old.approach;
     for (unsigned int i = 0; i < n_nodes; ++i)
       if (const auto weights =
             previous.pair->trace().interpolation(problem.positions[i][0],

@@ -22,16 +22,6 @@ namespace RollingContact
 
 
 
-    void
-    start_at_rest(const ContactProblem &problem, ContactState &state)
-    {
-      state = ContactState();
-      state.pressure.assign(problem.n_nodes, 0.);
-      state.traction.assign(problem.n_tangential * problem.n_nodes, 0.);
-    }
-
-
-
     template <int dim>
     void
     start_steadily(const SceneParameters  &scene,
@@ -94,7 +84,7 @@ namespace RollingContact
       if (scene.time.initial_state == "steady")
         start_steadily(scene, histories, context, initial);
       else
-        start_at_rest(initial.contact.problem, initial.contact.state);
+        initial.contact.state = open_state(initial.contact.problem);
       return initial;
     }
 
@@ -126,7 +116,7 @@ namespace RollingContact
           contact.pair->release_statics();
         }
       else
-        start_at_rest(contact.problem, contact.state);
+        contact.state = open_state(contact.problem);
       return initial;
     }
   } // namespace

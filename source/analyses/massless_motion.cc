@@ -76,7 +76,7 @@ namespace RollingContact
                const ContactState   &state) override
       {
         if (previous.pressure.empty())
-          previous = zero_state(problem);
+          previous = open_state(problem);
         const double now    = work(problem, state, state),
                      before = work(problem, previous, previous),
                      mixed  = work(problem, state, previous);
@@ -152,15 +152,6 @@ namespace RollingContact
       }
 
     private:
-      static ContactState
-      zero_state(const ContactProblem &problem)
-      {
-        ContactState state;
-        state.pressure.assign(problem.n_nodes, 0.);
-        state.traction.assign(problem.n_tangential * problem.n_nodes, 0.);
-        return state;
-      }
-
       const RollingPair<dim> &pair;
       std::vector<double>     u, kept_u;
       ContactState            previous, kept;

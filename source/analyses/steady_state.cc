@@ -56,9 +56,7 @@ namespace RollingContact
   ContactState
   initial_state(const ContactProblem &problem, const PatchEstimate &patch)
   {
-    ContactState state;
-    state.pressure.assign(problem.n_nodes, 0.);
-    state.traction.assign(problem.n_tangential * problem.n_nodes, 0.);
+    ContactState state = open_state(problem);
     // a node at the very edge must not depend on rounding
     const double inside = 1 - 1e-6;
     for (unsigned int i = 0; i < problem.n_nodes; ++i)

@@ -341,6 +341,17 @@ namespace RollingContact
 
 
 
+  ContactState
+  open_state(const ContactProblem &problem)
+  {
+    ContactState state;
+    state.pressure.assign(problem.n_nodes, 0.);
+    state.traction.assign(problem.n_tangential * problem.n_nodes, 0.);
+    return state;
+  }
+
+
+
   TangentialProblem
   tangential_problem(const ContactProblem &contact, const ContactState &state)
   {

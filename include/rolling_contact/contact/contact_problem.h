@@ -196,6 +196,12 @@ namespace RollingContact
   };
 
   /**
+   * No pressure, no traction.
+   */
+  ContactState
+  open_state(const ContactProblem &problem);
+
+  /**
    * A line of touching nodes from its leading edge on, in the order of the
    * flow, with the fields of the edge law for each tangential component. Units:
    * m, Pa.
