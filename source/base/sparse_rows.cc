@@ -77,19 +77,4 @@ namespace RollingContact
         result(i, entry.first) += entry.second;
     return result;
   }
-
-
-
-  DenseMatrix
-  SparseRows::multiply(const DenseMatrix &matrix) const
-  {
-    DenseMatrix result(matrix.n_rows(), matrix.n_columns());
-    for (std::size_t j = 0; j < matrix.n_columns(); ++j)
-      for (std::size_t offset = 0; offset < matrix.n_rows(); offset += size())
-        for (unsigned int i = 0; i < size(); ++i)
-          for (const auto &entry : rows[i])
-            result(offset + i, j) +=
-              entry.second * matrix(offset + entry.first, j);
-    return result;
-  }
 } // namespace RollingContact

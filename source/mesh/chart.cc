@@ -68,18 +68,6 @@ namespace RollingContact
 
   template <int dim>
   double
-  BodyChart<dim>::manifold_x(const double centred_x) const
-  {
-    if (circumference == 0.)
-      return centred_x;
-    const double x = centred_x - sector_begin;
-    return x < 0. ? x + circumference : x;
-  }
-
-
-
-  template <int dim>
-  double
   BodyChart<dim>::angle(const double manifold_x) const
   {
     const double x = manifold_x + sector_begin;

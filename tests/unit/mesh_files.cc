@@ -244,7 +244,7 @@ BOOST_AUTO_TEST_CASE(abaqus_files_that_cannot_be_read)
 namespace
 {
   /** Two squares, their top in surface 1 and their bottom in 2; with other
-   * nodes of the elements, faces, or lines before them. */
+   * nodes of the elements, faces, or lines before nodes and after elements. */
   struct TwoSquares
   {
     std::string
@@ -252,14 +252,14 @@ namespace
     {
       return before + "*NODE\n" + nodes +
              "*ELEMENT, TYPE=CPE4, ELSET=ALL\n1, " + first + "\n2, " + second +
-             "\n*SURFACE, NAME=SURF-1\n" + top + "*SURFACE, NAME=SURF-2\n" +
-             bottom;
+             "\n" + after + "*SURFACE, NAME=SURF-1\n" + top +
+             "*SURFACE, NAME=SURF-2\n" + bottom;
     }
 
-    std::string before, first = "1, 4, 5, 2", second = "2, 5, 6, 3",
-                        top = "1, S4\n2, S4\n", bottom = "ALL, S2\n",
-                        nodes = "1, -1, 0\n2, 0, 0\n3, 1, 0\n4, -1, -1\n"
-                                "5, 0, -1\n6, 1, -1\n";
+    std::string before, after, first = "1, 4, 5, 2", second = "2, 5, 6, 3",
+                               top = "1, S4\n2, S4\n", bottom = "ALL, S2\n",
+                               nodes = "1, -1, 0\n2, 0, 0\n3, 1, 0\n4, -1, -1\n"
+                                       "5, 0, -1\n6, 1, -1\n";
   };
 
   std::shared_ptr<const FileMesh>
@@ -356,6 +356,13 @@ BOOST_AUTO_TEST_CASE(sets_and_orders_of_abaqus)
   unknown.before = "*SOLID SECTION, ELSET=SOLID\n";
   unknown.top    = "SOLID, S4\n";
   BOOST_TEST(contains(said_of(unknown), "neither the name of an *ELSET"));
+  TwoSquares generated;
+  generated.after = "*ELSET, ELSET=ODD, GENERATE\n1, 2, 1\n";
+  generated.top   = "ODD, S4\n";
+  BOOST_TEST(read_text(generated.text())->fingerprint() == good->fingerprint());
+  TwoSquares nodes;
+  nodes.before = "*SURFACE, NAME=SURF-7, TYPE=NODE\n";
+  BOOST_TEST(contains(said_of(nodes), "a surface of nodes"));
   TwoSquares inside;
   inside.top = "1, S4\n2, S4\n1, S3\n";
   BOOST_TEST(contains(said_of(inside), "a boundary id for an internal face"));

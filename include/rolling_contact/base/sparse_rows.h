@@ -66,12 +66,6 @@ namespace RollingContact
     DenseMatrix
     dense() const;
 
-    /**
-     * M applied to each of the row blocks of @p matrix.
-     */
-    DenseMatrix
-    multiply(const DenseMatrix &matrix) const;
-
   private:
     std::vector<Row> rows;
   };

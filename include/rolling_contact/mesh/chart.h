@@ -53,12 +53,6 @@ namespace RollingContact
     double
     centred_x(const double manifold_x) const;
 
-    /**
-     * Inverse of centred_x().
-     */
-    double
-    manifold_x(const double centred_x) const;
-
   private:
     double
     angle(const double x) const;
