@@ -36,7 +36,7 @@ namespace RollingContact
             std::to_string(worst.n_above) + " of " + std::to_string(worst.n)
         : "Friction falls so steeply that the steady state may be one of "
           "several";
-    const std::string todo =
+    const std::string remedy =
       !in_time
         ? "Which one is found depends on where the solver starts; a transient "
           "with inertia tells which one follows from a known state."
@@ -54,7 +54,7 @@ namespace RollingContact
       (worst.of.empty() ? "" : "at " + worst.of + ", ") +
       "node at x = " + millimetres(worst.position[0]) +
       (scene.dimension == 3 ? ", y = " + millimetres(worst.position[1]) : "") +
-      ". " + todo);
+      ". " + remedy);
   }
 
 
