@@ -259,7 +259,9 @@ namespace RollingContact
           }
         if (!generates)
           sets[set].insert(sets[set].end(), numbers.begin(), numbers.end());
-        else if (numbers.size() > 1)
+        else if (numbers.size() < 2)
+          complain("GENERATE needs the first and the last number.");
+        else
           for (long i = numbers[0]; i <= numbers[1];
                i += numbers.size() > 2 ? numbers[2] : 1)
             sets[set].push_back(i);

@@ -53,7 +53,8 @@ namespace RollingContact
       "Candidate zone",
       candidate_zone,
       "Half-length of the zone of contact nodes, over the half-width of "
-      "the Hertz estimate; 0 takes 1.15, and 1.5 in time. Units: 1.",
+      "the Hertz estimate; 0 takes 1.15, and 1.5 in time. A load curve "
+      "takes 5 % more, for the loads above the largest. Units: 1.",
       prm,
       Patterns::Double(0., 20.));
     add_parameter(

@@ -360,6 +360,8 @@ BOOST_AUTO_TEST_CASE(sets_and_orders_of_abaqus)
   generated.after = "*ELSET, ELSET=ODD, GENERATE\n1, 2, 1\n";
   generated.top   = "ODD, S4\n";
   BOOST_TEST(read_text(generated.text())->fingerprint() == good->fingerprint());
+  generated.after = "*ELSET, ELSET=ODD, GENERATE\n1\n";
+  BOOST_TEST(contains(said_of(generated), "the first and the last number"));
   TwoSquares nodes;
   nodes.before = "*SURFACE, NAME=SURF-7, TYPE=NODE\n";
   BOOST_TEST(contains(said_of(nodes), "a surface of nodes"));
