@@ -1,17 +1,17 @@
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/multithread_info.h>
 
-#include <rolling_contact/analyses/analysis.h>
-#include <rolling_contact/analyses/run_context.h>
-#include <rolling_contact/analyses/scene_reader.h>
-#include <rolling_contact/base/command_line.h>
-#include <rolling_contact/base/common_end.h>
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/base/platform.h>
-#include <rolling_contact/base/ranks.h>
-#include <rolling_contact/elasticity/factorisation.h>
-#include <rolling_contact/output/checkpoint.h>
+#include <rolling_contact/linear_algebra/factorisation.h>
+#include <rolling_contact/parallel/collective_failure.h>
+#include <rolling_contact/parallel/interrupt.h>
+#include <rolling_contact/parallel/ranks.h>
+#include <rolling_contact/program/analysis.h>
+#include <rolling_contact/program/command_line.h>
+#include <rolling_contact/program/scene_reader.h>
+#include <rolling_contact/run/run_context.h>
+#include <rolling_contact/state/checkpoint.h>
 
 #include <iostream>
 #include <sstream>
@@ -38,11 +38,11 @@ namespace RollingContact
     /**
      * "1 factorisations, 146 columns condensed, 2 static solves".
      */
-    BuiltObject
+    BuiltItem
     work_done()
     {
       const Factorisation::Work work = Factorisation::work_done();
-      BuiltObject               object;
+      BuiltItem                 object;
       object.object =
         std::to_string(work.n_factorisations) + " factorisations, " +
         std::to_string(work.n_condensed_columns) + " columns condensed, " +

@@ -1,18 +1,19 @@
-#include <rolling_contact/analyses/adaptive_levels.h>
 #include <rolling_contact/analyses/creep_curve.h>
-#include <rolling_contact/analyses/ellipse_reference.h>
-#include <rolling_contact/analyses/error_of_result.h>
-#include <rolling_contact/analyses/falling_friction_notes.h>
-#include <rolling_contact/analyses/line_reference.h>
 #include <rolling_contact/analyses/quasi_static.h>
-#include <rolling_contact/analyses/result_row.h>
-#include <rolling_contact/analyses/small_strain.h>
-#include <rolling_contact/analyses/solved_state.h>
+#include <rolling_contact/assessment/linearity_check.h>
+#include <rolling_contact/assessment/reference_2d.h>
+#include <rolling_contact/assessment/reference_3d.h>
+#include <rolling_contact/assessment/result_error.h>
+#include <rolling_contact/assessment/uniqueness_warning.h>
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/base/interrupt.h>
-#include <rolling_contact/base/progress.h>
 #include <rolling_contact/base/stopwatch.h>
-#include <rolling_contact/output/svg_plot.h>
+#include <rolling_contact/base/text.h>
+#include <rolling_contact/parallel/interrupt.h>
+#include <rolling_contact/plot/svg_plot.h>
+#include <rolling_contact/report/result_row.h>
+#include <rolling_contact/run/progress.h>
+#include <rolling_contact/state/adaptive_levels.h>
+#include <rolling_contact/state/solved_state.h>
 
 #include <algorithm>
 #include <cmath>
@@ -88,10 +89,11 @@ namespace RollingContact
     const Stopwatch watch;
     march(points, steady);
     context.log.message(context.results.screen_table(columns_of(points)));
-    context.report.find("load",
-                        "N = " + significant(steady.result.normal_force, 6) +
-                          " N at the last point");
-    context.report.find(
+    context.report.set_finding("load",
+                               "N = " +
+                                 significant(steady.result.normal_force, 6) +
+                                 " N at the last point");
+    context.report.set_finding(
       "curve",
       std::to_string(points.size()) + " points in " +
         human_seconds(watch.seconds()) +
@@ -110,8 +112,8 @@ namespace RollingContact
   CreepCurve<dim>::march(const std::vector<References::Creepages> &points,
                          SteadyState<dim>                         &steady)
   {
-    Progress   progress(context.log, "point", points.size());
-    WorstRatio worst;
+    Progress          progress(context.log, "point", points.size());
+    UniquenessSummary worst;
     for (std::size_t k = 0; k < points.size(); ++k)
       {
         throw_if_interrupted();
@@ -124,7 +126,7 @@ namespace RollingContact
                        "Creep curve, point " + std::to_string(k + 1) + " of " +
                          std::to_string(points.size()));
         note_error(scene, steady, context.report);
-        worst.add(several_solutions(steady.problem, steady.state),
+        worst.add(uniqueness(steady.problem, steady.state),
                   steady.problem,
                   "point " + std::to_string(k + 1));
         progress.report(k + 1);
@@ -133,7 +135,7 @@ namespace RollingContact
                                           steady.result,
                                           steady.state.approach),
                           context.log);
-    warn_of_several_solutions(scene, worst, context.log);
+    warn_of_non_uniqueness(scene, worst, context.log);
   }
 
 
@@ -157,8 +159,8 @@ namespace RollingContact
                     friction_force);
     if constexpr (dim == 3)
       {
-        const EllipseReference reference =
-          ellipse_reference(scene, steady.result.normal_force, creepages);
+        const Reference3D reference =
+          reference_3d(scene, steady.result.normal_force, creepages);
         linear.push_back(std::hypot(reference.linear.x, reference.linear.y) /
                          friction_force);
         saturated.push_back(
@@ -167,7 +169,7 @@ namespace RollingContact
         fastsim.push_back(std::hypot(reference.fastsim.x, reference.fastsim.y) /
                           friction_force);
       }
-    else if (const auto carter = line_reference(scene, steady).carter)
+    else if (const auto carter = reference_2d(scene, steady).carter)
       saturated.push_back(std::abs(carter->force_ratio()));
   }
 

@@ -1,17 +1,18 @@
-#include <rolling_contact/analyses/adaptive_levels.h>
-#include <rolling_contact/analyses/ellipse_reference.h>
-#include <rolling_contact/analyses/error_of_result.h>
-#include <rolling_contact/analyses/falling_friction_notes.h>
 #include <rolling_contact/analyses/load_curve.h>
 #include <rolling_contact/analyses/quasi_static.h>
-#include <rolling_contact/analyses/result_row.h>
-#include <rolling_contact/analyses/small_strain.h>
-#include <rolling_contact/analyses/solved_state.h>
-#include <rolling_contact/analyses/state_summary.h>
+#include <rolling_contact/assessment/linearity_check.h>
+#include <rolling_contact/assessment/reference_3d.h>
+#include <rolling_contact/assessment/result_error.h>
+#include <rolling_contact/assessment/uniqueness_warning.h>
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/base/stopwatch.h>
-#include <rolling_contact/output/svg_plot.h>
+#include <rolling_contact/base/text.h>
+#include <rolling_contact/parallel/interrupt.h>
+#include <rolling_contact/plot/svg_plot.h>
+#include <rolling_contact/report/result_row.h>
+#include <rolling_contact/report/state_summary.h>
+#include <rolling_contact/state/adaptive_levels.h>
+#include <rolling_contact/state/solved_state.h>
 
 #include <algorithm>
 
@@ -38,10 +39,10 @@ namespace RollingContact
     if (steady.result.normal_force <= 0.)
       throw InputError(needs_contact);
     describe_bodies(steady, context);
-    const double largest = steady.result.normal_force;
-    WorstRatio   worst;
-    unsigned int fewest = steady.result.n_touching;
-    for (const double share : scene.load_curve.load_shares())
+    const double      largest = steady.result.normal_force;
+    UniquenessSummary worst;
+    unsigned int      fewest = steady.result.n_touching;
+    for (const double share : scene.load_curve.load_fractions())
       {
         throw_if_interrupted();
         const Stopwatch   watch;
@@ -52,31 +53,31 @@ namespace RollingContact
         steady.wall_s            = watch.seconds();
         add_result_row(scene, steady, context);
         note_error(scene, steady, context.report);
-        worst.add(several_solutions(steady.problem, steady.state),
+        worst.add(uniqueness(steady.problem, steady.state),
                   steady.problem,
                   significant(steady.result.normal_force, 4) + " N");
         fewest = std::min(fewest, steady.result.n_touching);
         loads.push_back(steady.result.normal_force);
         approaches.push_back(steady.state.approach);
         if constexpr (dim == 3)
-          hertz.push_back(
-            ellipse_reference(scene, loads.back(), {}).hertz.approach);
+          hertz.push_back(reference_3d(scene, loads.back(), {}).hertz.approach);
       }
     warn_of_few_nodes(fewest, context.log);
     warn_of_large_strains(strain_measures(scene,
                                           steady.result,
                                           steady.state.approach),
                           context.log);
-    warn_of_several_solutions(scene, worst, context.log);
+    warn_of_non_uniqueness(scene, worst, context.log);
     context.log.message(context.results.screen_table({"normal_force_N",
                                                       "approach_m",
                                                       "contact_stiffness_N/m",
                                                       "half_width_x_m",
                                                       "max_pressure_Pa"}));
     note_state(scene, steady, context.report);
-    context.report.find("spring",
-                        "k = " + significant(*steady.contact_stiffness, 5) +
-                          " N/m under the last load");
+    context.report.set_finding("spring",
+                               "k = " +
+                                 significant(*steady.contact_stiffness, 5) +
+                                 " N/m under the last load");
     if (scene.output.plot)
       plot();
   }

@@ -1,15 +1,16 @@
-#include <rolling_contact/analyses/adaptive_levels.h>
-#include <rolling_contact/analyses/error_of_result.h>
-#include <rolling_contact/analyses/falling_friction_notes.h>
 #include <rolling_contact/analyses/quasi_static.h>
-#include <rolling_contact/analyses/result_row.h>
-#include <rolling_contact/analyses/small_strain.h>
-#include <rolling_contact/analyses/solved_state.h>
-#include <rolling_contact/analyses/state_fields.h>
-#include <rolling_contact/analyses/state_summary.h>
-#include <rolling_contact/analyses/traction_plot.h>
+#include <rolling_contact/assessment/linearity_check.h>
+#include <rolling_contact/assessment/result_error.h>
+#include <rolling_contact/assessment/uniqueness_warning.h>
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/output/pvd.h>
+#include <rolling_contact/base/text.h>
+#include <rolling_contact/report/result_row.h>
+#include <rolling_contact/report/state_fields.h>
+#include <rolling_contact/report/state_summary.h>
+#include <rolling_contact/report/traction_plot.h>
+#include <rolling_contact/run/pvd.h>
+#include <rolling_contact/state/adaptive_levels.h>
+#include <rolling_contact/state/solved_state.h>
 
 namespace RollingContact
 {
@@ -62,8 +63,8 @@ namespace RollingContact
     auto &objects = context.report.objects;
     for (const Side side : {Side::wheel, Side::rail})
       {
-        const bool  is_twin = side == Side::rail && steady.pair->twins();
-        BuiltObject object;
+        const bool is_twin = side == Side::rail && steady.pair->twins();
+        BuiltItem  object;
         object.object = name_of(side) + ": mesh, stiffness, solver";
         object.built  = steady.pair->is_elastic(side) && !is_twin;
         if (!object.built)
@@ -194,11 +195,9 @@ namespace RollingContact
     warn_of_few_nodes(result.n_touching, log);
     warn_of_large_strains(strain_measures(scene, result, steady.state.approach),
                           log);
-    WorstRatio worst;
-    worst.add(several_solutions(steady.problem, steady.state),
-              steady.problem,
-              "");
-    warn_of_several_solutions(scene, worst, log);
+    UniquenessSummary worst;
+    worst.add(uniqueness(steady.problem, steady.state), steady.problem, "");
+    warn_of_non_uniqueness(scene, worst, log);
     note_state(scene, steady, context.report);
   }
 

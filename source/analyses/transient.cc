@@ -1,13 +1,14 @@
-#include <rolling_contact/analyses/error_of_result.h>
 #include <rolling_contact/analyses/quasi_static.h>
-#include <rolling_contact/analyses/state_summary.h>
 #include <rolling_contact/analyses/transient.h>
-#include <rolling_contact/base/common_end.h>
+#include <rolling_contact/assessment/result_error.h>
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/base/interrupt.h>
-#include <rolling_contact/base/prm_entries.h>
-#include <rolling_contact/base/progress.h>
-#include <rolling_contact/base/ranks.h>
+#include <rolling_contact/base/text.h>
+#include <rolling_contact/input/prm_entries.h>
+#include <rolling_contact/parallel/collective_failure.h>
+#include <rolling_contact/parallel/interrupt.h>
+#include <rolling_contact/parallel/ranks.h>
+#include <rolling_contact/report/state_summary.h>
+#include <rolling_contact/run/progress.h>
 
 #include <cmath>
 
@@ -188,14 +189,15 @@ namespace RollingContact
   {
     if (!stepper.bodies().description().empty())
       context.log.message(stepper.bodies().description() + ".");
-    warn_of_several_solutions(scene, worst, context.log);
-    context.report.find("end",
-                        "t = " + significant(record.time, 6) + " s, rolled " +
-                          significant(1e3 * record.rolled_distance, 6) +
-                          " mm, " + std::to_string(record.n_impacts) +
-                          " impacts of nodes");
+    warn_of_non_uniqueness(scene, worst, context.log);
+    context.report.set_finding("end",
+                               "t = " + significant(record.time, 6) +
+                                 " s, rolled " +
+                                 significant(1e3 * record.rolled_distance, 6) +
+                                 " mm, " + std::to_string(record.n_impacts) +
+                                 " impacts of nodes");
     note_state(scene, stepper.current(), context.report);
-    context.report.find(
+    context.report.set_finding(
       "energy",
       "stored " + significant(stepper.bodies().stored_energy(), 5) +
         " J, supplied " + significant(record.supplied_energy, 5) +

@@ -1,5 +1,5 @@
 #include <rolling_contact/contact/edge_companion.h>
-#include <rolling_contact/contact/patch_edge.h>
+#include <rolling_contact/interface/patch_edge.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/base/log.h>
+#include <rolling_contact/base/text.h>
 #include <rolling_contact/contact/invariants.h>
 
 #include <algorithm>

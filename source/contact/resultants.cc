@@ -1,6 +1,6 @@
-#include <rolling_contact/contact/patch_edge.h>
 #include <rolling_contact/contact/resultants.h>
 #include <rolling_contact/contact/sliding_response.h>
+#include <rolling_contact/interface/patch_edge.h>
 
 #include <algorithm>
 #include <cmath>

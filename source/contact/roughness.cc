@@ -1,8 +1,8 @@
 #include <deal.II/base/numbers.h>
 
+#include <rolling_contact/base/captured_stderr.h>
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/base/log.h>
-#include <rolling_contact/base/silent_errors.h>
+#include <rolling_contact/base/text.h>
 #include <rolling_contact/contact/roughness.h>
 
 #include <cmath>
@@ -38,7 +38,7 @@ namespace RollingContact
     bool understood = true;
     try
       {
-        const SilentErrors silence;
+        const CapturedStderr silence;
         expression->initialize("x,y", text, {{"pi", numbers::PI}});
         expression->value(Point<2>());
       }

@@ -2,11 +2,11 @@
 #include <deal.II/fe/mapping_q1.h>
 
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/base/log.h>
 #include <rolling_contact/base/stopwatch.h>
+#include <rolling_contact/base/text.h>
 #include <rolling_contact/elasticity/direct_body.h>
 #include <rolling_contact/elasticity/direct_motion.h>
-#include <rolling_contact/elasticity/motion_order.h>
+#include <rolling_contact/elasticity/portable_dof_order.h>
 
 namespace RollingContact
 {
@@ -127,7 +127,7 @@ namespace RollingContact
 
   template <int dim>
   std::vector<std::size_t>
-  DirectBody<dim>::motion_order() const
+  DirectBody<dim>::portable_dof_order() const
   {
     std::vector<Point<dim>> positions(unknown_of_dof.size());
     DoFTools::map_dofs_to_support_points(MappingQ1<dim>(),
@@ -140,7 +140,7 @@ namespace RollingContact
         values.push_back({positions[i],
                           static_cast<unsigned int>(i % dim),
                           static_cast<std::size_t>(unknown_of_dof[i])});
-    return in_motion_order(std::move(values));
+    return in_portable_order(std::move(values));
   }
 
 
@@ -214,7 +214,7 @@ namespace RollingContact
 
 
   template <int dim>
-  std::unique_ptr<BodyInTime>
+  std::unique_ptr<BodyDynamics>
   DirectBody<dim>::in_time(const ThetaScheme               &scheme,
                            const MassKind                   mass_kind,
                            const std::vector<SurfaceNode>  &nodes,

@@ -14,8 +14,8 @@ namespace RollingContact
 
 
   template <int dim>
-  std::unique_ptr<BodyInTime>
-  DirectMotion<dim>::sibling() const
+  std::unique_ptr<BodyDynamics>
+  DirectMotion<dim>::clone_state() const
   {
     return std::make_unique<DirectMotion<dim>>(body, system);
   }
@@ -53,7 +53,7 @@ namespace RollingContact
 
   template <int dim>
   void
-  DirectMotion<dim>::rest_at(const BodyField &displacement)
+  DirectMotion<dim>::set_static_state(const BodyField &displacement)
   {
     const std::vector<double> u = body.unknowns_of(displacement);
     stepper.set_state(u, std::vector<double>(u.size(), 0.));
@@ -63,7 +63,7 @@ namespace RollingContact
 
   template <int dim>
   void
-  DirectMotion<dim>::fly(const double velocity)
+  DirectMotion<dim>::set_flight_velocity(const double velocity)
   {
     const std::vector<double> v = body.uniform(dim - 1, velocity);
     stepper.set_state(std::vector<double>(v.size(), 0.), v);
@@ -187,9 +187,9 @@ namespace RollingContact
   const std::vector<std::size_t> &
   DirectMotion<dim>::order() const
   {
-    if (motion_order.empty())
-      motion_order = body.motion_order();
-    return motion_order;
+    if (portable_dof_order.empty())
+      portable_dof_order = body.portable_dof_order();
+    return portable_dof_order;
   }
 
 
@@ -226,7 +226,7 @@ namespace RollingContact
 
 
   template <int dim>
-  BodyInTime::Memory
+  BodyDynamics::Memory
   DirectMotion<dim>::memory_consumption() const
   {
     return {system->stiffness().memory_consumption() +

@@ -2,10 +2,10 @@
 
 #include <p4est.h>
 
-#include <rolling_contact/base/ranks.h>
 #include <rolling_contact/mesh/body_mesh.h>
 #include <rolling_contact/mesh/file_body_mesh.h>
 #include <rolling_contact/mesh/mesh_memory.h>
+#include <rolling_contact/parallel/ranks.h>
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include <rolling_contact/mesh/file_body_mesh.h>
-#include <rolling_contact/mesh/file_mesh.h>
 #include <rolling_contact/mesh/mesh_memory.h>
+#include <rolling_contact/mesh_files/file_mesh.h>
 
 #include <algorithm>
 #include <map>

@@ -1,8 +1,8 @@
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/base/log.h>
 #include <rolling_contact/base/memory.h>
-#include <rolling_contact/base/ranks.h>
+#include <rolling_contact/base/text.h>
 #include <rolling_contact/mesh/mesh_memory.h>
+#include <rolling_contact/parallel/ranks.h>
 
 namespace RollingContact
 {

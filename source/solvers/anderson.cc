@@ -1,4 +1,4 @@
-#include <rolling_contact/base/dense_matrix.h>
+#include <rolling_contact/linear_algebra/dense_matrix.h>
 #include <rolling_contact/solvers/anderson.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-#include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/contact/sliding_response.h>
+#include <rolling_contact/parallel/interrupt.h>
 #include <rolling_contact/solvers/falling_friction.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include <rolling_contact/base/interrupt.h>
+#include <rolling_contact/parallel/interrupt.h>
 #include <rolling_contact/solvers/rolling_march.h>
 
 #include <algorithm>

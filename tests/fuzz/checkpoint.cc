@@ -3,7 +3,7 @@
 #include "input_parts.h"
 
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/output/checkpoint.h>
+#include <rolling_contact/state/checkpoint.h>
 
 #include <cstdlib>
 #include <cstring>

@@ -1,7 +1,7 @@
 #include "input_parts.h"
 
-#include <rolling_contact/base/command_line.h>
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/program/command_line.h>
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #include "input_parts.h"
 
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/mesh/mesh_file.h>
+#include <rolling_contact/mesh_files/mesh_file.h>
 
 using namespace RollingContact;
 

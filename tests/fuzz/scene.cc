@@ -2,8 +2,8 @@
 
 #include "input_parts.h"
 
-#include <rolling_contact/analyses/scene_reader.h>
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/program/scene_reader.h>
 
 #include <sstream>
 #include <stdexcept>

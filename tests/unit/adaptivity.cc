@@ -2,9 +2,9 @@
 
 #include "scene_run.h"
 
-#include <rolling_contact/analyses/adaptive_levels.h>
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/contact/operators.h>
+#include <rolling_contact/interface/operators.h>
+#include <rolling_contact/state/adaptive_levels.h>
 
 #include <cmath>
 

@@ -3,10 +3,10 @@
 #include "complaint.h"
 #include "scratch_folder.h"
 
-#include <rolling_contact/analyses/history.h>
-#include <rolling_contact/base/old_run.h>
-#include <rolling_contact/base/prm_entries.h>
-#include <rolling_contact/base/prm_text.h>
+#include <rolling_contact/input/prm_entries.h>
+#include <rolling_contact/input/prm_text.h>
+#include <rolling_contact/run/previous_run.h>
+#include <rolling_contact/scene/time_function.h>
 
 using namespace RollingContact;
 
@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE(tables_with_short_rows_and_odd_blanks)
   const auto          said = [&](const std::string &text) {
     write(scratch.scratch / "a.csv", text);
     return complaint(
-      [&]() { History("Time/Spin", "table: a.csv d", scratch.scratch); });
+      [&]() { TimeFunction("Time/Spin", "table: a.csv d", scratch.scratch); });
   };
   BOOST_TEST(said("t,b,c,d\n0,1,2,3\n1,2,3,4\n") == "");
   BOOST_TEST(
@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_CASE(records_of_runs)
   const ScratchFolder scratch;
   const auto          ours = [&](const std::string &text) {
     write(scratch.scratch / record_name, text);
-    return read_old_run(scratch.scratch).is_ours;
+    return read_old_run(scratch.scratch).made_by_this_program;
   };
   const std::string begin = "{\"program\": \"" + program_name + "\"";
   BOOST_TEST(ours(begin + "}"));

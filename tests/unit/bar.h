@@ -1,7 +1,7 @@
 #ifndef rolling_contact_tests_unit_bar_h
 #define rolling_contact_tests_unit_bar_h
 
-#include <rolling_contact/elasticity/theta_stepper.h>
+#include <rolling_contact/dynamics/theta_stepper.h>
 
 #include <algorithm>
 #include <cmath>

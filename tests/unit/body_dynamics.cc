@@ -6,9 +6,9 @@
 #include <boost/test/unit_test.hpp>
 
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/elasticity/body_parameters.h>
+#include <rolling_contact/dynamics/theta_stepper.h>
 #include <rolling_contact/elasticity/direct_body.h>
-#include <rolling_contact/elasticity/theta_stepper.h>
+#include <rolling_contact/scene/body_parameters.h>
 
 #include <cmath>
 

@@ -1,9 +1,9 @@
 #include "scene_run.h"
 
-#include <rolling_contact/base/ranks.h>
-#include <rolling_contact/elasticity/distributed_body.h>
-#include <rolling_contact/elasticity/distributed_motion.h>
-#include <rolling_contact/solvers/corrected_solve.h>
+#include <rolling_contact/distributed/distributed_body.h>
+#include <rolling_contact/distributed/distributed_motion.h>
+#include <rolling_contact/pair/compliance_update.h>
+#include <rolling_contact/parallel/ranks.h>
 
 #include <cmath>
 
@@ -148,9 +148,9 @@ namespace
                                               mass,
                                               bodies.spread_nodes,
                                               bodies.components);
-    for (BodyInTime *motion : {direct.get(), spread.get()})
+    for (BodyDynamics *motion : {direct.get(), spread.get()})
       {
-        motion->fly(-0.2);
+        motion->set_flight_velocity(-0.2);
         motion->set_time_step(1e-6);
         for (unsigned int step = 0; step < 5; ++step)
           {

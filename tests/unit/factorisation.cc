@@ -1,7 +1,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/elasticity/factorisation.h>
+#include <rolling_contact/linear_algebra/factorisation.h>
 
 #include <cmath>
 #include <map>

@@ -4,7 +4,7 @@
 #include "response_check.h"
 
 #include <rolling_contact/contact/invariants.h>
-#include <rolling_contact/contact/several_solutions.h>
+#include <rolling_contact/contact/uniqueness.h>
 
 #include <algorithm>
 #include <array>
@@ -351,8 +351,8 @@ BOOST_AUTO_TEST_CASE(two_solutions_of_a_step_and_the_warning_come_together)
       BOOST_TEST(slide.report.converged);
       const double difference =
                      distance(stick.state.traction, slide.state.traction),
-                   ratio = several_solutions(problem, stick.state).ratio,
-                   other = several_solutions(problem, slide.state).ratio;
+                   ratio = uniqueness(problem, stick.state).ratio,
+                   other = uniqueness(problem, slide.state).ratio;
       BOOST_TEST_CONTEXT("rigid slip " << rigid_slip << ": " << difference
                                        << ", ratios " << ratio << " " << other)
       {
@@ -420,19 +420,19 @@ BOOST_AUTO_TEST_CASE(several_steady_states_and_the_warning_come_together)
           BOOST_TEST(!states.empty());
           for (const ContactState &state : states)
             {
-              const double ratio = several_solutions(problem, state).ratio;
+              const double ratio = uniqueness(problem, state).ratio;
               if (states.size() > 1)
                 lowest_of_several = std::min(lowest_of_several, ratio);
               else
                 highest_of_one = std::max(highest_of_one, ratio);
               if (decay >= mu) // as steep as saturation creepage is large
-                BOOST_TEST(ratio < SeveralSolutions::limit);
+                BOOST_TEST(ratio < Uniqueness::limit);
             }
         }
   BOOST_TEST_MESSAGE("lowest ratio of several states " << lowest_of_several
                                                        << ", highest of one "
                                                        << highest_of_one);
-  BOOST_TEST(lowest_of_several > SeveralSolutions::limit);
+  BOOST_TEST(lowest_of_several > Uniqueness::limit);
   BOOST_TEST(lowest_of_several < 1.5);
   BOOST_TEST(highest_of_one < 3.);
 }
@@ -449,7 +449,7 @@ BOOST_AUTO_TEST_CASE(short_steps_without_inertia_have_large_ratios)
       const Solution found = solve(problem);
       BOOST_TEST(found.report.converged);
       BOOST_TEST(found.result.stick_area == 0.);
-      const double ratio = several_solutions(problem, found.state).ratio;
+      const double ratio = uniqueness(problem, found.state).ratio;
       if (previous > 0.)
         BOOST_TEST(std::abs(ratio / previous - 2.) < 0.2);
       previous = ratio;

@@ -176,7 +176,7 @@ BOOST_AUTO_TEST_CASE(short_steps_with_inertia_have_one_solution)
         BOOST_TEST(std::abs(previous / ratio - 2.) < 0.1);
       previous = ratio;
     }
-  BOOST_TEST(previous < SeveralSolutions::limit);
+  BOOST_TEST(previous < Uniqueness::limit);
 }
 
 

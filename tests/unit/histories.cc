@@ -3,9 +3,9 @@
 #include "complaint.h"
 #include "scratch_folder.h"
 
-#include <rolling_contact/analyses/scene_parameters.h>
-#include <rolling_contact/analyses/scene_reader.h>
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/program/scene_reader.h>
+#include <rolling_contact/scene/scene_parameters.h>
 
 #include <cmath>
 #include <functional>
@@ -65,10 +65,10 @@ BOOST_AUTO_TEST_SUITE(histories)
 BOOST_AUTO_TEST_CASE(numbers_and_expressions)
 {
   const auto history = [](const std::string &text) {
-    return History("Time/Spin", text, "");
+    return TimeFunction("Time/Spin", text, "");
   };
-  BOOST_TEST(History(2.5).is_constant());
-  BOOST_TEST(History(2.5).value(7.) == 2.5);
+  BOOST_TEST(TimeFunction(2.5).is_constant());
+  BOOST_TEST(TimeFunction(2.5).value(7.) == 2.5);
   BOOST_TEST(history(" 1.7e-3 ").is_constant());
   BOOST_TEST(history("1.7e-3").value(1e9) == 1.7e-3);
   BOOST_TEST(history("2*pi").is_constant());
@@ -86,8 +86,8 @@ BOOST_AUTO_TEST_CASE(numbers_and_expressions)
   BOOST_TEST(!history("1e-3*exp(-t)").is_constant());
   BOOST_TEST(!history("if(t<1, t^2, 1)").is_table());
 
-  const History copy = history("3*t");
-  BOOST_TEST(History(copy).value(2.) == 6.);
+  const TimeFunction copy = history("3*t");
+  BOOST_TEST(TimeFunction(copy).value(2.) == 6.);
 }
 
 
@@ -95,7 +95,7 @@ BOOST_AUTO_TEST_CASE(numbers_and_expressions)
 BOOST_AUTO_TEST_CASE(bad_expressions_name_the_entry)
 {
   const auto said = [](const std::string &text) {
-    return complaint([&]() { History("Time/Spin", text, ""); });
+    return complaint([&]() { TimeFunction("Time/Spin", text, ""); });
   };
   for (const std::string text : {"2*x",
                                  "sin(t",
@@ -125,9 +125,10 @@ BOOST_AUTO_TEST_CASE(bad_expressions_name_the_entry)
   std::cerr << "end";
   std::cerr.rdbuf(buffer);
   BOOST_TEST(errors.str() == "end");
-  BOOST_TEST(
-    contains(complaint([]() { History("Time/Spin", "1/(t-2)", "").value(2.); }),
-             "Time/Spin = 1/(t-2): at t = 2 s it is not finite"));
+  BOOST_TEST(contains(complaint([]() {
+                        TimeFunction("Time/Spin", "1/(t-2)", "").value(2.);
+                      }),
+                      "Time/Spin = 1/(t-2): at t = 2 s it is not finite"));
 }
 
 
@@ -136,12 +137,12 @@ BOOST_FIXTURE_TEST_CASE(tables, ScratchFolder)
 {
   write(scratch / "a b.csv", table);
   const auto history = [&](const std::string &text) {
-    return History("Time/Speed", text, scratch);
+    return TimeFunction("Time/Speed", text, scratch);
   };
   for (const std::string text :
        {"a b.csv", "table: a b.csv 2", "table: a b.csv speed_m/s"})
     {
-      const History speed = history(text);
+      const TimeFunction speed = history(text);
       BOOST_TEST(!speed.is_constant());
       BOOST_TEST(speed.is_table());
       BOOST_TEST(speed.value(-1.) == 10.);
@@ -156,7 +157,7 @@ BOOST_FIXTURE_TEST_CASE(tables, ScratchFolder)
   BOOST_TEST(history("table: a b.csv spin_1/m").value(3.) == 0.7);
 
   write(scratch / "blanks.txt", "0 1\r\n1\t3\r\n");
-  const History blanks = history("table: blanks.txt");
+  const TimeFunction blanks = history("table: blanks.txt");
   BOOST_TEST(blanks.value(0.5) == 2.);
   write(scratch / "semicolons.csv", "0; 1\n1; 3\n");
   BOOST_TEST(history("semicolons.csv").value(0.5) == 2.);
@@ -173,7 +174,7 @@ BOOST_FIXTURE_TEST_CASE(bad_tables_name_the_line, ScratchFolder)
 {
   const auto said = [&](const std::string &text, const std::string &content) {
     write(scratch / "v.csv", content);
-    return complaint([&]() { History("Time/Speed", text, scratch); });
+    return complaint([&]() { TimeFunction("Time/Speed", text, scratch); });
   };
   const auto says = [&](const std::string &content, const std::string &reason) {
     const std::string message = said("v.csv", content);
@@ -203,8 +204,8 @@ BOOST_FIXTURE_TEST_CASE(bad_tables_name_the_line, ScratchFolder)
 
 BOOST_FIXTURE_TEST_CASE(steps_of_equal_length, TransientScene)
 {
-  TimeParameters &time = scene.time;
-  const History   speed(-5.);
+  TimeParameters    &time = scene.time;
+  const TimeFunction speed(-5.);
   const auto expect = [&](const double length, const std::uint64_t number) {
     const TimeSteps steps = time.steps(speed);
     BOOST_TEST(steps.length == length, boost::test_tools::tolerance(1e-15));
@@ -292,7 +293,7 @@ BOOST_FIXTURE_TEST_CASE(empty_histories_are_the_constants, TransientScene)
   write(scratch / "spin.csv", table);
   scene.time.spin     = "table: spin.csv 3";
   scene.time.approach = "2e-4*t";
-  const DrivingHistories driving =
+  const DrivingFunctions driving =
     scene.time.histories(scene.contact, scene.prm_folder);
   BOOST_TEST(driving.creepage_x.value(1.) == 1e-3);
   BOOST_TEST(driving.creepage_x.is_constant());

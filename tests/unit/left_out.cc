@@ -2,7 +2,7 @@
 
 #include "scene_run.h"
 
-#include <rolling_contact/elasticity/factorisation.h>
+#include <rolling_contact/linear_algebra/factorisation.h>
 
 using namespace RollingContact;
 

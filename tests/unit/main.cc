@@ -2,7 +2,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <rolling_contact/base/platform.h>
-#include <rolling_contact/base/ranks.h>
+#include <rolling_contact/parallel/ranks.h>
 
 namespace
 {

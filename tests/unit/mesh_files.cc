@@ -5,8 +5,8 @@
 #include "complaint.h"
 #include "scene_run.h"
 
-#include <rolling_contact/analyses/mesh_sizes.h>
-#include <rolling_contact/mesh/mesh_file.h>
+#include <rolling_contact/mesh_files/mesh_file.h>
+#include <rolling_contact/pair/mesh_unit_check.h>
 
 #include <cmath>
 #include <map>
@@ -633,7 +633,7 @@ BOOST_AUTO_TEST_CASE(meshes_in_the_wrong_unit)
                    if (!first)
                      return;
                    scene.read_meshes();
-                   check_mesh_sizes(scene);
+                   check_mesh_units(scene);
                    BOOST_ERROR("a wrong unit is not noticed on reading");
                  },
                  dim),
@@ -644,7 +644,7 @@ BOOST_AUTO_TEST_CASE(meshes_in_the_wrong_unit)
                    scene.contact.normal_load_entry = "";
                    scene.contact.approach_entry    = "0.2e-3";
                    scene.read_meshes();
-                   check_mesh_sizes(scene);
+                   check_mesh_units(scene);
                  }),
          "Mesh unit");
 }

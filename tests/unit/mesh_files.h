@@ -4,7 +4,7 @@
 #include "mesh_writer.h"
 #include "scratch_folder.h"
 
-#include <rolling_contact/elasticity/body_parameters.h>
+#include <rolling_contact/scene/body_parameters.h>
 
 namespace RollingContact
 {

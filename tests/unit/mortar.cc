@@ -1,8 +1,8 @@
 #include <boost/test/unit_test.hpp>
 
-#include <rolling_contact/contact/mortar.h>
-#include <rolling_contact/contact/overlap.h>
-#include <rolling_contact/contact/surface_coupling.h>
+#include <rolling_contact/interface/mortar.h>
+#include <rolling_contact/interface/overlap.h>
+#include <rolling_contact/interface/surface_coupling.h>
 
 #include <cmath>
 #include <functional>

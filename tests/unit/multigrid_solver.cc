@@ -17,8 +17,8 @@
 #include <boost/test/unit_test.hpp>
 
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/base/ranks.h>
-#include <rolling_contact/elasticity/multigrid_solver.h>
+#include <rolling_contact/linear_algebra/multigrid_solver.h>
+#include <rolling_contact/parallel/ranks.h>
 
 #include <cmath>
 #include <memory>

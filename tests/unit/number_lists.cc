@@ -2,8 +2,8 @@
 
 #include "complaint.h"
 
-#include <rolling_contact/analyses/load_curve_parameters.h>
-#include <rolling_contact/base/number_list.h>
+#include <rolling_contact/input/number_list.h>
+#include <rolling_contact/scene/load_curve_parameters.h>
 
 using namespace RollingContact;
 
@@ -46,7 +46,7 @@ BOOST_AUTO_TEST_CASE(a_range_ends_at_its_ends)
       }
   LoadCurveParameters curve;
   curve.shares = "0.2 : 1 : 4";
-  BOOST_TEST(curve.load_shares().back() == 1.);
+  BOOST_TEST(curve.load_fractions().back() == 1.);
 }
 
 
@@ -61,7 +61,7 @@ BOOST_AUTO_TEST_CASE(ranges_that_are_none)
     BOOST_TEST(contains(said_of(text), "too far apart"), text);
   LoadCurveParameters curve;
   curve.shares = "-1e308 : 1e308 : 3";
-  BOOST_CHECK_THROW(curve.load_shares(), InputError);
+  BOOST_CHECK_THROW(curve.load_fractions(), InputError);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,7 +1,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <rolling_contact/contact/edge_companion.h>
-#include <rolling_contact/contact/operators.h>
+#include <rolling_contact/interface/operators.h>
 
 #include <cmath>
 #include <functional>

@@ -9,15 +9,16 @@
 #include <unistd.h>
 
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/base/interrupt.h>
-#include <rolling_contact/base/log.h>
 #include <rolling_contact/base/memory.h>
-#include <rolling_contact/base/phase_timer.h>
 #include <rolling_contact/base/platform.h>
-#include <rolling_contact/base/run_folder.h>
-#include <rolling_contact/output/results_table.h>
-#include <rolling_contact/output/run_report.h>
-#include <rolling_contact/output/svg_plot.h>
+#include <rolling_contact/base/text.h>
+#include <rolling_contact/parallel/interrupt.h>
+#include <rolling_contact/plot/svg_plot.h>
+#include <rolling_contact/run/log.h>
+#include <rolling_contact/run/phase_timer.h>
+#include <rolling_contact/run/results_table.h>
+#include <rolling_contact/run/run_folder.h>
+#include <rolling_contact/run/run_report.h>
 
 #include <chrono>
 #include <cmath>

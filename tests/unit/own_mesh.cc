@@ -3,10 +3,10 @@
 #include "mesh_files.h"
 #include "scene_run.h"
 
-#include <rolling_contact/contact/mortar.h>
-#include <rolling_contact/contact/operators.h>
 #include <rolling_contact/elasticity/direct_body.h>
-#include <rolling_contact/mesh/mesh_file.h>
+#include <rolling_contact/interface/mortar.h>
+#include <rolling_contact/interface/operators.h>
+#include <rolling_contact/mesh_files/mesh_file.h>
 
 #include <cmath>
 

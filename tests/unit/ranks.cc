@@ -5,12 +5,12 @@
 #include "scratch_folder.h"
 #include <signal.h>
 
-#include <rolling_contact/base/common_end.h>
-#include <rolling_contact/base/interrupt.h>
-#include <rolling_contact/base/log.h>
-#include <rolling_contact/base/ranks.h>
-#include <rolling_contact/output/checkpoint.h>
-#include <rolling_contact/output/run_report.h>
+#include <rolling_contact/parallel/collective_failure.h>
+#include <rolling_contact/parallel/interrupt.h>
+#include <rolling_contact/parallel/ranks.h>
+#include <rolling_contact/run/log.h>
+#include <rolling_contact/run/run_report.h>
+#include <rolling_contact/state/checkpoint.h>
 
 #include <cmath>
 #include <iostream>

@@ -2,11 +2,11 @@
 
 #include "reference_checks.h"
 
-#include <rolling_contact/references/annuli_approach.h>
 #include <rolling_contact/references/bracketed_root.h>
 #include <rolling_contact/references/carter.h>
+#include <rolling_contact/references/clamped_annuli_approach.h>
 #include <rolling_contact/references/contact_modulus.h>
-#include <rolling_contact/references/line_approach.h>
+#include <rolling_contact/references/line_contact_approach.h>
 
 #include <limits>
 

@@ -6,11 +6,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <rolling_contact/base/command_line.h>
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/base/old_run.h>
-#include <rolling_contact/base/progress.h>
-#include <rolling_contact/output/checkpoint.h>
+#include <rolling_contact/program/command_line.h>
+#include <rolling_contact/run/previous_run.h>
+#include <rolling_contact/run/progress.h>
+#include <rolling_contact/state/checkpoint.h>
 
 #include <cmath>
 #include <cstring>

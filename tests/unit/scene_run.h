@@ -3,7 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include <rolling_contact/analyses/steady_state.h>
+#include <rolling_contact/state/steady_state.h>
 
 #include <functional>
 #include <sstream>

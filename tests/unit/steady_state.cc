@@ -1,8 +1,8 @@
 #include "scene_run.h"
 
-#include <rolling_contact/analyses/line_reference.h>
-#include <rolling_contact/analyses/patch_estimate.h>
+#include <rolling_contact/assessment/reference_2d.h>
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/pair/patch_estimate.h>
 
 #include <cmath>
 #include <functional>
@@ -34,10 +34,10 @@ namespace
       return force_x();
     }
 
-    LineErrors
+    Errors2D
     errors() const
     {
-      return line_errors(scene, steady, line_reference(scene, steady));
+      return errors_2d(scene, steady, reference_2d(scene, steady));
     }
   };
 
@@ -79,12 +79,12 @@ BOOST_AUTO_TEST_CASE(partial_slip_follows_carter)
   double mean_force = 0., mean_l2 = 0.;
   for (const double offset : {0., 0.2, 0.4, 0.6, 0.8})
     {
-      const Run        run([&](SceneParameters &scene) {
+      const Run      run([&](SceneParameters &scene) {
         scene.mesh.elements_across_patch = 48;
         scene.mesh.patch_offset          = std::to_string(offset);
         scene.contact.creepage_x         = 0.0017;
       });
-      const LineErrors errors = run.errors();
+      const Errors2D errors = run.errors();
       BOOST_TEST(std::abs(errors.force) < 5e-4);
       BOOST_TEST(errors.sawtooth < 0.035);
       BOOST_TEST(std::abs(errors.stick_boundary) <= 0.5);
@@ -255,19 +255,19 @@ BOOST_AUTO_TEST_CASE(a_rigid_rail_is_never_meshed)
   });
   BOOST_TEST(run.steady.pair->body(Side::rail) == nullptr);
   BOOST_TEST(std::abs(run.steady.result.half_width_x /
-                        line_reference(run.scene, run.steady).hertz.half_width -
+                        reference_2d(run.scene, run.steady).hertz.half_width -
                       1) < 0.01);
 }
 
 BOOST_AUTO_TEST_CASE(a_block_is_a_half_plane_near_the_patch)
 {
-  const Run           run([](SceneParameters &scene) {
+  const Run         run([](SceneParameters &scene) {
     scene.rail.shape  = "block";
     scene.rail.radius = 0.;
     scene.contact.approach_entry.clear();
     scene.contact.normal_load_entry = "50e3";
   });
-  const LineReference reference = line_reference(run.scene, run.steady);
+  const Reference2D reference = reference_2d(run.scene, run.steady);
   BOOST_TEST(
     std::abs(run.steady.result.max_pressure / reference.hertz.max_pressure -
              1) < 5e-3);

@@ -3,12 +3,12 @@
 #include "complaint.h"
 #include "scene_run.h"
 
-#include <rolling_contact/analyses/convergence.h>
-#include <rolling_contact/analyses/error_cost.h>
-#include <rolling_contact/analyses/error_of_result.h>
-#include <rolling_contact/analyses/force_history.h>
-#include <rolling_contact/analyses/study_errors.h>
-#include <rolling_contact/base/shares.h>
+#include <rolling_contact/assessment/result_error.h>
+#include <rolling_contact/base/percentages.h>
+#include <rolling_contact/studies/convergence.h>
+#include <rolling_contact/studies/error_cost.h>
+#include <rolling_contact/studies/force_history.h>
+#include <rolling_contact/studies/study_errors.h>
 
 #include <algorithm>
 #include <cmath>
@@ -294,9 +294,9 @@ BOOST_AUTO_TEST_CASE(line_of_a_run)
 {
   RunReport  report;
   PhaseTimer timer;
-  report.find("load", "N = 1 N");
-  report.find("force", "T = 2 N");
-  report.find("load", "N = 3 N");
+  report.set_finding("load", "N = 1 N");
+  report.set_finding("force", "T = 2 N");
+  report.set_finding("load", "N = 3 N");
   BOOST_TEST(contains(report.summary(timer, "run"),
                       "load   N = 3 N\nforce  T = 2 N\nerror  no contact, no "
                       "error\ntime   "));

@@ -1,6 +1,6 @@
 #include "scene_run.h"
 
-#include <rolling_contact/analyses/ellipse_reference.h>
+#include <rolling_contact/assessment/reference_3d.h>
 #include <rolling_contact/base/exceptions.h>
 
 #include <cmath>
@@ -32,14 +32,12 @@ namespace
           change)
     {}
 
-    EllipseReference
+    Reference3D
     reference() const
     {
-      return ellipse_reference(scene,
-                               steady.result.normal_force,
-                               {steady.creepage_x,
-                                steady.creepage_y,
-                                steady.spin});
+      return reference_3d(scene,
+                          steady.result.normal_force,
+                          {steady.creepage_x, steady.creepage_y, steady.spin});
     }
   };
 

@@ -3,7 +3,7 @@
 
 #include "scene_run.h"
 
-#include <rolling_contact/analyses/contact_stepper.h>
+#include <rolling_contact/state/contact_stepper.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #ifndef rolling_contact_analyses_quasi_static_h
 #define rolling_contact_analyses_quasi_static_h
 
-#include <rolling_contact/analyses/analysis.h>
-#include <rolling_contact/analyses/steady_state.h>
+#include <rolling_contact/program/analysis.h>
+#include <rolling_contact/state/steady_state.h>
 
 namespace RollingContact
 {

@@ -1,9 +1,9 @@
 #ifndef rolling_contact_analyses_transient_h
 #define rolling_contact_analyses_transient_h
 
-#include <rolling_contact/analyses/analysis.h>
-#include <rolling_contact/analyses/falling_friction_notes.h>
-#include <rolling_contact/analyses/transient_output.h>
+#include <rolling_contact/assessment/uniqueness_warning.h>
+#include <rolling_contact/program/analysis.h>
+#include <rolling_contact/report/transient_output.h>
 
 namespace RollingContact
 {
@@ -57,7 +57,7 @@ namespace RollingContact
 
     const SceneParameters &scene;
     RunContext            &context;
-    WorstRatio             worst; ///< of the steps of this run
+    UniquenessSummary      worst; ///< of the steps of this run
   };
 } // namespace RollingContact
 

@@ -1,9 +1,9 @@
 #ifndef rolling_contact_contact_contact_problem_h
 #define rolling_contact_contact_contact_problem_h
 
-#include <rolling_contact/base/dense_matrix.h>
 #include <rolling_contact/contact/friction_law.h>
-#include <rolling_contact/contact/slip_operator.h>
+#include <rolling_contact/interface/slip_operator.h>
+#include <rolling_contact/linear_algebra/dense_matrix.h>
 
 #include <array>
 #include <memory>
@@ -38,14 +38,14 @@ namespace RollingContact
     std::vector<std::array<double, 2>> positions; ///< (x, y), m
 
     DenseMatrix W; ///< m/N; tangential components first, normal last
-    bool        coupled            = true;  ///< false if W_nt = 0 exactly
-    bool        knows_smooth_loads = false; ///< an approximate W was corrected
-    double      dundurs_beta       = 0.; ///< of the materials, for the edge law
-    SparseRows  H;                       ///< m^2
-    std::vector<double> areas;           ///< row sums of H, m^2
-    std::vector<double> gap;             ///< undeformed, m
-    std::vector<double> friction;        ///< mu of each node, mu_s if it falls
-    std::vector<double> rigid_slip;      ///< T N values
+    bool        coupled           = true;  ///< false if W_nt = 0 exactly
+    bool   smooth_modes_corrected = false; ///< an approximate W was corrected
+    double dundurs_beta           = 0.; ///< of the materials, for the edge law
+    SparseRows          H;              ///< m^2
+    std::vector<double> areas;          ///< row sums of H, m^2
+    std::vector<double> gap;            ///< undeformed, m
+    std::vector<double> friction;       ///< mu of each node, mu_s if it falls
+    std::vector<double> rigid_slip;     ///< T N values
 
     std::vector<double> free_displacement; ///< T N values, empty for zero; m
     double              convection = 1.;

@@ -2,7 +2,7 @@
 #define rolling_contact_contact_refinement_marks_h
 
 #include <rolling_contact/contact/resultants.h>
-#include <rolling_contact/contact/trace.h>
+#include <rolling_contact/interface/trace.h>
 
 #include <vector>
 

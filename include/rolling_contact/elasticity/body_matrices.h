@@ -5,7 +5,7 @@
 #include <deal.II/lac/affine_constraints.h>
 
 #include <rolling_contact/elasticity/material.h>
-#include <rolling_contact/elasticity/symmetric_sparse_matrix.h>
+#include <rolling_contact/linear_algebra/symmetric_sparse_matrix.h>
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 #define rolling_contact_elasticity_direct_body_h
 
 #include <rolling_contact/elasticity/elastic_body.h>
-#include <rolling_contact/elasticity/factorisation.h>
+#include <rolling_contact/linear_algebra/factorisation.h>
 
 namespace RollingContact
 {
@@ -48,7 +48,7 @@ namespace RollingContact
             const std::vector<unsigned int> &components,
             const std::vector<double>       &forces) override;
 
-    std::unique_ptr<BodyInTime>
+    std::unique_ptr<BodyDynamics>
     in_time(const ThetaScheme               &scheme,
             const MassKind                   mass,
             const std::vector<SurfaceNode>  &nodes,
@@ -124,7 +124,7 @@ namespace RollingContact
      * The unknowns in the order of BodyMotion.
      */
     std::vector<std::size_t>
-    motion_order() const;
+    portable_dof_order() const;
 
   private:
     Discretisation<dim>

@@ -1,7 +1,7 @@
 #ifndef rolling_contact_elasticity_direct_motion_h
 #define rolling_contact_elasticity_direct_motion_h
 
-#include <rolling_contact/elasticity/body_in_time.h>
+#include <rolling_contact/dynamics/body_dynamics.h>
 
 #include <optional>
 
@@ -15,14 +15,14 @@ namespace RollingContact
    * is a forward and a backward solve.
    */
   template <int dim>
-  class DirectMotion : public BodyInTime
+  class DirectMotion : public BodyDynamics
   {
   public:
     DirectMotion(const DirectBody<dim>       &body,
                  std::shared_ptr<ThetaSystem> system);
 
-    std::unique_ptr<BodyInTime>
-    sibling() const override;
+    std::unique_ptr<BodyDynamics>
+    clone_state() const override;
 
     void
     set_time_step(const double h) override;
@@ -34,10 +34,10 @@ namespace RollingContact
     response(const std::vector<double> &reactions) override;
 
     void
-    rest_at(const BodyField &displacement) override;
+    set_static_state(const BodyField &displacement) override;
 
     void
-    fly(const double velocity) override;
+    set_flight_velocity(const double velocity) override;
 
     void
     accelerate_hub(const double acceleration) override;
@@ -91,7 +91,7 @@ namespace RollingContact
     BodyMotion                       kept;
     std::vector<double>              inertia; ///< M e_z, or empty; kg
     double                           last_acceleration = 0.;
-    mutable std::vector<std::size_t> motion_order;
+    mutable std::vector<std::size_t> portable_dof_order;
   };
 } // namespace RollingContact
 

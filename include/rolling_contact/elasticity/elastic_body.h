@@ -5,10 +5,10 @@
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/lac/affine_constraints.h>
 
-#include <rolling_contact/base/dense_matrix.h>
-#include <rolling_contact/elasticity/body_in_time.h>
+#include <rolling_contact/dynamics/body_dynamics.h>
 #include <rolling_contact/elasticity/body_matrices.h>
 #include <rolling_contact/elasticity/material.h>
+#include <rolling_contact/linear_algebra/dense_matrix.h>
 #include <rolling_contact/mesh/body_mesh.h>
 
 #include <functional>
@@ -107,7 +107,7 @@ namespace RollingContact
     /**
      * The body in time, with contact on the given nodes.
      */
-    virtual std::unique_ptr<BodyInTime>
+    virtual std::unique_ptr<BodyDynamics>
     in_time(const ThetaScheme               &scheme,
             const MassKind                   mass,
             const std::vector<SurfaceNode>  &nodes,

@@ -1,0 +1,16 @@
+#ifndef rolling_contact_base_percentages_h
+#define rolling_contact_base_percentages_h
+
+#include <vector>
+
+namespace RollingContact
+{
+  /**
+   * Shares of the sum in whole percent that add up to 100: rounded down, the
+   * rest to those that lost most. All zero if the sum is.
+   */
+  std::vector<int>
+  percentages(const std::vector<double> &values);
+} // namespace RollingContact
+
+#endif

@@ -1,0 +1,51 @@
+#ifndef rolling_contact_base_text_h
+#define rolling_contact_base_text_h
+
+#include <cstddef>
+#include <string>
+
+namespace RollingContact
+{
+  /** The given number of significant digits, in the shorter of plain and
+   * exponential form; "nan" and "inf" as such. Independent of the locale. */
+  std::string
+  significant(double value, unsigned int digits);
+
+  /** Like significant(), always in exponential form: 1.23e-05. */
+  std::string
+  scientific(double value, unsigned int digits);
+
+  /** 3.1 GB, with powers of 1000. */
+  std::string
+  human_bytes(double bytes);
+
+  /** 35 ms, 13.7 s, 2 min 05 s, 1 h 02 min. */
+  std::string
+  human_seconds(double seconds);
+
+  /** The text with every byte that is not UTF-8 replaced by U+FFFD. */
+  std::string
+  valid_utf8(const std::string &text);
+
+  /** Number of characters (not bytes) of a UTF-8 text. */
+  std::size_t
+  n_characters(const std::string &text);
+
+  /** The text filled up with spaces, behind it or before it, to a width. */
+  std::string
+  left_aligned(const std::string &text, std::size_t width);
+  std::string
+  right_aligned(const std::string &text, std::size_t width);
+
+  /**
+   * Breaks every line longer than `width` between words; what follows a break
+   * is indented as its line was, and by `hanging_indentation` more. Lines that
+   * fit stay as they are, and so do words longer than a line.
+   */
+  std::string
+  wrapped(const std::string &text,
+          std::size_t        width               = 80,
+          std::size_t        hanging_indentation = 2);
+} // namespace RollingContact
+
+#endif

@@ -1,0 +1,68 @@
+#ifndef rolling_contact_distributed_distributed_matrices_h
+#define rolling_contact_distributed_distributed_matrices_h
+
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/la_parallel_vector.h>
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+
+#include <rolling_contact/elasticity/material.h>
+
+#include <vector>
+
+namespace RollingContact
+{
+  /**
+   * What the matrices of a distributed body are assembled from: linear elements
+   * on a mesh by p4est, hanging and clamped nodes constrained. Unlike in
+   * Discretisation all degrees of freedom keep their row; a constrained one has
+   * a diagonal entry only. @p thickness is used in 2D. Units: m.
+   */
+  template <int dim>
+  struct DistributedDiscretisation
+  {
+    const dealii::DoFHandler<dim>           &dofs;
+    const dealii::IndexSet                  &relevant_dofs;
+    const dealii::AffineConstraints<double> &constraints;
+    Material                                 material;
+    double                                   thickness;
+  };
+
+  using DistributedVector = dealii::LinearAlgebra::distributed::Vector<double>;
+
+  /**
+   * K with B-bar, see assemble_stiffness(). Units: N/m.
+   */
+  template <int dim>
+  void
+  assemble_stiffness(const DistributedDiscretisation<dim>   &body,
+                     dealii::TrilinosWrappers::SparseMatrix &K);
+
+  /**
+   * The consistent M. Units: kg.
+   */
+  template <int dim>
+  void
+  assemble_mass(const DistributedDiscretisation<dim>   &body,
+                dealii::TrilinosWrappers::SparseMatrix &M);
+
+  /**
+   * The lumped M, its diagonal; zero at constrained nodes. Units: kg.
+   */
+  template <int dim>
+  DistributedVector
+  lumped_mass(const DistributedDiscretisation<dim> &body);
+
+  /**
+   * Rigid motions of the body, zero at constrained nodes: dim translations,
+   * then the rotation in 2D or three of them in 3D, about @p centre. Lengths
+   * are counted in @p length, so that all are of one size. Units: 1.
+   */
+  template <int dim>
+  std::vector<DistributedVector>
+  rigid_motions(const DistributedDiscretisation<dim> &body,
+                const dealii::Point<dim>             &centre,
+                const double                          length);
+} // namespace RollingContact
+
+#endif

@@ -1,0 +1,163 @@
+#ifndef rolling_contact_dynamics_body_dynamics_h
+#define rolling_contact_dynamics_body_dynamics_h
+
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <rolling_contact/dynamics/body_motion.h>
+#include <rolling_contact/dynamics/theta_stepper.h>
+#include <rolling_contact/linear_algebra/dense_matrix.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace RollingContact
+{
+  /**
+   * Nodal values of a body, hanging and clamped nodes included; of a
+   * distributed body those of this rank and its ghosts.
+   */
+  using BodyField = dealii::LinearAlgebra::distributed::Vector<double>;
+
+  /**
+   * One body in time, by the theta-scheme, with forces on its contact nodes.
+   * A step is begin_step(), the contact solve by the caller, end_step(). Forces
+   * and motions of contact nodes are in the order of ElasticBody::compliance().
+   */
+  class BodyDynamics
+  {
+  public:
+    virtual ~BodyDynamics() = default;
+
+    /**
+     * Another state of the same body, at rest and undeformed; the matrices are
+     * shared.
+     */
+    virtual std::unique_ptr<BodyDynamics>
+    clone_state() const = 0;
+
+    /**
+     * Units: s.
+     */
+    virtual void
+    set_time_step(const double h) = 0;
+
+    /**
+     * h^2 E^T A^-1 E, see ThetaSystem; exact, or an approximation that
+     * response() corrects. On the rank of ElasticBody::compliance(), empty on
+     * others. Units: m/N.
+     */
+    virtual const DenseMatrix &
+    contact_compliance() const = 0;
+
+    /**
+     * h^2 E^T A^-1 E r of the step that has begun. Units: m.
+     */
+    virtual std::vector<double>
+    response(const std::vector<double> &reactions) = 0;
+
+    /**
+     * At rest under a static displacement.
+     */
+    virtual void
+    set_static_state(const BodyField &displacement) = 0;
+
+    /**
+     * Undeformed and flying along z of its own frame. Units: m/s.
+     */
+    virtual void
+    set_flight_velocity(const double velocity) = 0;
+
+    /**
+     * The hub is accelerated along z of its own frame: loads -M e_z a from now
+     * on. Units: m/s^2.
+     */
+    virtual void
+    accelerate_hub(const double acceleration) = 0;
+
+    virtual void
+    begin_step() = 0;
+
+    /**
+     * Take the step with the given reactions on the contact nodes. Units: N.
+     */
+    virtual void
+    end_step(const std::vector<double> &reactions) = 0;
+
+    /**
+     * The state on the contact nodes.
+     */
+    virtual std::vector<double>
+    contact_displacement() const = 0;
+
+    virtual std::vector<double>
+    contact_velocity() const = 0;
+
+    /**
+     * What the step that has begun leads to on the contact nodes without
+     * reactions: u1 and v1.
+     */
+    virtual std::vector<double>
+    free_contact_displacement() const = 0;
+
+    virtual std::vector<double>
+    free_contact_velocity() const = 0;
+
+    /**
+     * Kinetic and strain energy are those of the state, the rest those of the
+     * last step.
+     */
+    virtual const StepEnergy &
+    energy() const = 0;
+
+    virtual BodyField
+    displacement() const = 0;
+
+    /**
+     * Keep the state now for go_back(), in place of one kept before.
+     */
+    virtual void
+    remember() = 0;
+
+    virtual void
+    go_back() = 0;
+
+    /**
+     * The state, the same from any number of ranks; of a distributed body on
+     * the first rank, empty on others.
+     */
+    virtual BodyMotion
+    save() const = 0;
+
+    /**
+     * Throws InputError if it is a state of another mesh.
+     */
+    virtual void
+    restore(const BodyMotion &motion) = 0;
+
+    /**
+     * Bytes.
+     */
+    struct Memory
+    {
+      std::size_t matrices = 0; ///< K and M
+      std::size_t solver   = 0; ///< factor or preconditioner
+      std::size_t columns  = 0; ///< Y
+    };
+
+    virtual Memory
+    memory_consumption() const = 0;
+
+    /**
+     * What the steps so far took, for the log; empty if there is nothing to
+     * tell.
+     */
+    virtual std::string
+    description() const
+    {
+      return "";
+    }
+  };
+} // namespace RollingContact
+
+#endif

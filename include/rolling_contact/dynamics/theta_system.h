@@ -1,0 +1,119 @@
+#ifndef rolling_contact_dynamics_theta_system_h
+#define rolling_contact_dynamics_theta_system_h
+
+#include <rolling_contact/dynamics/theta_scheme.h>
+#include <rolling_contact/linear_algebra/factorisation.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace RollingContact
+{
+  /**
+   * The matrices of one body in time, shared by all states of it (two for
+   * mirror-identical bodies): K, M and, for a time step h, the factor of
+   *   A = M + theta h C + theta^2 h^2 K,
+   * its condensed columns Y = L^-1 E for the contact unknowns, and h^2 Y^T Y.
+   */
+  class ThetaSystem
+  {
+  public:
+    /**
+     * Order, analyse; nothing is factorised before set_time_step(). K and M
+     * have the same size, M may be diagonal (lumped). Units: N/m, kg.
+     */
+    ThetaSystem(const ThetaScheme               &scheme,
+                SymmetricSparseMatrix            stiffness,
+                SymmetricSparseMatrix            mass,
+                const std::vector<unsigned int> &node_of_unknown,
+                std::vector<std::size_t>         contact_unknowns);
+
+    /**
+     * Factorise A and condense, if @p h is not the current step. Throws
+     * InputError unless h > 0, ConvergenceError when A is not positive
+     * definite. Units: s.
+     */
+    void
+    set_time_step(const double h);
+
+    /**
+     * 0 before set_time_step().
+     */
+    double
+    time_step() const
+    {
+      return h;
+    }
+
+    /**
+     * h^2 E^T A^-1 E: the change of the shifted displacement
+     * u1 + h (1 - theta) v1 = u0 + h (1 - theta) v0 + h v1 of the contact
+     * unknowns for unit reactions. Those of v_th, v1 and u1 are theta/h, 1/h
+     * and theta times it. Units: m/N.
+     */
+    const DenseMatrix &
+    contact_compliance() const
+    {
+      return compliance;
+    }
+
+    /**
+     * Y.
+     */
+    const CondensedColumns &
+    columns() const
+    {
+      return Y;
+    }
+
+    const Factorisation &
+    factorisation() const
+    {
+      return factor;
+    }
+
+    const ThetaScheme &
+    scheme() const
+    {
+      return parameters;
+    }
+
+    const SymmetricSparseMatrix &
+    stiffness() const
+    {
+      return K;
+    }
+
+    const SymmetricSparseMatrix &
+    mass() const
+    {
+      return M;
+    }
+
+    const std::vector<std::size_t> &
+    contact_unknowns() const
+    {
+      return contact;
+    }
+
+    /**
+     * Bytes of the factor, Y, the compliance, K and M.
+     */
+    std::size_t
+    memory_consumption() const;
+
+  private:
+    SymmetricSparseMatrix
+    step_matrix(const double h) const;
+
+    ThetaScheme              parameters;
+    SymmetricSparseMatrix    K, M;
+    std::vector<std::size_t> contact;
+    Factorisation            factor;
+    double                   h = 0.;
+    CondensedColumns         Y;
+    DenseMatrix              compliance;
+  };
+} // namespace RollingContact
+
+#endif

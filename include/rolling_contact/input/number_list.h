@@ -1,0 +1,23 @@
+#ifndef rolling_contact_input_number_list_h
+#define rolling_contact_input_number_list_h
+
+#include <string>
+#include <vector>
+
+namespace RollingContact
+{
+  /**
+   * How a list of numbers is written, for the help of an entry.
+   */
+  extern const char *const number_list_form;
+
+  /**
+   * Numbers separated by commas, or "first : last : number of points", which
+   * begins and ends with exactly these. Throws InputError, naming the @p entry
+   * with its section, if it is neither.
+   */
+  std::vector<double>
+  number_list(const std::string &entry, const std::string &text);
+} // namespace RollingContact
+
+#endif

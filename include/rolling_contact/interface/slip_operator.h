@@ -1,0 +1,92 @@
+#ifndef rolling_contact_interface_slip_operator_h
+#define rolling_contact_interface_slip_operator_h
+
+#include <rolling_contact/interface/operators.h>
+
+namespace RollingContact
+{
+  /**
+   * B1 on a trace: its rows far from any edge of the contact, and the lines of
+   * nodes along the flow that the edge law works on (see edge_law.h). Does not
+   * depend on the state.
+   */
+  class SlipOperator
+  {
+  public:
+    SlipOperator() = default;
+
+    SlipOperator(const Trace           &trace,
+                 const SlipOperatorKind kind,
+                 const ContactMatrices  matrices,
+                 const int              flow);
+
+    const SparseRows &
+    rows() const
+    {
+      return base_rows;
+    }
+
+    /**
+     * True if the rows at the edges of the contact follow the edge law.
+     */
+    bool
+    has_edge_law() const
+    {
+      return kind == SlipOperatorKind::calibrated;
+    }
+
+    /**
+     * Direction of the material flow along x, +1 or -1.
+     */
+    int
+    flow_direction() const
+    {
+      return flow;
+    }
+
+    /**
+     * True for nodes whose upstream points lie on the trace.
+     */
+    const std::vector<bool> &
+    defined() const
+    {
+      return upstream_defined;
+    }
+
+    /**
+     * Weights of the nodes in the value one element upstream of each node, and
+     * two; empty off the trace.
+     */
+    const SparseRows &
+    one_upstream() const
+    {
+      return near_rows;
+    }
+
+    const SparseRows &
+    two_upstream() const
+    {
+      return far_rows;
+    }
+
+    /**
+     * Nodes of the same y, each line in the order of the flow. A line ends
+     * where the next point downstream is no node, as at the border of a refined
+     * part; another may begin behind it.
+     */
+    const std::vector<std::vector<unsigned int>> &
+    lines() const
+    {
+      return flow_lines;
+    }
+
+  private:
+    SlipOperatorKind                       kind = SlipOperatorKind::upwind_2;
+    int                                    flow = 1;
+    SparseRows                             base_rows, near_rows, far_rows;
+    std::vector<bool>                      upstream_defined;
+    std::vector<std::vector<unsigned int>> flow_lines;
+  };
+} // namespace RollingContact
+
+#endif

@@ -1,0 +1,118 @@
+#ifndef rolling_contact_linear_algebra_blas_h
+#define rolling_contact_linear_algebra_blas_h
+
+/**
+ * The Fortran BLAS and LAPACK routines in use, with 32-bit integers.
+ */
+extern "C" {
+void
+dgemv_(const char   *trans,
+       const int    *m,
+       const int    *n,
+       const double *alpha,
+       const double *a,
+       const int    *lda,
+       const double *x,
+       const int    *incx,
+       const double *beta,
+       double       *y,
+       const int    *incy);
+
+void
+dgemm_(const char   *transa,
+       const char   *transb,
+       const int    *m,
+       const int    *n,
+       const int    *k,
+       const double *alpha,
+       const double *a,
+       const int    *lda,
+       const double *b,
+       const int    *ldb,
+       const double *beta,
+       double       *c,
+       const int    *ldc);
+
+void
+dtrsm_(const char   *side,
+       const char   *uplo,
+       const char   *transa,
+       const char   *diag,
+       const int    *m,
+       const int    *n,
+       const double *alpha,
+       const double *a,
+       const int    *lda,
+       double       *b,
+       const int    *ldb);
+
+void
+dsyrk_(const char   *uplo,
+       const char   *trans,
+       const int    *n,
+       const int    *k,
+       const double *alpha,
+       const double *a,
+       const int    *lda,
+       const double *beta,
+       double       *c,
+       const int    *ldc);
+
+void
+dposv_(const char *uplo,
+       const int  *n,
+       const int  *nrhs,
+       double     *a,
+       const int  *lda,
+       double     *b,
+       const int  *ldb,
+       int        *info);
+
+void
+dgesv_(const int *n,
+       const int *nrhs,
+       double    *a,
+       const int *lda,
+       int       *ipiv,
+       double    *b,
+       const int *ldb,
+       int       *info);
+
+void
+dgels_(const char *trans,
+       const int  *m,
+       const int  *n,
+       const int  *nrhs,
+       double     *a,
+       const int  *lda,
+       double     *b,
+       const int  *ldb,
+       double     *work,
+       const int  *lwork,
+       int        *info);
+
+void
+dsyevr_(const char   *jobz,
+        const char   *range,
+        const char   *uplo,
+        const int    *n,
+        double       *a,
+        const int    *lda,
+        const double *vl,
+        const double *vu,
+        const int    *il,
+        const int    *iu,
+        const double *abstol,
+        int          *m,
+        double       *w,
+        double       *z,
+        const int    *ldz,
+        int          *isuppz,
+        double       *work,
+        const int    *lwork,
+        int          *iwork,
+        const int    *liwork,
+        int          *info);
+}
+
+#endif

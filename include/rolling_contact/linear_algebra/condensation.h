@@ -1,0 +1,64 @@
+#ifndef rolling_contact_linear_algebra_condensation_h
+#define rolling_contact_linear_algebra_condensation_h
+
+#include <rolling_contact/linear_algebra/dense_matrix.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+struct cholmod_factor_struct;
+
+namespace RollingContact
+{
+  /**
+   * Y = L^-1 E for the unit columns E of the contact unknowns, kept as one
+   * dense block for each supernode on the elimination-tree paths of these
+   * columns. Columns are sorted by elimination order, so that the columns alive
+   * in a supernode, those of its subtree, are the contiguous range
+   * [first_column, first_column + n_columns).
+   */
+  struct CondensedColumns
+  {
+    struct Block
+    {
+      std::int64_t        first_row    = 0;
+      std::int64_t        n_rows       = 0;
+      std::int64_t        first_column = 0;
+      std::int64_t        n_columns    = 0;
+      std::vector<double> values;
+    };
+
+    std::vector<Block>        blocks;
+    std::vector<std::int64_t> column_order;
+
+    /**
+     * z += scale Y r, z in elimination order.
+     */
+    void
+    add_product(const double               scale,
+                const std::vector<double> &r,
+                std::vector<double>       &z) const;
+
+    /**
+     * Y^T z, z in elimination order.
+     */
+    std::vector<double>
+    transposed_product(const std::vector<double> &z) const;
+
+    std::size_t
+    memory_consumption() const;
+  };
+
+  /**
+   * W = E^T K^-1 E = Y^T Y from CHOLMOD's supernodal factor of K, for the given
+   * unknowns in their order; see Factorisation::condense(). Supernode by
+   * supernode on the elimination paths, with BLAS-3.
+   */
+  DenseMatrix
+  condensed_compliance(const cholmod_factor_struct    &L,
+                       const std::vector<std::size_t> &unknowns,
+                       CondensedColumns               *columns);
+} // namespace RollingContact
+
+#endif

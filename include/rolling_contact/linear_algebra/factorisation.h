@@ -1,0 +1,124 @@
+#ifndef rolling_contact_linear_algebra_factorisation_h
+#define rolling_contact_linear_algebra_factorisation_h
+
+#include <rolling_contact/linear_algebra/condensation.h>
+#include <rolling_contact/linear_algebra/symmetric_sparse_matrix.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace RollingContact
+{
+  /**
+   * K = P^T L L^T P by CHOLMOD's supernodal factorisation, ordered by METIS on
+   * the graph of the nodes. Owns L. Serves K of the quasi-static and
+   * M + theta dt C + theta^2 dt^2 K of the dynamic problem alike.
+   */
+  class Factorisation
+  {
+  public:
+    /**
+     * What the symbolic analysis knows before any number is computed.
+     */
+    struct Size
+    {
+      std::size_t n_unknowns     = 0;
+      std::size_t n_entries      = 0; ///< of L, as stored in supernodes
+      double      n_operations   = 0;
+      double      analysis_s     = 0;
+      double      factor_s       = 0;
+      double      condensation_s = 0;
+
+      std::size_t
+      memory_consumption() const
+      {
+        return n_entries * sizeof(double);
+      }
+    };
+
+    /**
+     * What all factorisations of this process did so far.
+     */
+    struct Work
+    {
+      std::uint64_t n_factorisations    = 0;
+      std::uint64_t n_condensed_columns = 0;
+      std::uint64_t n_solves            = 0; ///< calls of solve()
+    };
+
+    static Work
+    work_done();
+
+    /**
+     * Order and analyse. @p node_of_unknown groups the unknowns of one mesh
+     * node; unknowns of a node must be consecutive.
+     */
+    Factorisation(SymmetricSparseMatrix            matrix,
+                  const std::vector<unsigned int> &node_of_unknown);
+
+    ~Factorisation();
+
+    Factorisation(Factorisation &&) noexcept;
+
+    /**
+     * Compute L and release the matrix. Throws ConvergenceError when the matrix
+     * is not positive definite, MemoryError when L needs more than 70 % of the
+     * free memory.
+     */
+    void
+    factorise();
+
+    /**
+     * The same for another matrix with the pattern of the first: the order and
+     * the analysis are kept.
+     */
+    void
+    factorise(SymmetricSparseMatrix matrix);
+
+    /**
+     * K^-1 b: one forward and one backward solve.
+     */
+    std::vector<double>
+    solve(const std::vector<double> &right_hand_side) const;
+
+    /**
+     * z = L^-1 P b, in elimination order. Allocates nothing when @p z has its
+     * size. One half-solve at a time: they share a workspace.
+     */
+    void
+    solve_forward(const std::vector<double> &b, std::vector<double> &z) const;
+
+    /**
+     * x = P^T L^-T z, overwriting @p z.
+     */
+    void
+    solve_backward(std::vector<double> &z, std::vector<double> &x) const;
+
+    /**
+     * W = E^T K^-1 E = Y^T Y for the given unknowns, in their order. Y is
+     * computed supernode by supernode with BLAS-3; kept in @p columns if that
+     * is given, released on the way otherwise.
+     */
+    DenseMatrix
+    condense(const std::vector<std::size_t> &unknowns,
+             CondensedColumns               *columns = nullptr) const;
+
+    /**
+     * Free L for good, when nothing is to be solved any more; its size stays
+     * known.
+     */
+    void
+    release();
+
+    const Size &
+    size() const;
+
+  private:
+    struct Implementation;
+    std::unique_ptr<Implementation> implementation;
+  };
+} // namespace RollingContact
+
+#endif

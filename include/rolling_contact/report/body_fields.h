@@ -1,0 +1,41 @@
+#ifndef rolling_contact_report_body_fields_h
+#define rolling_contact_report_body_fields_h
+
+#include <rolling_contact/elasticity/elastic_body.h>
+#include <rolling_contact/run/run_folder.h>
+
+#include <string>
+
+namespace RollingContact
+{
+  /**
+   * From a body's own frame to the output: mirrored in z or not, then displaced
+   * rigidly by shift_z, which the displacement shows and the mesh does not.
+   * Units: m.
+   */
+  struct BodyPlacement
+  {
+    bool   mirrored = false;
+    double shift_z  = 0.;
+  };
+
+  /**
+   * Writes name.vtu, of a distributed body name.pvtu and a piece of each rank,
+   * with the displacement and, constant in each cell, the stress of its mean
+   * strain and the von Mises stress. @p displacement is that of
+   * ElasticBody::recover(). Collective: @p rank has the body if it is on one
+   * rank alone, on others @p body is nullptr; errors are thrown on all. Returns
+   * the name of the file. Units: m, Pa. Throws InputError if a file cannot be
+   * written.
+   */
+  template <int dim>
+  std::string
+  write_body_fields(const ElasticBody<dim> *body,
+                    const unsigned int      rank,
+                    const BodyField        &displacement,
+                    const BodyPlacement    &placement,
+                    RunFolder              &folder,
+                    const std::string      &name);
+} // namespace RollingContact
+
+#endif

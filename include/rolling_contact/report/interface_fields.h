@@ -1,0 +1,34 @@
+#ifndef rolling_contact_report_interface_fields_h
+#define rolling_contact_report_interface_fields_h
+
+#include <rolling_contact/contact/contact_problem.h>
+#include <rolling_contact/interface/trace.h>
+#include <rolling_contact/run/run_folder.h>
+
+#include <functional>
+#include <string>
+
+namespace RollingContact
+{
+  /**
+   * Writes a VTU of the contact surface at z = @p surface_height(x, y):
+   * traction and slip of the wheel, their sizes and bounds, pressure, gap,
+   * nodal area and NodeState; zero traction and slip without friction; where it
+   * falls the friction coefficient and the sliding speed. Slip, gap and sliding
+   * speed are NaN unless @p step_is_known: they need what a step in time does
+   * without reactions. Units: Pa, m, m^2, m/s. Throws InputError if the file
+   * cannot be written. Collective: the root writes.
+   */
+  template <int dim>
+  void
+  write_interface_fields(
+    const Trace                                 &trace,
+    const ContactProblem                        &problem,
+    const ContactState                          &state,
+    const bool                                   step_is_known,
+    const std::function<double(double, double)> &surface_height,
+    RunFolder                                   &folder,
+    const std::string                           &file_name);
+} // namespace RollingContact
+
+#endif

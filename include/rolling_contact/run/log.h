@@ -1,0 +1,56 @@
+#ifndef rolling_contact_run_log_h
+#define rolling_contact_run_log_h
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace RollingContact
+{
+  enum class Verbosity
+  {
+    quiet,
+    normal,
+    verbose
+  };
+
+  /**
+   * What the program says while it runs, wrapped at 80 columns. Warnings and
+   * errors are said at every verbosity; warnings are also kept, for run.json.
+   * Does not own its streams.
+   */
+  class Log
+  {
+  public:
+    /** Writes to std::cout, warnings and errors to std::cerr; on other ranks
+     * than the root nowhere. */
+    explicit Log(Verbosity verbosity);
+
+    Log(Verbosity verbosity, std::ostream &out, std::ostream &errors);
+
+    /** Said unless quiet. */
+    void
+    message(const std::string &text);
+
+    /** Said only when verbose. */
+    void
+    detail(const std::string &text);
+
+    void
+    warning(const std::string &text);
+
+    void
+    error(const std::string &text);
+
+    const std::vector<std::string> &
+    warnings() const;
+
+  private:
+    const Verbosity          verbosity;
+    std::ostream            &out;
+    std::ostream            &errors;
+    std::vector<std::string> kept_warnings;
+  };
+} // namespace RollingContact
+
+#endif

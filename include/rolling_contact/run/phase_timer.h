@@ -1,0 +1,81 @@
+#ifndef rolling_contact_run_phase_timer_h
+#define rolling_contact_run_phase_timer_h
+
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace RollingContact
+{
+  /**
+   * Wall and CPU seconds per named phase, from the construction of the timer
+   * on. At any instant exactly one phase is charged, the innermost open one or
+   * "other", so the rows sum to the run. The CPU time is that of the process:
+   * threads count. Scopes opened in another thread than the one that made the
+   * timer count nothing; their time stays with the phase open in that thread.
+   */
+  class PhaseTimer
+  {
+  public:
+    struct Row
+    {
+      std::string  name;
+      unsigned int n_calls;
+      double       wall_seconds;
+      double       cpu_seconds;
+    };
+
+    /** Charges a phase while it lives. Scopes close in reverse order. */
+    class Scope
+    {
+    public:
+      Scope(PhaseTimer &timer, const std::string &phase);
+      ~Scope();
+
+      Scope(const Scope &) = delete;
+      Scope &
+      operator=(const Scope &) = delete;
+
+    private:
+      PhaseTimer *timer;
+    };
+
+    PhaseTimer();
+
+    /** The phases in the order of first use, then "other"; open ones count up
+     * to now. */
+    std::vector<Row>
+    rows() const;
+
+    static Row
+    total(const std::vector<Row> &rows);
+
+    /** The rows, their total and shares as a table of 80 columns. */
+    std::string
+    summary() const;
+
+  private:
+    struct Instant
+    {
+      double wall;
+      double cpu;
+    };
+
+    static Instant
+    now();
+    static void
+    charge(Row &row, const Instant &begin, const Instant &end);
+
+    void
+    enter(const std::string &phase);
+    void
+    leave();
+
+    const std::thread::id    owner;
+    Instant                  last_change;
+    std::vector<Row>         phases;
+    std::vector<std::size_t> open_phases;
+  };
+} // namespace RollingContact
+
+#endif

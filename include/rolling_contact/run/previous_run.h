@@ -1,0 +1,34 @@
+#ifndef rolling_contact_run_previous_run_h
+#define rolling_contact_run_previous_run_h
+
+#include <filesystem>
+#include <set>
+#include <string>
+
+namespace RollingContact
+{
+  /** The mark of a folder this program made, see RunFolder. */
+  inline const std::string record_name  = "run.json";
+  inline const std::string program_name = "rolling-contact";
+
+  /** Letters, digits, '.', '_', '-', no leading '.'. */
+  bool
+  is_plain_name(const std::string &name);
+
+  /** What run.json tells about the run that left it. */
+  struct PreviousRun
+  {
+    bool                  made_by_this_program = false;
+    std::set<std::string> files; ///< plain names only
+  };
+
+  PreviousRun
+  read_old_run(const std::filesystem::path &folder);
+
+  /** Whether a first run died before it could leave its mark, or nothing was
+   * ever there. */
+  bool
+  is_empty_folder(const std::filesystem::path &folder);
+} // namespace RollingContact
+
+#endif

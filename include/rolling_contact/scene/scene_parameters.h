@@ -1,0 +1,97 @@
+#ifndef rolling_contact_scene_scene_parameters_h
+#define rolling_contact_scene_scene_parameters_h
+
+#include <rolling_contact/scene/body_parameters.h>
+#include <rolling_contact/scene/contact_parameters.h>
+#include <rolling_contact/scene/creep_curve_parameters.h>
+#include <rolling_contact/scene/load_curve_parameters.h>
+#include <rolling_contact/scene/mesh_parameters.h>
+#include <rolling_contact/scene/output_parameters.h>
+#include <rolling_contact/scene/solver_parameters.h>
+#include <rolling_contact/scene/study_parameters.h>
+#include <rolling_contact/scene/time_parameters.h>
+
+#include <filesystem>
+
+namespace RollingContact
+{
+  /**
+   * A scene: the whole .prm file.
+   */
+  struct SceneParameters : public dealii::ParameterAcceptor
+  {
+    SceneParameters();
+
+    /**
+     * Rules within and across sections. Throws InputError.
+     */
+    void
+    check() const;
+
+    /**
+     * Read the mesh files of the bodies. Throws InputError.
+     */
+    void
+    read_meshes();
+
+    /**
+     * Thickness in 2D of the bodies that are not rigid. Units: m.
+     */
+    double
+    thickness() const
+    {
+      return wheel.rigid ? rail.thickness : wheel.thickness;
+    }
+
+    /**
+     * Whether section Time is in use.
+     */
+    bool
+    is_transient() const
+    {
+      return analysis == "transient" ||
+             (analysis == "accuracy study" && study.varies_time_step());
+    }
+
+    void
+    check_pair() const;
+
+    void
+    check_profiles() const;
+
+    void
+    check_body_solver() const;
+
+    void
+    check_study() const;
+
+    void
+    check_hubs() const;
+
+    void
+    check_speed() const;
+
+    void
+    check_mesh_files() const;
+
+    unsigned int dimension    = 2;
+    std::string  analysis     = "quasi-static";
+    std::string  body_solver  = "automatic";
+    unsigned int body_threads = 2;
+    /** Of the .prm file: where the files it names are. */
+    std::filesystem::path prm_folder;
+
+    BodyParameters       wheel;
+    BodyParameters       rail;
+    ContactParameters    contact;
+    SolverParameters     solver;
+    MeshParameters       mesh;
+    CreepCurveParameters creep_curve;
+    LoadCurveParameters  load_curve;
+    StudyParameters      study;
+    TimeParameters       time;
+    OutputParameters     output;
+  };
+} // namespace RollingContact
+
+#endif

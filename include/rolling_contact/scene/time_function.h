@@ -1,0 +1,76 @@
+#ifndef rolling_contact_scene_time_function_h
+#define rolling_contact_scene_time_function_h
+
+#include <deal.II/base/function_parser.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace RollingContact
+{
+  /**
+   * A quantity given as a function of time in the .prm file:
+   * - a number;
+   * - an expression in t (s) for muParser, with pi and deal.II's functions
+   *   (sin, exp, sqrt, min, if, ...) except the random ones;
+   * - `FILE.csv` or `table: FILE column`: a text file with the time (s) in the
+   *   first column, rising, and the value in the column of that number (the
+   *   time is 1) or name, by default the second. Linear in between, constant
+   *   beyond the ends. Columns are separated by commas, semicolons or blanks;
+   *   a first line that does not start with a number holds the names; lines
+   *   starting with # do not count.
+   */
+  class TimeFunction
+  {
+  public:
+    explicit TimeFunction(const double constant);
+
+    /**
+     * What the user wrote for an entry (Section/Entry, for messages). Files
+     * are relative to a folder. Throws InputError naming the entry, its text
+     * and what is allowed.
+     */
+    TimeFunction(const std::string           &entry,
+                 const std::string           &text,
+                 const std::filesystem::path &folder);
+
+    /**
+     * Throws InputError, naming the entry and the time, if it is not finite.
+     * Units: s.
+     */
+    double
+    value(const double time) const;
+
+    bool
+    is_constant() const;
+
+    bool
+    is_table() const
+    {
+      return points.size() > 1;
+    }
+
+    /**
+     * Differs if the table differs: its size, ends and CRC-32.
+     */
+    std::string
+    table_fingerprint() const;
+
+  private:
+    void
+    read_expression();
+    void
+    read_table(std::filesystem::path file, const std::string &column);
+
+    std::string entry, text;
+    /** Time and value; a single one for a number. Empty for an expression. */
+    std::vector<std::pair<double, double>>     points;
+    std::shared_ptr<dealii::FunctionParser<1>> expression;
+    bool                                       depends_on_time = false;
+  };
+} // namespace RollingContact
+
+#endif

@@ -1,0 +1,127 @@
+#ifndef rolling_contact_scene_time_parameters_h
+#define rolling_contact_scene_time_parameters_h
+
+#include <deal.II/base/parameter_acceptor.h>
+
+#include <rolling_contact/input/prm_entries.h>
+#include <rolling_contact/scene/contact_parameters.h>
+#include <rolling_contact/scene/time_function.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <string>
+
+namespace RollingContact
+{
+  /**
+   * What drives a transient run: the histories of section Time, and the
+   * constants of section Contact where those are empty. Either the load or the
+   * approach is given.
+   */
+  struct DrivingFunctions
+  {
+    std::optional<TimeFunction> normal_load; ///< N
+    std::optional<TimeFunction> approach;    ///< m
+    TimeFunction                creepage_x;
+    TimeFunction                creepage_y;
+    TimeFunction                spin;  ///< 1/m
+    TimeFunction                speed; ///< m/s
+    /** Fingerprints of the table files, as "Time/Entry (table)". */
+    PrmEntries tables;
+  };
+
+  /**
+   * Steps of equal length; the last one reaches the end or passes it.
+   */
+  struct TimeSteps
+  {
+    double        length = 0.; ///< s
+    std::uint64_t number = 0;
+  };
+
+  /**
+   * Section `Time`: transient analysis.
+   */
+  struct TimeParameters : public dealii::ParameterAcceptor
+  {
+    TimeParameters();
+
+    /**
+     * Rules across entries, for Analysis = transient; table files are relative
+     * to the folder of the .prm file. The histories are tried at up to 1000
+     * times. Throws InputError.
+     */
+    void
+    check(const ContactParameters     &contact,
+          const unsigned int           dimension,
+          const std::filesystem::path &prm_folder) const;
+
+    /**
+     * Throws InputError.
+     */
+    DrivingFunctions
+    histories(const ContactParameters     &contact,
+              const std::filesystem::path &prm_folder) const;
+
+    /**
+     * Throws InputError if a length is given and the speed is not constant.
+     */
+    TimeSteps
+    steps(const TimeFunction &speed) const;
+
+    /**
+     * Part of critical damping that theta brings at `Damping frequency`, zeta =
+     * (theta - 1/2) omega dt. Units: s, 1.
+     */
+    double
+    numerical_damping(const double time_step) const;
+
+    /**
+     * Entries that may differ when a run is resumed, see RunFolder.
+     */
+    static std::set<std::string>
+    free_on_resume();
+
+    double       end_time            = 0.;
+    double       rolled_distance     = 0.;
+    double       time_step           = 0.;
+    double       step_length         = 0.;
+    double       theta               = 0.5;
+    bool         inertia             = true;
+    std::string  initial_state       = "rest";
+    std::string  mass                = "lumped";
+    double       rayleigh_alpha      = 0.;
+    double       rayleigh_beta       = 0.;
+    std::string  contact_law         = "shifted";
+    double       initial_velocity    = 0.;
+    std::string  approach            = "";
+    std::string  normal_load         = "";
+    std::string  creepage_x          = "";
+    std::string  creepage_y          = "";
+    std::string  spin                = "";
+    std::string  speed               = "";
+    unsigned int field_interval      = 0;
+    unsigned int checkpoint_interval = 0;
+    double       checkpoint_seconds  = 60.;
+    unsigned int maximum_halvings    = 6;
+    double       damping_frequency   = 0.;
+
+  private:
+    void
+    declare_steps();
+    void
+    declare_scheme();
+    void
+    declare_histories();
+    void
+    declare_output();
+
+    void
+    check_entries(const ContactParameters &contact,
+                  const unsigned int       dimension) const;
+  };
+} // namespace RollingContact
+
+#endif

@@ -1,0 +1,69 @@
+#ifndef rolling_contact_state_checkpoint_h
+#define rolling_contact_state_checkpoint_h
+
+#include <rolling_contact/contact/contact_problem.h>
+#include <rolling_contact/dynamics/body_motion.h>
+#include <rolling_contact/input/prm_entries.h>
+#include <rolling_contact/run/history_table.h>
+#include <rolling_contact/run/pvd.h>
+#include <rolling_contact/run/run_folder.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace RollingContact
+{
+  inline const std::string checkpoint_name = "checkpoint.bin";
+  inline const std::string history_name    = "history.csv";
+
+  /**
+   * All that a transient run needs to continue with the same numbers, bit by
+   * bit, after the step it was taken. Meshes and factors are made again.
+   */
+  struct Checkpoint
+  {
+    /** Fingerprints of the files the scene names, to be compared with
+     * refuse_changed_entries(); RunFolder compares the scene itself. */
+    PrmEntries tables;
+
+    std::uint64_t step            = 0;  ///< steps done
+    double        time            = 0.; ///< s
+    double        rolled_distance = 0.; ///< m
+    double        time_step       = 0.; ///< of the next step; s
+
+    BodyMotion          wheel, rail; ///< twins share a mesh, not a motion
+    std::vector<double> pressure, traction;
+    double              approach = 0.;       ///< m
+    std::vector<EdgeExtrapolation> edges;    ///< see edge_law.h
+    std::vector<double>            friction; ///< mu of the nodes, if it falls
+
+    double        supplied_energy  = 0.; ///< since the start; J
+    double        friction_energy  = 0.; ///< dissipated since the start; J
+    double        damping_energy   = 0.; ///< dissipated since the start; J
+    double        numerical_energy = 0.; ///< dissipated by theta; J
+    double        energy_error     = 0.; ///< sum of the balance; J
+    std::uint64_t n_impacts        = 0;
+
+    HistoryTable::Position history;
+    std::vector<PvdBlock>  body_fields;      ///< of bodies.pvd so far
+    std::vector<PvdBlock>  interface_fields; ///< of interface.pvd so far
+  };
+
+  /**
+   * Replaces checkpoint.bin in one step that survives a loss of power. Flush
+   * the history before. Throws InputError if the disk is full. Collective: the
+   * root writes.
+   */
+  void
+  write_checkpoint(const Checkpoint &checkpoint, RunFolder &folder);
+
+  /**
+   * Throws InputError naming the file if it is missing, truncated, damaged or
+   * of another version. Collective: the root reads, all get it.
+   */
+  Checkpoint
+  read_checkpoint(const RunFolder &folder);
+} // namespace RollingContact
+
+#endif

@@ -1,0 +1,141 @@
+#ifndef rolling_contact_state_contact_stepper_h
+#define rolling_contact_state_contact_stepper_h
+
+#include <rolling_contact/contact/uniqueness.h>
+#include <rolling_contact/pair/pair_integrator.h>
+#include <rolling_contact/state/steady_state.h>
+
+#include <memory>
+
+namespace RollingContact
+{
+  /**
+   * What a time step did. Energies are those of StepEnergy, summed over parts
+   * if the step was halved; friction is what sliding turned into heat. Units:
+   * J, m/s.
+   */
+  struct StepOutcome
+  {
+    SolverReport solver;
+    StepEnergy   energy;
+    double       friction   = 0.;
+    double       speed      = 0.;
+    unsigned int n_impacts  = 0; ///< nodes that closed
+    unsigned int n_sticking = 0;
+    unsigned int n_parts    = 0; ///< 1 unless halved
+    Uniqueness   several;        ///< the worst of the parts
+  };
+
+  /**
+   * Wheel and rail in time: the motion of the bodies, the contact laws of
+   * eq. (12) of Lai et al. 2017 at the end of each step, and the histories that
+   * drive them. The gap is that of the shifted configuration or the gap plus
+   * step times velocity, see PairIntegrator.
+   */
+  template <int dim>
+  class ContactStepper
+  {
+  public:
+    /**
+     * Mesh, matrices and the initial state. Throws InputError,
+     * ConvergenceError.
+     */
+    ContactStepper(const SceneParameters &scene, RunContext &context);
+
+    /**
+     * Factorise and condense for this step, if it is not the current one.
+     * Units: s.
+     */
+    void
+    set_time_step(const double h);
+
+    /**
+     * Step from @p time by @p h; when the contact solve fails, in 2, 4, ...
+     * parts up to 2^`Time/Maximum halvings`. Throws ConvergenceError, leaving
+     * the last good state, when that fails too, when the patch reaches the
+     * border of the candidate zone, an energy is not a number or friction
+     * creates energy. Units: s.
+     */
+    StepOutcome
+    advance(const double time, const double h);
+
+    /**
+     * The contact now, with the bodies' pair; forces in `result`.
+     */
+    const SteadyState<dim> &
+    current() const
+    {
+      return contact;
+    }
+
+    const PairIntegrator<dim> &
+    bodies() const
+    {
+      return *motion;
+    }
+
+    const DrivingFunctions &
+    drive() const
+    {
+      return histories;
+    }
+
+    void
+    save(Checkpoint &checkpoint) const;
+
+    /**
+     * The state of a checkpoint, under what drove it.
+     */
+    void
+    restore(const Checkpoint &checkpoint);
+
+  private:
+    void
+    set_drive(const double time, const double h);
+
+    void
+    apply_free_motion(const FreeMotion &free, const double speed);
+
+    double
+    hub_acceleration(const double time, const double h) const;
+
+    /**
+     * One part; false, with the state as before, if the solver fails.
+     */
+    bool
+    take_part(const double time, const double h, StepOutcome &outcome);
+
+    void
+    take_in_parts(const double       time,
+                  const double       h,
+                  const unsigned int n_halvings,
+                  StepOutcome       &outcome);
+
+    StepOutcome
+    take_whole_step(const double time, const double h);
+
+    void
+    restore_state(const Checkpoint &checkpoint);
+
+    void
+    find_resultants();
+
+    void
+    finish_part(const ContactState &previous,
+                const double        h,
+                StepOutcome        &outcome);
+
+    const SceneParameters               &scene;
+    RunContext                          &context;
+    const DrivingFunctions               histories;
+    SteadyState<dim>                     contact;
+    std::unique_ptr<PairIntegrator<dim>> motion;
+    std::unique_ptr<ContactSolver>       solver;
+    std::vector<double>                  undeformed_gap;
+    std::vector<bool>                    border;
+    double                               time_step = 0.;
+    double friction_energy                         = 0.; ///< of all steps, J
+  };
+} // namespace RollingContact
+
+#endif

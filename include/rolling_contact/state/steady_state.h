@@ -1,0 +1,98 @@
+#ifndef rolling_contact_state_steady_state_h
+#define rolling_contact_state_steady_state_h
+
+#include <rolling_contact/contact/resultants.h>
+#include <rolling_contact/pair/patch_estimate.h>
+#include <rolling_contact/pair/rolling_pair.h>
+#include <rolling_contact/run/run_context.h>
+#include <rolling_contact/solvers/contact_solver.h>
+#include <rolling_contact/state/level_history.h>
+
+#include <functional>
+#include <memory>
+
+namespace RollingContact
+{
+  /**
+   * One steady rolling state on the mesh that was made for it.
+   */
+  template <int dim>
+  struct SteadyState
+  {
+    std::unique_ptr<RollingPair<dim>> pair;
+    Grading<dim>                      grading;
+    unsigned int                      elements_across = 0;
+    unsigned int                      level           = 0;
+    SlipOperatorKind slip_operator = SlipOperatorKind::calibrated;
+    double           creepage_x = 0., creepage_y = 0., spin = 0.;
+    ContactProblem   problem;
+    ContactState     state;
+    SolverReport     solver;
+    Resultants       result;
+    bool   restored = false; ///< its step's own gap and slip are not known
+    double wall_s   = 0.;
+    std::optional<double> contact_stiffness; ///< dN/d(approach), N/m
+
+    std::optional<double>     change; ///< from the level before
+    std::optional<LevelLimit> limit;  ///< of the levels up to this
+  };
+
+  /**
+   * Element sizes for a patch of this size; offset in elements.
+   */
+  template <int dim>
+  Grading<dim>
+  make_grading(const SceneParameters &scene,
+               const PatchEstimate   &patch,
+               const unsigned int     elements_across_patch,
+               const double           offset);
+
+  /**
+   * What the solvers start from: contact on the estimated patch, no traction.
+   */
+  ContactState
+  initial_state(const ContactProblem &problem, const PatchEstimate &patch);
+
+  /**
+   * Solve the contact problem of a state with the scene's solver, from where it
+   * is.
+   */
+  template <int dim>
+  void
+  solve_contact(const SceneParameters &scene, SteadyState<dim> &steady);
+
+  /**
+   * Mesh, condense and solve the scene's state on this grading, from the state
+   * that @p start makes for the problem.
+   */
+  template <int dim>
+  SteadyState<dim>
+  solve_on(const SceneParameters                                     &scene,
+           const Grading<dim>                                        &grading,
+           const std::function<ContactState(const ContactProblem &)> &start,
+           RunContext                                                &context);
+
+  /**
+   * True if the patch reaches the border of the candidate zone.
+   */
+  template <int dim>
+  bool
+  zone_too_small(const SteadyState<dim> &steady)
+  {
+    return reaches_border(steady.pair->trace().border_nodes(),
+                          steady.problem,
+                          steady.state.pressure);
+  }
+
+  /**
+   * Mesh, condense and solve. The mesh is made for the Hertz estimate and made
+   * again when the patch turns out to differ much from it or reaches the border
+   * of the candidate zone, and when it is to be aligned with the leading edge.
+   * Throws ConvergenceError if the patch cannot be enclosed.
+   */
+  template <int dim>
+  SteadyState<dim>
+  solve_steady_state(const SceneParameters &scene, RunContext &context);
+} // namespace RollingContact
+
+#endif

@@ -1,0 +1,102 @@
+#ifndef rolling_contact_studies_accuracy_study_h
+#define rolling_contact_studies_accuracy_study_h
+
+#include <rolling_contact/program/analysis.h>
+#include <rolling_contact/studies/study_summary.h>
+
+#include <string>
+#include <vector>
+
+namespace RollingContact
+{
+  /**
+   * Analysis = accuracy study with Vary = mesh: steady states of one scene on
+   * several meshes, at several positions of each under the patch, for several
+   * creepages, slip operators and solvers, against the converged solution of
+   * the same bodies. One row per state in results.csv; tables and plot are left
+   * to StudySummary. A state that is not solved is counted there; only the
+   * reference must converge. The entries of the scene change from state to
+   * state.
+   */
+  template <int dim>
+  class AccuracyStudy : public Analysis
+  {
+  public:
+    AccuracyStudy(SceneParameters &scene, RunContext &context);
+
+    void
+    run() override;
+
+  private:
+    /**
+     * Creepage in the rolling direction, across it and in spin at which the
+     * force saturates. Throws InputError without contact or friction.
+     */
+    References::Creepages
+    saturation() const;
+
+    void
+    list_cases();
+
+    /**
+     * The reference mesh and those it is extrapolated from.
+     */
+    void
+    solve_reference();
+
+    std::vector<std::size_t>
+    methods_on(const std::string &mesh) const;
+
+    /**
+     * Bodies and compliance on the grading of @p steady, its zone enlarged
+     * until it holds the patch without friction.
+     */
+    void
+    set_up_pair(SteadyState<dim> &steady);
+
+    /**
+     * All positions of a uniform or graded mesh; its set-up is made once for
+     * all methods and cases.
+     */
+    void
+    solve_mesh(const std::string              &mesh,
+               const unsigned int              elements,
+               const std::vector<std::size_t> &methods);
+
+    void
+    solve_case(const StudyKey     &key,
+               const StateSeconds &set_up,
+               SteadyState<dim>   &steady);
+
+    /**
+     * All positions of an adaptive mesh, whose levels belong to one state.
+     */
+    void
+    solve_levels(const unsigned int start, const std::size_t method);
+
+    void
+    solve_levels(const StudyKey &key, const double offset);
+
+    void
+    apply_method(const StudyMethod &method);
+
+    void
+    apply_case(const StudyCase &state);
+
+    void
+    keep(const StudyKey         &key,
+         const StateSeconds     &seconds,
+         const SteadyState<dim> &steady);
+
+    SceneParameters           &scene;
+    RunContext                &context;
+    const std::string          contact_matrices; ///< what the scene gave
+    const double               tolerance;
+    const unsigned int         rim_levels;
+    const PatchEstimate        patch;
+    StudyResults               results;
+    std::vector<TractionField> finest; ///< of each case, once it is solved
+  };
+} // namespace RollingContact
+
+#endif

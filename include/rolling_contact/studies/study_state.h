@@ -1,0 +1,117 @@
+#ifndef rolling_contact_studies_study_state_h
+#define rolling_contact_studies_study_state_h
+
+#include <rolling_contact/state/steady_state.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace RollingContact
+{
+  /**
+   * A way to solve a state.
+   */
+  struct StudyMethod
+  {
+    std::string mesh;
+    std::string slip_operator;
+    std::string solver;
+
+    /**
+     * "upwind 2, graded": the operator, and mesh and solver where they are not
+     * those of the standard.
+     */
+    std::string
+    name(const StudyMethod &standard) const;
+  };
+
+  /**
+   * The methods that the scene asks for, ordered by mesh.
+   */
+  std::vector<StudyMethod>
+  study_methods(const StudyParameters &study);
+
+  /**
+   * CPU seconds of a state; the set-up is what it would need alone.
+   */
+  struct StateSeconds
+  {
+    double mesh = 0., factorisation = 0., contact = 0.;
+
+    double
+    total() const
+    {
+      return mesh + factorisation + contact;
+    }
+
+    void
+    add(const double share, const StateSeconds &other)
+    {
+      mesh += share * other.mesh;
+      factorisation += share * other.factorisation;
+      contact += share * other.contact;
+    }
+  };
+
+  /**
+   * What the phases of a timer have taken so far; the phases that are not of
+   * factorisation and contact count as mesh.
+   */
+  StateSeconds
+  state_seconds(const PhaseTimer &timer);
+
+  StateSeconds
+  operator-(const StateSeconds &after, const StateSeconds &before);
+
+  /**
+   * The tractions of the finest mesh, for scenes without a closed form.
+   */
+  struct TractionField
+  {
+    Trace               trace;
+    std::vector<double> traction;
+  };
+
+  /**
+   * What is kept of one state. Forces over mu N; tractions over mu p0,
+   * pressures over p0, with L2 as in Errors2D, in 3D over the area a b.
+   */
+  struct StudySample
+  {
+    bool                  converged = false;
+    double                residual  = 0.;
+    std::array<double, 2> force{};
+    double                load = 0.;  ///< N, or the approach in m if N is given
+    std::optional<double> load_error; ///< relative, against a closed form
+    double                pressure_l2 = 0.;
+    std::optional<double> traction_l2;
+    std::optional<double> sawtooth;
+    std::optional<double> stick_boundary; ///< elements
+    StateSeconds          seconds;
+    std::size_t           n_unknowns      = 0;
+    std::size_t           n_contact_nodes = 0;
+    std::size_t           peak_memory     = 0; ///< of the mesh; 0 if unknown
+  };
+
+  /**
+   * Forces, errors and sizes of a solved state; Hertz and, in 2D, Carter at the
+   * computed load. Tractions are compared with @p finest where Carter does not
+   * hold; nullptr for none.
+   */
+  template <int dim>
+  StudySample
+  study_sample(const SceneParameters  &scene,
+               const SteadyState<dim> &steady,
+               const TractionField    *finest);
+
+  /**
+   * Whether Carter's tractions are those of the scene's bodies.
+   */
+  template <int dim>
+  bool
+  follows_carter(const SceneParameters &scene, const SteadyState<dim> &steady);
+} // namespace RollingContact
+
+#endif

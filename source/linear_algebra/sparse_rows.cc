@@ -1,0 +1,80 @@
+#include <rolling_contact/linear_algebra/sparse_rows.h>
+
+namespace RollingContact
+{
+  void
+  SparseRows::add(const unsigned int i,
+                  const unsigned int j,
+                  const double       value)
+  {
+    for (auto &entry : rows[i])
+      if (entry.first == j)
+        {
+          entry.second += value;
+          return;
+        }
+    rows[i].emplace_back(j, value);
+  }
+
+
+
+  double
+  apply(const SparseRows::Row     &row,
+        const std::vector<double> &x,
+        const std::size_t          offset)
+  {
+    double sum = 0.;
+    for (const auto &entry : row)
+      sum += entry.second * x[offset + entry.first];
+    return sum;
+  }
+
+
+
+  std::vector<double>
+  SparseRows::multiply(const std::vector<double> &x) const
+  {
+    std::vector<double> y(x.size());
+    for (std::size_t offset = 0; offset < x.size(); offset += size())
+      for (unsigned int i = 0; i < size(); ++i)
+        y[offset + i] = apply(rows[i], x, offset);
+    return y;
+  }
+
+
+
+  std::vector<double>
+  SparseRows::multiply_transposed(const std::vector<double> &x) const
+  {
+    std::vector<double> y(x.size(), 0.);
+    for (std::size_t offset = 0; offset < x.size(); offset += size())
+      for (unsigned int i = 0; i < size(); ++i)
+        for (const auto &entry : rows[i])
+          y[offset + entry.first] += entry.second * x[offset + i];
+    return y;
+  }
+
+
+
+  SparseRows
+  SparseRows::transposed() const
+  {
+    SparseRows result(size());
+    for (unsigned int i = 0; i < size(); ++i)
+      for (const auto &entry : rows[i])
+        result.rows[entry.first].emplace_back(i, entry.second);
+    return result;
+  }
+
+
+
+  DenseMatrix
+  SparseRows::dense() const
+  {
+    DenseMatrix result(size(), size());
+    for (unsigned int i = 0; i < size(); ++i)
+      for (const auto &entry : rows[i])
+        result(i, entry.first) += entry.second;
+    return result;
+  }
+} // namespace RollingContact

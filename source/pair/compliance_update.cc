@@ -1,0 +1,228 @@
+#include <rolling_contact/pair/compliance_update.h>
+#include <rolling_contact/parallel/ranks.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace RollingContact
+{
+  namespace
+  {
+    /**
+     * W(first : first + n) on the diagonal, changed so that it takes @p forces
+     * to @p displacement, unless what is left is the @p error of the response.
+     */
+    void
+    correct_block(const std::size_t          first,
+                  const std::vector<double> &forces,
+                  const std::vector<double> &displacement,
+                  const double               error,
+                  DenseMatrix               &W)
+    {
+      const std::size_t   n = forces.size();
+      std::vector<double> d(n, 0.);
+      W.multiply_block(first, first, forces, d);
+      for (std::size_t i = 0; i < n; ++i)
+        d[i] = displacement[i] - d[i];
+      const double size = norm(d), force = norm(forces), work = dot(forces, d);
+      if (force == 0. || size <= error)
+        return;
+      const bool   rank_one = work > 1e-3 * force * size;
+      const double square   = force * force;
+      for (std::size_t j = 0; j < n; ++j)
+        for (std::size_t i = 0; i < n; ++i)
+          W(first + i, first + j) +=
+            rank_one ? d[i] * d[j] / work
+                     : (d[i] * forces[j] + forces[i] * d[j] -
+                        work / square * forces[i] * forces[j]) /
+                         square;
+    }
+  } // namespace
+
+
+
+  void
+  correct_compliance(const std::vector<double> &forces,
+                     const std::vector<double> &displacement,
+                     ContactProblem            &problem)
+  {
+    const double error = 1e-11 * norm(displacement);
+    if (problem.coupled)
+      {
+        correct_block(0, forces, displacement, error, problem.W);
+        return;
+      }
+    const std::size_t first = problem.n_tangential * problem.n_nodes;
+    const auto part = [&](const std::vector<double> &all, const bool normal) {
+      return normal ? std::vector<double>(all.begin() + first, all.end())
+                    : std::vector<double>(all.begin(), all.begin() + first);
+    };
+    for (const bool normal : {false, true})
+      correct_block(normal ? first : 0,
+                    part(forces, normal),
+                    part(displacement, normal),
+                    error,
+                    problem.W);
+  }
+
+
+
+  namespace
+  {
+    /**
+     * Solve on the first rank; state and report on all.
+     */
+    SolverReport
+    solve_on_root(const ContactSolver  &solver,
+                  const ContactProblem &problem,
+                  ContactState         &state)
+    {
+      SolverReport report;
+      Ranks::on_root([&]() { report = solver.solve(problem, state); });
+      if (Ranks::count() == 1)
+        return report;
+      std::vector<double> numbers{double(report.converged),
+                                  double(report.iterations),
+                                  double(report.normal_solves),
+                                  double(report.tangential_solves),
+                                  double(report.passes),
+                                  double(report.friction_rounds),
+                                  report.residual.normal,
+                                  report.residual.tangential,
+                                  state.approach,
+                                  double(state.edge_law)};
+      for (const EdgeExtrapolation &edge : state.edges)
+        numbers.insert(numbers.end(),
+                       {double(edge.first),
+                        edge.second,
+                        edge.third,
+                        edge.rest[0],
+                        edge.rest[1]});
+      Ranks::broadcast(numbers);
+      Ranks::broadcast(state.pressure);
+      Ranks::broadcast(state.traction);
+      Ranks::broadcast(state.friction);
+      Ranks::broadcast(report.solver);
+      Ranks::broadcast(report.reason);
+      auto number              = numbers.begin();
+      report.converged         = *number++ != 0.;
+      report.iterations        = *number++;
+      report.normal_solves     = *number++;
+      report.tangential_solves = *number++;
+      report.passes            = *number++;
+      report.friction_rounds   = *number++;
+      report.residual          = {number[0], number[1]};
+      state.approach           = number[2];
+      state.edge_law           = number[3] != 0.;
+      state.edges.clear();
+      for (number += 4; number != numbers.end(); number += 5)
+        state.edges.push_back({static_cast<unsigned int>(number[0]),
+                               number[1],
+                               number[2],
+                               {{number[3], number[4]}}});
+      return report;
+    }
+
+
+
+    /**
+     * Smooth loads on the patch, p, p x/a and p y/a in each component, a half
+     * its size: the edge law needs W as an operator, not only for the forces of
+     * the state, and an approximate W is wrong in what is smooth.
+     */
+    std::vector<std::vector<double>>
+    smooth_loads(const ContactProblem &problem, const ContactState &state)
+    {
+      const std::size_t n    = problem.n_nodes;
+      double            size = 0.;
+      for (std::size_t i = 0; i < n; ++i)
+        if (state.pressure[i] > 0.)
+          size = std::max({size,
+                           std::abs(problem.positions[i][0]),
+                           std::abs(problem.positions[i][1])});
+      std::vector<std::vector<double>> loads;
+      for (unsigned int c = 0; c <= problem.n_tangential && size > 0.; ++c)
+        for (unsigned int moment = 0; moment <= problem.n_tangential; ++moment)
+          {
+            std::vector<double> field = state.pressure;
+            for (std::size_t i = 0; i < n && moment > 0; ++i)
+              field[i] *= problem.positions[i][moment - 1] / size;
+            const std::vector<double> forces = problem.H.multiply(field);
+            loads.emplace_back((problem.n_tangential + 1) * n, 0.);
+            std::copy(forces.begin(),
+                      forces.end(),
+                      loads.back().begin() + c * n);
+          }
+      return loads;
+    }
+
+
+
+    /**
+     * Correct W by the response to the forces of a state and, the first time
+     * that an edge law is in use, to smooth loads.
+     */
+    void
+    secant_update(const PairResponse &response,
+                  const ContactState &state,
+                  ContactProblem     &problem)
+    {
+      const auto correct = [&](const auto &loads, const bool roughly) {
+        const auto displacements = response(loads, roughly);
+        for (std::size_t k = 0; k < loads.size(); ++k)
+          correct_compliance(loads[k], displacements[k], problem);
+      };
+      if (!problem.smooth_modes_corrected && problem.n_tangential > 0 &&
+          problem.slip_operator.has_edge_law())
+        {
+          correct(smooth_loads(problem, state), true);
+          problem.smooth_modes_corrected = true;
+        }
+      correct(std::vector<std::vector<double>>{nodal_forces(problem, state)},
+              false);
+      problem.update_pressure_compliance();
+    }
+  } // namespace
+
+
+
+  SolverReport
+  solve_updating_compliance(const ContactSolver  &solver,
+                            const PairResponse   &response,
+                            const bool            exact,
+                            const SolverControls &controls,
+                            ContactProblem       &problem,
+                            ContactState         &state)
+  {
+    SolverReport report = solve_on_root(solver, problem, state);
+    if (exact)
+      return report;
+    const unsigned int max_corrections = 40;
+    for (unsigned int correction = 0; report.converged; ++correction)
+      {
+        secant_update(response, state, problem);
+        report.residual =
+          natural_residual(problem, tangential_problem(problem, state), state);
+        report.history.push_back(report.residual);
+        report.corrections = correction;
+        if (report.residual.worst() <= controls.tolerance)
+          break;
+        if (correction == max_corrections)
+          {
+            report.converged = false;
+            report.reason    = "the bodies' response still changes the contact "
+                               "after " +
+                            std::to_string(correction) + " corrections";
+            break;
+          }
+        const SolverReport next = solve_on_root(solver, problem, state);
+        report.add_work(next);
+        report.corrections = correction + 1;
+        report.solver      = next.solver;
+        report.converged   = next.converged;
+        report.reason      = next.reason;
+        report.residual    = next.residual;
+      }
+    return report;
+  }
+} // namespace RollingContact

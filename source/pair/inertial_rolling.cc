@@ -1,0 +1,272 @@
+#include <rolling_contact/pair/pair_integrator.h>
+#include <rolling_contact/pair/parallel_bodies.h>
+
+namespace RollingContact
+{
+  namespace
+  {
+    template <int dim>
+    class InertialRolling : public PairIntegrator<dim>
+    {
+    public:
+      InertialRolling(const SceneParameters  &scene,
+                      const RollingPair<dim> &pair)
+        : pair(pair)
+        , n_threads(pair.n_threads())
+        , theta(scene.time.theta)
+        , shifted(scene.time.contact_law == "shifted")
+      {
+        const ThetaScheme scheme{theta,
+                                 scene.time.rayleigh_alpha,
+                                 scene.time.rayleigh_beta};
+        const MassKind    mass =
+          scene.time.mass == "lumped" ? MassKind::lumped : MassKind::consistent;
+        for_both_bodies(
+          n_threads,
+          [&]() { bodies[0] = pair.in_time(Side::wheel, scheme, mass); },
+          [&]() {
+            if (!pair.twins())
+              bodies[1] = pair.in_time(Side::rail, scheme, mass);
+          });
+        if (pair.twins())
+          bodies[1] = bodies[0]->clone_state();
+        // the initial velocity of a free wheel
+        if (bodies[0])
+          bodies[0]->set_flight_velocity(-scene.time.initial_velocity);
+      }
+
+      void
+      set_time_step(const double step) override
+      {
+        h = step;
+        for_each([&](BodyDynamics &body, Side) { body.set_time_step(h); });
+      }
+
+      bool
+      compliance_depends_on_step() const override
+      {
+        return true;
+      }
+
+      DenseMatrix
+      compliance() const override
+      {
+        const auto of = [&](const std::unique_ptr<BodyDynamics> &body) {
+          return body ? body->contact_compliance() : DenseMatrix();
+        };
+        return pair.combined(of(bodies[0]),
+                             pair.twins() ? DenseMatrix() : of(bodies[1]));
+      }
+
+      double
+      displacement_factor() const override
+      {
+        return theta;
+      }
+
+      FreeMotion
+      begin_step(const double hub_acceleration) override
+      {
+        for_each([&](BodyDynamics &body, const Side side) {
+          if (side == Side::wheel) // towards the rail: along z of its own frame
+            body.accelerate_hub(hub_acceleration);
+          body.begin_step();
+        });
+        const auto u0 = relative(
+          [](const auto &body) { return body.contact_displacement(); });
+        const auto v0 =
+          relative([](const auto &body) { return body.contact_velocity(); });
+        const auto u1 = relative(
+          [](const auto &body) { return body.free_contact_displacement(); });
+        const auto v1 = relative(
+          [](const auto &body) { return body.free_contact_velocity(); });
+        const std::size_t n       = pair.trace().nodes.size(),
+                          n_first = u0.size() - n;
+        FreeMotion motion;
+        motion.displacement.assign(u1.begin(), u1.begin() + n_first);
+        motion.velocity.assign(v1.begin(), v1.begin() + n_first);
+        for (std::size_t i = n_first; i < u0.size(); ++i)
+          motion.gap.push_back(u0[i] + h * v1[i] +
+                               (shifted ? h * (1 - theta) * v0[i] : 0.));
+        return motion;
+      }
+
+      std::vector<std::vector<double>>
+      response(const std::vector<std::vector<double>> &forces) override
+      {
+        std::vector<std::vector<double>> result;
+        for (const std::vector<double> &load : forces)
+          {
+            std::vector<double> answers[2];
+            for_each([&](BodyDynamics &body, const Side side) {
+              answers[static_cast<int>(side)] =
+                body.response(pair.on_body(side, load));
+            });
+            result.push_back(pair.relative(answers[0], answers[1]));
+          }
+        return result;
+      }
+
+      StepEnergy
+      end_step(const ContactProblem &problem,
+               const ContactState   &state) override
+      {
+        for_each([&](BodyDynamics &body, const Side side) {
+          body.end_step(pair.on_body(side, nodal_forces(problem, state)));
+        });
+        StepEnergy sum;
+        for (const auto &body : bodies)
+          if (body)
+            {
+              sum.kinetic += body->energy().kinetic;
+              sum.strain += body->energy().strain;
+              sum.add_changes(body->energy());
+            }
+        return pair.summed(sum);
+      }
+
+      void
+      start_from(const ContactProblem &problem,
+                 const ContactState   &state) override
+      {
+        for (const Side side : {Side::wheel, Side::rail})
+          if (auto &body = bodies[static_cast<int>(side)])
+            body->set_static_state(pair.displacement(side, problem, state));
+      }
+
+      double
+      stored_energy() const override
+      {
+        StepEnergy sum;
+        for (const auto &body : bodies)
+          if (body)
+            sum.kinetic += body->energy().kinetic + body->energy().strain;
+        return pair.summed(sum).kinetic;
+      }
+
+      BodyDynamics::Memory
+      memory_consumption() const override
+      {
+        BodyDynamics::Memory sum;
+        for (unsigned int side = 0; side < (pair.twins() ? 1 : 2); ++side)
+          if (bodies[side])
+            {
+              const BodyDynamics::Memory part =
+                bodies[side]->memory_consumption();
+              sum.matrices += part.matrices;
+              sum.solver += part.solver;
+              sum.columns += part.columns;
+            }
+        return sum;
+      }
+
+      std::string
+      description() const override
+      {
+        std::string text;
+        for (const Side side : {Side::wheel, Side::rail})
+          {
+            const auto &body = bodies[static_cast<int>(side)];
+            if (body && !body->description().empty())
+              text += (text.empty() ? "" : "; ") + name_of(side) + ": " +
+                      body->description();
+          }
+        return text;
+      }
+
+      BodyField
+      displacement(const Side side,
+                   const ContactProblem &,
+                   const ContactState &) const override
+      {
+        const auto &body = bodies[static_cast<int>(side)];
+        return body ? body->displacement() : BodyField();
+      }
+
+      void
+      remember() override
+      {
+        for_each([](BodyDynamics &body, Side) { body.remember(); });
+      }
+
+      void
+      go_back() override
+      {
+        for_each([](BodyDynamics &body, Side) { body.go_back(); });
+      }
+
+      void
+      save(Checkpoint &checkpoint) const override
+      {
+        const auto motion = [&](const Side side) {
+          const auto &body = bodies[static_cast<int>(side)];
+          return pair.shared(side, body ? body->save() : BodyMotion());
+        };
+        checkpoint.wheel = motion(Side::wheel);
+        checkpoint.rail  = motion(Side::rail);
+      }
+
+      void
+      restore(const Checkpoint &checkpoint,
+              const ContactProblem &,
+              const ContactState &) override
+      {
+        for_each([&](BodyDynamics &body, const Side side) {
+          body.restore(side == Side::wheel ? checkpoint.wheel
+                                           : checkpoint.rail);
+        });
+      }
+
+    private:
+      template <typename Action>
+      void
+      for_each(const Action &action)
+      {
+        for_both_bodies(
+          n_threads,
+          [&]() {
+            if (bodies[0])
+              action(*bodies[0], Side::wheel);
+          },
+          [&]() {
+            if (bodies[1])
+              action(*bodies[1], Side::rail);
+          });
+      }
+
+      template <typename Quantity>
+      std::vector<double>
+      relative(const Quantity &quantity) const
+      {
+        const auto of = [&](const std::unique_ptr<BodyDynamics> &body) {
+          return body ? quantity(*body) : std::vector<double>();
+        };
+        return pair.relative(of(bodies[0]), of(bodies[1]));
+      }
+
+      const RollingPair<dim>       &pair;
+      const unsigned int            n_threads;
+      const double                  theta;
+      const bool                    shifted;
+      std::unique_ptr<BodyDynamics> bodies[2];
+      double                        h = 0.;
+    };
+  } // namespace
+
+
+
+  template <int dim>
+  std::unique_ptr<PairIntegrator<dim>>
+  make_inertial_rolling(const SceneParameters  &scene,
+                        const RollingPair<dim> &pair)
+  {
+    return std::make_unique<InertialRolling<dim>>(scene, pair);
+  }
+
+
+
+  template std::unique_ptr<PairIntegrator<2>>
+  make_inertial_rolling(const SceneParameters &, const RollingPair<2> &);
+  template std::unique_ptr<PairIntegrator<3>>
+  make_inertial_rolling(const SceneParameters &, const RollingPair<3> &);
+} // namespace RollingContact

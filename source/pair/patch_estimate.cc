@@ -1,0 +1,163 @@
+#include <rolling_contact/pair/patch_estimate.h>
+#include <rolling_contact/references/contact_modulus.h>
+#include <rolling_contact/references/hertz_ellipse.h>
+#include <rolling_contact/references/hertz_line.h>
+#include <rolling_contact/references/line_contact_approach.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace RollingContact
+{
+  namespace
+  {
+    double
+    young_modulus(const BodyParameters &body)
+    {
+      return body.rigid ? std::numeric_limits<double>::infinity()
+                        : body.material.young_modulus;
+    }
+
+
+
+    double
+    finite_or_flat(const double radius)
+    {
+      return radius == 0. ? std::numeric_limits<double>::infinity() : radius;
+    }
+
+
+
+    References::LineBody
+    line_body(const BodyParameters &body)
+    {
+      const bool disc = body.shape == "disc";
+      return {disc ? References::LineBody::Shape::disc
+                   : References::LineBody::Shape::block,
+              disc ? body.radius : body.geometry().depth,
+              young_modulus(body),
+              body.material.poisson_ratio,
+              body.rigid};
+    }
+
+
+
+    /**
+     * What an estimate may reach: the relative radius and the size of the
+     * bodies.
+     */
+    double
+    largest_half_width(const SceneParameters &scene,
+                       const double           relative_radius)
+    {
+      double largest = relative_radius;
+      for (const BodyParameters *body : {&scene.wheel, &scene.rail})
+        if (!body->rigid)
+          largest = std::min(largest,
+                             body->shape == "disc"
+                               ? body->radius
+                               : std::min(body->geometry().length / 2,
+                                          body->geometry().depth));
+      return largest;
+    }
+
+
+
+  } // namespace
+
+
+
+  PairConstants
+  pair_constants(const SceneParameters &scene)
+  {
+    const BodyParameters &wheel = scene.wheel, &rail = scene.rail;
+    PairConstants         constants;
+    constants.contact_modulus =
+      References::contact_modulus(young_modulus(wheel),
+                                  wheel.material.poisson_ratio,
+                                  young_modulus(rail),
+                                  rail.material.poisson_ratio);
+    constants.relative_radius =
+      References::relative_radius(finite_or_flat(wheel.radius),
+                                  finite_or_flat(rail.radius));
+    if (scene.dimension == 3)
+      constants.lateral_relative_radius =
+        References::relative_radius(finite_or_flat(wheel.lateral_radius),
+                                    finite_or_flat(rail.lateral_radius));
+    const auto share = [](const BodyParameters &body, const double factor) {
+      return body.rigid ? 0. : factor / body.material.shear_modulus();
+    };
+    const double nu_w = wheel.material.poisson_ratio,
+                 nu_r = rail.material.poisson_ratio;
+    constants.dundurs_beta =
+      0.5 * (share(wheel, 1 - 2 * nu_w) - share(rail, 1 - 2 * nu_r)) /
+      (share(wheel, 1 - nu_w) + share(rail, 1 - nu_r));
+    return constants;
+  }
+
+
+
+  namespace
+  {
+    PatchEstimate
+    estimate_ellipse(const SceneParameters &scene)
+    {
+      const PairConstants constants = pair_constants(scene);
+      const double        A         = 0.5 / constants.relative_radius,
+                   B                = 0.5 / constants.lateral_relative_radius;
+      PatchEstimate estimate;
+      estimate.normal_force = scene.contact.normal_load().value_or(
+        References::load_of_hertz_ellipse(scene.contact.approach().value_or(0.),
+                                          A,
+                                          B,
+                                          constants.contact_modulus));
+      if (estimate.normal_force > 0.)
+        {
+          const References::HertzEllipse hertz = References::hertz_ellipse(
+            estimate.normal_force, A, B, constants.contact_modulus);
+          estimate.half_width_x = hertz.half_width_x;
+          estimate.half_width_y = hertz.half_width_y;
+        }
+      return estimate;
+    }
+  } // namespace
+
+
+
+  PatchEstimate
+  estimate_patch(const SceneParameters &scene)
+  {
+    if (scene.dimension == 3)
+      return estimate_ellipse(scene);
+    const PairConstants constants = pair_constants(scene);
+    const auto          hertz     = [&](const double half_width) {
+      return References::hertz_line_of_half_width(half_width,
+                                                  constants.relative_radius,
+                                                  constants.contact_modulus);
+    };
+    PatchEstimate estimate;
+    if (const auto load = scene.contact.normal_load())
+      {
+        if (*load > 0.)
+          estimate.half_width_x =
+            References::hertz_line(*load / scene.thickness(),
+                                   constants.relative_radius,
+                                   constants.contact_modulus)
+              .half_width;
+      }
+    else
+      estimate.half_width_x = References::half_width_of_approach(
+        [&](const double half_width) {
+          return References::compression(line_body(scene.wheel),
+                                         hertz(half_width)) +
+                 References::compression(line_body(scene.rail),
+                                         hertz(half_width));
+        },
+        largest_half_width(scene, constants.relative_radius),
+        *scene.contact.approach());
+    if (estimate.half_width_x > 0.)
+      estimate.normal_force =
+        hertz(estimate.half_width_x).load_per_length() * scene.thickness();
+    return estimate;
+  }
+} // namespace RollingContact

@@ -1,0 +1,83 @@
+#include <rolling_contact/analyses/creep_curve.h>
+#include <rolling_contact/analyses/load_curve.h>
+#include <rolling_contact/analyses/quasi_static.h>
+#include <rolling_contact/analyses/transient.h>
+#include <rolling_contact/base/choices.h>
+#include <rolling_contact/program/analysis.h>
+#include <rolling_contact/studies/accuracy_study.h>
+#include <rolling_contact/studies/time_study.h>
+
+namespace RollingContact
+{
+  namespace
+  {
+    template <template <int> class Kind, int dim>
+    std::unique_ptr<Analysis>
+    make(SceneParameters &scene, RunContext &context)
+    {
+      return std::make_unique<Kind<dim>>(scene, context);
+    }
+
+
+
+    template <template <int> class Kind>
+    AnalysisKind
+    kind(const std::string &name, const std::string &help)
+    {
+      return {name, help, &make<Kind, 2>, &make<Kind, 3>};
+    }
+
+
+
+    template <int dim>
+    std::unique_ptr<Analysis>
+    make_study(SceneParameters &scene, RunContext &context)
+    {
+      return scene.study.varies_time_step()
+               ? make<TimeStudy, dim>(scene, context)
+               : make<AccuracyStudy, dim>(scene, context);
+    }
+
+
+
+    std::vector<AnalysisKind>
+    make_kinds()
+    {
+      AnalysisKind transient =
+        kind<Transient>("transient", "rolling in time, see section Time");
+      transient.resumes = true;
+      AnalysisKind study{
+        "accuracy study",
+        "the same state on many meshes, or the same transient with many "
+        "steps, see section Accuracy study",
+        &make_study<2>,
+        &make_study<3>};
+      study.on_ranks = false;
+      return {kind<QuasiStatic>("quasi-static", "one steady rolling state"),
+              kind<CreepCurve>("creep curve",
+                               "many creepages, see section Creep curve"),
+              kind<LoadCurve>("load curve",
+                              "approach and contact stiffness under many "
+                              "loads, see section Load curve"),
+              transient,
+              study};
+    }
+  } // namespace
+
+
+
+  const std::vector<AnalysisKind> &
+  analysis_kinds()
+  {
+    static const std::vector<AnalysisKind> kinds = make_kinds();
+    return kinds;
+  }
+
+
+
+  const AnalysisKind &
+  analysis_kind(const std::string &name)
+  {
+    return choice(analysis_kinds(), name, "Analysis");
+  }
+} // namespace RollingContact

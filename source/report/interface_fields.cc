@@ -1,0 +1,219 @@
+#include <deal.II/base/data_out_base.h>
+
+#include <rolling_contact/contact/resultants.h>
+#include <rolling_contact/parallel/ranks.h>
+#include <rolling_contact/report/interface_fields.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace RollingContact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** Values at the nodes, one row for each component of a field. */
+    struct NodalFields
+    {
+      std::vector<std::string>         names;
+      std::vector<std::vector<double>> values;
+
+      void
+      add(const std::string &name, const std::vector<double> &nodal_values)
+      {
+        names.push_back(name);
+        values.push_back(nodal_values);
+      }
+
+      /** The first @p n_components of a field; zero if it has none. */
+      void
+      add_vector(const std::string         &name,
+                 const std::vector<double> &field,
+                 const unsigned int         n_components,
+                 const unsigned int         n_nodes)
+      {
+        for (unsigned int c = 0; c < n_components; ++c)
+          add(name,
+              field.empty()
+                ? std::vector<double>(n_nodes, 0.)
+                : std::vector<double>(field.begin() + c * n_nodes,
+                                      field.begin() + (c + 1) * n_nodes));
+      }
+    };
+
+
+
+    std::vector<double>
+    traction_sizes(const ContactProblem &problem, const ContactState &state)
+    {
+      std::vector<double> sizes(problem.n_nodes, 0.);
+      for (unsigned int c = 0; c < problem.n_tangential; ++c)
+        for (unsigned int i = 0; i < problem.n_nodes; ++i)
+          sizes[i] =
+            std::hypot(sizes[i], state.traction[c * problem.n_nodes + i]);
+      return sizes;
+    }
+
+
+
+    /** All fields; those with dim - 1 components first, the state last. */
+    template <int dim>
+    NodalFields
+    nodal_fields(const ContactProblem &problem,
+                 const ContactState   &state,
+                 const bool            step_is_known)
+    {
+      const auto known = [&](const std::vector<double> &values) {
+        return step_is_known ? values
+                             : std::vector<double>(values.size(), std::nan(""));
+      };
+      const TangentialProblem tangential = tangential_problem(problem, state);
+      std::vector<double>     slip, states;
+      if (problem.n_tangential > 0)
+        slip = known(tangential.material_slip(state.traction));
+      for (const NodeState node_state : node_states(tangential, state))
+        states.push_back(static_cast<int>(node_state));
+
+      NodalFields fields;
+      fields.add_vector("traction", state.traction, dim - 1, problem.n_nodes);
+      fields.add_vector("slip", slip, dim - 1, problem.n_nodes);
+      fields.add("pressure", state.pressure);
+      fields.add("traction_size", traction_sizes(problem, state));
+      fields.add("traction_bound", tangential.bound);
+      if (problem.friction_law && problem.n_tangential > 0)
+        {
+          fields.add("friction_coefficient", tangential.friction);
+          fields.add("sliding_speed",
+                     known(tangential.sliding_speeds(
+                       tangential.slip(state.traction))));
+        }
+      fields.add("gap", known(normal_gap(problem, state)));
+      fields.add("area", problem.areas);
+      fields.add("state", states);
+      return fields;
+    }
+
+
+
+    unsigned int
+    first_master(const SparseRows::Row &corner)
+    {
+      return std::max_element(corner.begin(),
+                              corner.end(),
+                              [](const auto &a, const auto &b) {
+                                return a.second < b.second;
+                              })
+        ->first;
+    }
+
+
+
+    /** Values at a hanging corner are interpolated, the state is a master's. */
+    template <int dim>
+    DataOutBase::Patch<dim - 1, dim>
+    make_patch(const Trace::Cell                           &cell,
+               const NodalFields                           &fields,
+               const std::function<double(double, double)> &surface_height)
+    {
+      const std::size_t n_fields = fields.values.size();
+
+      DataOutBase::Patch<dim - 1, dim> patch;
+      patch.n_subdivisions = 1;
+      patch.reference_cell = ReferenceCells::get_hypercube<dim - 1>();
+      patch.data.reinit(n_fields, cell.corners.size());
+      for (std::size_t v = 0; v < cell.corners.size(); ++v)
+        {
+          const double x = v % 2 == 1 ? cell.upper[0] : cell.lower[0];
+          const double y = v / 2 == 1 ? cell.upper[1] : cell.lower[1];
+
+          Point<dim> &vertex = patch.vertices[v];
+          vertex[0]          = x;
+          vertex[1]          = y;
+          vertex[dim - 1]    = surface_height(x, y);
+          for (std::size_t i = 0; i + 1 < n_fields; ++i)
+            patch.data(i, v) = apply(cell.corners[v], fields.values[i]);
+          patch.data(n_fields - 1, v) =
+            fields.values.back()[first_master(cell.corners[v])];
+        }
+      return patch;
+    }
+
+
+
+    DataOutBase::VtkFlags
+    vtk_flags()
+    {
+      DataOutBase::VtkFlags flags;
+      flags.print_date_and_time = false;
+      flags.compression_level   = DataOutBase::VtkFlags::default_compression;
+      flags.physical_units      = {{"traction", "Pa"},
+                                   {"pressure", "Pa"},
+                                   {"traction_size", "Pa"},
+                                   {"traction_bound", "Pa"},
+                                   {"sliding_speed", "m/s"},
+                                   {"gap", "m"},
+                                   {"area", "m^2"}};
+      return flags;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  write_interface_fields(
+    const Trace                                 &trace,
+    const ContactProblem                        &problem,
+    const ContactState                          &state,
+    const bool                                   step_is_known,
+    const std::function<double(double, double)> &surface_height,
+    RunFolder                                   &folder,
+    const std::string                           &file_name)
+  {
+    AssertDimension(trace.n_dimensions, dim - 1);
+    AssertDimension(trace.nodes.size(), problem.n_nodes);
+    Ranks::on_root([&]() {
+      const NodalFields fields =
+        nodal_fields<dim>(problem, state, step_is_known);
+
+      std::vector<DataOutBase::Patch<dim - 1, dim>> patches;
+      for (const Trace::Cell &cell : trace.cells)
+        {
+          patches.push_back(make_patch<dim>(cell, fields, surface_height));
+          patches.back().patch_index = patches.size() - 1;
+        }
+
+      const auto is_vector =
+        DataComponentInterpretation::component_is_part_of_vector;
+      std::ostringstream vtu;
+      DataOutBase::write_vtu(patches,
+                             fields.names,
+                             {{0, dim - 2, "traction", is_vector},
+                              {dim - 1, 2 * dim - 3, "slip", is_vector}},
+                             vtk_flags(),
+                             vtu);
+      folder.write_atomically(file_name, vtu.str());
+    });
+  }
+
+
+
+  template void
+  write_interface_fields<2>(const Trace &,
+                            const ContactProblem &,
+                            const ContactState &,
+                            const bool,
+                            const std::function<double(double, double)> &,
+                            RunFolder &,
+                            const std::string &);
+  template void
+  write_interface_fields<3>(const Trace &,
+                            const ContactProblem &,
+                            const ContactState &,
+                            const bool,
+                            const std::function<double(double, double)> &,
+                            RunFolder &,
+                            const std::string &);
+} // namespace RollingContact

@@ -1,0 +1,215 @@
+#include <rolling_contact/assessment/reference_2d.h>
+#include <rolling_contact/assessment/reference_3d.h>
+#include <rolling_contact/contact/invariants.h>
+#include <rolling_contact/contact/uniqueness.h>
+#include <rolling_contact/report/result_row.h>
+
+namespace RollingContact
+{
+  namespace
+  {
+    void
+    set_resultant_columns(const Resultants &result, ResultsTable &table)
+    {
+      table.set("normal_force_N", result.normal_force);
+      table.set("force_x_N", result.force_x);
+      table.set("force_y_N", result.force_y);
+      table.set("spin_moment_Nm", result.spin_moment);
+      table.set("traction_coefficient", result.traction_coefficient);
+      table.set("max_pressure_Pa", result.max_pressure);
+      table.set("contact_area_m2", result.contact_area);
+      table.set("stick_area_m2", result.stick_area);
+      table.set("half_width_x_m", result.half_width_x);
+      table.set("half_width_y_m", result.half_width_y);
+      table.set("nodes_in_contact", result.n_touching);
+      table.set("creep_work_J/m", result.creep_work);
+      table.set("dissipation_J/m", result.dissipation);
+      table.set("energy_error", result.energy_error());
+    }
+
+
+
+    void
+    set_solver_columns(const SolverReport &solver, ResultsTable &table)
+    {
+      table.set("residual_normal", solver.residual.normal);
+      table.set("residual_tangential", solver.residual.tangential);
+      table.set("iterations", solver.iterations);
+      table.set("normal_solves", solver.normal_solves);
+      table.set("tangential_solves", solver.tangential_solves);
+      table.set("passes", solver.passes);
+      table.set("corrections", solver.corrections);
+      table.set("solver", solver.solver);
+      table.set("converged", solver.converged);
+    }
+
+
+
+    /**
+     * Where friction falls.
+     */
+    template <int dim>
+    void
+    set_falling_friction_columns(const SteadyState<dim> &steady,
+                                 ResultsTable           &table)
+    {
+      if (!steady.problem.friction_law || steady.problem.n_tangential == 0)
+        return;
+      table.set("friction_rounds", steady.solver.friction_rounds);
+      if (!steady.restored)
+        table.set("several_solutions_ratio",
+                  uniqueness(steady.problem, steady.state).ratio);
+    }
+
+
+
+    void
+    set_invariant_columns(const Invariants &invariants, ResultsTable &table)
+    {
+      for (const auto &invariant : invariants.named())
+        table.set("invariant_" + invariant.first, invariant.second);
+    }
+
+
+
+    void
+    set_reference_columns(const SceneParameters &scene,
+                          const SteadyState<2>  &steady,
+                          ResultsTable          &table)
+    {
+      if (steady.result.normal_force <= 0. || !scene.contact.roughness.empty())
+        return;
+      const Reference2D reference = reference_2d(scene, steady);
+      const Errors2D    errors    = errors_2d(scene, steady, reference);
+      table.set("reference_half_width_x_m", reference.hertz.half_width);
+      table.set("reference_max_pressure_Pa", reference.hertz.max_pressure);
+      table.set("error_pressure_l2", errors.pressure_l2);
+      if (errors.normal_force)
+        {
+          table.set("reference_normal_force_N", *reference.normal_force);
+          table.set("error_normal_force", *errors.normal_force);
+        }
+      if (!reference.carter || !reference.carter_is_exact)
+        return;
+      table.set("reference_force_x/muN", reference.carter->force_ratio());
+      table.set("error_force_x/muN", errors.force);
+      table.set("error_traction_l2", errors.traction_l2);
+      table.set("error_sawtooth", errors.sawtooth);
+      table.set("error_stick_boundary_elements", errors.stick_boundary);
+    }
+
+
+
+    void
+    set_ellipse_columns(const SceneParameters &scene,
+                        const SteadyState<3>  &steady,
+                        ResultsTable          &table)
+    {
+      if (steady.result.normal_force <= 0. || !scene.contact.roughness.empty())
+        return;
+      const Reference3D reference =
+        reference_3d(scene,
+                     steady.result.normal_force,
+                     {steady.creepage_x, steady.creepage_y, steady.spin});
+      table.set("reference_half_width_x_m", reference.hertz.half_width_x);
+      table.set("reference_half_width_y_m", reference.hertz.half_width_y);
+      table.set("reference_max_pressure_Pa", reference.hertz.max_pressure);
+      table.set("reference_approach_m", reference.hertz.approach);
+      if (steady.problem.n_tangential == 0)
+        return;
+      table.set("kalker_force_x_N", reference.linear.x);
+      table.set("kalker_force_y_N", reference.linear.y);
+      table.set("kalker_spin_moment_Nm", reference.linear.spin_moment);
+      if (steady.problem.friction_law) // what follows saturates at mu N
+        return;
+      table.set("shen_force_x_N", reference.saturated.x);
+      table.set("shen_force_y_N", reference.saturated.y);
+      table.set("fastsim_force_x_N", reference.fastsim.x);
+      table.set("fastsim_force_y_N", reference.fastsim.y);
+    }
+
+
+
+    /**
+     * Change and extrapolation over refinement levels, where there are any.
+     */
+    template <int dim>
+    void
+    set_level_columns(const SteadyState<dim> &steady, ResultsTable &table)
+    {
+      if (!steady.change || !steady.limit)
+        return;
+      const auto &limit = steady.limit->limit.values;
+      table.set("change", *steady.change);
+      table.set("estimated_error", steady.limit->value_error);
+      table.set("extrapolated_normal_force_N",
+                limit[LevelValues::normal_force]);
+      table.set("extrapolated_force_x_N", limit[LevelValues::force_x]);
+      table.set("extrapolated_force_y_N", limit[LevelValues::force_y]);
+      table.set("extrapolated_approach_m", limit[LevelValues::approach]);
+      table.set("extrapolation_error", steady.limit->limit_error);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  add_result_row(const SceneParameters  &scene,
+                 const SteadyState<dim> &steady,
+                 RunContext             &context)
+  {
+    ResultsTable &table = context.results;
+    table.set("level", steady.level);
+    table.set("dofs", steady.pair->n_unknowns());
+    table.set("contact_nodes", steady.problem.n_nodes);
+    table.set("elements_across", steady.elements_across);
+    table.set("patch_offset", steady.grading.offset);
+    table.set("slip_operator", name_of(steady.slip_operator));
+    table.set("creepage_x", steady.creepage_x);
+    table.set("creepage_y", steady.creepage_y);
+    table.set("spin_1/m", steady.spin);
+    table.set("approach_m", steady.state.approach);
+    if (steady.contact_stiffness)
+      table.set("contact_stiffness_N/m", *steady.contact_stiffness);
+    set_resultant_columns(steady.result, table);
+    set_solver_columns(steady.solver, table);
+    set_falling_friction_columns(steady, table);
+    const Invariants found =
+      steady.restored ? Invariants() : invariants(steady.problem, steady.state);
+    if (!steady.restored)
+      set_invariant_columns(found, table);
+    if constexpr (dim == 2)
+      set_reference_columns(scene, steady, table);
+    else
+      set_ellipse_columns(scene, steady, table);
+    set_level_columns(steady, table);
+    table.set("wall_s", steady.wall_s);
+    table.end_row();
+    if (steady.solver.converged)
+      check_invariants(found, scene.solver.controls.tolerance, "The state: ");
+  }
+
+
+
+  void
+  add_open_row(const SceneParameters &scene, ResultsTable &table)
+  {
+    table.set("level", 0);
+    table.set("creepage_x", scene.contact.creepage_x);
+    table.set("creepage_y", scene.contact.creepage_y);
+    table.set("spin_1/m", scene.contact.spin);
+    table.set("approach_m", scene.contact.approach().value_or(0.));
+    set_resultant_columns(Resultants(), table);
+    table.set("solver", std::string("none"));
+    table.set("converged", true);
+    table.end_row();
+  }
+
+
+
+  template void
+  add_result_row(const SceneParameters &, const SteadyState<2> &, RunContext &);
+  template void
+  add_result_row(const SceneParameters &, const SteadyState<3> &, RunContext &);
+} // namespace RollingContact

@@ -1,0 +1,76 @@
+#include <rolling_contact/base/text.h>
+#include <rolling_contact/parallel/ranks.h>
+#include <rolling_contact/run/log.h>
+
+#include <iostream>
+
+namespace RollingContact
+{
+  namespace
+  {
+    /** The stream, or one that drops everything: only the root talks. */
+    std::ostream &
+    of_the_root(std::ostream &stream)
+    {
+      static std::ostream silent(nullptr);
+      return Ranks::is_root() ? stream : silent;
+    }
+  } // namespace
+
+
+
+  Log::Log(const Verbosity verbosity)
+    : Log(verbosity, of_the_root(std::cout), of_the_root(std::cerr))
+  {}
+
+
+
+  Log::Log(const Verbosity verbosity, std::ostream &out, std::ostream &errors)
+    : verbosity(verbosity)
+    , out(out)
+    , errors(errors)
+  {}
+
+
+
+  void
+  Log::message(const std::string &text)
+  {
+    if (verbosity != Verbosity::quiet)
+      out << wrapped(text) << std::endl;
+  }
+
+
+
+  void
+  Log::detail(const std::string &text)
+  {
+    if (verbosity == Verbosity::verbose)
+      out << wrapped(text) << std::endl;
+  }
+
+
+
+  void
+  Log::warning(const std::string &text)
+  {
+    kept_warnings.push_back(text);
+    errors << wrapped("Warning: " + text) << std::endl;
+  }
+
+
+
+  void
+  Log::error(const std::string &text)
+  {
+    errors << wrapped("Error: " + text) << std::endl;
+  }
+
+
+
+  const std::vector<std::string> &
+  Log::warnings() const
+  {
+    return kept_warnings;
+  }
+} // namespace RollingContact

@@ -1,0 +1,396 @@
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/files.h>
+#include <rolling_contact/input/prm_entries.h>
+#include <rolling_contact/parallel/ranks.h>
+#include <rolling_contact/run/previous_run.h>
+#include <rolling_contact/run/run_folder.h>
+
+#include <cerrno>
+#include <cstring>
+
+namespace RollingContact
+{
+  namespace fs = std::filesystem;
+
+  namespace
+  {
+    /** Names every run may leave, whether or not its list has them. */
+    const std::set<std::string> fixed_names{"original.prm",
+                                            "used.prm",
+                                            "results.csv",
+                                            "bodies.pvd",
+                                            "interface.pvd"};
+
+
+
+    [[noreturn]] void
+    refuse(const fs::path &folder, const std::string &reason)
+    {
+      throw InputError("Cannot use \"" + folder.string() +
+                       "\" as run folder: " + reason +
+                       " Name another folder with --output.");
+    }
+
+
+
+    [[noreturn]] void
+    refuse_to_resume(const fs::path &folder, const std::string &reason)
+    {
+      throw InputError("Cannot resume the run in \"" + folder.string() +
+                       "\": " + reason + " Start it without --resume.");
+    }
+  } // namespace
+
+
+
+  fs::path
+  RunFolder::default_path(const fs::path &prm_file)
+  {
+    return fs::path("output") / prm_file.stem();
+  }
+
+
+
+  RunFolder::RunFolder(const fs::path    &folder,
+                       const std::string &original_prm,
+                       const std::string &used_prm)
+    : folder(folder)
+    , original_prm(original_prm)
+    , used_prm(used_prm)
+    , record("\"status\": \"running\"")
+    , lock_descriptor(-1)
+  {}
+
+
+
+  RunFolder::~RunFolder()
+  {
+    if (lock_descriptor < 0)
+      return;
+    try
+      {
+        remove_unpublished_files();
+      }
+    catch (const std::exception &)
+      {
+        // The next run removes them, since run.json lists them.
+      }
+    close(lock_descriptor);
+  }
+
+
+
+  void
+  RunFolder::check() const
+  {
+    if (folder.empty())
+      refuse(folder, "its name is empty.");
+
+    const fs::path absolute = fs::absolute(folder);
+    const fs::path existing = nearest_existing(absolute);
+    if (!fs::is_directory(existing))
+      refuse(folder, '"' + existing.string() + "\" is a file.");
+    if (access(existing.c_str(), R_OK | W_OK | X_OK) != 0)
+      refuse(folder,
+             "no permission to write in \"" + existing.string() + "\".");
+    if (existing == absolute && !is_empty_folder(folder) &&
+        !read_old_run(folder).made_by_this_program)
+      refuse(folder,
+             "it holds files that this program did not write (no " +
+               record_name + " of a former run), and they stay untouched.");
+  }
+
+
+
+  void
+  RunFolder::open()
+  {
+    Ranks::on_root([&]() {
+      check();
+
+      std::error_code error;
+      fs::create_directories(folder, error);
+      if (error)
+        refuse(folder, "it cannot be created (" + error.message() + ").");
+      lock();
+
+      // The mark comes first, with the old list: after a crash anywhere below
+      // the next run knows what is left to remove.
+      claimed_files = read_old_run(folder).files;
+      claimed_files.insert(fixed_names.begin(), fixed_names.end());
+      write_run_json();
+      remove_old_files();
+
+      write_atomically("original.prm", original_prm);
+      write_atomically("used.prm", used_prm);
+    });
+  }
+
+
+
+  void
+  RunFolder::reopen(const Resumption &resumption)
+  {
+    Ranks::on_root([&]() {
+      check();
+      if (!fs::is_directory(folder))
+        refuse_to_resume(folder, "there is no such folder.");
+      lock();
+      const fs::path used = final_path("used.prm");
+      if (!fs::is_regular_file(final_path(resumption.checkpoint)) ||
+          !fs::is_regular_file(used))
+        refuse_to_resume(folder,
+                         "it holds no checkpoint (no " + resumption.checkpoint +
+                           ").");
+      refuse_changed_entries(prm_entries(read_bytes(used)),
+                             prm_entries(used_prm),
+                             resumption.may_differ);
+
+      claimed_files = read_old_run(folder).files;
+      adopt_old_files(resumption.growing_file);
+      write_run_json();
+      write_atomically("original.prm", original_prm);
+      write_atomically("used.prm", used_prm);
+    });
+  }
+
+
+
+  const fs::path &
+  RunFolder::get_path() const
+  {
+    return folder;
+  }
+
+
+
+  fs::path
+  RunFolder::temporary(const std::string &name)
+  {
+    begin({name});
+    return temporary_path(name);
+  }
+
+
+
+  fs::path
+  RunFolder::continued(const std::string &name, const std::uintmax_t n_bytes)
+  {
+    const fs::path  growing = temporary_path(name), whole = final_path(name);
+    std::error_code error;
+    if (size_of(growing) < n_bytes)
+      {
+        if (size_of(whole) < n_bytes)
+          refuse_to_resume(folder,
+                           name + " has less than the " +
+                             std::to_string(n_bytes) +
+                             " bytes it had at the checkpoint.");
+        fs::copy_file(whole,
+                      growing,
+                      fs::copy_options::overwrite_existing,
+                      error);
+      }
+    if (!error)
+      fs::resize_file(growing, n_bytes, error);
+    if (error)
+      throw_write_error(growing, error.message());
+    return temporary(name);
+  }
+
+
+
+  void
+  RunFolder::publish(const std::string &name)
+  {
+    if (!Ranks::is_root())
+      return;
+    rename_file(temporary_path(name), final_path(name));
+    begun_files.erase(name);
+    published_files.insert(name);
+  }
+
+
+
+  void
+  RunFolder::publish_durably(const std::string &name)
+  {
+    if (!Ranks::is_root())
+      return;
+    synchronise(temporary_path(name));
+    publish(name);
+    synchronise(folder);
+  }
+
+
+
+  void
+  RunFolder::write_atomically(const std::string &name, const std::string &text)
+  {
+    if (!Ranks::is_root())
+      return;
+    begin({name});
+    write_file(final_path(name), text, temporary_path(name));
+    begun_files.erase(name);
+    published_files.insert(name);
+  }
+
+
+
+  void
+  RunFolder::write_pieces(const std::vector<std::string> &names,
+                          const std::string              &text)
+  {
+    Ranks::on_root([&]() { begin(names); });
+    Ranks::on_all([&]() {
+      const std::string &own = names.at(Ranks::rank());
+      write_file(final_path(own), text, temporary_path(own));
+    });
+    for (const std::string &name : names)
+      {
+        begun_files.erase(name);
+        published_files.insert(name);
+      }
+  }
+
+
+
+  void
+  RunFolder::write_record(const std::string &members)
+  {
+    if (!Ranks::is_root())
+      return;
+    if (lock_descriptor < 0)
+      throw std::logic_error("The run folder is not open.");
+    record = members;
+    write_run_json();
+  }
+
+
+
+  std::vector<std::string>
+  RunFolder::files() const
+  {
+    return {published_files.begin(), published_files.end()};
+  }
+
+
+
+  fs::path
+  RunFolder::final_path(const std::string &name) const
+  {
+    return folder / name;
+  }
+
+
+
+  fs::path
+  RunFolder::temporary_path(const std::string &name) const
+  {
+    return folder / ("." + name + ".part");
+  }
+
+
+
+  void
+  RunFolder::lock()
+  {
+    lock_descriptor =
+      ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (lock_descriptor < 0)
+      refuse(folder, std::string(std::strerror(errno)) + '.');
+    // File systems without locks are used without one.
+    if (flock(lock_descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+      {
+        close(lock_descriptor);
+        lock_descriptor = -1;
+        refuse(folder, "another run is writing to it.");
+      }
+  }
+
+
+
+  void
+  RunFolder::begin(const std::vector<std::string> &names)
+  {
+    if (lock_descriptor < 0)
+      throw std::logic_error("The run folder is not open.");
+    const std::size_t n_claimed = claimed_files.size();
+    for (const std::string &name : names)
+      {
+        if (!is_plain_name(name) || name == record_name)
+          throw std::logic_error("Not a name for a file of a run: " + name);
+        begun_files.insert(name);
+        claimed_files.insert(name);
+      }
+    if (claimed_files.size() != n_claimed)
+      write_run_json();
+  }
+
+
+
+  void
+  RunFolder::write_run_json() const
+  {
+    std::string list;
+    for (const std::string &name : claimed_files)
+      list += (list.empty() ? "\n    \"" : ",\n    \"") + name + '"';
+
+    write_file(final_path(record_name),
+               "{\n  \"program\": \"" + program_name + "\",\n  " + record +
+                 ",\n  \"files\": [" + list + "\n  ]\n}\n",
+               temporary_path(record_name));
+  }
+
+
+
+  void
+  RunFolder::remove_old_files()
+  {
+    // First what reopen() insists on: half a run cannot be resumed.
+    remove_file(final_path("used.prm"));
+    for (const std::string &name : claimed_files)
+      {
+        remove_file(final_path(name));
+        remove_file(temporary_path(name));
+      }
+    claimed_files.clear();
+  }
+
+
+
+  void
+  RunFolder::adopt_old_files(const std::string &growing_file)
+  {
+    const std::set<std::string> old_files = claimed_files;
+    for (const std::string &name : old_files)
+      {
+        if (name != growing_file)
+          remove_file(temporary_path(name));
+        if (fs::is_regular_file(final_path(name)))
+          published_files.insert(name);
+        else if (name != growing_file)
+          claimed_files.erase(name);
+      }
+  }
+
+
+
+  void
+  RunFolder::remove_unpublished_files()
+  {
+    remove_file(temporary_path(record_name));
+    const std::size_t n_claimed = claimed_files.size();
+    for (const std::string &name : begun_files)
+      {
+        remove_file(temporary_path(name));
+        if (published_files.count(name) == 0)
+          claimed_files.erase(name);
+      }
+    if (claimed_files.size() != n_claimed)
+      write_run_json();
+  }
+} // namespace RollingContact

@@ -1,0 +1,222 @@
+#include <rolling_contact/base/choices.h>
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/distributed/make_body.h>
+#include <rolling_contact/program/analysis.h>
+#include <rolling_contact/scene/scene_parameters.h>
+
+namespace RollingContact
+{
+  using namespace dealii;
+
+  SceneParameters::SceneParameters()
+    : ParameterAcceptor("/")
+    , wheel("Wheel")
+    , rail("Rail")
+  {
+    add_parameter("Dimension",
+                  dimension,
+                  "2 (x, z: rolling direction and normal, plane strain) or 3. "
+                  "Units: 1.",
+                  prm,
+                  Patterns::Integer(2, 3));
+    add_parameter("Analysis",
+                  analysis,
+                  choice_help(analysis_kinds()),
+                  prm,
+                  Patterns::Selection(choice_names(analysis_kinds())));
+    add_parameter(
+      "Body solver",
+      body_solver,
+      "How the displacements of a body are found. `direct`: one factorisation, "
+      "on one rank or, under mpirun -n 2, wheel and rail on a rank each. "
+      "`distributed`: spread over all ranks of mpirun, multigrid-preconditioned "
+      "conjugate gradients. `automatic`: direct on one rank if the factors are "
+      "predicted to fit into 70 % of the free memory, else distributed. An "
+      "accuracy study and bodies with a Poisson ratio above 0.49 are always "
+      "direct.",
+      prm,
+      Patterns::Selection("automatic|direct|distributed"));
+    add_parameter("Body threads",
+                  body_threads,
+                  "2: wheel and rail at the same time; 1: one after the other, "
+                  "with the same numbers. Units: 1.",
+                  prm,
+                  Patterns::Integer(1, 2));
+  }
+
+
+
+  void
+  SceneParameters::check_hubs() const
+  {
+    const bool dynamic = is_transient() && time.inertia;
+    for (const BodyParameters *body : {&wheel, &rail})
+      if (!body->rigid && body->hub == "free" &&
+          (!dynamic || time.initial_state == "steady"))
+        throw InputError(body->section +
+                         "/Hub = free: only inertia holds such a body; take "
+                         "Analysis = transient with Time/Inertia = true and "
+                         "Time/Initial state = rest, or `clamped`.");
+    const bool free_wheel = !wheel.rigid && wheel.hub == "free";
+    if (free_wheel && contact.normal_load())
+      throw InputError("Contact/Normal load = " + contact.normal_load_entry +
+                       " and Wheel/Hub = free: the load acts through a clamped "
+                       "hub; give Contact/Approach instead.");
+    if (time.initial_velocity != 0. && !free_wheel)
+      throw InputError("Time/Initial velocity = " +
+                       Patterns::Tools::to_string(time.initial_velocity) +
+                       ": it is that of an elastic wheel with Wheel/Hub = "
+                       "free.");
+  }
+
+
+
+  void
+  SceneParameters::check_speed() const
+  {
+    if (contact.speed_is_given || !contact.falling_friction() ||
+        (is_transient() && !time.speed.empty()))
+      return;
+    throw InputError("Contact/Friction law = " + contact.friction_law +
+                     " and Contact/Speed is empty: friction falls with the "
+                     "sliding speed |s| V, give the rolling speed V in m/s" +
+                     (is_transient() ? ", here or as Time/Speed." : "."));
+  }
+
+
+
+  void
+  SceneParameters::check_mesh_files() const
+  {
+    for (const BodyParameters *body : {&wheel, &rail})
+      {
+        if (!body->is_from_file())
+          continue;
+        const std::string why =
+          ": a body from a mesh file (" + body->section + "/Shape) ";
+        if (body_solver == "distributed")
+          throw InputError("Body solver = distributed" + why +
+                           "lives on one rank; take direct or automatic.");
+        if (analysis == "accuracy study")
+          throw InputError("Analysis = accuracy study" + why +
+                           "has one mesh only, a study needs many.");
+        if (mesh.adaptive_levels > 0)
+          throw InputError(
+            "Mesh/Adaptive levels = " + std::to_string(mesh.adaptive_levels) +
+            why + "is not refined; set it to 0.");
+        if (mesh.rim_levels > 0)
+          throw InputError(
+            "Mesh/Rim levels = " + std::to_string(mesh.rim_levels) + why +
+            "is not refined; set it to 0.");
+      }
+  }
+
+
+
+  void
+  SceneParameters::read_meshes()
+  {
+    wheel.read_mesh(dimension, prm_folder);
+    rail.read_mesh(dimension, prm_folder);
+  }
+
+
+
+  void
+  SceneParameters::check() const
+  {
+    wheel.check(dimension);
+    rail.check(dimension);
+    contact.check(dimension);
+    mesh.check();
+    check_study();
+    creep_curve.check();
+    load_curve.load_fractions();
+    check_hubs();
+    check_mesh_files();
+    if (is_transient())
+      time.check(contact, dimension, prm_folder);
+    check_speed();
+    check_pair();
+    check_body_solver();
+    check_profiles();
+  }
+
+
+
+  void
+  SceneParameters::check_pair() const
+  {
+    if (wheel.rigid && rail.rigid)
+      throw InputError("Wheel/Rigid = true and Rail/Rigid = true: at least one "
+                       "body must be elastic.");
+    if (dimension == 2 && !wheel.rigid && !rail.rigid &&
+        wheel.thickness != rail.thickness)
+      throw InputError(
+        "Wheel/Thickness = " + Patterns::Tools::to_string(wheel.thickness) +
+        " and Rail/Thickness = " + Patterns::Tools::to_string(rail.thickness) +
+        ": plane strain needs the same thickness in both.");
+  }
+
+
+
+  void
+  SceneParameters::check_body_solver() const
+  {
+    if (body_solver != "distributed")
+      return;
+    if (analysis == "accuracy study")
+      throw InputError(
+        "Body solver = distributed: an accuracy study factorises "
+        "its bodies; take direct or automatic.");
+    for (const BodyParameters *body : {&wheel, &rail})
+      if (!body->rigid &&
+          body->material.poisson_ratio > distributed_poisson_limit)
+        throw InputError(
+          body->section + "/Poisson ratio = " +
+          Patterns::Tools::to_string(body->material.poisson_ratio) +
+          ": conjugate gradients with multigrid converge up to " +
+          Patterns::Tools::to_string(distributed_poisson_limit) +
+          "; take Body solver = direct.");
+  }
+
+
+
+  void
+  SceneParameters::check_study() const
+  {
+    if (analysis != "accuracy study")
+      return;
+    study.check(dimension);
+    if (mesh.adaptive_levels > 0)
+      throw InputError(
+        "Mesh/Adaptive levels = " + std::to_string(mesh.adaptive_levels) +
+        ": an accuracy study has its own meshes (Accuracy study/Elements "
+        "across patch); set it to 0.");
+  }
+
+
+
+  void
+  SceneParameters::check_profiles() const
+  {
+    const auto curvature = [](const double radius) {
+      return radius == 0. ? 0. : 1 / radius;
+    };
+    if (dimension == 3 &&
+        curvature(wheel.lateral_radius) + curvature(rail.lateral_radius) <= 0.)
+      throw InputError(
+        "Wheel/Lateral radius = " +
+        Patterns::Tools::to_string(wheel.lateral_radius) +
+        " and Rail/Lateral radius = " +
+        Patterns::Tools::to_string(rail.lateral_radius) +
+        ": the patch would reach the edges of the bodies; the profiles must "
+        "curve away from each other across, 1/R_wheel + 1/R_rail > 0.");
+    if (curvature(wheel.radius) + curvature(rail.radius) <= 0.)
+      throw InputError(
+        "Wheel/Radius = " + Patterns::Tools::to_string(wheel.radius) +
+        " and Rail/Radius = " + Patterns::Tools::to_string(rail.radius) +
+        ": the profiles must curve away from each other, "
+        "1/R_wheel + 1/R_rail > 0.");
+  }
+} // namespace RollingContact

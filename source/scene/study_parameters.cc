@@ -1,0 +1,259 @@
+#include <rolling_contact/base/choices.h>
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/text.h>
+#include <rolling_contact/scene/study_parameters.h>
+#include <rolling_contact/solvers/contact_solver.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace RollingContact
+{
+  using namespace dealii;
+
+  StudyParameters::StudyParameters()
+    : ParameterAcceptor("/Accuracy study")
+  {
+    add_parameter("Vary",
+                  vary,
+                  "`mesh`: steady states on many meshes; `time step`: the "
+                  "transient scene of section Time with many steps.",
+                  prm,
+                  Patterns::Selection("mesh|time step"));
+    declare_meshes();
+    declare_cases();
+    declare_methods();
+    declare_time();
+  }
+
+
+
+  void
+  StudyParameters::declare_meshes()
+  {
+    const Patterns::List numbers(Patterns::Integer(1), 1);
+    add_parameter("Elements across patch",
+                  elements,
+                  "Meshes to compare. Units: 1.",
+                  prm,
+                  numbers);
+    add_parameter(
+      "Offsets",
+      n_offsets,
+      "Positions of each mesh under the patch, equally spaced over one "
+      "element. Units: 1.",
+      prm,
+      Patterns::Integer(1, 1000));
+    add_parameter(
+      "Reference elements across patch",
+      reference_elements,
+      "Mesh of the converged solution that forces are compared with, "
+      "mean over the offsets with `calibrated`; finer than the others. "
+      "Units: 1.",
+      prm,
+      Patterns::Integer(1));
+    add_parameter("Extrapolate reference",
+                  extrapolate_reference,
+                  "Whether the converged solution is extrapolated from the "
+                  "reference mesh and those of half and a quarter of its "
+                  "elements, with the order they show.");
+    add_parameter("Rim levels",
+                  rim_levels,
+                  "Halvings of the element size at the leading edge on "
+                  "`graded` meshes. Units: 1.",
+                  prm,
+                  Patterns::Integer(1, 10));
+    add_parameter("Adaptive levels",
+                  adaptive_levels,
+                  "Levels of `adaptive` meshes; Mesh/Contact node budget may "
+                  "end them before. Units: 1.",
+                  prm,
+                  Patterns::Integer(1, 20));
+    add_parameter("Adaptive starts",
+                  adaptive_starts,
+                  "Elements across the patch that those levels start from; "
+                  "empty: as Elements across patch. Units: 1.",
+                  prm,
+                  Patterns::List(Patterns::Integer(1), 0));
+  }
+
+
+
+  void
+  StudyParameters::declare_cases()
+  {
+    add_parameter("Creepages over saturation",
+                  creepages,
+                  "Creepages, in 2D over mu a/R of the Hertz estimate, in 3D "
+                  "over that at which Kalker's linear force is 3 mu N. "
+                  "Units: 1.",
+                  prm,
+                  Patterns::List(Patterns::Double(), 1));
+    add_parameter(
+      "Directions",
+      directions,
+      "Of the creepage: `longitudinal`, and in 3D `lateral`, `spin` (its "
+      "lateral force is judged) or `combined`, all three, each over sqrt(3).",
+      prm,
+      Patterns::List(Patterns::Selection("longitudinal|lateral|spin|combined"),
+                     1));
+  }
+
+
+
+  void
+  StudyParameters::declare_methods()
+  {
+    add_parameter("Meshes",
+                  meshes,
+                  "Kinds of meshes: `uniform`, `graded` (finer at the leading "
+                  "edge, by Rim levels) or `adaptive`.",
+                  prm,
+                  Patterns::List(Patterns::Selection("uniform|graded|adaptive"),
+                                 1));
+    add_parameter(
+      "Slip operators",
+      slip_operators,
+      "Operators to compare, as Contact/Slip operator, and `paper`: galerkin "
+      "with consistent contact matrices, by the extragradient iteration where "
+      "the solver is `automatic` (Lai et al. 2017).",
+      prm,
+      Patterns::List(Patterns::Selection(choice_names(slip_operator_choices()) +
+                                         "|paper"),
+                     1));
+    add_parameter("Solvers",
+                  solvers,
+                  "Contact solvers to compare, as Contact/Solver.",
+                  prm,
+                  Patterns::List(Patterns::Selection(
+                                   choice_names(contact_solver_kinds())),
+                                 1));
+    add_parameter("Combinations",
+                  combinations,
+                  "`one at a time`: the first mesh, operator and solver, and "
+                  "what differs from them in one; `all` of them.",
+                  prm,
+                  Patterns::Selection("one at a time|all"));
+    add_parameter("Paper tolerance",
+                  paper_tolerance,
+                  "Tolerance for `paper`, which no solver takes to that of the "
+                  "others. Units: 1.",
+                  prm,
+                  Patterns::Double(1e-15, 1.));
+  }
+
+
+
+  void
+  StudyParameters::declare_time()
+  {
+    add_parameter("Time steps",
+                  time_steps,
+                  "Steps to compare, in place of Time/Time step: multiples of "
+                  "twice the reference. Units: s.",
+                  prm,
+                  Patterns::List(Patterns::Double(0.), 1));
+    add_parameter("Thetas",
+                  thetas,
+                  "Values of Time/Theta to compare. Units: 1.",
+                  prm,
+                  Patterns::List(Patterns::Double(0.5, 1.), 1));
+    add_parameter("Reference time step",
+                  reference_time_step,
+                  "The reference is extrapolated to first order from this step "
+                  "and twice this, with the first of Thetas. Units: s.",
+                  prm,
+                  Patterns::Double(0.));
+  }
+
+
+
+  namespace
+  {
+    template <typename Value>
+    void
+    require_different(const std::string &entry, std::vector<Value> values)
+    {
+      std::sort(values.begin(), values.end());
+      const auto same = std::adjacent_find(values.begin(), values.end());
+      if (same != values.end())
+        throw InputError("Accuracy study/" + entry + " contains " +
+                         Patterns::Tools::to_string(*same) +
+                         " twice: give every value once.");
+    }
+  } // namespace
+
+
+
+  void
+  StudyParameters::check_meshes() const
+  {
+    for (const auto *list : {&elements, &starts_of_levels()})
+      for (const unsigned int n : *list)
+        if (n >= reference_elements)
+          throw InputError("Accuracy study/" +
+                           std::string(list == &elements
+                                         ? "Elements across patch"
+                                         : "Adaptive starts") +
+                           " contains " + std::to_string(n) +
+                           ": take fewer than the reference mesh's " +
+                           std::to_string(reference_elements) +
+                           " (Reference elements across patch).");
+    if (extrapolate_reference && reference_elements % 4 != 0)
+      throw InputError("Accuracy study/Reference elements across patch = " +
+                       std::to_string(reference_elements) +
+                       ": take a multiple of 4, as the meshes of half and a "
+                       "quarter of it are needed to extrapolate, or set "
+                       "Extrapolate reference = false.");
+  }
+
+
+
+  void
+  StudyParameters::check_time_steps() const
+  {
+    if (reference_time_step <= 0.)
+      throw InputError("Accuracy study/Reference time step = 0: give a step "
+                       "above 0 s.");
+    for (const double step : time_steps)
+      {
+        const double ratio = step / (2 * reference_time_step);
+        if (step <= 0. || std::abs(ratio - std::round(ratio)) > 1e-6 * ratio)
+          throw InputError("Accuracy study/Time steps contains " +
+                           significant(step, 6) +
+                           " s: take multiples of twice the Reference time "
+                           "step, 2 * " +
+                           significant(reference_time_step, 6) +
+                           " s, so that times are common.");
+      }
+  }
+
+
+
+  void
+  StudyParameters::check(const unsigned int dimension) const
+  {
+    require_different("Elements across patch", elements);
+    require_different("Adaptive starts", adaptive_starts);
+    require_different("Creepages over saturation", creepages);
+    require_different("Directions", directions);
+    require_different("Meshes", meshes);
+    require_different("Slip operators", slip_operators);
+    require_different("Solvers", solvers);
+    require_different("Time steps", time_steps);
+    require_different("Thetas", thetas);
+    if (varies_time_step())
+      check_time_steps();
+    else
+      check_meshes();
+    for (const double creepage : creepages)
+      if (creepage == 0.)
+        throw InputError("Accuracy study/Creepages over saturation contains 0: "
+                         "there is no force to judge.");
+    for (const std::string &direction : directions)
+      if (dimension == 2 && direction != "longitudinal")
+        throw InputError("Accuracy study/Directions contains " + direction +
+                         ": in 2D there is only longitudinal; take Dimension = "
+                         "3.");
+  }
+} // namespace RollingContact

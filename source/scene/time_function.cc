@@ -1,0 +1,330 @@
+#include <boost/crc.hpp>
+
+#include <rolling_contact/base/captured_stderr.h>
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/text.h>
+#include <rolling_contact/scene/time_function.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+namespace RollingContact
+{
+  using namespace dealii;
+  namespace fs = std::filesystem;
+
+  namespace
+  {
+    const std::string blanks = " \t\r\n\v\f";
+
+    [[noreturn]] void
+    reject(const std::string &entry,
+           const std::string &text,
+           const std::string &reason)
+    {
+      throw InputError(entry + " = " + text + ": " + reason +
+                       " Give a number, an expression in t (s) such as "
+                       "1e-3*sin(2*pi*50*t), or a table, FILE.csv or "
+                       "table: FILE column.");
+    }
+
+
+
+    std::string
+    trimmed(const std::string &text)
+    {
+      const std::size_t begin = text.find_first_not_of(blanks),
+                        end   = text.find_last_not_of(blanks);
+      return begin == std::string::npos ? ""
+                                        : text.substr(begin, end - begin + 1);
+    }
+
+
+
+    /** What is wrong with an expression; empty if nothing. */
+    std::string
+    parse(const std::string &text, FunctionParser<1> &expression)
+    {
+      try
+        {
+          const CapturedStderr silence;
+          expression.initialize("t", text, {{"pi", numbers::PI}});
+          expression.value(Point<1>(0.));
+          return {};
+        }
+      catch (const ExceptionBase &error)
+        {
+          std::ostringstream text_of_error;
+          error.print_info(text_of_error);
+          const std::string reason = text_of_error.str(),
+                            mark   = "The parser said: ";
+          const std::size_t found  = reason.find(mark);
+          return trimmed(found == std::string::npos
+                           ? reason
+                           : reason.substr(found + mark.size())) +
+                 '.';
+        }
+    }
+
+
+
+    /** Whether the whole text is a number. */
+    bool
+    is_number(const std::string &text, double &value)
+    {
+      char *end = nullptr;
+      value     = std::strtod(text.c_str(), &end);
+      return !text.empty() && *end == '\0';
+    }
+
+
+
+    /** The names of variables, constants and functions in an expression. */
+    std::vector<std::string>
+    identifiers(const std::string &text)
+    {
+      std::vector<std::string> names;
+      const auto               is_letter = [](const char c) {
+        return std::isalpha(static_cast<unsigned char>(c)) || c == '_';
+      };
+      const auto is_digit = [](const char c) {
+        return std::isdigit(static_cast<unsigned char>(c)) || c == '.';
+      };
+      for (std::size_t i = 0; i < text.size();)
+        {
+          // The e of 1e-3 is part of a number.
+          char *end = nullptr;
+          if (is_digit(text[i]))
+            std::strtod(text.c_str() + i, &end);
+          const std::size_t begin = i;
+          if (end != nullptr)
+            i = std::max<std::size_t>(i + 1, end - text.c_str());
+          else if (is_letter(text[i]))
+            {
+              while (i < text.size() &&
+                     (is_letter(text[i]) || is_digit(text[i])))
+                ++i;
+              names.push_back(text.substr(begin, i - begin));
+            }
+          else
+            ++i;
+        }
+      return names;
+    }
+
+
+
+    /** Whether a comma stands outside all parentheses: muParser would take
+     * what follows it, and 0,5 is 5. */
+    bool
+    has_bare_comma(const std::string &text)
+    {
+      int depth = 0;
+      for (const char character : text)
+        {
+          depth += (character == '(') - (character == ')');
+          if (character == ',' && depth == 0)
+            return true;
+        }
+      return false;
+    }
+
+
+
+    std::vector<std::string>
+    cells_of(const std::string &line)
+    {
+      const std::size_t        found = line.find_first_of(",;");
+      std::vector<std::string> cells;
+      if (found == std::string::npos)
+        {
+          std::istringstream words(line);
+          for (std::string word; words >> word;)
+            cells.push_back(word);
+          return cells;
+        }
+      std::istringstream parts(line);
+      for (std::string part; std::getline(parts, part, line[found]);)
+        cells.push_back(trimmed(part));
+      return cells;
+    }
+
+
+
+    /** Index of a column given by its number from 1 or by its name; the number
+     * of columns if there is no such one. */
+    std::size_t
+    index_of_column(const std::string              &column,
+                    const std::vector<std::string> &names,
+                    const std::size_t               n_columns)
+    {
+      double number = 0.;
+      if (is_number(column, number))
+        return number >= 2 && number <= n_columns &&
+                   number == std::floor(number)
+                 ? static_cast<std::size_t>(number) - 1
+                 : n_columns;
+      const std::size_t index =
+        std::find(names.begin(), names.end(), column) - names.begin();
+      return index < names.size() && index < n_columns ? index : n_columns;
+    }
+  } // namespace
+
+
+
+  TimeFunction::TimeFunction(const double constant)
+    : points{{0., constant}}
+  {}
+
+
+
+  TimeFunction::TimeFunction(const std::string &entry,
+                             const std::string &given_text,
+                             const fs::path    &folder)
+    : entry(entry)
+    , text(trimmed(given_text))
+  {
+    const std::string keyword = "table:", ending = ".csv";
+    double            number = 0.;
+    if (is_number(text, number))
+      {
+        if (!std::isfinite(number))
+          reject(entry, text, "it is not finite.");
+        points = {{0., number}};
+      }
+    else if (text.compare(0, keyword.size(), keyword) == 0)
+      {
+        const std::string rest  = trimmed(text.substr(keyword.size()));
+        const std::size_t space = rest.find_last_of(blanks);
+        if (space == std::string::npos)
+          read_table(folder / rest, "2");
+        else
+          read_table(folder / trimmed(rest.substr(0, space)),
+                     rest.substr(space + 1));
+      }
+    else if (text.size() > ending.size() &&
+             text.substr(text.size() - ending.size()) == ending)
+      read_table(folder / text, "2");
+    else
+      read_expression();
+  }
+
+
+
+  void
+  TimeFunction::read_expression()
+  {
+    if (text.empty())
+      reject(entry, text, "it is empty.");
+    if (has_bare_comma(text) || text.find(';') != std::string::npos)
+      reject(entry, text, "decimals take a point, and it is one expression.");
+    for (const std::string &name : identifiers(text))
+      {
+        depends_on_time = depends_on_time || name == "t";
+        if (name.compare(0, 4, "rand") == 0)
+          reject(entry, text, "a random history cannot be repeated.");
+      }
+    expression                = std::make_shared<FunctionParser<1>>();
+    const std::string problem = parse(text, *expression);
+    if (!problem.empty())
+      reject(entry, text, problem);
+  }
+
+
+
+  void
+  TimeFunction::read_table(fs::path file, const std::string &column)
+  {
+    std::ifstream stream(file);
+    if (!stream || !fs::is_regular_file(file))
+      reject(entry, text, "\"" + file.string() + "\" cannot be read.");
+    std::vector<std::string> names;
+    unsigned int             line_number = 0;
+    for (std::string line; std::getline(stream, line);)
+      {
+        ++line_number;
+        line = trimmed(line);
+        if (line.empty() || line[0] == '#')
+          continue;
+        const auto        cells = cells_of(line);
+        const std::string place = '"' + file.string() + "\", line " +
+                                  std::to_string(line_number) + ": ";
+        double time = 0., value = 0.;
+        if (points.empty() && names.empty() && !is_number(cells[0], time))
+          {
+            names = cells;
+            continue;
+          }
+        const std::size_t index = index_of_column(column, names, cells.size());
+        if (index == cells.size())
+          reject(entry, text, place + "there is no column " + column + '.');
+        if (!is_number(cells[0], time) || !is_number(cells[index], value) ||
+            !std::isfinite(time) || !std::isfinite(value))
+          reject(entry, text, place + "not a number.");
+        if (!points.empty() && time <= points.back().first)
+          reject(entry, text, place + "the time does not rise.");
+        points.emplace_back(time, value);
+      }
+    if (points.size() < 2)
+      reject(entry, text, '"' + file.string() + "\" has less than two rows.");
+  }
+
+
+
+  double
+  TimeFunction::value(const double time) const
+  {
+    if (expression)
+      {
+        const double result = expression->value(Point<1>(time));
+        if (!std::isfinite(result))
+          reject(entry,
+                 text,
+                 "at t = " + significant(time, 6) + " s it is not finite.");
+        return result;
+      }
+    const auto next =
+      std::upper_bound(points.begin(),
+                       points.end(),
+                       time,
+                       [](const double                     t,
+                          const std::pair<double, double> &point) {
+                         return t < point.first;
+                       });
+    if (next == points.begin())
+      return points.front().second;
+    if (next == points.end())
+      return points.back().second;
+    const auto &[t0, first] = *(next - 1);
+    const double weight     = (time - t0) / (next->first - t0);
+    return (1 - weight) * first + weight * next->second;
+  }
+
+
+
+  bool
+  TimeFunction::is_constant() const
+  {
+    return expression ? !depends_on_time : !is_table();
+  }
+
+
+
+  std::string
+  TimeFunction::table_fingerprint() const
+  {
+    boost::crc_32_type crc;
+    for (const auto &[time, value] : points)
+      {
+        crc.process_bytes(&time, sizeof(time));
+        crc.process_bytes(&value, sizeof(value));
+      }
+    return std::to_string(points.size()) + " rows from " +
+           significant(points.front().first, 6) + " to " +
+           significant(points.back().first, 6) + " s, CRC-32 " +
+           std::to_string(crc.checksum());
+  }
+} // namespace RollingContact

@@ -1,0 +1,188 @@
+#include <boost/archive/binary_iarchive.hpp>
+#include <boost/archive/binary_oarchive.hpp>
+#include <boost/crc.hpp>
+#include <boost/serialization/array.hpp>
+#include <boost/serialization/map.hpp>
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/vector.hpp>
+
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/files.h>
+#include <rolling_contact/parallel/ranks.h>
+#include <rolling_contact/state/checkpoint.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+namespace boost
+{
+  namespace serialization
+  {
+    template <typename Archive>
+    void
+    serialize(Archive                      &archive,
+              RollingContact::PvdBlock     &block,
+              [[maybe_unused]] unsigned int version)
+    {
+      archive &block.time &block.part &block.name &block.file;
+    }
+
+
+
+    template <typename Archive>
+    void
+    serialize(Archive                      &archive,
+              RollingContact::BodyMotion   &motion,
+              [[maybe_unused]] unsigned int version)
+    {
+      archive &motion.displacement &motion.velocity;
+    }
+
+
+
+    template <typename Archive>
+    void
+    serialize(Archive                           &archive,
+              RollingContact::EdgeExtrapolation &edge,
+              [[maybe_unused]] unsigned int      version)
+    {
+      archive &edge.first &edge.second &edge.third &edge.rest;
+    }
+
+
+
+    template <typename Archive>
+    void
+    serialize(Archive                      &archive,
+              RollingContact::Checkpoint   &checkpoint,
+              [[maybe_unused]] unsigned int version)
+    {
+      auto    &c = checkpoint;
+      archive &c.tables;
+      archive &c.step &c.time &c.rolled_distance &c.time_step;
+      archive &c.wheel &c.rail;
+      archive &c.pressure &c.traction &c.approach &c.edges &c.friction;
+      archive &c.supplied_energy &c.friction_energy &c.damping_energy;
+      archive &c.numerical_energy &c.energy_error &c.n_impacts;
+      archive &c.history.n_rows &c.history.n_bytes;
+      archive &c.body_fields &c.interface_fields;
+    }
+  } // namespace serialization
+} // namespace boost
+
+namespace RollingContact
+{
+  namespace
+  {
+    /** What stands before the archive. */
+    struct Head
+    {
+      char          mark[24] = "rolling-contact restart"; ///< with its '\0'
+      std::uint32_t version  = 3; ///< to be raised with every change above
+      std::uint32_t checksum = 0; ///< CRC-32 of the archive
+      std::uint64_t n_bytes  = 0; ///< of the archive
+    };
+
+
+
+    std::uint32_t
+    checksum_of(const char *bytes, const std::size_t n_bytes)
+    {
+      boost::crc_32_type crc;
+      crc.process_bytes(bytes, n_bytes);
+      return crc.checksum();
+    }
+
+
+
+    [[noreturn]] void
+    reject(const std::filesystem::path &file, const std::string &reason)
+    {
+      throw InputError("Cannot resume from \"" + file.string() +
+                       "\": " + reason + " Start the run without --resume.");
+    }
+
+
+
+    void
+    write_file_of(const Checkpoint &checkpoint, RunFolder &folder)
+    {
+      std::ostringstream stream(std::ios::binary);
+      {
+        boost::archive::binary_oarchive archive(stream);
+        archive << checkpoint;
+      }
+      const std::string bytes = stream.str();
+      Head              head;
+      head.n_bytes  = bytes.size();
+      head.checksum = checksum_of(bytes.data(), bytes.size());
+
+      const auto path = folder.temporary(checkpoint_name);
+      errno           = 0;
+      std::ofstream file(path, std::ios::binary);
+      file.write(reinterpret_cast<const char *>(&head), sizeof(head));
+      file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+      file.close();
+      if (!file)
+        throw_write_error(path, std::strerror(errno));
+      folder.publish_durably(checkpoint_name);
+    }
+
+
+
+    /** The archive behind the head, checked. */
+    std::string
+    read_archive(const std::filesystem::path &file)
+    {
+      std::string bytes = read_bytes(file);
+      Head        expected, head;
+      if (bytes.size() < sizeof(Head))
+        reject(file, "it is missing or truncated.");
+      std::memcpy(&head, bytes.data(), sizeof(Head));
+      if (std::memcmp(head.mark, expected.mark, sizeof(head.mark)) != 0)
+        reject(file, "it is not a checkpoint of this program.");
+      if (head.version != expected.version)
+        reject(file,
+               "its version is " + std::to_string(head.version) +
+                 ", this program reads " + std::to_string(expected.version) +
+                 '.');
+      bytes.erase(0, sizeof(Head));
+      if (bytes.size() != head.n_bytes ||
+          checksum_of(bytes.data(), bytes.size()) != head.checksum)
+        reject(file, "it is truncated or damaged.");
+      return bytes;
+    }
+  } // namespace
+
+
+
+  void
+  write_checkpoint(const Checkpoint &checkpoint, RunFolder &folder)
+  {
+    Ranks::on_root([&]() { write_file_of(checkpoint, folder); });
+  }
+
+
+  Checkpoint
+  read_checkpoint(const RunFolder &folder)
+  {
+    const auto  file = folder.get_path() / checkpoint_name;
+    std::string bytes;
+    Ranks::on_root([&]() { bytes = read_archive(file); });
+    Ranks::broadcast(bytes);
+    std::istringstream stream(bytes, std::ios::binary);
+    Checkpoint         checkpoint;
+    try
+      {
+        boost::archive::binary_iarchive archive(stream);
+        archive >> checkpoint;
+      }
+    catch (const std::exception &)
+      {
+        reject(file, "it was written on another platform.");
+      }
+    return checkpoint;
+  }
+} // namespace RollingContact

@@ -1,0 +1,345 @@
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/text.h>
+#include <rolling_contact/contact/invariants.h>
+#include <rolling_contact/pair/compliance_update.h>
+#include <rolling_contact/state/contact_stepper.h>
+#include <rolling_contact/state/initial_contact.h>
+#include <rolling_contact/state/solved_state.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace RollingContact
+{
+  template <int dim>
+  ContactStepper<dim>::ContactStepper(const SceneParameters &scene,
+                                      RunContext            &context)
+    : scene(scene)
+    , context(context)
+    , histories(scene.time.histories(scene.contact, scene.prm_folder))
+    , solver(make_contact_solver(scene.solver.solver, scene.solver.controls))
+  {
+    InitialContact<dim> initial =
+      make_initial_contact<dim>(scene, histories, context);
+    contact        = std::move(initial.contact);
+    motion         = std::move(initial.motion);
+    undeformed_gap = contact.problem.gap;
+    border         = contact.pair->trace().border_nodes();
+  }
+
+
+
+  template <int dim>
+  void
+  ContactStepper<dim>::set_time_step(const double h)
+  {
+    if (h == time_step)
+      return;
+    PhaseTimer::Scope phase(context.timer, "factorisation and condensation");
+    motion->set_time_step(h);
+    time_step = h;
+    if (motion->compliance_depends_on_step())
+      contact.problem.W = motion->compliance();
+    contact.problem.convection = motion->displacement_factor();
+    contact.problem.rate       = 0.;
+    contact.problem.finish();
+  }
+
+
+
+  template <int dim>
+  void
+  ContactStepper<dim>::set_drive(const double time, const double h)
+  {
+    ContactProblem &problem = contact.problem;
+    const double    end     = time + h;
+    contact.creepage_x      = histories.creepage_x.value(end);
+    contact.creepage_y      = histories.creepage_y.value(end);
+    contact.spin            = histories.spin.value(end);
+    problem.set_creepages(contact.creepage_x, contact.creepage_y, contact.spin);
+    const bool ahead =
+      scene.time.inertia && scene.time.contact_law == "shifted";
+    const double at = end + (ahead ? (1 - scene.time.theta) * h : 0.);
+    if (histories.normal_load)
+      problem.normal_load = histories.normal_load->value(at);
+    else
+      problem.approach = histories.approach->value(at);
+  }
+
+
+
+  template <int dim>
+  double
+  ContactStepper<dim>::hub_acceleration(const double time, const double h) const
+  {
+    if (!histories.approach || histories.approach->is_constant() || time <= 0.)
+      return 0.;
+    const TimeFunction &approach = *histories.approach;
+    return (approach.value(time + h) - 2 * approach.value(time) +
+            approach.value(time - h)) /
+           (h * h);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactStepper<dim>::apply_free_motion(const FreeMotion &free,
+                                         const double      speed)
+  {
+    ContactProblem &problem = contact.problem;
+    problem.gap             = undeformed_gap;
+    for (std::size_t i = 0; i < free.gap.size(); ++i)
+      problem.gap[i] += free.gap[i];
+    if (problem.n_tangential == 0)
+      return;
+    problem.speed             = speed;
+    problem.free_displacement = free.displacement;
+    for (std::size_t i = 0; i < free.velocity.size(); ++i)
+      problem.rigid_slip[i] += free.velocity[i] / speed;
+    const double rate = 1 / (speed * time_step);
+    if (rate != problem.rate)
+      {
+        problem.rate = rate;
+        problem.find_tangential_norm();
+      }
+  }
+
+
+
+  template <int dim>
+  bool
+  ContactStepper<dim>::take_part(const double time,
+                                 const double h,
+                                 StepOutcome &outcome)
+  {
+    set_time_step(h);
+    set_drive(time, h);
+    outcome.speed = histories.speed.value(time + h);
+    if (contact.problem.n_tangential > 0 &&
+        outcome.speed * scene.contact.flow() <= 0.)
+      throw InputError("Time/Speed is " + significant(outcome.speed, 6) +
+                       " m/s at t = " + significant(time + h, 6) +
+                       " s: with friction it must keep the sign of "
+                       "Contact/Speed.");
+    {
+      PhaseTimer::Scope phase(context.timer, "forward and backward solves");
+      apply_free_motion(motion->begin_step(hub_acceleration(time, h)),
+                        std::abs(outcome.speed));
+    }
+    const ContactState previous = contact.state;
+    {
+      PhaseTimer::Scope phase(context.timer, "contact solve");
+      contact.solver = solve_updating_compliance(
+        *solver,
+        [&](const auto &forces, const bool) {
+          return motion->response(forces);
+        },
+        contact.pair->compliance_is_exact(),
+        scene.solver.controls,
+        contact.problem,
+        contact.state);
+    }
+    outcome.solver.reason   = contact.solver.reason;
+    outcome.solver.residual = contact.solver.residual;
+    if (!contact.solver.converged)
+      {
+        contact.state = previous;
+        return false;
+      }
+    contact.restored = false;
+    check_invariants(invariants(contact.problem, contact.state),
+                     scene.solver.controls.tolerance,
+                     "t = " + significant(time + h, 9) + " s: ");
+    finish_part(previous, h, outcome);
+    return true;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactStepper<dim>::finish_part(const ContactState &previous,
+                                   const double        h,
+                                   StepOutcome        &outcome)
+  {
+    const ContactProblem &problem = contact.problem;
+    {
+      PhaseTimer::Scope phase(context.timer, "forward and backward solves");
+      const StepEnergy  part = motion->end_step(problem, contact.state);
+      outcome.energy.kinetic = part.kinetic;
+      outcome.energy.strain  = part.strain;
+      outcome.energy.add_changes(part);
+    }
+    ++outcome.n_parts;
+    outcome.solver.iterations += contact.solver.iterations;
+    outcome.solver.solver = contact.solver.solver;
+    for (unsigned int i = 0; i < problem.n_nodes; ++i)
+      outcome.n_impacts +=
+        contact.state.pressure[i] > 0. && previous.pressure[i] == 0.;
+    if (problem.n_tangential == 0)
+      return;
+    const Uniqueness several = uniqueness(problem, contact.state);
+    if (several.ratio > outcome.several.ratio)
+      outcome.several = several;
+    const TangentialProblem friction =
+      tangential_problem(problem, contact.state);
+    outcome.friction -= std::abs(outcome.speed) * h *
+                        dot(problem.H.multiply(contact.state.traction),
+                            friction.slip(contact.state.traction));
+    const auto states = node_states(friction, contact.state);
+    outcome.n_sticking =
+      std::count(states.begin(), states.end(), NodeState::stick);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactStepper<dim>::take_in_parts(const double       time,
+                                     const double       h,
+                                     const unsigned int n_halvings,
+                                     StepOutcome       &outcome)
+  {
+    if (take_part(time, h, outcome))
+      return;
+    if (n_halvings == scene.time.maximum_halvings)
+      throw ConvergenceError(
+        "The contact solver did not converge at t = " + significant(time, 9) +
+        " s with a step of " + significant(h, 3) +
+        " s: " + shortfall(outcome.solver, scene.solver.controls.tolerance) +
+        ". Take a smaller Time/Time step, more Time/Maximum halvings or "
+        "another Contact/Solver.");
+    context.log.message(
+      "t = " + significant(time, 6) + " s: the contact solve failed (" +
+      outcome.solver.reason + "); the step is halved to " +
+      significant(h / 2, 3) + " s and the matrix factorised again.");
+    take_in_parts(time, h / 2, n_halvings + 1, outcome);
+    take_in_parts(time + h / 2, h / 2, n_halvings + 1, outcome);
+  }
+
+
+
+  template <int dim>
+  StepOutcome
+  ContactStepper<dim>::advance(const double time, const double h)
+  {
+    const ContactState before = contact.state;
+    motion->remember();
+    try
+      {
+        return take_whole_step(time, h);
+      }
+    catch (...)
+      {
+        contact.state    = before;
+        contact.restored = true; // the drive is that of the failed step
+        motion->go_back();
+        throw;
+      }
+  }
+
+
+
+  template <int dim>
+  StepOutcome
+  ContactStepper<dim>::take_whole_step(const double time, const double h)
+  {
+    StepOutcome outcome;
+    take_in_parts(time, h, 0, outcome);
+    if (!std::isfinite(motion->stored_energy()))
+      throw ConvergenceError(
+        "The energy of the bodies is not a number at t = " +
+        significant(time + h, 9) + " s.");
+    if (reaches_border(border, contact.problem, contact.state.pressure))
+      throw ConvergenceError(
+        "The patch reaches the border of the candidate zone at t = " +
+        significant(time + h, 9) + " s: take a larger Mesh/Candidate zone.");
+    const double scale = outcome.energy.kinetic + outcome.energy.strain +
+                         friction_energy + std::abs(outcome.friction);
+    if (outcome.friction < -1e-9 * scale)
+      throw ConvergenceError(
+        "Friction created " + scientific(-outcome.friction, 3) +
+        " J in the step to t = " + significant(time + h, 9) +
+        " s: the contact state is wrong, take a smaller Contact/Tolerance.");
+    friction_energy += outcome.friction;
+    find_resultants();
+    return outcome;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactStepper<dim>::find_resultants()
+  {
+    contact.result = resultants(contact.problem, contact.state);
+    // the rigid slip of the problem holds the free motion as well
+    contact.result.creep_work = -(contact.result.force_x * contact.creepage_x +
+                                  contact.result.force_y * contact.creepage_y +
+                                  contact.result.spin_moment * contact.spin);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactStepper<dim>::save(Checkpoint &checkpoint) const
+  {
+    checkpoint.pressure = contact.state.pressure;
+    checkpoint.traction = contact.state.traction;
+    checkpoint.approach = contact.state.approach;
+    checkpoint.edges    = contact.state.edges;
+    checkpoint.friction = contact.state.friction;
+    motion->save(checkpoint);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactStepper<dim>::restore(const Checkpoint &checkpoint)
+  {
+    const ContactProblem &problem = contact.problem;
+    if (checkpoint.pressure.size() != problem.n_nodes ||
+        checkpoint.traction.size() != problem.n_tangential * problem.n_nodes)
+      throw InputError("Cannot resume: the checkpoint has " +
+                       std::to_string(checkpoint.pressure.size()) +
+                       " contact nodes, the scene " +
+                       std::to_string(problem.n_nodes) +
+                       ". Start the run without --resume.");
+    restore_state(checkpoint);
+    friction_energy = checkpoint.friction_energy;
+    const double h  = checkpoint.time_step;
+    if (h == 0.) // before the first step
+      return;
+    set_time_step(h);
+    set_drive(checkpoint.time - h, h);
+    contact.solver.converged = true;
+    contact.restored         = true;
+    find_resultants();
+  }
+
+
+
+  template <int dim>
+  void
+  ContactStepper<dim>::restore_state(const Checkpoint &checkpoint)
+  {
+    // its slip is not known before the next step
+    const bool edge_law = true, holds_friction = !checkpoint.friction.empty();
+    contact.state = {checkpoint.pressure,
+                     checkpoint.traction,
+                     checkpoint.approach,
+                     checkpoint.edges,
+                     edge_law,
+                     checkpoint.friction,
+                     holds_friction};
+    motion->restore(checkpoint, contact.problem, contact.state);
+  }
+
+
+
+  template class ContactStepper<2>;
+  template class ContactStepper<3>;
+} // namespace RollingContact

@@ -1,0 +1,155 @@
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/state/initial_contact.h>
+
+#include <cmath>
+
+namespace RollingContact
+{
+  namespace
+  {
+    /**
+     * The edge law needs the static compliance, which a run with inertia has
+     * at most to start from.
+     */
+    SlipOperatorKind
+    operator_in_time(const SceneParameters &scene)
+    {
+      const SlipOperatorKind kind = scene.contact.slip_operator_kind();
+      return scene.time.inertia && kind == SlipOperatorKind::calibrated
+               ? SlipOperatorKind::upwind_2
+               : kind;
+    }
+
+
+
+    template <int dim>
+    void
+    start_steadily(const SceneParameters  &scene,
+                   const DrivingFunctions &histories,
+                   RunContext             &context,
+                   InitialContact<dim>    &initial)
+    {
+      PhaseTimer::Scope phase(context.timer, "contact solve");
+      SteadyState<dim> &contact = initial.contact;
+      ContactProblem   &problem = contact.problem;
+      problem.set_creepages(histories.creepage_x.value(0.),
+                            histories.creepage_y.value(0.),
+                            histories.spin.value(0.));
+      problem.speed = std::abs(histories.speed.value(0.));
+      if (histories.normal_load)
+        problem.normal_load = histories.normal_load->value(0.);
+      else
+        problem.approach = histories.approach->value(0.);
+      solve_contact(scene, contact);
+      if (!contact.solver.converged)
+        throw ConvergenceError("The steady initial state did not converge: " +
+                               contact.solver.reason +
+                               "; try Time/Initial state = rest.");
+      initial.motion->start_from(problem, contact.state);
+    }
+
+
+
+    /**
+     * The pair on its mesh, without any compliance.
+     */
+    template <int dim>
+    SteadyState<dim>
+    mesh_only(const SceneParameters &scene, RunContext &context)
+    {
+      PhaseTimer::Scope   phase(context.timer, "mesh and assembly");
+      const PatchEstimate patch = estimate_patch(scene);
+      SteadyState<dim>    contact;
+      contact.grading         = make_grading<dim>(scene,
+                                          patch,
+                                          scene.mesh.elements_across_patch,
+                                          scene.mesh.offset());
+      contact.elements_across = scene.mesh.elements_across_patch;
+      contact.pair =
+        std::make_unique<RollingPair<dim>>(scene, contact.grading, false);
+      return contact;
+    }
+
+
+
+    template <int dim>
+    InitialContact<dim>
+    make_massless(const SceneParameters  &scene,
+                  const DrivingFunctions &histories,
+                  RunContext             &context)
+    {
+      InitialContact<dim> initial;
+      initial.contact = solve_steady_state<dim>(scene, context);
+      initial.motion  = make_quasi_static_rolling<dim>(*initial.contact.pair);
+      if (scene.time.initial_state == "steady")
+        start_steadily(scene, histories, context, initial);
+      else
+        initial.contact.state = open_state(initial.contact.problem);
+      return initial;
+    }
+
+
+
+    template <int dim>
+    InitialContact<dim>
+    make_inertial(const SceneParameters  &scene,
+                  const DrivingFunctions &histories,
+                  const SlipOperatorKind  slip_operator,
+                  RunContext             &context)
+    {
+      const bool          steady = scene.time.initial_state == "steady";
+      InitialContact<dim> initial;
+      SteadyState<dim>   &contact = initial.contact;
+      contact = steady ? solve_steady_state<dim>(scene, context)
+                       : mesh_only<dim>(scene, context);
+      {
+        PhaseTimer::Scope phase(context.timer, "mass and order of elimination");
+        initial.motion = make_inertial_rolling<dim>(scene, *contact.pair);
+      }
+      contact.problem =
+        contact.pair->contact_problem(slip_operator,
+                                      steady ? std::move(contact.problem.W)
+                                             : contact.pair->combined({}, {}));
+      if (steady)
+        {
+          start_steadily(scene, histories, context, initial);
+          contact.pair->release_statics();
+        }
+      else
+        contact.state = open_state(contact.problem);
+      return initial;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  InitialContact<dim>
+  make_initial_contact(const SceneParameters  &scene,
+                       const DrivingFunctions &histories,
+                       RunContext             &context)
+  {
+    const SlipOperatorKind slip_operator = operator_in_time(scene);
+    if (slip_operator != scene.contact.slip_operator_kind() &&
+        scene.contact.friction_coefficient > 0.)
+      context.log.message("With inertia B1 is `upwind 2`: the edge law of "
+                          "`calibrated` needs the static compliance.");
+    InitialContact<dim> initial =
+      scene.time.inertia
+        ? make_inertial<dim>(scene, histories, slip_operator, context)
+        : make_massless<dim>(scene, histories, context);
+    initial.contact.slip_operator = slip_operator;
+    return initial;
+  }
+
+
+
+  template InitialContact<2>
+  make_initial_contact<2>(const SceneParameters &,
+                          const DrivingFunctions &,
+                          RunContext &);
+  template InitialContact<3>
+  make_initial_contact<3>(const SceneParameters &,
+                          const DrivingFunctions &,
+                          RunContext &);
+} // namespace RollingContact

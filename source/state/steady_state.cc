@@ -1,0 +1,343 @@
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/stopwatch.h>
+#include <rolling_contact/base/text.h>
+#include <rolling_contact/pair/compliance_update.h>
+#include <rolling_contact/parallel/interrupt.h>
+#include <rolling_contact/state/steady_state.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace RollingContact
+{
+  template <int dim>
+  Grading<dim>
+  make_grading(const SceneParameters &scene,
+               const PatchEstimate   &patch,
+               const unsigned int     elements_across_patch,
+               const double           offset)
+  {
+    const MeshParameters &mesh = scene.mesh;
+    Grading<dim>          grading;
+    const unsigned int    elements_y = mesh.elements_across_patch_y > 0
+                                         ? mesh.elements_across_patch_y
+                                         : elements_across_patch;
+    // vibration makes patches larger than Hertz's, and time cannot go back to
+    // enlarge the zone; the flow needs an element more on its upstream side
+    const bool in_time = scene.is_transient();
+    // contact stiffness is found with 10 % more than the load
+    const double swelling = scene.analysis == "load curve" ? 1.05 : 1.,
+                 factor   = mesh.candidate_zone > 0. ? mesh.candidate_zone
+                            : in_time                ? 1.5
+                                                     : 1.15,
+                 margin   = in_time ? 3. : 1.;
+    const auto zone       = [&](const double half_width, const double size) {
+      return std::max(factor * swelling * half_width,
+                      swelling * half_width + margin * size);
+    };
+    const double half_width = patch.half_width_x;
+    grading.element_size_x  = 2 * half_width / elements_across_patch;
+    grading.element_size_y  = 2 * patch.half_width_y / elements_y;
+    grading.zone_x          = zone(half_width, grading.element_size_x);
+    grading.upstream        = in_time ? 0 : -scene.contact.flow();
+    grading.zone_y          = zone(patch.half_width_y, grading.element_size_y);
+    grading.zone_depth      = mesh.zone_depth * half_width;
+    grading.growth          = mesh.growth;
+    grading.offset          = offset;
+    grading.rim_levels      = mesh.rim_levels;
+    grading.leading_edge_x  = -scene.contact.flow() * half_width;
+    grading.trailing_edge_x = -grading.leading_edge_x;
+    grading.leading_edge_only = mesh.rim_edges == "leading";
+    grading.rim_width         = 2 * grading.element_size_x;
+    return grading;
+  }
+
+
+
+  ContactState
+  initial_state(const ContactProblem &problem, const PatchEstimate &patch)
+  {
+    ContactState state = open_state(problem);
+    // a node at the very edge must not depend on rounding
+    const double inside = 1 - 1e-6;
+    for (unsigned int i = 0; i < problem.n_nodes; ++i)
+      {
+        const double x = problem.positions[i][0] / patch.half_width_x,
+                     y = patch.half_width_y > 0.
+                           ? problem.positions[i][1] / patch.half_width_y
+                           : 0.;
+        if (std::hypot(x, y) < inside)
+          state.pressure[i] = 1.;
+      }
+    return state;
+  }
+
+
+
+  namespace
+  {
+    /**
+     * Offset in elements that puts the leading edge where `upwind 2` has no
+     * first-order force error, upstream of the first contact node.
+     */
+    const double aligned_distance = 0.38;
+
+
+
+    /**
+     * Offset that leaves the found leading edge aligned_distance elements
+     * upstream of a node.
+     */
+    template <int dim>
+    double
+    aligned_offset(const SteadyState<dim> &steady, const int flow)
+    {
+      const double edge =
+        flow > 0 ? steady.result.edge_begin_x : steady.result.edge_end_x;
+      const double shift =
+        edge / steady.grading.element_size_x + flow * aligned_distance;
+      return shift - std::round(shift);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  solve_contact(const SceneParameters &scene, SteadyState<dim> &steady)
+  {
+    steady.solver = solve_updating_compliance(
+      *make_contact_solver(scene.solver.solver, scene.solver.controls),
+      [&](const auto &forces, const bool roughly) {
+        // in time small errors of W add up
+        return steady.pair->response(forces, roughly && !scene.is_transient());
+      },
+      steady.pair->compliance_is_exact(),
+      scene.solver.controls,
+      steady.problem,
+      steady.state);
+  }
+
+
+
+  template <int dim>
+  SteadyState<dim>
+  solve_on(const SceneParameters                                     &scene,
+           const Grading<dim>                                        &grading,
+           const std::function<ContactState(const ContactProblem &)> &start,
+           RunContext                                                &context)
+  {
+    throw_if_interrupted();
+    const Stopwatch  watch;
+    SteadyState<dim> steady;
+    steady.grading         = grading;
+    steady.elements_across = scene.mesh.elements_across_patch;
+    steady.slip_operator   = scene.contact.slip_operator_kind();
+    steady.creepage_x      = scene.contact.creepage_x;
+    steady.creepage_y      = scene.contact.creepage_y;
+    steady.spin            = scene.contact.spin;
+    {
+      PhaseTimer::Scope phase(context.timer, "mesh and assembly");
+      steady.pair = std::make_unique<RollingPair<dim>>(scene, grading);
+    }
+    {
+      PhaseTimer::Scope phase(context.timer, "factorisation and condensation");
+      steady.problem =
+        steady.pair->contact_problem(scene.contact.slip_operator_kind());
+    }
+    PhaseTimer::Scope phase(context.timer, "contact solve");
+    steady.state = start(steady.problem);
+    solve_contact(scene, steady);
+    steady.result = resultants(steady.problem, steady.state);
+    steady.wall_s = watch.seconds();
+    return steady;
+  }
+
+
+
+  namespace
+  {
+    /**
+     * A mesh for a patch that was only estimated, made anew as long as the
+     * states on it ask for another one.
+     */
+    template <int dim>
+    class FittedMesh
+    {
+    public:
+      FittedMesh(const SceneParameters &scene, Log &log)
+        : scene(scene)
+        , log(log)
+        , patch(estimate_patch(scene))
+        , offset(scene.mesh.offset())
+        , is_aligned(!scene.mesh.aligned())
+      {
+        grade();
+      }
+
+      /**
+       * True if it fits the patch of the state; otherwise changed.
+       */
+      bool
+      fits(const SteadyState<dim> &steady)
+      {
+        return !steady.solver.converged || // its patch means nothing
+               (!enlarge_for(steady) && !resize_for(steady) &&
+                !align_for(steady));
+      }
+
+      const SceneParameters &scene;
+      Log                   &log;
+      PatchEstimate          patch;
+      Grading<dim>           grading;
+
+    private:
+      void
+      grade()
+      {
+        grading = make_grading<dim>(scene,
+                                    patch,
+                                    scene.mesh.elements_across_patch,
+                                    offset);
+        grading.enlarge_zone(is_enlarged ? 1 : 0);
+      }
+
+      bool
+      enlarge_for(const SteadyState<dim> &steady);
+
+      bool
+      resize_for(const SteadyState<dim> &steady);
+
+      bool
+      align_for(const SteadyState<dim> &steady);
+
+      double offset; ///< in elements
+      bool   is_enlarged = false, is_resized = false, is_aligned;
+    };
+
+
+
+    template <int dim>
+    bool
+    FittedMesh<dim>::enlarge_for(const SteadyState<dim> &steady)
+    {
+      if (!zone_too_small(steady))
+        return false;
+      // a zone a little too small needs no larger elements
+      if (is_enlarged)
+        {
+          patch.half_width_x *= 1.5;
+          patch.half_width_y *= 1.5;
+          is_aligned = !scene.mesh.aligned(); // for the new elements
+        }
+      is_enlarged = true;
+      grade();
+      log.message("The patch reaches the border of the candidate zone; the "
+                  "zone is enlarged to " +
+                  significant(grading.zone_x, 3) + " m on both sides.");
+      return true;
+    }
+
+
+
+    template <int dim>
+    bool
+    FittedMesh<dim>::resize_for(const SteadyState<dim> &steady)
+    {
+      const Resultants &result   = steady.result;
+      const double      mismatch = result.half_width_x / patch.half_width_x;
+      if (is_resized || result.n_touching <= 5 ||
+          (mismatch >= 0.8 && mismatch <= 1.2))
+        return false;
+      log.message("The patch is " + significant(mismatch, 3) +
+                  " times as long as estimated: the mesh is made again for "
+                  "it.");
+      patch.half_width_x = result.half_width_x;
+      if (dim == 3)
+        patch.half_width_y = result.half_width_y;
+      grade();
+      is_resized = true;
+      is_aligned = !scene.mesh.aligned();
+      return true;
+    }
+
+
+
+    template <int dim>
+    bool
+    FittedMesh<dim>::align_for(const SteadyState<dim> &steady)
+    {
+      if (is_aligned || steady.result.n_touching <= 5)
+        return false;
+      offset     = aligned_offset(steady, scene.contact.flow());
+      is_aligned = true;
+      grade();
+      return true;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  SteadyState<dim>
+  solve_steady_state(const SceneParameters &scene, RunContext &context)
+  {
+    const Stopwatch    watch;
+    const unsigned int max_meshes = 10;
+    FittedMesh<dim>    mesh(scene, context.log);
+    for (unsigned int k = 0; k < max_meshes; ++k)
+      {
+        const PatchEstimate patch  = mesh.patch;
+        SteadyState<dim>    steady = solve_on<dim>(
+          scene,
+          mesh.grading,
+          [&](const ContactProblem &problem) {
+            return initial_state(problem, patch);
+          },
+          context);
+        if (!mesh.fits(steady))
+          continue;
+        if (steady.solver.converged)
+          steady.wall_s = watch.seconds();
+        return steady;
+      }
+    throw ConvergenceError(
+      "No mesh fits the patch, which reached the border of the candidate zone "
+      "or the estimated size in " +
+      std::to_string(max_meshes) +
+      " attempts: check radii, load and Mesh/Candidate zone.");
+  }
+
+
+
+  template struct SteadyState<2>;
+  template void
+  solve_contact(const SceneParameters &, SteadyState<2> &);
+  template void
+  solve_contact(const SceneParameters &, SteadyState<3> &);
+  template Grading<2>
+  make_grading(const SceneParameters &,
+               const PatchEstimate &,
+               const unsigned int,
+               const double);
+  template SteadyState<2>
+  solve_on(const SceneParameters &,
+           const Grading<2> &,
+           const std::function<ContactState(const ContactProblem &)> &,
+           RunContext &);
+  template SteadyState<3>
+  solve_on(const SceneParameters &,
+           const Grading<3> &,
+           const std::function<ContactState(const ContactProblem &)> &,
+           RunContext &);
+  template SteadyState<2>
+  solve_steady_state(const SceneParameters &, RunContext &);
+  template struct SteadyState<3>;
+  template Grading<3>
+  make_grading(const SceneParameters &,
+               const PatchEstimate &,
+               const unsigned int,
+               const double);
+  template SteadyState<3>
+  solve_steady_state(const SceneParameters &, RunContext &);
+} // namespace RollingContact

@@ -1,0 +1,345 @@
+#include <rolling_contact/assessment/reference_3d.h>
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/memory.h>
+#include <rolling_contact/base/text.h>
+#include <rolling_contact/parallel/interrupt.h>
+#include <rolling_contact/report/result_row.h>
+#include <rolling_contact/solvers/normal_active_set.h>
+#include <rolling_contact/state/adaptive_levels.h>
+#include <rolling_contact/studies/accuracy_study.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace RollingContact
+{
+  template <int dim>
+  AccuracyStudy<dim>::AccuracyStudy(SceneParameters &scene, RunContext &context)
+    : scene(scene)
+    , context(context)
+    , contact_matrices(scene.contact.contact_matrices)
+    , tolerance(scene.solver.controls.tolerance)
+    , rim_levels(scene.mesh.rim_levels)
+    , patch(estimate_patch(scene))
+  {}
+
+
+
+  template <int dim>
+  void
+  AccuracyStudy<dim>::run()
+  {
+    const StudyParameters &study = scene.study;
+    list_cases();
+    solve_reference();
+    for (const std::string &mesh : study.meshes)
+      if (mesh == "adaptive")
+        for (const std::size_t method : methods_on(mesh))
+          for (const unsigned int start : study.starts_of_levels())
+            solve_levels(start, method);
+      else
+        for (const unsigned int elements : study.elements)
+          solve_mesh(mesh, elements, methods_on(mesh));
+    StudySummary(scene, results, context).write();
+  }
+
+
+
+  template <int dim>
+  References::Creepages
+  AccuracyStudy<dim>::saturation() const
+  {
+    const double mu = scene.contact.friction_coefficient;
+    if (mu <= 0. || patch.half_width_x <= 0.)
+      throw InputError("Analysis = accuracy study needs contact and friction: "
+                       "check Contact/Approach, Contact/Normal load and "
+                       "Contact/Friction coefficient.");
+    if (dim == 2)
+      return {mu * patch.half_width_x / pair_constants(scene).relative_radius,
+              0.,
+              0.};
+    const auto linear = [&](const References::Creepages &creepages) {
+      return reference_3d(scene, patch.normal_force, creepages).linear;
+    };
+    const double limit = 3 * mu * patch.normal_force;
+    return {limit / std::abs(linear({1., 0., 0.}).x),
+            limit / std::abs(linear({0., 1., 0.}).y),
+            limit / std::abs(linear({0., 0., 1.}).y)};
+  }
+
+
+
+  template <int dim>
+  void
+  AccuracyStudy<dim>::list_cases()
+  {
+    const References::Creepages limit = saturation();
+    for (const std::string &direction : scene.study.directions)
+      for (const double part : scene.study.creepages)
+        {
+          const bool   combined = direction == "combined";
+          const double share    = combined ? part / std::sqrt(3.) : part;
+          const auto   of       = [&](const std::string &name) {
+            return combined || direction == name ? share : 0.;
+          };
+          results.cases.push_back({direction,
+                                   part,
+                                   {of("longitudinal") * limit.x,
+                                    of("lateral") * limit.y,
+                                    of("spin") * limit.spin}});
+        }
+  }
+
+
+
+  template <int dim>
+  std::vector<std::size_t>
+  AccuracyStudy<dim>::methods_on(const std::string &mesh) const
+  {
+    std::vector<std::size_t> indices;
+    for (std::size_t k = 0; k < results.n_compared; ++k)
+      if (results.methods[k].mesh == mesh)
+        indices.push_back(k);
+    return indices;
+  }
+
+
+
+  template <int dim>
+  void
+  AccuracyStudy<dim>::solve_reference()
+  {
+    const StudyParameters &study   = scene.study;
+    auto                  &methods = results.methods;
+    methods                        = study_methods(study);
+    const auto known =
+      std::find_if(methods.begin(), methods.end(), [&](const auto &method) {
+        return method.mesh == "uniform" &&
+               method.slip_operator == "calibrated" &&
+               method.solver == scene.solver.solver;
+      });
+    results.n_compared       = methods.size();
+    results.reference_method = known - methods.begin();
+    const bool is_listed     = known != methods.end();
+    if (!is_listed)
+      methods.push_back({"uniform", "calibrated", scene.solver.solver});
+    for (const unsigned int elements : reference_meshes(study))
+      if (elements == study.reference_elements || !is_listed ||
+          std::find(study.elements.begin(), study.elements.end(), elements) ==
+            study.elements.end())
+        solve_mesh("uniform", elements, {results.reference_method});
+  }
+
+
+
+  template <int dim>
+  void
+  AccuracyStudy<dim>::apply_method(const StudyMethod &method)
+  {
+    const bool paper               = method.slip_operator == "paper";
+    scene.contact.slip_operator    = paper ? "galerkin" : method.slip_operator;
+    scene.contact.contact_matrices = paper ? "consistent" : contact_matrices;
+    scene.solver.solver =
+      paper && method.solver == "automatic" ? "extragradient" : method.solver;
+    scene.solver.controls.tolerance =
+      paper ? std::max(tolerance, scene.study.paper_tolerance) : tolerance;
+  }
+
+
+
+  template <int dim>
+  void
+  AccuracyStudy<dim>::apply_case(const StudyCase &state)
+  {
+    scene.contact.creepage_x = state.creepages.x;
+    scene.contact.creepage_y = state.creepages.y;
+    scene.contact.spin       = state.creepages.spin;
+  }
+
+
+
+  template <int dim>
+  void
+  AccuracyStudy<dim>::set_up_pair(SteadyState<dim> &steady)
+  {
+    const unsigned int max_enlargements = 4;
+    for (unsigned int k = 0; k <= max_enlargements; ++k)
+      {
+        {
+          PhaseTimer::Scope phase(context.timer, "mesh and assembly");
+          steady.pair =
+            std::make_unique<RollingPair<dim>>(scene, steady.grading);
+        }
+        PhaseTimer::Scope phase(context.timer,
+                                "factorisation and condensation");
+        steady.problem =
+          steady.pair->contact_problem(scene.contact.slip_operator_kind());
+        steady.state = initial_state(steady.problem, patch);
+        NormalActiveSet(scene.solver.controls)
+          .solve(steady.problem, steady.state);
+        if (!zone_too_small(steady))
+          return;
+        steady.grading.enlarge_zone(1);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  AccuracyStudy<dim>::solve_mesh(const std::string              &mesh,
+                                 const unsigned int              elements,
+                                 const std::vector<std::size_t> &methods)
+  {
+    const unsigned int n_offsets = scene.study.n_offsets;
+    scene.mesh.rim_levels =
+      mesh == "graded" ? scene.study.rim_levels : rim_levels;
+    for (unsigned int k = 0; k < n_offsets; ++k)
+      {
+        throw_if_interrupted();
+        release_free_memory();
+        reset_peak_memory();
+        const StateSeconds before = state_seconds(context.timer);
+        SteadyState<dim>   steady;
+        steady.elements_across = elements;
+        steady.grading =
+          make_grading<dim>(scene, patch, elements, double(k) / n_offsets);
+        apply_method(results.methods[methods.front()]);
+        set_up_pair(steady);
+        // of the first method, as it would be for any
+        const StateSeconds set_up = state_seconds(context.timer) - before;
+        for (const std::size_t method : methods)
+          {
+            apply_method(results.methods[method]);
+            if (method != methods.front())
+              {
+                PhaseTimer::Scope phase(context.timer,
+                                        "factorisation and condensation");
+                steady.problem = steady.pair->contact_problem(
+                  scene.contact.slip_operator_kind(),
+                  std::move(steady.problem.W));
+              }
+            for (std::size_t i = 0; i < results.cases.size(); ++i)
+              solve_case({method, i, elements}, set_up, steady);
+          }
+      }
+    context.log.message(
+      mesh + ", " + std::to_string(elements) + " elements: " +
+      std::to_string(n_offsets * methods.size() * results.cases.size()) +
+      " states");
+  }
+
+
+
+  template <int dim>
+  void
+  AccuracyStudy<dim>::solve_case(const StudyKey     &key,
+                                 const StateSeconds &set_up,
+                                 SteadyState<dim>   &steady)
+  {
+    apply_case(results.cases[key.state]);
+    const StateSeconds before = state_seconds(context.timer);
+    {
+      PhaseTimer::Scope phase(context.timer, "contact solve");
+      steady.creepage_x = scene.contact.creepage_x;
+      steady.creepage_y = scene.contact.creepage_y;
+      steady.spin       = scene.contact.spin;
+      steady.problem.set_creepages(steady.creepage_x,
+                                   steady.creepage_y,
+                                   steady.spin);
+      steady.state = initial_state(steady.problem, patch);
+      steady.solver =
+        make_contact_solver(scene.solver.solver, scene.solver.controls)
+          ->solve(steady.problem, steady.state);
+      steady.result = resultants(steady.problem, steady.state);
+    }
+    StateSeconds seconds = set_up;
+    seconds.contact += (state_seconds(context.timer) - before).contact;
+    if (zone_too_small(steady))
+      throw ConvergenceError(
+        "Accuracy study, " + std::to_string(key.elements) +
+        " elements: the patch reaches the border of the candidate zone; take "
+        "a larger Mesh/Candidate zone.");
+    keep(key, seconds, steady);
+  }
+
+
+
+  template <int dim>
+  void
+  AccuracyStudy<dim>::solve_levels(const unsigned int start,
+                                   const std::size_t  method)
+  {
+    const unsigned int n_offsets     = scene.study.n_offsets;
+    scene.mesh.elements_across_patch = start;
+    scene.mesh.adaptive_levels       = scene.study.adaptive_levels;
+    scene.mesh.target_change         = 0.;
+    scene.mesh.rim_levels            = rim_levels;
+    for (unsigned int k = 0; k < n_offsets; ++k)
+      for (std::size_t i = 0; i < results.cases.size(); ++i)
+        solve_levels({method, i, start}, double(k) / n_offsets);
+    context.log.message(
+      "adaptive, from " + std::to_string(start) + " elements: " +
+      std::to_string(n_offsets * results.cases.size()) + " states");
+  }
+
+
+
+  template <int dim>
+  void
+  AccuracyStudy<dim>::solve_levels(const StudyKey &key, const double offset)
+  {
+    apply_method(results.methods[key.method]);
+    apply_case(results.cases[key.state]);
+    scene.mesh.patch_offset = significant(offset, 12);
+    release_free_memory();
+    reset_peak_memory();
+    const StateSeconds before = state_seconds(context.timer);
+    Log                quiet(Verbosity::quiet);
+    RunContext         unheard{
+      context.folder, context.results, context.report, context.timer, quiet};
+    const SteadyState<dim> steady =
+      AdaptiveLevels<dim>(scene, unheard).run([](const auto &) {});
+    keep(key, state_seconds(context.timer) - before, steady);
+  }
+
+
+
+  template <int dim>
+  void
+  AccuracyStudy<dim>::keep(const StudyKey         &key,
+                           const StateSeconds     &seconds,
+                           const SteadyState<dim> &steady)
+  {
+    const bool is_reference = key.method == results.reference_method &&
+                              key.elements == scene.study.reference_elements;
+    const TractionField *field =
+      !is_reference && !finest.empty() ? &finest[key.state] : nullptr;
+    StudySample sample = study_sample(scene, steady, field);
+    sample.seconds     = seconds;
+    sample.peak_memory = peak_memory_since_reset();
+    results.samples[key].push_back(sample);
+    context.results.set("mesh", results.methods[key.method].mesh);
+    context.results.set("operator", results.methods[key.method].slip_operator);
+    context.results.set("cpu_s", seconds.total());
+    add_result_row(scene, steady, context);
+    const auto meshes = reference_meshes(scene.study);
+    if (!sample.converged && key.method == results.reference_method &&
+        std::find(meshes.begin(), meshes.end(), key.elements) != meshes.end())
+      throw ConvergenceError(
+        "Accuracy study, the reference of " + std::to_string(key.elements) +
+        " elements, creepage " +
+        significant(results.cases[key.state].over_saturation, 3) +
+        " of saturation: " + steady.solver.reason + ".");
+    if (!is_reference)
+      return;
+    results.carter = follows_carter(scene, steady);
+    if (!results.carter && finest.size() == key.state)
+      finest.push_back({steady.pair->trace(), steady.state.traction});
+  }
+
+
+
+  template class AccuracyStudy<2>;
+  template class AccuracyStudy<3>;
+} // namespace RollingContact
