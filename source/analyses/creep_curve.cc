@@ -30,13 +30,42 @@ namespace RollingContact
 
 
     bool
-    varies(const std::vector<References::Creepages> &points,
-           const double References::Creepages::*component)
+    varies(const std::vector<double> &values)
     {
-      return std::any_of(points.begin(), points.end(), [&](const auto &point) {
-        return point.*component != points[0].*component;
+      return std::any_of(values.begin(), values.end(), [&](const double value) {
+        return value != values[0];
       });
     }
+
+
+
+    bool
+    any(const std::vector<double> &values)
+    {
+      return std::any_of(values.begin(), values.end(), [](const double value) {
+        return value != 0.;
+      });
+    }
+
+
+
+    /**
+     * The points of the path by component.
+     */
+    struct Path
+    {
+      Path(const std::vector<Creepages> &points)
+      {
+        for (const Creepages &point : points)
+          {
+            x.push_back(point.x);
+            y.push_back(point.y);
+            spin.push_back(point.spin);
+          }
+      }
+
+      std::vector<double> x, y, spin;
+    };
 
 
 
@@ -44,25 +73,19 @@ namespace RollingContact
      * For the screen: the creepages that vary, then forces.
      */
     std::vector<std::string>
-    columns_of(const std::vector<References::Creepages> &points)
+    columns_of(const std::vector<Creepages> &points)
     {
+      const Path               path(points);
       std::vector<std::string> columns;
-      const auto add = [&](const double References::Creepages::*component,
-                           const std::string                   &column) {
-        if (varies(points, component))
-          columns.push_back(column);
-      };
-      add(&References::Creepages::x, "creepage_x");
-      add(&References::Creepages::y, "creepage_y");
-      add(&References::Creepages::spin, "spin_1/m");
-      const auto any = [&](const double References::Creepages::*component) {
-        return std::any_of(points.begin(), points.end(), [&](const auto &it) {
-          return it.*component != 0.;
-        });
-      };
-      if (any(&References::Creepages::x))
+      if (varies(path.x))
+        columns.push_back("creepage_x");
+      if (varies(path.y))
+        columns.push_back("creepage_y");
+      if (varies(path.spin))
+        columns.push_back("spin_1/m");
+      if (any(path.x))
         columns.push_back("force_x_N");
-      if (any(&References::Creepages::y) || any(&References::Creepages::spin))
+      if (any(path.y) || any(path.spin))
         columns.push_back("force_y_N");
       columns.insert(columns.end(),
                      {"traction_coefficient", "stick_area_m2", "iterations"});
@@ -109,8 +132,8 @@ namespace RollingContact
 
   template <int dim>
   void
-  CreepCurve<dim>::march(const std::vector<References::Creepages> &points,
-                         SteadyState<dim>                         &steady)
+  CreepCurve<dim>::march(const std::vector<Creepages> &points,
+                         SteadyState<dim>             &steady)
   {
     Progress          progress(context.log, "point", points.size());
     UniquenessSummary worst;
@@ -142,14 +165,11 @@ namespace RollingContact
 
   template <int dim>
   void
-  CreepCurve<dim>::solve_point(const References::Creepages &creepages,
-                               SteadyState<dim>            &steady)
+  CreepCurve<dim>::solve_point(const Creepages  &creepages,
+                               SteadyState<dim> &steady)
   {
     PhaseTimer::Scope phase(context.timer, "contact solve");
-    steady.creepage_x = creepages.x;
-    steady.creepage_y = creepages.y;
-    steady.spin       = creepages.spin;
-    steady.problem.set_creepages(creepages.x, creepages.y, creepages.spin);
+    steady.problem.set_creepages(creepages);
     solve_contact(scene, steady);
     steady.result = resultants(steady.problem, steady.state);
 
@@ -177,13 +197,14 @@ namespace RollingContact
 
   template <int dim>
   void
-  CreepCurve<dim>::plot(const std::vector<References::Creepages> &points) const
+  CreepCurve<dim>::plot(const std::vector<Creepages> &points) const
   {
-    const bool y = varies(points, &References::Creepages::y),
-               x = varies(points, &References::Creepages::x);
-    std::vector<double> abscissa;
-    for (const auto &point : points)
-      abscissa.push_back(y ? 100 * point.y : x ? 100 * point.x : point.spin);
+    const Path          path(points);
+    const bool          y = varies(path.y), x = varies(path.x);
+    std::vector<double> abscissa = y ? path.y : x ? path.x : path.spin;
+    if (y || x)
+      for (double &value : abscissa)
+        value *= 100;
     const std::string label = y   ? "lateral creepage (%)"
                               : x ? "longitudinal creepage (%)"
                                   : "spin (1/m)";

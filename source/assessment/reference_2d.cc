@@ -124,7 +124,7 @@ namespace RollingContact
       reference.carter.emplace(reference.hertz,
                                constants.relative_radius,
                                scene.contact.friction_coefficient,
-                               steady.creepage_x,
+                               steady.problem.creepages.x,
                                scene.contact.flow());
     if (has_exact_compression(scene.wheel) &&
         has_exact_compression(scene.rail) && scene.contact.approach())

@@ -6,9 +6,9 @@
 namespace RollingContact
 {
   Reference3D
-  reference_3d(const SceneParameters       &scene,
-               const double                 normal_force,
-               const References::Creepages &creepages)
+  reference_3d(const SceneParameters &scene,
+               const double           normal_force,
+               const Creepages       &creepages)
   {
     const PairConstants constants = pair_constants(scene);
     const auto          modulus   = [](const BodyParameters &body) {

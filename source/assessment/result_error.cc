@@ -45,7 +45,7 @@ namespace RollingContact
     Bound
     measured_bound(const SceneParameters &scene, const SteadyState<dim> &steady)
     {
-      const SlipOperatorKind kind = steady.slip_operator;
+      const SlipOperatorKind kind = steady.problem.slip_operator.kind();
       if (kind == SlipOperatorKind::upwind_1)
         return {dim == 2 ? 0.65 : 1.1, 1.};
       if (kind == SlipOperatorKind::galerkin)
@@ -56,7 +56,8 @@ namespace RollingContact
         return {dim == 2 ? 0.4 : 0.65, 1.};
       if (dim == 2)
         return {2.3, 2.};
-      return steady.spin == 0. ? Bound{1.3, 2.} : Bound{0.9, 1.5};
+      return steady.problem.creepages.spin == 0. ? Bound{1.3, 2.}
+                                                 : Bound{0.9, 1.5};
     }
 
 
@@ -83,10 +84,8 @@ namespace RollingContact
     estimated_force_error(const SceneParameters  &scene,
                           const SteadyState<dim> &steady)
     {
-      const bool is_of_levels = steady.creepage_x == scene.contact.creepage_x &&
-                                steady.creepage_y == scene.contact.creepage_y &&
-                                steady.spin == scene.contact.spin;
-      if (steady.limit && is_of_levels)
+      // along a creep curve the levels were those of its first state
+      if (steady.limit && steady.problem.creepages == scene.contact.creepages)
         return {"force",
                 steady.limit->value_error,
                 "mu N",
@@ -132,7 +131,7 @@ namespace RollingContact
     const double n =
       steady.result.half_width_x > 0.
         ? 2 * steady.result.half_width_x / steady.grading.element_size_x
-        : steady.elements_across;
+        : steady.grading.elements_across();
     ResolutionEstimate estimate;
     estimate.error = std::min(1., bound.constant / std::pow(n, bound.order));
     estimate.text =

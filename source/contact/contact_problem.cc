@@ -77,16 +77,12 @@ namespace RollingContact
 
 
   void
-  ContactProblem::set_creepages(const double x,
-                                const double y,
-                                const double spin)
+  ContactProblem::set_creepages(const Creepages &values)
   {
+    creepages = values;
     rigid_slip.resize(n_tangential * n_nodes);
     for (std::size_t i = 0; i < rigid_slip.size(); ++i)
-      {
-        const auto &at = positions[i % n_nodes];
-        rigid_slip[i]  = i < n_nodes ? x - spin * at[1] : y + spin * at[0];
-      }
+      rigid_slip[i] = creepages.at(positions[i % n_nodes])[i / n_nodes];
   }
 
 

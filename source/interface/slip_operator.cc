@@ -44,7 +44,7 @@ namespace RollingContact
                              const SlipOperatorKind kind,
                              const ContactMatrices  matrices,
                              const int              flow)
-    : kind(kind)
+    : operator_kind(kind)
     , flow(flow)
   {
     UpstreamRows upstream = upstream_rows(trace, flow);

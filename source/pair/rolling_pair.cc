@@ -275,20 +275,21 @@ namespace RollingContact
   {
     const ContactParameters &contact = this->scene.contact;
     ContactProblem           problem;
-    problem.n_nodes      = this->trace().nodes.size();
-    problem.n_tangential = components.size() - 1;
-    problem.positions    = this->trace().nodes;
-    problem.W            = std::move(W);
-    problem.coupled      = !this->twins() && problem.n_tangential > 0;
-    problem.dundurs_beta = pair_constants(this->scene).dundurs_beta;
-    problem.H            = contact_matrix(this->trace(),
+    problem.n_nodes          = this->trace().nodes.size();
+    problem.n_tangential     = components.size() - 1;
+    problem.positions        = this->trace().nodes;
+    problem.W                = std::move(W);
+    problem.coupled          = !this->twins() && problem.n_tangential > 0;
+    problem.dundurs_beta     = pair_constants(this->scene).dundurs_beta;
+    problem.H                = contact_matrix(this->trace(),
                                contact.contact_matrices_kind(),
                                dim == 2 ? this->scene.thickness() : 1.);
-    if (problem.n_tangential > 0)
-      problem.slip_operator = SlipOperator(this->trace(),
-                                           slip_operator,
-                                           contact.contact_matrices_kind(),
-                                           contact.flow());
+    problem.slip_operator    = problem.n_tangential > 0
+                                 ? SlipOperator(this->trace(),
+                                             slip_operator,
+                                             contact.contact_matrices_kind(),
+                                             contact.flow())
+                                 : SlipOperator(slip_operator);
     const BodyGeometry wheel = this->scene.wheel.geometry(),
                        rail  = this->scene.rail.geometry();
     const Roughness roughness(contact.roughness);
@@ -306,7 +307,7 @@ namespace RollingContact
     problem.friction.assign(problem.n_nodes, contact.friction_coefficient);
     problem.friction_law = contact.falling_friction();
     problem.speed        = std::abs(contact.speed);
-    problem.set_creepages(contact.creepage_x, contact.creepage_y, contact.spin);
+    problem.set_creepages(contact.creepages);
     problem.normal_load = contact.normal_load();
     problem.approach    = contact.approach().value_or(0.);
     problem.finish();

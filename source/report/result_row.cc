@@ -9,6 +9,16 @@ namespace RollingContact
   namespace
   {
     void
+    set_creepage_columns(const Creepages &creepages, ResultsTable &table)
+    {
+      table.set("creepage_x", creepages.x);
+      table.set("creepage_y", creepages.y);
+      table.set("spin_1/m", creepages.spin);
+    }
+
+
+
+    void
     set_resultant_columns(const Resultants &result, ResultsTable &table)
     {
       table.set("normal_force_N", result.normal_force);
@@ -107,10 +117,9 @@ namespace RollingContact
     {
       if (steady.result.normal_force <= 0. || !scene.contact.roughness.empty())
         return;
-      const Reference3D reference =
-        reference_3d(scene,
-                     steady.result.normal_force,
-                     {steady.creepage_x, steady.creepage_y, steady.spin});
+      const Reference3D reference = reference_3d(scene,
+                                                 steady.result.normal_force,
+                                                 steady.problem.creepages);
       table.set("reference_half_width_x_m", reference.hertz.half_width_x);
       table.set("reference_half_width_y_m", reference.hertz.half_width_y);
       table.set("reference_max_pressure_Pa", reference.hertz.max_pressure);
@@ -163,12 +172,10 @@ namespace RollingContact
     table.set("level", steady.level);
     table.set("dofs", steady.pair->n_unknowns());
     table.set("contact_nodes", steady.problem.n_nodes);
-    table.set("elements_across", steady.elements_across);
+    table.set("elements_across", steady.grading.elements_across());
     table.set("patch_offset", steady.grading.offset);
-    table.set("slip_operator", name_of(steady.slip_operator));
-    table.set("creepage_x", steady.creepage_x);
-    table.set("creepage_y", steady.creepage_y);
-    table.set("spin_1/m", steady.spin);
+    table.set("slip_operator", name_of(steady.problem.slip_operator.kind()));
+    set_creepage_columns(steady.problem.creepages, table);
     table.set("approach_m", steady.state.approach);
     if (steady.contact_stiffness)
       table.set("contact_stiffness_N/m", *steady.contact_stiffness);
@@ -196,9 +203,7 @@ namespace RollingContact
   add_open_row(const SceneParameters &scene, ResultsTable &table)
   {
     table.set("level", 0);
-    table.set("creepage_x", scene.contact.creepage_x);
-    table.set("creepage_y", scene.contact.creepage_y);
-    table.set("spin_1/m", scene.contact.spin);
+    set_creepage_columns(scene.contact.creepages, table);
     table.set("approach_m", scene.contact.approach().value_or(0.));
     set_resultant_columns(Resultants(), table);
     table.set("solver", std::string("none"));

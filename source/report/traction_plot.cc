@@ -91,7 +91,7 @@ namespace RollingContact
              readable(steady.result.force_x /
                       (scene.contact.friction_coefficient *
                        steady.result.normal_force)) +
-             " at creepage " + readable(steady.creepage_x);
+             " at creepage " + readable(steady.problem.creepages.x);
     }
   } // namespace
 

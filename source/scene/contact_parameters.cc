@@ -79,19 +79,19 @@ namespace RollingContact
     const Patterns::Double any;
     add_parameter(
       "Creepage x",
-      creepage_x,
+      creepages.x,
       "Longitudinal creepage, sliding speed of the wheel over the rail "
       "in x over the magnitude of the rolling speed. Units: 1.",
       prm,
       any);
     add_parameter("Creepage y",
-                  creepage_y,
+                  creepages.y,
                   "Lateral creepage, 3D only. Units: 1.",
                   prm,
                   any);
     add_parameter(
       "Spin",
-      spin,
+      creepages.spin,
       "Spin creepage, angular velocity about z of the wheel over the rail "
       "over the magnitude of the rolling speed, 3D only. Units: 1/m.",
       prm,
@@ -245,10 +245,12 @@ namespace RollingContact
     if (speed == 0.)
       throw InputError("Contact/Speed = 0: rolling needs a direction, give a "
                        "positive or negative speed.");
-    if (dimension == 2 && (creepage_y != 0. || spin != 0.))
+    if (dimension == 2 && (creepages.y != 0. || creepages.spin != 0.))
       throw InputError(
-        "Contact/" + std::string(spin != 0. ? "Spin" : "Creepage y") + " = " +
-        Patterns::Tools::to_string(spin != 0. ? spin : creepage_y) +
+        "Contact/" + std::string(creepages.spin != 0. ? "Spin" : "Creepage y") +
+        " = " +
+        Patterns::Tools::to_string(creepages.spin != 0. ? creepages.spin
+                                                        : creepages.y) +
         ": lateral creepage and spin exist in 3D only; set it to 0 "
         "or take Dimension = 3.");
   }

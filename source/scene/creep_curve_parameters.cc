@@ -33,7 +33,7 @@ namespace RollingContact
 
 
 
-  std::vector<References::Creepages>
+  std::vector<Creepages>
   CreepCurveParameters::points() const
   {
     const std::vector<double> x   = number_list("Creep curve/Creepage x",
@@ -54,7 +54,7 @@ namespace RollingContact
     const auto at = [](const std::vector<double> &list, const std::size_t i) {
       return list[list.size() == 1 ? 0 : i];
     };
-    std::vector<References::Creepages> points(n);
+    std::vector<Creepages> points(n);
     for (std::size_t i = 0; i < n; ++i)
       points[i] = {at(x, i), at(y, i), at(phi, i)};
     return points;

@@ -227,9 +227,7 @@ namespace RollingContact
       const auto at_time = [&]() {
         return " at t = " + significant(time, 6) + " s: ";
       };
-      for (const TimeFunction *history :
-           {&histories.creepage_x, &histories.creepage_y, &histories.spin})
-        history->value(time);
+      histories.creepages(time);
       if (histories.approach)
         histories.approach->value(time);
       if (histories.normal_load && histories.normal_load->value(time) < 0.)
@@ -307,13 +305,14 @@ namespace RollingContact
         tables[entry + " (table)"] = history.table_fingerprint();
       return history;
     };
-    DrivingFunctions driving{{},
-                             {},
-                             read("Creepage x", creepage_x, contact.creepage_x),
-                             read("Creepage y", creepage_y, contact.creepage_y),
-                             read("Spin", spin, contact.spin),
-                             read("Speed", speed, contact.speed),
-                             {}};
+    DrivingFunctions driving{
+      {},
+      {},
+      read("Creepage x", creepage_x, contact.creepages.x),
+      read("Creepage y", creepage_y, contact.creepages.y),
+      read("Spin", spin, contact.creepages.spin),
+      read("Speed", speed, contact.speed),
+      {}};
     if (const auto load = contact.normal_load())
       driving.normal_load = read("Normal load", normal_load, *load);
     if (const auto depth = contact.approach())

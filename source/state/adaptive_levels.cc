@@ -230,9 +230,6 @@ namespace RollingContact
           },
           context);
         next.level = previous.level + 1;
-        next.elements_across =
-          std::lround(previous.elements_across *
-                      previous.grading.element_size_x / grading.element_size_x);
         // the patch of a state that is none means nothing
         if (!next.solver.converged || !zone_too_small(next))
           return next;

@@ -53,10 +53,7 @@ namespace RollingContact
   {
     ContactProblem &problem = contact.problem;
     const double    end     = time + h;
-    contact.creepage_x      = histories.creepage_x.value(end);
-    contact.creepage_y      = histories.creepage_y.value(end);
-    contact.spin            = histories.spin.value(end);
-    problem.set_creepages(contact.creepage_x, contact.creepage_y, contact.spin);
+    problem.set_creepages(histories.creepages(end));
     const bool ahead =
       scene.time.inertia && scene.time.contact_law == "shifted";
     const double at = end + (ahead ? (1 - scene.time.theta) * h : 0.);
@@ -275,9 +272,10 @@ namespace RollingContact
   {
     contact.result = resultants(contact.problem, contact.state);
     // the rigid slip of the problem holds the free motion as well
-    contact.result.creep_work = -(contact.result.force_x * contact.creepage_x +
-                                  contact.result.force_y * contact.creepage_y +
-                                  contact.result.spin_moment * contact.spin);
+    const Creepages &creepages = contact.problem.creepages;
+    contact.result.creep_work  = -(contact.result.force_x * creepages.x +
+                                  contact.result.force_y * creepages.y +
+                                  contact.result.spin_moment * creepages.spin);
   }
 
 

@@ -32,9 +32,7 @@ namespace RollingContact
       PhaseTimer::Scope phase(context.timer, "contact solve");
       SteadyState<dim> &contact = initial.contact;
       ContactProblem   &problem = contact.problem;
-      problem.set_creepages(histories.creepage_x.value(0.),
-                            histories.creepage_y.value(0.),
-                            histories.spin.value(0.));
+      problem.set_creepages(histories.creepages(0.));
       problem.speed = std::abs(histories.speed.value(0.));
       if (histories.normal_load)
         problem.normal_load = histories.normal_load->value(0.);
@@ -60,11 +58,10 @@ namespace RollingContact
       PhaseTimer::Scope   phase(context.timer, "mesh and assembly");
       const PatchEstimate patch = estimate_patch(scene);
       SteadyState<dim>    contact;
-      contact.grading         = make_grading<dim>(scene,
+      contact.grading = make_grading<dim>(scene,
                                           patch,
                                           scene.mesh.elements_across_patch,
                                           scene.mesh.offset());
-      contact.elements_across = scene.mesh.elements_across_patch;
       contact.pair =
         std::make_unique<RollingPair<dim>>(scene, contact.grading, false);
       return contact;
@@ -134,12 +131,9 @@ namespace RollingContact
         scene.contact.friction_coefficient > 0.)
       context.log.message("With inertia B1 is `upwind 2`: the edge law of "
                           "`calibrated` needs the static compliance.");
-    InitialContact<dim> initial =
-      scene.time.inertia
-        ? make_inertial<dim>(scene, histories, slip_operator, context)
-        : make_massless<dim>(scene, histories, context);
-    initial.contact.slip_operator = slip_operator;
-    return initial;
+    return scene.time.inertia
+             ? make_inertial<dim>(scene, histories, slip_operator, context)
+             : make_massless<dim>(scene, histories, context);
   }
 
 

@@ -130,12 +130,7 @@ namespace RollingContact
     throw_if_interrupted();
     const Stopwatch  watch;
     SteadyState<dim> steady;
-    steady.grading         = grading;
-    steady.elements_across = scene.mesh.elements_across_patch;
-    steady.slip_operator   = scene.contact.slip_operator_kind();
-    steady.creepage_x      = scene.contact.creepage_x;
-    steady.creepage_y      = scene.contact.creepage_y;
-    steady.spin            = scene.contact.spin;
+    steady.grading = grading;
     {
       PhaseTimer::Scope phase(context.timer, "mesh and assembly");
       steady.pair = std::make_unique<RollingPair<dim>>(scene, grading);

@@ -46,7 +46,7 @@ namespace RollingContact
 
 
   template <int dim>
-  References::Creepages
+  Creepages
   AccuracyStudy<dim>::saturation() const
   {
     const double mu = scene.contact.friction_coefficient;
@@ -58,7 +58,7 @@ namespace RollingContact
       return {mu * patch.half_width_x / pair_constants(scene).relative_radius,
               0.,
               0.};
-    const auto linear = [&](const References::Creepages &creepages) {
+    const auto linear = [&](const Creepages &creepages) {
       return reference_3d(scene, patch.normal_force, creepages).linear;
     };
     const double limit = 3 * mu * patch.normal_force;
@@ -73,7 +73,7 @@ namespace RollingContact
   void
   AccuracyStudy<dim>::list_cases()
   {
-    const References::Creepages limit = saturation();
+    const Creepages limit = saturation();
     for (const std::string &direction : scene.study.directions)
       for (const double part : scene.study.creepages)
         {
@@ -151,9 +151,7 @@ namespace RollingContact
   void
   AccuracyStudy<dim>::apply_case(const StudyCase &state)
   {
-    scene.contact.creepage_x = state.creepages.x;
-    scene.contact.creepage_y = state.creepages.y;
-    scene.contact.spin       = state.creepages.spin;
+    scene.contact.creepages = state.creepages;
   }
 
 
@@ -201,7 +199,6 @@ namespace RollingContact
         reset_peak_memory();
         const StateSeconds before = state_seconds(context.timer);
         SteadyState<dim>   steady;
-        steady.elements_across = elements;
         steady.grading =
           make_grading<dim>(scene, patch, elements, double(k) / n_offsets);
         apply_method(results.methods[methods.front()]);
@@ -241,12 +238,7 @@ namespace RollingContact
     const StateSeconds before = state_seconds(context.timer);
     {
       PhaseTimer::Scope phase(context.timer, "contact solve");
-      steady.creepage_x = scene.contact.creepage_x;
-      steady.creepage_y = scene.contact.creepage_y;
-      steady.spin       = scene.contact.spin;
-      steady.problem.set_creepages(steady.creepage_x,
-                                   steady.creepage_y,
-                                   steady.spin);
+      steady.problem.set_creepages(scene.contact.creepages);
       steady.state = initial_state(steady.problem, patch);
       steady.solver =
         make_contact_solver(scene.solver.solver, scene.solver.controls)

@@ -24,7 +24,7 @@ namespace
         body->thickness  = 0.02;
       }
     scene.contact.approach_entry     = "0.22e-3";
-    scene.contact.creepage_x         = 0.0017;
+    scene.contact.creepages.x        = 0.0017;
     scene.contact.slip_operator      = "upwind 2";
     scene.mesh.elements_across_patch = 16;
     scene.mesh.growth                = 0.3;
@@ -44,8 +44,8 @@ namespace
         body->width          = 0.1;
       }
     scene.contact.approach_entry     = "0.07e-3";
-    scene.contact.creepage_x         = 0.;
-    scene.contact.creepage_y         = 0.003;
+    scene.contact.creepages.x        = 0.;
+    scene.contact.creepages.y        = 0.003;
     scene.mesh.elements_across_patch = 6;
     scene.mesh.candidate_zone        = 1.25;
     scene.mesh.growth                = 0.6;
@@ -261,7 +261,7 @@ BOOST_AUTO_TEST_CASE(uniform_levels_are_twice_the_elements)
   });
   BOOST_TEST(levels.last.result.force_x == direct.steady.result.force_x,
              boost::test_tools::tolerance(1e-9));
-  BOOST_TEST(levels.last.elements_across == 32u);
+  BOOST_TEST(levels.last.grading.elements_across() == 32u);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

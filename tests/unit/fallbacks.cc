@@ -105,7 +105,7 @@ BOOST_AUTO_TEST_CASE(strong_coupling_ends_converged_and_unbroken)
         options.kind           = SlipOperatorKind::calibrated;
         ContactProblem problem = half_plane_problem(options);
         problem.friction.assign(problem.n_nodes, friction);
-        problem.set_creepages(creepage * friction, 0., 0.);
+        problem.set_creepages({creepage * friction, 0., 0.});
         const Solution found = solve(problem);
         BOOST_TEST_CONTEXT(friction << " " << creepage << " "
                                     << found.report.solver)
@@ -123,7 +123,7 @@ BOOST_AUTO_TEST_CASE(the_report_names_the_fallback)
   options.n_elements     = 24;
   ContactProblem problem = half_plane_problem(options);
   problem.friction.assign(problem.n_nodes, 9.);
-  problem.set_creepages(18., 0., 0.);
+  problem.set_creepages({18., 0., 0.});
   const Solution found = solve(problem);
   BOOST_TEST(found.report.converged);
   BOOST_TEST(found.report.solver.find("fallback") != std::string::npos);

@@ -333,7 +333,7 @@ namespace
     problem.convection = 0.;
     problem.rate       = 1.;
     problem.finish();
-    problem.set_creepages(rigid_slip, 0., 0.);
+    problem.set_creepages({rigid_slip, 0., 0.});
     return problem;
   }
 } // namespace

@@ -51,7 +51,7 @@ BOOST_AUTO_TEST_CASE(the_creep_curve_falls_beyond_saturation)
           const SceneRun<3> run(standard<3>, [&](SceneParameters &scene) {
             fall(scene, decay);
             scene.contact.speed = speed;
-            (lateral ? scene.contact.creepage_y : scene.contact.creepage_x) =
+            (lateral ? scene.contact.creepages.y : scene.contact.creepages.x) =
               creepage;
           });
           ratios.push_back(run.steady.result.traction_coefficient);
@@ -76,10 +76,10 @@ BOOST_AUTO_TEST_CASE(with_spin_tractions_oppose_the_slip_and_follow_the_law)
 {
   const SceneRun<3>         run(standard<3>, [](SceneParameters &scene) {
     fall(scene, 0.5);
-    scene.contact.speed         = 20.;
-    scene.contact.slip_operator = "upwind 2";
-    scene.contact.creepage_x    = 0.005;
-    scene.contact.spin          = 3.;
+    scene.contact.speed          = 20.;
+    scene.contact.slip_operator  = "upwind 2";
+    scene.contact.creepages.x    = 0.005;
+    scene.contact.creepages.spin = 3.;
   });
   const ContactProblem     &problem = run.steady.problem;
   const ContactState       &state   = run.steady.state;
@@ -109,9 +109,9 @@ BOOST_AUTO_TEST_CASE(with_spin_tractions_oppose_the_slip_and_follow_the_law)
 BOOST_AUTO_TEST_CASE(less_friction_at_a_node_lets_all_slide_as_predicted)
 {
   const SceneRun<3> run(standard<3>, [](SceneParameters &scene) {
-    scene.contact.slip_operator = "upwind 2";
-    scene.contact.creepage_x    = 0.002;
-    scene.contact.spin          = 1.;
+    scene.contact.slip_operator  = "upwind 2";
+    scene.contact.creepages.x    = 0.002;
+    scene.contact.creepages.spin = 1.;
   });
   BOOST_TEST(run.steady.result.stick_area > 0.);
   BOOST_TEST(error_of_response(run.steady.problem, run.steady.state) < 1e-4);
@@ -125,7 +125,7 @@ BOOST_AUTO_TEST_CASE(start_up_ends_in_the_steady_state_of_the_law)
     {
       const auto change = [&](SceneParameters &scene) {
         fall(scene, 0.1);
-        scene.contact.creepage_x    = 0.001;
+        scene.contact.creepages.x   = 0.001;
         scene.contact.slip_operator = slip_operator;
       };
       TimeRun<2>        run(change);
@@ -151,7 +151,7 @@ namespace
     scene.time.inertia          = true;
     scene.time.initial_state    = "steady";
     scene.time.time_step        = step;
-    scene.contact.creepage_x    = 0.001;
+    scene.contact.creepages.x   = 0.001;
     scene.contact.slip_operator = "upwind 2";
   }
 } // namespace
@@ -206,8 +206,8 @@ BOOST_AUTO_TEST_CASE(resumed_steps_are_the_same)
           with_inertia(scene, 1e-6);
         else
           fall(scene, 0.1);
-        scene.contact.creepage_x = 0.001;
-        scene.time.creepage_x    = "0.001 + 2 * t";
+        scene.contact.creepages.x = 0.001;
+        scene.time.creepage_x     = "0.001 + 2 * t";
       };
       TimeRun<2> whole(change), part(change);
       whole.march(5);

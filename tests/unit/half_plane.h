@@ -92,7 +92,7 @@ namespace HalfPlane
                                            options.kind,
                                            ContactMatrices::lumped,
                                            options.flow);
-    problem.set_creepages(options.creepage * mu, 0., 0.);
+    problem.set_creepages({options.creepage * mu, 0., 0.});
     problem.normal_load = pi / 2 * options.length_unit * options.pressure_unit;
     problem.finish();
     return problem;

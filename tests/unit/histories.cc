@@ -31,7 +31,7 @@ namespace
       scene.prm_folder             = scratch;
       scene.contact.approach_entry = "2e-4";
       scene.contact.speed          = 10.;
-      scene.contact.creepage_x     = 1e-3;
+      scene.contact.creepages.x    = 1e-3;
       scene.time.end_time          = 2.;
       scene.time.time_step         = 0.1;
     }

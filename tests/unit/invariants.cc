@@ -50,7 +50,7 @@ namespace
                                          SlipOperatorKind::upwind_2,
                                          ContactMatrices::lumped,
                                          1);
-    problem.set_creepages(0.03, 0., 0.);
+    problem.set_creepages({0.03, 0., 0.});
     problem.normal_load = load;
     problem.finish();
     return problem;

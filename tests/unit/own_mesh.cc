@@ -340,8 +340,8 @@ namespace
     scene.rail.radius                = 0.;
     scene.contact.approach_entry     = "";
     scene.contact.normal_load_entry  = dim == 2 ? "10e3" : "1e3";
-    scene.contact.creepage_x         = 0.0005;
-    scene.contact.creepage_y         = dim == 2 ? 0. : 0.0003;
+    scene.contact.creepages.x        = 0.0005;
+    scene.contact.creepages.y        = dim == 2 ? 0. : 0.0003;
     const PatchEstimate patch        = estimate_patch(scene);
     // as many elements of the patch as halvings of equal coarse cells give
     const double n = dim == 2 ? 16 : 6, h = 2 * patch.half_width_x / n;
@@ -403,7 +403,7 @@ namespace
     [](SceneParameters &scene) {
       scene.mesh.elements_across_patch = 24;
       scene.contact.approach_entry     = "0.22e-3";
-      scene.contact.creepage_x         = 0.0017;
+      scene.contact.creepages.x        = 0.0017;
     };
 
   /** T / (mu N) of two steel discs of 0.46 m over that of Carter. */
@@ -415,7 +415,7 @@ namespace
                  half_width = std::sqrt(4 * run.steady.result.normal_force /
                                         0.02 * radius / (pi * modulus)),
                  saturation = 0.3 * half_width / radius,
-                 creepage   = run.scene.contact.creepage_x;
+                 creepage   = run.scene.contact.creepages.x;
     return run.force_x() + 1 - std::pow(1 - creepage / saturation, 2);
   }
 } // namespace
@@ -484,7 +484,7 @@ BOOST_AUTO_TEST_CASE(lateral_creepage_is_met_as_well_as_by_matching_meshes)
                  scene.rail.block_depth           = 0.04;
                  scene.rail.width                 = 0.06;
                  scene.contact.normal_load_entry  = "36059";
-                 scene.contact.creepage_y         = 0.003;
+                 scene.contact.creepages.y        = 0.003;
                },
                [&](SceneParameters &scene) {
                  if (from_file)
@@ -517,7 +517,7 @@ BOOST_AUTO_TEST_CASE(two_read_bodies_that_mirror_each_other)
   files.save("wheel.msh", mesh.gmsh());
   const auto run = [&](const double creepage, const std::string &surface) {
     return SceneRun<2>(two_discs, [&](SceneParameters &scene) {
-      scene.contact.creepage_x = creepage;
+      scene.contact.creepages.x = creepage;
       files.take(scene.rail, "rail.msh");
       files.take(scene.wheel, "wheel.msh");
       scene.rail.surface = scene.wheel.surface = surface;

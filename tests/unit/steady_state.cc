@@ -82,7 +82,7 @@ BOOST_AUTO_TEST_CASE(partial_slip_follows_carter)
       const Run      run([&](SceneParameters &scene) {
         scene.mesh.elements_across_patch = 48;
         scene.mesh.patch_offset          = std::to_string(offset);
-        scene.contact.creepage_x         = 0.0017;
+        scene.contact.creepages.x        = 0.0017;
       });
       const Errors2D errors = run.errors();
       BOOST_TEST(std::abs(errors.force) < 5e-4);
@@ -105,7 +105,7 @@ BOOST_AUTO_TEST_CASE(a_stick_zone_of_three_elements_follows_carter)
       const Run run([&](SceneParameters &scene) {
         scene.mesh.elements_across_patch = 12;
         scene.mesh.patch_offset          = std::to_string(offset);
-        scene.contact.creepage_x         = 0.8 * 0.005517;
+        scene.contact.creepages.x        = 0.8 * 0.005517;
       });
       BOOST_TEST(std::abs(run.errors().force) < 4e-3);
     }
@@ -114,11 +114,11 @@ BOOST_AUTO_TEST_CASE(a_stick_zone_of_three_elements_follows_carter)
 BOOST_AUTO_TEST_CASE(pure_rolling_and_full_slip)
 {
   const Run rolling(
-    [](SceneParameters &scene) { scene.contact.creepage_x = 0.; });
+    [](SceneParameters &scene) { scene.contact.creepages.x = 0.; });
   for (const double q : rolling.steady.state.traction)
     BOOST_TEST(std::abs(q) < 1e-9 * rolling.steady.result.max_pressure);
   const Run slip(
-    [](SceneParameters &scene) { scene.contact.creepage_x = 0.008; });
+    [](SceneParameters &scene) { scene.contact.creepages.x = 0.008; });
   BOOST_TEST(std::abs(slip.force() + 1.) < 1e-9);
 }
 
@@ -133,9 +133,9 @@ BOOST_AUTO_TEST_CASE(the_flow_reversed_is_the_mirror_image)
               scene.rail.material.young_modulus = 70e9;
               scene.rail.radius                 = 0.3;
             }
-          scene.contact.speed      = flow;
-          scene.contact.creepage_x = flow * 0.001;
-          scene.mesh.patch_offset  = flow > 0 ? "0.25" : "-0.25";
+          scene.contact.speed       = flow;
+          scene.contact.creepages.x = flow * 0.001;
+          scene.mesh.patch_offset   = flow > 0 ? "0.25" : "-0.25";
         };
       };
       const Run forward(scene_of(1)), backward(scene_of(-1));
@@ -154,11 +154,11 @@ BOOST_AUTO_TEST_CASE(swapping_wheel_and_rail_changes_nothing)
   // The same bodies in the other roles slide the other way over each other.
   const Run first([](SceneParameters &scene) {
     scene.rail.material.young_modulus = 70e9;
-    scene.contact.creepage_x          = 0.001;
+    scene.contact.creepages.x         = 0.001;
   });
   const Run second([](SceneParameters &scene) {
     scene.wheel.material.young_modulus = 70e9;
-    scene.contact.creepage_x           = -0.001;
+    scene.contact.creepages.x          = -0.001;
   });
   BOOST_TEST(difference(first.steady.state.pressure,
                         second.steady.state.pressure) < 1e-8);
@@ -171,10 +171,10 @@ BOOST_AUTO_TEST_CASE(swapping_wheel_and_rail_changes_nothing)
 BOOST_AUTO_TEST_CASE(twins_equal_two_separate_bodies)
 {
   const Run twins(
-    [](SceneParameters &scene) { scene.contact.creepage_x = 0.002; });
+    [](SceneParameters &scene) { scene.contact.creepages.x = 0.002; });
   BOOST_TEST(twins.steady.pair->twins());
   const Run separate([](SceneParameters &scene) {
-    scene.contact.creepage_x          = 0.002;
+    scene.contact.creepages.x         = 0.002;
     scene.rail.material.young_modulus = std::nextafter(210e9, 1.);
   });
   BOOST_TEST(!separate.steady.pair->twins());
@@ -199,7 +199,7 @@ BOOST_AUTO_TEST_CASE(millimetres_give_the_same_scaled_result)
       approach.precision(17);
       approach << 0.22e-3 * length;
       scene.contact.approach_entry = approach.str();
-      scene.contact.creepage_x     = 0.001;
+      scene.contact.creepages.x    = 0.001;
     };
   };
   const Run metres(scene_of(1., 1.)), millimetres(scene_of(1e3, 1e-6));
@@ -214,14 +214,14 @@ BOOST_AUTO_TEST_CASE(millimetres_give_the_same_scaled_result)
 BOOST_AUTO_TEST_CASE(load_and_approach_are_inverse)
 {
   const Run by_approach(
-    [](SceneParameters &scene) { scene.contact.creepage_x = 0.001; });
+    [](SceneParameters &scene) { scene.contact.creepages.x = 0.001; });
   const Run by_load([&](SceneParameters &scene) {
     std::ostringstream load;
     load.precision(17);
     load << by_approach.steady.result.normal_force;
     scene.contact.approach_entry.clear();
     scene.contact.normal_load_entry = load.str();
-    scene.contact.creepage_x        = 0.001;
+    scene.contact.creepages.x       = 0.001;
   });
   // not the same mesh: the estimates of the patch differ by 2 %
   BOOST_TEST(std::abs(by_load.steady.state.approach / 0.22e-3 - 1) < 2e-3);
@@ -294,7 +294,7 @@ BOOST_AUTO_TEST_CASE(an_aligned_mesh_puts_the_edge_upstream_of_a_node)
     scene.mesh.elements_across_patch = 48;
     scene.mesh.patch_offset          = "aligned";
     scene.contact.slip_operator      = "upwind 2";
-    scene.contact.creepage_x         = 0.0017;
+    scene.contact.creepages.x        = 0.0017;
   });
   BOOST_TEST(std::abs(run.errors().force) < 1.5e-3);
 }
@@ -305,7 +305,7 @@ BOOST_AUTO_TEST_CASE(patches_of_few_elements_have_a_result)
     {
       const Run run([&](SceneParameters &scene) {
         scene.mesh.elements_across_patch = n;
-        scene.contact.creepage_x         = 0.002;
+        scene.contact.creepages.x        = 0.002;
       });
       BOOST_TEST(run.steady.result.n_touching >= 1u);
       BOOST_TEST(std::abs(run.force()) <= 1. + 1e-12);
@@ -330,8 +330,8 @@ BOOST_AUTO_TEST_CASE(rules_across_entries)
   refused([](auto &scene) { scene.contact.approach_entry = ""; });
   refused([](auto &scene) { scene.contact.approach_entry = "nan"; });
   refused([](auto &scene) { scene.contact.approach_entry = "1 mm"; });
-  refused([](auto &scene) { scene.contact.spin = 1.; });
-  refused([](auto &scene) { scene.contact.creepage_y = 1.; });
+  refused([](auto &scene) { scene.contact.creepages.spin = 1.; });
+  refused([](auto &scene) { scene.contact.creepages.y = 1.; });
   refused([](auto &scene) { scene.contact.speed = 0.; });
   refused([](auto &scene) { scene.mesh.patch_offset = "near"; });
   refused([](auto &scene) { scene.wheel.rigid = scene.rail.rigid = true; });
@@ -358,13 +358,13 @@ BOOST_AUTO_TEST_CASE(refining_the_rim_does_not_spoil_the_calibrated_force)
         for (const auto &point : converged)
           {
             const Run run([&](SceneParameters &scene) {
-              scene.mesh.rim_levels    = levels;
-              scene.mesh.rim_edges     = edges;
-              scene.mesh.patch_offset  = offset;
-              scene.contact.creepage_x = point.first *
-                                         scene.contact.friction_coefficient *
-                                         estimate_patch(scene).half_width_x /
-                                         pair_constants(scene).relative_radius;
+              scene.mesh.rim_levels     = levels;
+              scene.mesh.rim_edges      = edges;
+              scene.mesh.patch_offset   = offset;
+              scene.contact.creepages.x = point.first *
+                                          scene.contact.friction_coefficient *
+                                          estimate_patch(scene).half_width_x /
+                                          pair_constants(scene).relative_radius;
             });
             BOOST_TEST(std::abs(run.force() + point.second) < 6e-4);
           }

@@ -330,7 +330,7 @@ BOOST_AUTO_TEST_CASE(estimates_hold)
             body->hub_radius = 0.08;
           }
         scene.contact.approach_entry     = "0.22e-3";
-        scene.contact.creepage_x         = creepage;
+        scene.contact.creepages.x        = creepage;
         scene.contact.slip_operator      = slip_operator;
         scene.mesh.elements_across_patch = n;
         scene.mesh.patch_offset          = std::to_string(offset);

@@ -37,7 +37,7 @@ namespace
     {
       return reference_3d(scene,
                           steady.result.normal_force,
-                          {steady.creepage_x, steady.creepage_y, steady.spin});
+                          steady.problem.creepages);
     }
   };
 
@@ -49,9 +49,9 @@ namespace
   {
     return [=](SceneParameters &scene) {
       scene.mesh.elements_across_patch = n_elements;
-      scene.contact.creepage_x         = x;
-      scene.contact.creepage_y         = y;
-      scene.contact.spin               = spin;
+      scene.contact.creepages.x        = x;
+      scene.contact.creepages.y        = y;
+      scene.contact.creepages.spin     = spin;
     };
   }
 } // namespace
@@ -115,7 +115,7 @@ BOOST_AUTO_TEST_CASE(partial_slip_matches_half_space_theory)
       const Run run([&](SceneParameters &scene) {
         scene.mesh.elements_across_patch = 14;
         scene.mesh.patch_offset          = offset;
-        scene.contact.creepage_y         = 0.003;
+        scene.contact.creepages.y        = 0.003;
       });
       BOOST_TEST(-run.force_y() > 0.768);
       BOOST_TEST(-run.force_y() < 0.780);
@@ -156,11 +156,11 @@ BOOST_AUTO_TEST_CASE(the_flow_reversed_is_the_mirror_image)
 {
   const auto scene_of = [](const int flow) {
     return [=](SceneParameters &scene) {
-      scene.contact.speed      = flow;
-      scene.contact.creepage_x = flow * 0.0005;
-      scene.contact.creepage_y = 0.001;
-      scene.contact.spin       = flow * 0.2;
-      scene.mesh.patch_offset  = flow > 0 ? "0.25" : "-0.25";
+      scene.contact.speed          = flow;
+      scene.contact.creepages.x    = flow * 0.0005;
+      scene.contact.creepages.y    = 0.001;
+      scene.contact.creepages.spin = flow * 0.2;
+      scene.mesh.patch_offset      = flow > 0 ? "0.25" : "-0.25";
     };
   };
   const Run forward(scene_of(1)), backward(scene_of(-1));
@@ -172,11 +172,11 @@ BOOST_AUTO_TEST_CASE(swapping_wheel_and_rail_reverses_the_forces)
 {
   const Run first([](SceneParameters &scene) {
     scene.rail.material.young_modulus = 70e9;
-    scene.contact.creepage_y          = 0.002;
+    scene.contact.creepages.y         = 0.002;
   });
   const Run second([](SceneParameters &scene) {
     scene.wheel.material.young_modulus = 70e9;
-    scene.contact.creepage_y           = -0.002;
+    scene.contact.creepages.y          = -0.002;
   });
   BOOST_TEST(first.steady.problem.coupled);
   BOOST_TEST(std::abs(first.force_x() + second.force_x()) < 1e-8);
@@ -189,7 +189,7 @@ BOOST_AUTO_TEST_CASE(two_threads_give_the_numbers_of_one)
     return [=](SceneParameters &scene) {
       scene.body_threads                = n;
       scene.rail.material.young_modulus = 100e9;
-      scene.contact.creepage_y          = 0.002;
+      scene.contact.creepages.y         = 0.002;
     };
   };
   const Run one(with_threads(1)), two(with_threads(2));
@@ -230,7 +230,7 @@ BOOST_AUTO_TEST_CASE(a_straight_wheel_on_a_crowned_rail)
     scene.rail.block_length    = 0.3;
     scene.rail.block_depth     = 0.15;
     scene.rail.width           = 0.07;
-    scene.contact.creepage_y   = 0.002;
+    scene.contact.creepages.y  = 0.002;
   });
   const auto hertz = run.reference().hertz;
   BOOST_TEST(std::abs(run.steady.result.max_pressure / hertz.max_pressure - 1) <

@@ -20,7 +20,7 @@ namespace
     scene.time.inertia          = true;
     scene.time.initial_state    = "steady";
     scene.time.time_step        = 1e-6;
-    scene.contact.creepage_x    = 0.001;
+    scene.contact.creepages.x   = 0.001;
     scene.contact.slip_operator = "upwind 2";
   }
 } // namespace
@@ -36,7 +36,7 @@ BOOST_AUTO_TEST_CASE(start_up_ends_in_the_steady_state)
   for (const char *slip_operator : {"calibrated", "upwind 2", "upwind 1"})
     {
       const auto change = [&](SceneParameters &scene) {
-        scene.contact.creepage_x    = 0.001;
+        scene.contact.creepages.x   = 0.001;
         scene.contact.slip_operator = slip_operator;
       };
       TimeRun<2>        run(change);
@@ -65,12 +65,12 @@ BOOST_AUTO_TEST_CASE(steady_states_stay_put)
   };
   BOOST_TEST(drift(std::make_unique<TimeRun<2>>(with_inertia)) < 1e-8);
   BOOST_TEST(drift(std::make_unique<TimeRun<2>>([](SceneParameters &scene) {
-               scene.time.initial_state = "steady";
-               scene.contact.creepage_x = 0.001;
+               scene.time.initial_state  = "steady";
+               scene.contact.creepages.x = 0.001;
              })) < 1e-8);
   BOOST_TEST(drift(std::make_unique<TimeRun<3>>([](SceneParameters &scene) {
                with_inertia(scene);
-               scene.contact.creepage_y = 0.001;
+               scene.contact.creepages.y = 0.001;
              })) < 1e-8);
 }
 
@@ -83,9 +83,9 @@ BOOST_AUTO_TEST_CASE(massless_rolling_does_not_know_its_speed)
 {
   const auto forces_at = [](const double speed) {
     return TimeRun<2>([=](SceneParameters &scene) {
-             scene.contact.creepage_x = 0.001;
-             scene.contact.speed      = speed;
-             scene.time.time_step     = 1e-3 / speed;
+             scene.contact.creepages.x = 0.001;
+             scene.contact.speed       = speed;
+             scene.time.time_step      = 1e-3 / speed;
            })
       .march(20);
   };
@@ -228,7 +228,7 @@ BOOST_AUTO_TEST_CASE(massless_rolling_is_first_order_in_time)
 BOOST_AUTO_TEST_CASE(hopeless_steps_are_halved_then_refused)
 {
   TimeRun<2> run([](SceneParameters &scene) {
-    scene.contact.creepage_x             = 0.001;
+    scene.contact.creepages.x            = 0.001;
     scene.time.maximum_halvings          = 2;
     scene.solver.solver                  = "fixed point";
     scene.solver.controls.max_iterations = 2;
@@ -259,7 +259,7 @@ BOOST_AUTO_TEST_CASE(adhesion_builds_up_as_in_a_half_space)
       body->lateral_radius = 0.46;
     scene.contact.approach_entry     = "";
     scene.contact.normal_load_entry  = "0.036";
-    scene.contact.creepage_y         = 1e-9;
+    scene.contact.creepages.y        = 1e-9;
     scene.mesh.elements_across_patch = 10;
     scene.time.time_step             = 0.;
     scene.time.step_length           = a / 40;

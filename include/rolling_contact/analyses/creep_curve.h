@@ -30,15 +30,13 @@ namespace RollingContact
      * A row of results for each point.
      */
     void
-    march(const std::vector<References::Creepages> &points,
-          SteadyState<dim>                         &steady);
+    march(const std::vector<Creepages> &points, SteadyState<dim> &steady);
 
     void
-    solve_point(const References::Creepages &creepages,
-                SteadyState<dim>            &steady);
+    solve_point(const Creepages &creepages, SteadyState<dim> &steady);
 
     void
-    plot(const std::vector<References::Creepages> &points) const;
+    plot(const std::vector<Creepages> &points) const;
 
     const SceneParameters &scene;
     RunContext            &context;

@@ -21,9 +21,9 @@ namespace RollingContact
   };
 
   Reference3D
-  reference_3d(const SceneParameters       &scene,
-               const double                 normal_force,
-               const References::Creepages &creepages);
+  reference_3d(const SceneParameters &scene,
+               const double           normal_force,
+               const Creepages       &creepages);
 } // namespace RollingContact
 
 #endif

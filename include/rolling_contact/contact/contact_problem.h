@@ -1,6 +1,7 @@
 #ifndef rolling_contact_contact_contact_problem_h
 #define rolling_contact_contact_contact_problem_h
 
+#include <rolling_contact/base/creepages.h>
 #include <rolling_contact/contact/friction_law.h>
 #include <rolling_contact/interface/slip_operator.h>
 #include <rolling_contact/linear_algebra/dense_matrix.h>
@@ -45,6 +46,7 @@ namespace RollingContact
     std::vector<double> areas;          ///< row sums of H, m^2
     std::vector<double> gap;            ///< undeformed, m
     std::vector<double> friction;       ///< mu of each node, mu_s if it falls
+    Creepages           creepages;      ///< rigid_slip comes from them
     std::vector<double> rigid_slip;     ///< T N values
 
     std::vector<double> free_displacement; ///< T N values, empty for zero; m
@@ -91,10 +93,10 @@ namespace RollingContact
     }
 
     /**
-     * Rigid slip (x - spin Y, y + spin X) at the node (X, Y). Units: 1, 1/m.
+     * Keep these creepages and set the rigid slip of the nodes by them.
      */
     void
-    set_creepages(const double x, const double y, const double spin);
+    set_creepages(const Creepages &values);
 
     /**
      * W_nn H p.

@@ -15,6 +15,13 @@ namespace RollingContact
   public:
     SlipOperator() = default;
 
+    /**
+     * Without rows, for contact without friction.
+     */
+    explicit SlipOperator(const SlipOperatorKind kind)
+      : operator_kind(kind)
+    {}
+
     SlipOperator(const Trace           &trace,
                  const SlipOperatorKind kind,
                  const ContactMatrices  matrices,
@@ -26,13 +33,20 @@ namespace RollingContact
       return base_rows;
     }
 
+    SlipOperatorKind
+    kind() const
+    {
+      return operator_kind;
+    }
+
     /**
      * True if the rows at the edges of the contact follow the edge law.
      */
     bool
     has_edge_law() const
     {
-      return kind == SlipOperatorKind::calibrated;
+      return operator_kind == SlipOperatorKind::calibrated &&
+             base_rows.size() > 0;
     }
 
     /**
@@ -81,10 +95,10 @@ namespace RollingContact
     }
 
   private:
-    SlipOperatorKind                       kind = SlipOperatorKind::upwind_2;
-    int                                    flow = 1;
-    SparseRows                             base_rows, near_rows, far_rows;
-    std::vector<bool>                      upstream_defined;
+    SlipOperatorKind  operator_kind = SlipOperatorKind::upwind_2;
+    int               flow          = 1;
+    SparseRows        base_rows, near_rows, far_rows;
+    std::vector<bool> upstream_defined;
     std::vector<std::vector<unsigned int>> flow_lines;
   };
 } // namespace RollingContact

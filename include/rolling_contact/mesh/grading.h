@@ -55,6 +55,15 @@ namespace RollingContact
     std::vector<RefinedBox<dim>> boxes;
 
     /**
+     * Elements across the patch that the mesh was made for.
+     */
+    unsigned int
+    elements_across() const
+    {
+      return std::lround(2 * std::abs(leading_edge_x) / element_size_x);
+    }
+
+    /**
      * Centre and semi-axis in x of the ellipse of nodes that may touch.
      */
     double

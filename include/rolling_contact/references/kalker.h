@@ -1,22 +1,12 @@
 #ifndef rolling_contact_references_kalker_h
 #define rolling_contact_references_kalker_h
 
+#include <rolling_contact/base/creepages.h>
 #include <rolling_contact/references/contact_modulus.h>
 #include <rolling_contact/references/hertz_ellipse.h>
 
 namespace RollingContact::References
 {
-  /**
-   * Rigid slip of the wheel over the rail, over the rolling speed:
-   * (x - spin Y, y + spin X) at the point (X, Y); spin in 1/m.
-   */
-  struct Creepages
-  {
-    double x    = 0;
-    double y    = 0;
-    double spin = 0;
-  };
-
   /**
    * Forces (N) and moment about the normal (N m) on the wheel.
    */

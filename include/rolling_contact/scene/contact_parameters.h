@@ -3,6 +3,7 @@
 
 #include <deal.II/base/parameter_acceptor.h>
 
+#include <rolling_contact/base/creepages.h>
 #include <rolling_contact/contact/friction_law.h>
 #include <rolling_contact/interface/operators.h>
 
@@ -60,9 +61,7 @@ namespace RollingContact
     std::string friction_law         = "constant";
     double      kinetic_friction     = 0.; ///< of the laws that fall
     double      friction_decay_speed = 0.; ///< of the laws that fall, m/s
-    double      creepage_x           = 0.;
-    double      creepage_y           = 0.;
-    double      spin                 = 0.;
+    Creepages   creepages;
     std::string speed_entry;
     double      speed            = 1.;
     bool        speed_is_given   = true;

@@ -3,7 +3,7 @@
 
 #include <deal.II/base/parameter_acceptor.h>
 
-#include <rolling_contact/references/kalker.h>
+#include <rolling_contact/base/creepages.h>
 
 #include <string>
 #include <vector>
@@ -21,7 +21,7 @@ namespace RollingContact
      * The points of the path. Throws InputError if a list is malformed or the
      * lengths differ.
      */
-    std::vector<References::Creepages>
+    std::vector<Creepages>
     points() const;
 
     void

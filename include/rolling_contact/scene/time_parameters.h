@@ -30,6 +30,12 @@ namespace RollingContact
     TimeFunction                speed; ///< m/s
     /** Fingerprints of the table files, as "Time/Entry (table)". */
     PrmEntries tables;
+
+    Creepages
+    creepages(const double time) const
+    {
+      return {creepage_x.value(time), creepage_y.value(time), spin.value(time)};
+    }
   };
 
   /**

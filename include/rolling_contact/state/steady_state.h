@@ -21,14 +21,11 @@ namespace RollingContact
   {
     std::unique_ptr<RollingPair<dim>> pair;
     Grading<dim>                      grading;
-    unsigned int                      elements_across = 0;
-    unsigned int                      level           = 0;
-    SlipOperatorKind slip_operator = SlipOperatorKind::calibrated;
-    double           creepage_x = 0., creepage_y = 0., spin = 0.;
-    ContactProblem   problem;
-    ContactState     state;
-    SolverReport     solver;
-    Resultants       result;
+    unsigned int                      level = 0;
+    ContactProblem                    problem;
+    ContactState                      state;
+    SolverReport                      solver;
+    Resultants                        result;
     bool   restored = false; ///< its step's own gap and slip are not known
     double wall_s   = 0.;
     std::optional<double> contact_stiffness; ///< dN/d(approach), N/m

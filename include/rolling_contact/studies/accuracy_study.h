@@ -32,7 +32,7 @@ namespace RollingContact
      * Creepage in the rolling direction, across it and in spin at which the
      * force saturates. Throws InputError without contact or friction.
      */
-    References::Creepages
+    Creepages
     saturation() const;
 
     void

@@ -12,9 +12,9 @@ namespace RollingContact
 {
   struct StudyCase
   {
-    std::string           direction;
-    double                over_saturation = 0.;
-    References::Creepages creepages;
+    std::string direction;
+    double      over_saturation = 0.;
+    Creepages   creepages;
   };
 
   /**
