@@ -7,7 +7,8 @@ namespace RollingContact
    * From here on the first SIGINT or SIGTERM only sets a flag, and a second one
    * of the same kind ends the program at once. Clears the flag. A process on
    * its own answers the first with a message; mpirun, which also ends ranks
-   * this way when another one failed, waits for one second: see doc/distributed.md.
+   * this way when another one failed, waits for one second: see
+   * doc/distributed.md.
    */
   void
   install_interrupt_handlers();
