@@ -8,8 +8,9 @@
 namespace RollingContact
 {
   /**
-   * Nothing reaches std::cerr while it lives: deal.II prints muParser's errors
-   * there and throws them too, and prints the cause of some that it throws.
+   * While an object lives, what is written to std::cerr is kept instead of
+   * printed: deal.II 9.4.1 prints muParser's errors there and throws them too,
+   * and prints the cause of some that it throws.
    */
   class CapturedStderr
   {

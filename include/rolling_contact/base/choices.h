@@ -24,7 +24,8 @@ namespace RollingContact
 
 
   /**
-   * "`one`: what it is; `another`: what that is."
+   * The names and helps of a table of choices for the help of an entry, "`one`:
+   * what it is; `another`: what that is."
    */
   template <class Kind>
   std::string
@@ -39,8 +40,8 @@ namespace RollingContact
 
 
   /**
-   * The one of this name. Throws InputError, with the @p entry it was given in,
-   * if there is none.
+   * The row of this @p name in a table of choices. Throws InputError, naming
+   * the @p entry it was given in, if there is none.
    */
   template <class Kind>
   const Kind &

@@ -12,11 +12,15 @@ namespace RollingContact
   throw_write_error(const std::filesystem::path &file,
                     const std::string           &reason);
 
-  /** The whole file; empty if it cannot be read. */
+  /**
+   * The whole content of a file; empty if it cannot be read.
+   */
   std::string
   read_bytes(const std::filesystem::path &file);
 
-  /** 0 if there is no such file. */
+  /**
+   * Size of a file in bytes; 0 if there is no such file.
+   */
   std::uintmax_t
   size_of(const std::filesystem::path &file);
 
@@ -25,13 +29,18 @@ namespace RollingContact
   void
   synchronise(const std::filesystem::path &file_or_folder);
 
-  /** Replaces any file of the new name in one step. Throws InputError. */
+  /**
+   * Renames a file, replacing any of the new name in one step. Throws
+   * InputError.
+   */
   void
   rename_file(const std::filesystem::path &file,
               const std::filesystem::path &new_name);
 
-  /** Writes the text under the temporary name, in the same folder, and gives it
-   * its own when it is complete. Throws InputError if the disk is full. */
+  /**
+   * Writes a text under a temporary name in the same folder, which becomes the
+   * file's own when it is complete. Throws InputError if the disk is full.
+   */
   void
   write_file(const std::filesystem::path &file,
              const std::string           &text,

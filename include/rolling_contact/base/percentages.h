@@ -6,8 +6,8 @@
 namespace RollingContact
 {
   /**
-   * Shares of the sum in whole percent that add up to 100: rounded down, the
-   * rest to those that lost most. All zero if the sum is.
+   * Shares of values in their sum, in whole percent that add up to 100: rounded
+   * down, the rest given to those that lost most. All zero if the sum is.
    */
   std::vector<int>
   percentages(const std::vector<double> &values);

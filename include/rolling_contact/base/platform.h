@@ -14,7 +14,9 @@ namespace RollingContact
     std::string name;
     /** The shared library that holds dgemm; empty if there is none. */
     std::string file;
-    /** Whether it is the one that factorises about 11 times slower. */
+    /**
+     * Whether it is the reference BLAS, which factorises about 11 times slower.
+     */
     bool is_reference;
   };
 
@@ -22,9 +24,10 @@ namespace RollingContact
   loaded_blas();
 
   /**
-   * One BLAS thread (process-wide) and no OpenMP regions (in the calling thread
-   * and those OpenMP starts from it): every thread that factorises calls it.
-   * With both kinds of threads on busy cores CHOLMOD can be 20 times slower.
+   * Sets one BLAS thread (process-wide) and no OpenMP regions (in the calling
+   * thread and those OpenMP starts from it): every thread that factorises calls
+   * it. With both kinds of threads on busy cores CHOLMOD can be 20 times
+   * slower.
    */
   void
   use_one_solver_thread();

@@ -6,8 +6,10 @@
 
 namespace RollingContact
 {
-  /** The given number of significant digits, in the shorter of plain and
-   * exponential form; "nan" and "inf" as such. Independent of the locale. */
+  /**
+   * A number with so many significant digits, in the shorter of plain and
+   * exponential form; "nan" and "inf" as such. Independent of the locale.
+   */
   std::string
   significant(double value, unsigned int digits);
 
@@ -15,11 +17,15 @@ namespace RollingContact
   std::string
   scientific(double value, unsigned int digits);
 
-  /** 3.1 GB, with powers of 1000. */
+  /**
+   * A number of bytes as 3.1 GB, with powers of 1000.
+   */
   std::string
   human_bytes(double bytes);
 
-  /** 35 ms, 13.7 s, 2 min 05 s, 1 h 02 min. */
+  /**
+   * A time as 35 ms, 13.7 s, 2 min 05 s, 1 h 02 min.
+   */
   std::string
   human_seconds(double seconds);
 

@@ -37,40 +37,42 @@ namespace RollingContact
     clone_state() const = 0;
 
     /**
-     * Units: s.
+     * Prepare steps of this length. Units: s.
      */
     virtual void
     set_time_step(const double h) = 0;
 
     /**
-     * h^2 E^T A^-1 E, see ThetaSystem; exact, or an approximation that
-     * response() corrects. On the rank of ElasticBody::compliance(), empty on
-     * others. Units: m/N.
+     * Compliance h^2 E^T A^-1 E of the contact nodes over a step, see
+     * ThetaSystem; exact, or an approximation that response() corrects. On the
+     * rank of ElasticBody::compliance(), empty on others. Units: m/N.
      */
     virtual const DenseMatrix &
     contact_compliance() const = 0;
 
     /**
-     * h^2 E^T A^-1 E r of the step that has begun. Units: m.
+     * What nodal forces r do to the contact nodes in the step that has begun,
+     * h^2 E^T A^-1 E r. Units: N to m.
      */
     virtual std::vector<double>
     response(const std::vector<double> &reactions) = 0;
 
     /**
-     * At rest under a static displacement.
+     * Set the state to rest under a static displacement. Units: m.
      */
     virtual void
     set_static_state(const BodyField &displacement) = 0;
 
     /**
-     * Undeformed and flying along z of its own frame. Units: m/s.
+     * Set the state to undeformed and flying along z of the body's own frame.
+     * Units: m/s.
      */
     virtual void
     set_flight_velocity(const double velocity) = 0;
 
     /**
-     * The hub is accelerated along z of its own frame: loads -M e_z a from now
-     * on. Units: m/s^2.
+     * Accelerate the hub along z of the body's own frame from now on: loads -M
+     * e_z a. Units: m/s^2.
      */
     virtual void
     accelerate_hub(const double acceleration) = 0;
@@ -85,7 +87,7 @@ namespace RollingContact
     end_step(const std::vector<double> &reactions) = 0;
 
     /**
-     * The state on the contact nodes.
+     * Displacement of the contact nodes in the state. Units: m.
      */
     virtual std::vector<double>
     contact_displacement() const = 0;
@@ -104,8 +106,8 @@ namespace RollingContact
     free_contact_velocity() const = 0;
 
     /**
-     * Kinetic and strain energy are those of the state, the rest those of the
-     * last step.
+     * Kinetic and strain energy of the state, and what the last step did.
+     * Units: J.
      */
     virtual const StepEnergy &
     energy() const = 0;
@@ -123,20 +125,20 @@ namespace RollingContact
     go_back() = 0;
 
     /**
-     * The state, the same from any number of ranks; of a distributed body on
-     * the first rank, empty on others.
+     * The state in an order that does not depend on the number of ranks; of a
+     * distributed body on the first rank, empty on others.
      */
     virtual BodyMotion
     save() const = 0;
 
     /**
-     * Throws InputError if it is a state of another mesh.
+     * Take a saved state. Throws InputError if it is one of another mesh.
      */
     virtual void
     restore(const BodyMotion &motion) = 0;
 
     /**
-     * Bytes.
+     * Memory of the body in bytes.
      */
     struct Memory
     {

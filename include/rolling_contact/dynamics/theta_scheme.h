@@ -23,7 +23,8 @@ namespace RollingContact
     check() const;
 
     /**
-     * v1 of v_th and v0, value by value.
+     * Velocity v1 at the end of a step from v_th and v0, value by value. Units:
+     * m/s.
      */
     std::vector<double>
     end_velocity(const std::vector<double> &theta_velocity,
@@ -31,7 +32,8 @@ namespace RollingContact
   };
 
   /**
-   * u1 of v_th and u0, value by value. Units: m/s, m, s.
+   * Displacement u1 = u0 + h v_th at the end of a step, value by value. Units:
+   * m/s, m, s.
    */
   std::vector<double>
   end_displacement(const std::vector<double> &theta_velocity,
@@ -56,7 +58,7 @@ namespace RollingContact
     double balance_error         = 0.;
 
     /**
-     * What K takes part in: u1^T K u1 and v_th^T K du.
+     * Add the energies that K takes part in, from u1^T K u1 and v_th^T K du.
      */
     void
     add_displacement(const ThetaScheme &scheme,
@@ -65,7 +67,8 @@ namespace RollingContact
                      const double       v_K_du);
 
     /**
-     * What M takes part in: v1^T M v1, dv^T M dv and v_th^T M v_th.
+     * Add the energies that M takes part in, from v1^T M v1, dv^T M dv and
+     * v_th^T M v_th.
      */
     void
     add_velocity(const ThetaScheme &scheme,

@@ -20,25 +20,27 @@ namespace RollingContact
   {
   public:
     /**
-     * At rest and undeformed.
+     * A body at rest and undeformed.
      */
     explicit ThetaStepper(std::shared_ptr<ThetaSystem> system);
 
     /**
-     * Abandons a step that has begun. Units: s.
+     * Factorise for steps of this length; abandons a step that has begun.
+     * Units: s.
      */
     void
     set_time_step(const double h);
 
     /**
-     * Abandons a step that has begun. Units: m, m/s.
+     * Set displacement and velocity of all unknowns; abandons a step that has
+     * begun. Units: m, m/s.
      */
     void
     set_state(const std::vector<double> &displacement,
               const std::vector<double> &velocity);
 
     /**
-     * Nodal loads of all unknowns from now on; none if empty. Units: N.
+     * Set the nodal loads of all unknowns from now on; none if empty. Units: N.
      */
     void
     set_loads(const std::vector<double> &loads);
@@ -74,8 +76,8 @@ namespace RollingContact
     }
 
     /**
-     * Kinetic and strain energy are those of the state, the rest those of the
-     * last step.
+     * Kinetic and strain energy of the state, and what the last step did.
+     * Units: J.
      */
     const StepEnergy &
     energy() const
@@ -84,7 +86,7 @@ namespace RollingContact
     }
 
     /**
-     * The state on the contact unknowns.
+     * Displacement of the contact unknowns in the state. Units: m.
      */
     std::vector<double>
     contact_displacement() const;
@@ -116,15 +118,15 @@ namespace RollingContact
     require_begun() const;
 
     /**
-     * u and K u at the end of the step from v_th in `work`, with the energies
-     * that K takes part in.
+     * Set u and K u at the end of the step from v_th in `work`, with the
+     * energies that K takes part in.
      */
     void
     move_displacement();
 
     /**
-     * v and M v at the end of the step from v_th in `work`, which becomes dv,
-     * with the energies that M takes part in.
+     * Set v and M v at the end of the step from v_th in `work`, which becomes
+     * dv, with the energies that M takes part in.
      */
     void
     change_velocity();

@@ -37,7 +37,7 @@ namespace RollingContact
     set_time_step(const double h);
 
     /**
-     * 0 before set_time_step().
+     * Length of the step; 0 before set_time_step(). Units: s.
      */
     double
     time_step() const
@@ -46,10 +46,10 @@ namespace RollingContact
     }
 
     /**
-     * h^2 E^T A^-1 E: the change of the shifted displacement
-     * u1 + h (1 - theta) v1 = u0 + h (1 - theta) v0 + h v1 of the contact
-     * unknowns for unit reactions. Those of v_th, v1 and u1 are theta/h, 1/h
-     * and theta times it. Units: m/N.
+     * Compliance h^2 E^T A^-1 E: the change of the shifted displacement u1 + h
+     * (1 - theta) v1 = u0 + h (1 - theta) v0 + h v1 of the contact unknowns for
+     * unit reactions. Those of v_th, v1 and u1 are theta/h, 1/h and theta times
+     * it. Units: m/N.
      */
     const DenseMatrix &
     contact_compliance() const
@@ -58,7 +58,7 @@ namespace RollingContact
     }
 
     /**
-     * Y.
+     * The condensed columns Y = L^-1 E of A.
      */
     const CondensedColumns &
     columns() const

@@ -71,8 +71,8 @@ namespace RollingContact
     factorise();
 
     /**
-     * The same for another matrix with the pattern of the first: the order and
-     * the analysis are kept.
+     * Compute L of another matrix with the pattern of the first, whose order
+     * and analysis are kept.
      */
     void
     factorise(SymmetricSparseMatrix matrix);

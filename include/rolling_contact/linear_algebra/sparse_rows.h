@@ -40,7 +40,7 @@ namespace RollingContact
     }
 
     /**
-     * Entries of the same column in a row are summed.
+     * Add a value to an entry: entries of the same column in a row are summed.
      */
     void
     add(const unsigned int i, const unsigned int j, const double value);
@@ -52,7 +52,7 @@ namespace RollingContact
     multiply(const std::vector<double> &x) const;
 
     /**
-     * y_c = M^T x_c for each block.
+     * y_c = M^T x_c for each of the consecutive blocks x_c of length size().
      */
     std::vector<double>
     multiply_transposed(const std::vector<double> &x) const;

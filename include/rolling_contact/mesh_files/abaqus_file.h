@@ -18,7 +18,8 @@ namespace RollingContact
     using Point = std::array<double, 3>;
 
     /**
-     * Numbers of nodes, in Abaqus' order.
+     * An element: its line in the file and the numbers of its nodes, in Abaqus'
+     * order.
      */
     struct Element
     {
@@ -27,8 +28,8 @@ namespace RollingContact
     };
 
     /**
-     * Faces, an element from 1 on and a label from 1 on each; the id is the
-     * first digits in the surface's name, 0 without.
+     * A surface: its faces, each an element from 1 on and a label from 1 on;
+     * the id is the first digits in its name, 0 without.
      */
     struct Surface
     {
@@ -42,10 +43,10 @@ namespace RollingContact
   };
 
   /**
-   * Throws std::runtime_error, with the line, for what cannot be taken as it
-   * stands: elements that are no quadrilaterals (2D) or hexahedra (3D) of first
-   * order, other numbers, unknown nodes, elements or sets, coordinates that are
-   * none, parts that are moved or generated.
+   * Reads an Abaqus input file. Throws std::runtime_error, with the line, for
+   * what cannot be taken as it stands: elements that are no quadrilaterals (2D)
+   * or hexahedra (3D) of first order, other numbers, unknown nodes, elements or
+   * sets, coordinates that are none, parts that are moved or generated.
    */
   AbaqusFile
   read_abaqus_file(const std::string &text, const unsigned int dimension);

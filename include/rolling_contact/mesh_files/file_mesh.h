@@ -29,7 +29,7 @@ namespace RollingContact
     double depth = 0.; ///< from the contact point down to the hub
 
     /**
-     * Corners of a face.
+     * Number of corners of a face: 2 in 2D, 4 in 3D.
      */
     unsigned int
     n_corners() const
@@ -38,7 +38,8 @@ namespace RollingContact
     }
 
     /**
-     * The numbers of nodes and cells, and a checksum of all of it.
+     * Text that tells meshes apart: the numbers of nodes and cells, and a
+     * checksum of all of it.
      */
     std::string
     fingerprint() const;

@@ -11,7 +11,7 @@
 namespace RollingContact
 {
   /**
-   * Where a body's mesh is and how to take it. In the file x is the rolling
+   * The mesh file of a body and how to take it. In the file x is the rolling
    * direction, y goes across and z from rail to wheel (in 2D x and z are the
    * first two coordinates), the contact point is the origin; the wheel lies
    * above it, the rail below.
@@ -38,14 +38,14 @@ namespace RollingContact
   read_mesh_file(const MeshFile &file);
 
   /**
-   * Throws InputError: what is wrong with the file.
+   * Throws an InputError that names the file and says what is wrong with it.
    */
   [[noreturn]] void
   reject(const MeshFile &file, const std::string &reason);
 
   /**
-   * Does what reads the file. Throws InputError for what that throws, except
-   * std::bad_alloc; nothing is printed.
+   * Calls @p read, and throws an InputError that names the file for whatever
+   * that throws, except std::bad_alloc; nothing is printed.
    */
   void
   read_or_reject(const MeshFile              &file,

@@ -36,7 +36,8 @@ namespace RollingContact
   };
 
   /**
-   * Least z of that normal for a face to look towards the other body. Units: 1.
+   * Least z of the outward unit normal of a face that looks towards the other
+   * body. Units: 1.
    */
   inline constexpr double least_upwards = 0.3;
 

@@ -27,13 +27,14 @@ namespace RollingContact::References
            const int        flow_direction = 1);
 
     /**
-     * mu a/R, the creepage from which the whole patch slides.
+     * Creepage mu a/R from which the whole patch slides.
      */
     double
     saturation_creepage() const;
 
     /**
-     * c = a (1 - |creepage|/saturation) (m), zero in full sliding.
+     * Half-width of the stick zone, c = a (1 - |creepage|/saturation) (m), zero
+     * in full sliding.
      */
     double
     stick_half_width() const;
@@ -46,7 +47,8 @@ namespace RollingContact::References
     stick_interval() const;
 
     /**
-     * T/(mu N) = -sign(creepage) (1 - c^2/a^2), T the force on the wheel.
+     * Force on the wheel over its largest, T/(mu N) = -sign(creepage) (1 -
+     * c^2/a^2).
      */
     double
     force_ratio() const;

@@ -16,8 +16,9 @@ namespace RollingContact::References
   };
 
   /**
-   * Hertz contact under a load per length (N/m); the approach is the sum of the
-   * two exact compressions between hub and middle of the patch.
+   * Hertz contact of two annuli clamped at their hubs under a load per length
+   * (N/m); the approach is the sum of the two exact compressions between hub
+   * and middle of the patch.
    */
   AnnuliContact
   approach_of_two_clamped_annuli(const Annulus &first,
@@ -25,8 +26,8 @@ namespace RollingContact::References
                                  const double   load_per_length);
 
   /**
-   * Inverse: load per length (N/m) for an approach (m), zero if that is not
-   * positive.
+   * Load per length (N/m) of two clamped annuli at an approach (m), zero if
+   * that is not positive.
    */
   double
   load_of_two_clamped_annuli(const Annulus &first,

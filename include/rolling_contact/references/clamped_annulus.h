@@ -52,12 +52,12 @@ namespace RollingContact::References
     Annulus annulus;
 
     /**
-     * 3 - 4 nu.
+     * Kolosov's constant 3 - 4 nu.
      */
     double kappa;
 
     /**
-     * c_0, c_1, then c_n less the full disc's.
+     * Coefficients c_0, c_1, then c_n less that of the full disc.
      */
     std::vector<double> hub_coefficients;
   };

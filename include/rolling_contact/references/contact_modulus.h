@@ -31,8 +31,9 @@ namespace RollingContact::References
   };
 
   /**
-   * 1/G = (1/G1 + 1/G2)/2 and nu/G = (nu1/G1 + nu2/G2)/2 (Kalker 1990),
-   * so that E* = G/(1-nu). A rigid body has E = infinity.
+   * Combined elasticity of two bodies, 1/G = (1/G1 + 1/G2)/2 and nu/G = (nu1/G1
+   * + nu2/G2)/2 (Kalker 1990), so that E* = G/(1-nu). A rigid body has E =
+   * infinity.
    */
   CombinedElasticity
   combined_elasticity(const double young_modulus_1,

@@ -10,14 +10,14 @@ namespace RollingContact::References
   struct HertzEllipse
   {
     /**
-     * p0 sqrt(1 - x^2/a^2 - y^2/b^2) (Pa), x and y (m) from the middle of the
-     * patch; zero outside.
+     * Pressure p0 sqrt(1 - x^2/a^2 - y^2/b^2) (Pa), x and y (m) from the middle
+     * of the patch; zero outside.
      */
     double
     pressure(const double x, const double y) const;
 
     /**
-     * 2 pi a b p0/3 (N).
+     * Load 2 pi a b p0/3 (N).
      */
     double
     load() const;
@@ -42,7 +42,8 @@ namespace RollingContact::References
                 const double contact_modulus);
 
   /**
-   * Load (N) for an approach (m), zero if that is not positive.
+   * Load (N) of hertz_ellipse() at an approach (m), zero if that is not
+   * positive.
    */
   double
   load_of_hertz_ellipse(const double approach,

@@ -10,14 +10,14 @@ namespace RollingContact::References
   struct HertzLine
   {
     /**
-     * p0 sqrt(1 - x^2/a^2) (Pa), x (m) from the middle of the patch; zero
-     * outside.
+     * Pressure p0 sqrt(1 - x^2/a^2) (Pa), x (m) from the middle of the patch;
+     * zero outside.
      */
     double
     pressure(const double x) const;
 
     /**
-     * pi a p0/2 (N/m).
+     * Load per length pi a p0/2 (N/m).
      */
     double
     load_per_length() const;
@@ -27,9 +27,9 @@ namespace RollingContact::References
   };
 
   /**
-   * a = sqrt(4 P R/(pi E*)), p0 = 2 P/(pi a) for a load per length P (N/m), the
-   * relative radius R (m) and the contact modulus E* (Pa) (Johnson 1985, 4.43
-   * and 4.45).
+   * Hertz contact under a load per length P (N/m) with the relative radius R
+   * (m) and the contact modulus E* (Pa): a = sqrt(4 P R/(pi E*)), p0 = 2 P/(pi
+   * a) (Johnson 1985, 4.43 and 4.45).
    */
   HertzLine
   hertz_line(const double load_per_length,
@@ -37,7 +37,8 @@ namespace RollingContact::References
              const double contact_modulus);
 
   /**
-   * The same for a given half-width a (m): p0 = E* a/(2 R).
+   * Hertz contact of a given half-width a (m), relative radius R (m) and
+   * contact modulus E* (Pa): p0 = E* a/(2 R).
    */
   HertzLine
   hertz_line_of_half_width(const double half_width,
