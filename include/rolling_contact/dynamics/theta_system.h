@@ -46,10 +46,11 @@ namespace RollingContact
     }
 
     /**
-     * Compliance h^2 E^T A^-1 E: the change of the shifted displacement u1 + h
-     * (1 - theta) v1 = u0 + h (1 - theta) v0 + h v1 of the contact unknowns for
-     * unit reactions. Those of v_th, v1 and u1 are theta/h, 1/h and theta times
-     * it. Units: m/N.
+     * Compliance h^2 E^T A^-1 E: for unit reactions, the change of the shifted
+     * displacement of the contact unknowns,
+     *   u1 + h (1 - theta) v1 = u0 + h (1 - theta) v0 + h v1.
+     * The changes of v_th, v1 and u1 are theta/h, 1/h and theta times it.
+     * Units: m/N.
      */
     const DenseMatrix &
     contact_compliance() const
