@@ -74,8 +74,7 @@ namespace RollingContact
     PrmEntries files = stepper.drive().tables;
     for (const BodyParameters *body : {&scene.wheel, &scene.rail})
       if (body->is_from_file())
-        files[body->section + "/Mesh file (mesh)"] =
-          body->geometry().mesh->fingerprint();
+        files[body->section + "/Mesh file (mesh)"] = body->mesh->fingerprint();
     return files;
   }
 

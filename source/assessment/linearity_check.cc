@@ -25,7 +25,7 @@ namespace RollingContact
                    result.max_pressure / body->material.young_modulus);
         measures.approach =
           std::max(measures.approach,
-                   std::abs(approach) / body->geometry().thickness_below());
+                   std::abs(approach) / body->body_shape()->thickness_below());
       }
     return measures;
   }

@@ -11,25 +11,15 @@ namespace RollingContact
   namespace
   {
     /**
-     * True for the bodies whose exact compression is known: thinner rings are
-     * outside the series' range.
+     * The body as an annulus whose exact compression is known, if it is one.
      */
-    bool
-    has_exact_compression(const BodyParameters &body)
-    {
-      return !body.rigid && body.shape == "disc" &&
-             body.hub_radius < 0.999 * body.radius;
-    }
-
-
-
-    References::Annulus
+    std::optional<References::Annulus>
     annulus(const BodyParameters &body)
     {
-      return {body.radius,
-              body.hub_radius,
-              body.material.young_modulus,
-              body.material.poisson_ratio};
+      if (body.rigid)
+        return {};
+      return body.body_shape()->clamped_annulus(body.material.young_modulus,
+                                                body.material.poisson_ratio);
     }
 
 
@@ -126,11 +116,11 @@ namespace RollingContact
                                scene.contact.friction_coefficient,
                                steady.problem.creepages.x,
                                scene.contact.flow());
-    if (has_exact_compression(scene.wheel) &&
-        has_exact_compression(scene.rail) && scene.contact.approach())
+    const auto wheel = annulus(scene.wheel), rail = annulus(scene.rail);
+    if (wheel && rail && scene.contact.approach())
       reference.normal_force =
-        References::load_of_two_clamped_annuli(annulus(scene.wheel),
-                                               annulus(scene.rail),
+        References::load_of_two_clamped_annuli(*wheel,
+                                               *rail,
                                                steady.state.approach) *
         scene.thickness();
     return reference;

@@ -23,17 +23,18 @@ namespace RollingContact
 
 
   template <int dim>
-  DistributedBody<dim>::DistributedBody(const BodyGeometry &geometry,
-                                        const Material     &material,
-                                        const double        thickness,
-                                        const Grading<dim> &grading,
-                                        const unsigned int  model_rank)
-    : ElasticBody<dim>(geometry,
+  DistributedBody<dim>::DistributedBody(
+    const std::shared_ptr<const BodyShape> &shape,
+    const Material                         &material,
+    const double                            thickness,
+    const Grading<dim>                     &grading,
+    const unsigned int                      model_rank)
+    : ElasticBody<dim>(shape,
                        material,
                        thickness,
                        grading,
                        MeshKind::distributed)
-    , geometry(geometry)
+    , shape(shape)
     , grading(grading)
     , model_rank(model_rank)
   {
@@ -52,7 +53,7 @@ namespace RollingContact
     // turning about the contact point, the largest motions are of size 1
     return rigid_motions(discretisation(),
                          Point<dim>(),
-                         geometry.thickness_below());
+                         shape->thickness_below());
   }
 
 
@@ -86,7 +87,7 @@ namespace RollingContact
     coarser.growth       = std::max(grading.growth, near_growth);
     coarser.far_growth   = std::max(grading.growth, far_growth);
     return std::make_unique<DirectBody<dim>>(
-      geometry, this->material, this->thickness, coarser, false);
+      shape, this->material, this->thickness, coarser, false);
   }
 
 

@@ -30,12 +30,12 @@ namespace RollingContact
             const unsigned int    model_rank)
   {
     if (solver == BodySolver::distributed)
-      return std::make_shared<DistributedBody<dim>>(parameters.geometry(),
+      return std::make_shared<DistributedBody<dim>>(parameters.body_shape(),
                                                     parameters.material,
                                                     parameters.thickness,
                                                     grading,
                                                     model_rank);
-    return std::make_shared<DirectBody<dim>>(parameters.geometry(),
+    return std::make_shared<DirectBody<dim>>(parameters.body_shape(),
                                              parameters.material,
                                              parameters.thickness,
                                              grading,

@@ -13,12 +13,12 @@ namespace RollingContact
   using namespace dealii;
 
   template <int dim>
-  DirectBody<dim>::DirectBody(const BodyGeometry &geometry,
-                              const Material     &material,
-                              const double        thickness,
-                              const Grading<dim> &grading,
-                              const bool          recovers)
-    : ElasticBody<dim>(geometry, material, thickness, grading, MeshKind::serial)
+  DirectBody<dim>::DirectBody(const std::shared_ptr<const BodyShape> &shape,
+                              const Material                         &material,
+                              const double                            thickness,
+                              const Grading<dim>                     &grading,
+                              const bool                              recovers)
+    : ElasticBody<dim>(shape, material, thickness, grading, MeshKind::serial)
     , recovers(recovers)
     , unknown_of_dof(this->dofs.n_dofs(), -1)
   {

@@ -15,15 +15,15 @@ namespace RollingContact
   using namespace dealii;
 
   template <int dim>
-  ElasticBody<dim>::ElasticBody(const BodyGeometry &geometry,
+  ElasticBody<dim>::ElasticBody(const std::shared_ptr<const BodyShape> &shape,
                                 const Material     &material,
                                 const double        thickness,
                                 const Grading<dim> &grading,
                                 const MeshKind      kind)
     : material(material)
     , thickness(thickness)
-    , hub_clamped(geometry.hub_clamped)
-    , body_mesh(make_body_mesh<dim>(geometry, grading, kind))
+    , hub_clamped(shape->hub_clamped())
+    , body_mesh(make_body_mesh<dim>(shape, grading, kind))
     , element(FE_Q<dim>(1), dim)
     , dofs(*body_mesh.triangulation)
   {

@@ -24,83 +24,7 @@ namespace RollingContact
 
 
     /**
-     * The largest power-of-two multiple of @p element_size not above @p limit.
-     */
-    double
-    coarse_size(const double element_size, const double limit)
-    {
-      return std::ldexp(
-        element_size,
-        std::max(0, int(std::floor(std::log2(limit / element_size)))));
-    }
-
-
-
-    /**
-     * Break points in [begin, end]: multiples of @p size from @p origin; the
-     * first and last interval take the remainder, at least half a @p size long.
-     */
-    std::vector<double>
-    break_points(const double begin,
-                 const double end,
-                 const double origin,
-                 const double size)
-    {
-      std::vector<double> points{begin};
-      const int           first = std::ceil((begin - origin) / size);
-      for (int k = first; origin + k * size < end; ++k)
-        if (origin + k * size > begin + size / 2 &&
-            origin + k * size < end - size / 2)
-          points.push_back(origin + k * size);
-      points.push_back(end);
-      return points;
-    }
-
-
-
-    std::vector<double>
-    equal_parts(const double begin, const double end, const unsigned int n)
-    {
-      std::vector<double> points(n + 1);
-      for (unsigned int i = 0; i <= n; ++i)
-        points[i] = begin + (end - begin) * i / n;
-      return points;
-    }
-
-
-
-    /**
-     * Break points along x: of a disc around the whole rim from the begin of
-     * the sector of @p n_sector cells, in the manifold's x; of a block from end
-     * to end.
-     */
-    template <int dim>
-    std::vector<double>
-    break_points_x(const BodyGeometry   &geometry,
-                   const BodyChart<dim> &chart,
-                   const double          origin,
-                   const double          size,
-                   const unsigned int    n_sector)
-    {
-      if (geometry.shape == Shape::block)
-        return break_points(-geometry.length / 2,
-                            geometry.length / 2,
-                            origin,
-                            size);
-      const double       sector = n_sector * size;
-      const unsigned int n_rest =
-        std::max(4., std::round((chart.period() - sector) / size));
-      std::vector<double> points = equal_parts(0., sector, n_sector);
-      points.pop_back();
-      for (const double x : equal_parts(sector, chart.period(), n_rest))
-        points.push_back(x);
-      return points;
-    }
-
-
-
-    /**
-     * Number the vertices of the boxes and glue the seam of a disc.
+     * Number the vertices of the boxes and glue the seam of a closed surface.
      */
     template <int dim>
     void
@@ -161,11 +85,11 @@ namespace RollingContact
 
     template <int dim>
     void
-    set_boundary_ids(const BodyGeometry   &geometry,
+    set_boundary_ids(const double          thickness,
                      const BodyChart<dim> &chart,
                      Triangulation<dim>   &triangulation)
     {
-      const double tolerance = 1e-6 * geometry.thickness_below();
+      const double tolerance = 1e-6 * thickness;
       for (const auto &cell : triangulation.active_cell_iterators())
         for (const unsigned int f : cell->face_indices())
           if (cell->face(f)->at_boundary())
@@ -176,8 +100,7 @@ namespace RollingContact
                   const double w =
                     chart.pull_back(cell->face(f)->vertex(v))[dim - 1];
                   on_surface = on_surface && std::abs(w) < tolerance;
-                  on_hub     = on_hub &&
-                           std::abs(w + geometry.thickness_below()) < tolerance;
+                  on_hub     = on_hub && std::abs(w + thickness) < tolerance;
                 }
               cell->face(f)->set_boundary_id(
                 on_surface ? contact_boundary
@@ -292,16 +215,37 @@ namespace RollingContact
 
 
     /**
-     * Of coarse cells of this @p size, in depth and across; cells never deeper
-     * than long, so that x alone decides on the surface nodes.
+     * The largest power-of-two multiple of the element size that resolves the
+     * shape in all directions.
+     */
+    template <int dim>
+    double
+    coarse_size(const BodyShape &shape, const Grading<dim> &grading)
+    {
+      double limit =
+        std::min(shape.largest_coarse_size(), shape.thickness_below());
+      if (dim == 3)
+        limit = std::min(limit,
+                         2 * shape.reach_y() / 3 * grading.element_size_x /
+                           grading.element_size_y);
+      const double doublings =
+        std::floor(std::log2(limit / grading.element_size_x));
+      return std::ldexp(grading.element_size_x, std::max(0, int(doublings)));
+    }
+
+
+
+    /**
+     * Break points of coarse cells of this @p size in depth and across; cells
+     * are never deeper than long, so that x alone decides on the surface nodes.
      */
     template <int dim>
     std::array<std::vector<double>, dim>
-    break_points_below(const BodyGeometry &geometry,
+    break_points_below(const BodyShape    &shape,
                        const Grading<dim> &grading,
                        const double        size)
     {
-      const double thickness = geometry.thickness_below();
+      const double                         thickness = shape.thickness_below();
       std::array<std::vector<double>, dim> breaks;
       breaks[dim - 1] =
         equal_parts(-thickness,
@@ -309,8 +253,8 @@ namespace RollingContact
                     std::max(1., std::ceil(thickness / size - 1e-6)));
       if (dim == 3)
         breaks[1] =
-          break_points(-geometry.width / 2,
-                       geometry.width / 2,
+          break_points(-shape.reach_y(),
+                       shape.reach_y(),
                        0.,
                        size * grading.element_size_y / grading.element_size_x);
       return breaks;
@@ -321,48 +265,33 @@ namespace RollingContact
 
   template <int dim>
   BodyMesh<dim>
-  make_body_mesh(const BodyGeometry &geometry,
-                 const Grading<dim> &grading,
-                 const MeshKind      kind)
+  make_body_mesh(const std::shared_ptr<const BodyShape> &shape,
+                 const Grading<dim>                     &grading,
+                 const MeshKind                          kind)
   {
-    if (geometry.shape == Shape::mesh_file)
-      return file_body_mesh<dim>(geometry);
-    const double thickness = geometry.thickness_below();
-    const double limit     = geometry.shape == Shape::disc
-                               ? std::min(0.4 * geometry.radius, thickness)
-                               : std::min(geometry.length / 3, thickness);
-    const double limit_y =
-      dim == 3
-        ? geometry.width / 3 * grading.element_size_x / grading.element_size_y
-        : limit;
-    const double size =
-      coarse_size(grading.element_size_x, std::min(limit, limit_y));
-    const double origin = grading.offset * grading.element_size_x;
+    if (shape->mesh())
+      return file_body_mesh<dim>(*shape->mesh());
+    const double                        size  = coarse_size(*shape, grading);
+    std::shared_ptr<const SurfaceChart> chart = shape->chart(
+      {grading.offset * grading.element_size_x, size, grading.zone_x});
+    std::array<std::vector<double>, dim> breaks =
+      break_points_below<dim>(*shape, grading, size);
+    breaks[0] = chart->edges_x();
 
     BodyMesh<dim> mesh;
-    mesh.kind = kind;
-    // the sector covers the zone of contact nodes and stays off the equator
-    const double half_sector =
-      std::max(1.,
-               std::min(std::ceil(1.2 * grading.zone_x / size),
-                        std::floor(0.97 * std::abs(geometry.radius) / size)));
-    mesh.chart         = std::make_unique<BodyChart<dim>>(geometry,
-                                                  origin - half_sector * size,
-                                                  origin + half_sector * size);
+    mesh.kind          = kind;
+    mesh.chart         = std::make_unique<BodyChart<dim>>(shape, chart);
     mesh.triangulation = make_triangulation<dim>(kind);
-
-    std::array<std::vector<double>, dim> breaks =
-      break_points_below<dim>(geometry, grading, size);
-    breaks[0] =
-      break_points_x(geometry, *mesh.chart, origin, size, 2 * half_sector);
-    double n_cells = 1.;
+    double n_cells     = 1.;
     for (const auto &points : breaks)
       n_cells *= points.size() - 1.;
     check_mesh_memory<dim>(n_cells, kind, generated_remedy);
     create_coarse_mesh<dim>(breaks, *mesh.chart, *mesh.triangulation);
     mesh.triangulation->set_all_manifold_ids(0);
     mesh.triangulation->set_manifold(0, *mesh.chart);
-    set_boundary_ids(geometry, *mesh.chart, *mesh.triangulation);
+    set_boundary_ids(shape->thickness_below(),
+                     *mesh.chart,
+                     *mesh.triangulation);
 
     refine(grading, mesh);
     return mesh;
@@ -373,7 +302,11 @@ namespace RollingContact
   template struct BodyMesh<2>;
   template struct BodyMesh<3>;
   template BodyMesh<2>
-  make_body_mesh(const BodyGeometry &, const Grading<2> &, const MeshKind);
+  make_body_mesh(const std::shared_ptr<const BodyShape> &,
+                 const Grading<2> &,
+                 const MeshKind);
   template BodyMesh<3>
-  make_body_mesh(const BodyGeometry &, const Grading<3> &, const MeshKind);
+  make_body_mesh(const std::shared_ptr<const BodyShape> &,
+                 const Grading<3> &,
+                 const MeshKind);
 } // namespace RollingContact

@@ -1,6 +1,5 @@
 #include <rolling_contact/mesh/file_body_mesh.h>
 #include <rolling_contact/mesh/mesh_memory.h>
-#include <rolling_contact/mesh_files/file_mesh.h>
 
 #include <algorithm>
 #include <map>
@@ -57,9 +56,8 @@ namespace RollingContact
 
   template <int dim>
   BodyMesh<dim>
-  file_body_mesh(const BodyGeometry &geometry)
+  file_body_mesh(const FileMesh &mesh)
   {
-    const FileMesh &mesh = *geometry.mesh;
     check_mesh_memory<dim>(mesh.cells.size(),
                            MeshKind::serial,
                            "take a coarser Mesh file.");
@@ -87,7 +85,7 @@ namespace RollingContact
 
 
   template BodyMesh<2>
-  file_body_mesh(const BodyGeometry &);
+  file_body_mesh(const FileMesh &);
   template BodyMesh<3>
-  file_body_mesh(const BodyGeometry &);
+  file_body_mesh(const FileMesh &);
 } // namespace RollingContact

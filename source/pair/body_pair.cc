@@ -41,8 +41,8 @@ namespace RollingContact
     void
     check_room_on_file(const BodyParameters &body, const Grading<dim> &grading)
     {
-      const BodyGeometry geometry = body.geometry();
-      const auto         check =
+      const auto shape = body.body_shape();
+      const auto check =
         [&](const std::string &axis, const double zone, const double reach) {
           if (zone > reach)
             throw InputError(
@@ -52,9 +52,9 @@ namespace RollingContact
               significant(reach, 3) + " m: check load, radii, Mesh unit (" +
               significant(body.mesh_unit, 4) + " m) and the file's origin.");
         };
-      check("x", grading.zone_x, geometry.length / 2);
+      check("x", grading.zone_x, shape->reach_x());
       if (dim == 3)
-        check("y", grading.zone_y, geometry.width / 2);
+        check("y", grading.zone_y, shape->reach_y());
     }
 
 
@@ -75,16 +75,16 @@ namespace RollingContact
               check_room_on_file(*body, grading);
               continue;
             }
-          const double length = body->shape == "disc" ? 0.55 * body->radius
-                                                      : body->block_length / 2;
-          if (grading.zone_x > length)
+          const auto   shape = body->body_shape();
+          const double reach = shape->reach_x();
+          if (grading.zone_x > reach)
             throw InputError(
               body->section + ": the contact zone reaches " +
               significant(grading.zone_x, 3) +
               " m from its middle, beyond what the body offers (" +
-              significant(length, 3) +
+              significant(reach, 3) +
               " m along x): check load, radii and Block length.");
-          if (dim == 3 && grading.zone_y > body->width / 2)
+          if (dim == 3 && grading.zone_y > shape->reach_y())
             throw InputError(
               body->section + "/Width = " + significant(body->width, 4) +
               ": the contact zone is " + significant(2 * grading.zone_y, 3) +
@@ -121,9 +121,10 @@ namespace RollingContact
                           const bool             statics)
     : scene(scene)
     , solver(body_solver_of(scene.body_solver))
-    , are_twins(!scene.wheel.rigid && !scene.wheel.is_from_file() &&
-                scene.wheel.geometry() == scene.rail.geometry() &&
-                scene.wheel.material == scene.rail.material)
+    , are_twins(
+        !scene.wheel.rigid && !scene.rail.rigid &&
+        scene.wheel.body_shape()->is_twin_of(*scene.rail.body_shape()) &&
+        scene.wheel.material == scene.rail.material)
   {
     check_room(scene, grading);
     part(Side::wheel).elastic = !scene.wheel.rigid;

@@ -220,13 +220,13 @@ namespace RollingContact
     double
     largest_gap(const SceneParameters &scene, const Trace &interface)
     {
-      const BodyGeometry wheel = scene.wheel.geometry(),
-                         rail  = scene.rail.geometry();
-      double largest           = 0.;
+      const auto wheel = scene.wheel.body_shape(),
+                 rail  = scene.rail.body_shape();
+      double largest   = 0.;
       for (const auto &node : interface.nodes)
         largest = std::max(largest,
-                           -wheel.surface_height(node[0], node[1]) -
-                             rail.surface_height(node[0], node[1]));
+                           -wheel->surface_height(node[0], node[1]) -
+                             rail->surface_height(node[0], node[1]));
       return largest;
     }
 
@@ -241,14 +241,14 @@ namespace RollingContact
                   const std::vector<unsigned int> &vertices,
                   const double                     gap)
     {
-      const BodyGeometry geometry = body.geometry();
-      double             largest  = 0.;
-      unsigned int       worst    = 0;
+      const auto   shape   = body.body_shape();
+      double       largest = 0.;
+      unsigned int worst   = 0;
       for (const unsigned int vertex : vertices)
         {
           const auto  &at = mesh.vertices[vertex];
           const double distance =
-            std::abs(at[2] - geometry.surface_height(at[0], at[1]));
+            std::abs(at[2] - shape->surface_height(at[0], at[1]));
           if (distance >= largest)
             worst = vertex;
           largest = std::max(largest, distance);
@@ -331,7 +331,7 @@ namespace RollingContact
                       const Trace           &interface)
   {
     const BodyParameters &body = is_wheel ? scene.wheel : scene.rail;
-    const auto            mesh = body.geometry().mesh;
+    const auto            mesh = body.mesh;
     const Box             zone = box_of(interface);
     FileSurface           result;
     const SurfaceMesh     surface = surface_over(zone, *mesh, result.face_size);

@@ -42,9 +42,9 @@ namespace RollingContact
           const double          half_width,
           const unsigned int    d)
     {
-      const BodyGeometry geometry = body.geometry();
-      const double reach = (d == 0 ? geometry.length : geometry.width) / 2,
-                   size  = smallest_face(*geometry.mesh, d),
+      const auto   shape = body.body_shape();
+      const double reach = d == 0 ? shape->reach_x() : shape->reach_y(),
+                   size  = smallest_face(*body.mesh, d),
                    limit =
                      largest_smallest_face * std::max(1., zone) * half_width;
       const auto complain = [&](const std::string &what) {
@@ -78,11 +78,11 @@ namespace RollingContact
         }
       catch (const InputError &error)
         {
-          throw InputError(std::string(error.what()) + " Or check " +
-                           body.section + "/Mesh unit (" +
-                           significant(body.mesh_unit, 4) +
-                           " m): the contact boundary is " +
-                           significant(body.geometry().length, 3) + " m long.");
+          throw InputError(
+            std::string(error.what()) + " Or check " + body.section +
+            "/Mesh unit (" + significant(body.mesh_unit, 4) +
+            " m): the contact boundary is " +
+            significant(2 * body.body_shape()->reach_x(), 3) + " m long.");
         }
     }
   } // namespace

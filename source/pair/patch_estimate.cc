@@ -28,16 +28,18 @@ namespace RollingContact
 
 
 
-    References::LineBody
-    line_body(const BodyParameters &body)
+    /**
+     * Approximate compression of a body between patch and hub. Units: m.
+     */
+    double
+    compression(const BodyParameters        &body,
+                const References::HertzLine &contact)
     {
-      const bool disc = body.shape == "disc";
-      return {disc ? References::LineBody::Shape::disc
-                   : References::LineBody::Shape::block,
-              disc ? body.radius : body.geometry().depth,
-              young_modulus(body),
-              body.material.poisson_ratio,
-              body.rigid};
+      return body.rigid ? 0.
+                        : body.body_shape()->line_compression(
+                            contact,
+                            body.material.young_modulus,
+                            body.material.poisson_ratio);
     }
 
 
@@ -53,16 +55,9 @@ namespace RollingContact
       double largest = relative_radius;
       for (const BodyParameters *body : {&scene.wheel, &scene.rail})
         if (!body->rigid)
-          largest = std::min(largest,
-                             body->shape == "disc"
-                               ? body->radius
-                               : std::min(body->geometry().length / 2,
-                                          body->geometry().depth));
+          largest = std::min(largest, body->body_shape()->largest_half_width());
       return largest;
     }
-
-
-
   } // namespace
 
 
@@ -148,10 +143,8 @@ namespace RollingContact
     else
       estimate.half_width_x = References::half_width_of_approach(
         [&](const double half_width) {
-          return References::compression(line_body(scene.wheel),
-                                         hertz(half_width)) +
-                 References::compression(line_body(scene.rail),
-                                         hertz(half_width));
+          return compression(scene.wheel, hertz(half_width)) +
+                 compression(scene.rail, hertz(half_width));
         },
         largest_half_width(scene, constants.relative_radius),
         *scene.contact.approach());

@@ -275,34 +275,34 @@ namespace RollingContact
   {
     const ContactParameters &contact = this->scene.contact;
     ContactProblem           problem;
-    problem.n_nodes          = this->trace().nodes.size();
-    problem.n_tangential     = components.size() - 1;
-    problem.positions        = this->trace().nodes;
-    problem.W                = std::move(W);
-    problem.coupled          = !this->twins() && problem.n_tangential > 0;
-    problem.dundurs_beta     = pair_constants(this->scene).dundurs_beta;
-    problem.H                = contact_matrix(this->trace(),
+    problem.n_nodes       = this->trace().nodes.size();
+    problem.n_tangential  = components.size() - 1;
+    problem.positions     = this->trace().nodes;
+    problem.W             = std::move(W);
+    problem.coupled       = !this->twins() && problem.n_tangential > 0;
+    problem.dundurs_beta  = pair_constants(this->scene).dundurs_beta;
+    problem.H             = contact_matrix(this->trace(),
                                contact.contact_matrices_kind(),
                                dim == 2 ? this->scene.thickness() : 1.);
-    problem.slip_operator    = problem.n_tangential > 0
-                                 ? SlipOperator(this->trace(),
+    problem.slip_operator = problem.n_tangential > 0
+                              ? SlipOperator(this->trace(),
                                              slip_operator,
                                              contact.contact_matrices_kind(),
                                              contact.flow())
-                                 : SlipOperator(slip_operator);
-    const BodyGeometry wheel = this->scene.wheel.geometry(),
-                       rail  = this->scene.rail.geometry();
+                              : SlipOperator(slip_operator);
+    const auto wheel      = this->scene.wheel.body_shape(),
+               rail       = this->scene.rail.body_shape();
     const Roughness roughness(contact.roughness);
     const auto      height =
-      [&](const Side side, const BodyGeometry &geometry, const std::size_t i) {
+      [&](const Side side, const BodyShape &shape, const std::size_t i) {
         const std::vector<double> &given = this->heights(side);
-        return given.empty() ? geometry.surface_height(problem.positions[i][0],
-                                                       problem.positions[i][1])
+        return given.empty() ? shape.surface_height(problem.positions[i][0],
+                                                    problem.positions[i][1])
                              : given[i];
       };
     for (std::size_t i = 0; i < problem.n_nodes; ++i)
       problem.gap.push_back(
-        -height(Side::wheel, wheel, i) - height(Side::rail, rail, i) +
+        -height(Side::wheel, *wheel, i) - height(Side::rail, *rail, i) +
         roughness.value(problem.positions[i][0], problem.positions[i][1]));
     problem.friction.assign(problem.n_nodes, contact.friction_coefficient);
     problem.friction_law = contact.falling_friction();

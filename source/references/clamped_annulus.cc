@@ -146,7 +146,7 @@ namespace RollingContact::References
     check_positive("Hub radius", annulus.hub_radius, "m");
     check_elasticity(annulus.young_modulus, annulus.poisson_ratio);
     const double hub_ratio = annulus.hub_radius / annulus.rim_radius;
-    if (!(hub_ratio <= 0.999))
+    if (!(hub_ratio <= largest_hub_ratio))
       reject("Hub radius over rim radius", hub_ratio, "", "at most 0.999");
 
     kappa            = 3 - 4 * annulus.poisson_ratio;

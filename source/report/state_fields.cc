@@ -11,13 +11,15 @@ namespace RollingContact
                   RunFolder              &folder,
                   const std::string      &file)
   {
-    const BodyGeometry rail = scene.rail.geometry();
+    const auto rail = scene.rail.body_shape();
     write_interface_fields<dim>(
       steady.pair->trace(),
       steady.problem,
       steady.state,
       !steady.restored,
-      [&](const double x, const double y) { return rail.surface_height(x, y); },
+      [&](const double x, const double y) {
+        return rail->surface_height(x, y);
+      },
       folder,
       file);
   }

@@ -1,8 +1,6 @@
-#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/choices.h>
 #include <rolling_contact/mesh_files/mesh_file.h>
 #include <rolling_contact/scene/body_parameters.h>
-
-#include <algorithm>
 
 namespace RollingContact
 {
@@ -10,8 +8,8 @@ namespace RollingContact
 
   BodyParameters::BodyParameters(const std::string &section)
     : ParameterAcceptor("/" + section)
-    , section(section)
   {
+    this->section = section;
     declare_profile();
     declare_extent();
     declare_mesh_file();
@@ -26,11 +24,9 @@ namespace RollingContact
     const Patterns::Double any;
     add_parameter("Shape",
                   shape,
-                  "`disc`, held at its inner circle; `block`, held at its "
-                  "bottom; or `mesh file`, read from Mesh file and held at its "
-                  "hub boundary.",
+                  body_shape_help(),
                   prm,
-                  Patterns::Selection("disc|block|mesh file"));
+                  Patterns::Selection(choice_names(body_shape_kinds())));
     add_parameter("Rigid",
                   rigid,
                   "A rigid body is a profile without mesh or compliance.");
@@ -161,82 +157,18 @@ namespace RollingContact
 
 
 
-  namespace
-  {
-    void
-    require(const bool         condition,
-            const std::string &section,
-            const std::string &entry,
-            const double       value,
-            const std::string &allowed)
-    {
-      if (!condition)
-        throw InputError(section + "/" + entry + " = " +
-                         Patterns::Tools::to_string(value) + ": " + allowed);
-    }
-  } // namespace
-
-
-
   void
   BodyParameters::check(const unsigned int dimension) const
   {
-    if (shape == "disc")
-      {
-        require(radius > 0.,
-                section,
-                "Radius",
-                radius,
-                "a disc needs a radius above 0 m; take Shape = block for a "
-                "flat or concave body.");
-        if (!rigid)
-          require(hub_radius > 0. && hub_radius < radius,
-                  section,
-                  "Hub radius",
-                  hub_radius,
-                  "it must lie above 0 m and below the Radius.");
-      }
+    if (!is_from_file() && !mesh_file.empty())
+      throw InputError(section + "/Mesh file = " + mesh_file +
+                       ": it is read with Shape = mesh file only.");
+    body_shape()->check(dimension, rigid);
     if (rigid && hub == "free")
       throw InputError(section + "/Hub = free: a rigid body is held; take "
                                  "Rigid = false or Hub = clamped.");
-    check_mesh_file();
-    if (rigid)
-      return;
-    if (shape == "block")
-      {
-        require(block_length > 0.,
-                section,
-                "Block length",
-                block_length,
-                "it must be above 0 m.");
-        require(block_depth > 0.,
-                section,
-                "Block depth",
-                block_depth,
-                "it must be above 0 m.");
-      }
-    check_fall(dimension);
-    check_material(dimension);
-  }
-
-
-
-  void
-  BodyParameters::check_fall(const unsigned int dimension) const
-  {
-    if (is_from_file())
-      return;
-    const BodyGeometry shape_of_body = geometry();
-    const double       fall =
-      -shape_of_body.surface_height(shape == "block" ? block_length / 2 : 0.,
-                                    dimension == 3 ? width / 2 : 0.);
-    if (fall >= 0.9 * shape_of_body.thickness_below())
-      throw InputError(
-        section + ": at its ends the profile lies " +
-        Patterns::Tools::to_string(fall) +
-        " m below the contact point, and the body is only " +
-        Patterns::Tools::to_string(shape_of_body.thickness_below()) +
-        " m thick there: take larger radii, a narrower or a thicker body.");
+    if (!rigid)
+      check_material(dimension);
   }
 
 
@@ -245,59 +177,19 @@ namespace RollingContact
   BodyParameters::check_material(const unsigned int dimension) const
   {
     require(material.young_modulus > 0.,
-            section,
             "Young modulus",
             material.young_modulus,
             "it must be above 0 Pa; take Rigid = true for a rigid body.");
     require(material.poisson_ratio < 0.5,
-            section,
             "Poisson ratio",
             material.poisson_ratio,
             "it must be below 0.5; 0.4999 is as good as incompressible.");
     require(material.density > 0.,
-            section,
             "Density",
             material.density,
             "it must be above 0 kg/m^3.");
     if (dimension == 2)
-      require(thickness > 0.,
-              section,
-              "Thickness",
-              thickness,
-              "it must be above 0 m.");
-    else if (!is_from_file())
-      require(width > 0., section, "Width", width, "it must be above 0 m.");
-  }
-
-
-
-  void
-  BodyParameters::check_mesh_file() const
-  {
-    const std::string given = section + "/Mesh file = " + mesh_file;
-    if (!is_from_file())
-      {
-        if (!mesh_file.empty())
-          throw InputError(given + ": it is read with Shape = mesh file only.");
-        return;
-      }
-    if (mesh_file.empty())
-      throw InputError(given + ": Shape = mesh file needs the name of a .msh "
-                               "or .inp file.");
-    if (rigid)
-      throw InputError(section +
-                       "/Shape = mesh file: a rigid body has no mesh; take "
-                       "disc or block with its radii.");
-    require(mesh_unit > 0.,
-            section,
-            "Mesh unit",
-            mesh_unit,
-            "it must be above 0 m; 0.001 for millimetres.");
-    if (hub == "clamped" && contact_boundary == hub_boundary)
-      throw InputError(section + "/Contact boundary id and " + section +
-                       "/Hub boundary id are both " +
-                       std::to_string(hub_boundary) +
-                       ": the hub must be another part of the boundary.");
+      require(thickness > 0., "Thickness", thickness, "it must be above 0 m.");
   }
 
 
@@ -323,28 +215,17 @@ namespace RollingContact
 
 
 
-  BodyGeometry
-  BodyParameters::geometry() const
+  std::shared_ptr<const BodyShape>
+  BodyParameters::body_shape() const
   {
-    BodyGeometry geometry;
-    geometry.shape          = shape == "disc"  ? Shape::disc
-                              : is_from_file() ? Shape::mesh_file
-                                               : Shape::block;
-    geometry.rigid          = rigid;
-    geometry.radius         = radius;
-    geometry.lateral_radius = lateral_radius;
-    geometry.hub_radius     = hub_radius;
-    geometry.length         = block_length;
-    geometry.depth          = block_depth;
-    geometry.width          = width;
-    geometry.hub_clamped    = hub == "clamped";
-    geometry.mesh           = mesh;
-    if (mesh)
-      {
-        geometry.length = 2 * std::min(-mesh->lower[0], mesh->upper[0]);
-        geometry.width  = 2 * std::min(-mesh->lower[1], mesh->upper[1]);
-        geometry.depth  = mesh->depth;
-      }
-    return geometry;
+    return make_body_shape(shape, *this);
+  }
+
+
+
+  bool
+  BodyParameters::is_from_file() const
+  {
+    return choice(body_shape_kinds(), shape, section + "/Shape").from_file;
   }
 } // namespace RollingContact

@@ -15,15 +15,15 @@ namespace
 {
   const Material steel{210e9, 0.3, 7850.};
 
-  BodyGeometry
+  std::shared_ptr<const BodyShape>
   disc()
   {
-    BodyGeometry geometry;
-    geometry.radius         = 0.46;
-    geometry.lateral_radius = 0.3;
-    geometry.hub_radius     = 0.1;
-    geometry.width          = 0.12;
-    return geometry;
+    ShapeParameters parameters;
+    parameters.radius         = 0.46;
+    parameters.lateral_radius = 0.3;
+    parameters.hub_radius     = 0.1;
+    parameters.width          = 0.12;
+    return make_body_shape("disc", parameters);
   }
 
   /**

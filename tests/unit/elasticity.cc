@@ -2,9 +2,11 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/elasticity/direct_body.h>
 #include <rolling_contact/references/clamped_annulus.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace RollingContact;
@@ -26,24 +28,23 @@ namespace
     return result;
   }
 
-  BodyGeometry
+  std::shared_ptr<const BodyShape>
   disc(const double radius, const double hub_radius)
   {
-    BodyGeometry geometry;
-    geometry.radius     = radius;
-    geometry.hub_radius = hub_radius;
-    return geometry;
+    ShapeParameters parameters;
+    parameters.radius     = radius;
+    parameters.hub_radius = hub_radius;
+    return make_body_shape("disc", parameters);
   }
 
-  BodyGeometry
+  std::shared_ptr<const BodyShape>
   block(const double radius)
   {
-    BodyGeometry geometry;
-    geometry.shape  = Shape::block;
-    geometry.radius = radius;
-    geometry.length = 0.4;
-    geometry.depth  = 0.2;
-    return geometry;
+    ShapeParameters parameters;
+    parameters.radius       = radius;
+    parameters.block_length = 0.4;
+    parameters.block_depth  = 0.2;
+    return make_body_shape("block", parameters);
   }
 
   struct Surface
@@ -116,12 +117,12 @@ BOOST_AUTO_TEST_CASE(surfaces_of_any_radii_match)
   const DirectBody<2> reference(disc(0.46, 0.08), material, 1., shifted);
   const Surface       expected(reference);
   BOOST_TEST(expected.nodes.size() > 40u);
-  for (const BodyGeometry &geometry :
+  for (const auto &shape :
        {disc(0.05, 0.01), disc(5., 1.), block(0.), block(0.3), block(-0.6)})
     {
-      const DirectBody<2> body(geometry, material, 1., shifted);
+      const DirectBody<2> body(shape, material, 1., shifted);
       const Surface       surface(body);
-      BOOST_TEST_CONTEXT("radius " << geometry.radius)
+      BOOST_TEST_CONTEXT("reach " << shape->reach_x())
       BOOST_REQUIRE_EQUAL(surface.nodes.size(), expected.nodes.size());
       for (std::size_t i = 0; i < surface.nodes.size(); ++i)
         BOOST_TEST(std::abs(surface.nodes[i].position[0] -
@@ -132,10 +133,9 @@ BOOST_AUTO_TEST_CASE(surfaces_of_any_radii_match)
 
 BOOST_AUTO_TEST_CASE(surface_vertices_lie_on_the_profile)
 {
-  for (const BodyGeometry &geometry :
-       {disc(0.46, 0.08), block(0.3), block(-0.6)})
+  for (const auto &shape : {disc(0.46, 0.08), block(0.3), block(-0.6)})
     {
-      const BodyMesh<2> mesh    = make_body_mesh<2>(geometry, grading(24, 0.3));
+      const BodyMesh<2> mesh    = make_body_mesh<2>(shape, grading(24, 0.3));
       double            largest = 0.;
       unsigned int      n_faces = 0;
       for (const auto &cell : mesh.triangulation->active_cell_iterators())
@@ -151,7 +151,7 @@ BOOST_AUTO_TEST_CASE(surface_vertices_lie_on_the_profile)
                 largest =
                   std::max(largest,
                            std::abs(vertex[1] -
-                                    geometry.surface_height(vertex[0], 0.)));
+                                    shape->surface_height(vertex[0], 0.)));
               }
       BOOST_TEST(n_faces > 40u);
       BOOST_TEST(largest < 1e-12);
@@ -209,6 +209,62 @@ BOOST_AUTO_TEST_CASE(profiles)
                above = crown_depth(0.5, 0.25 + 1e-9);
   BOOST_TEST(above > below);
   BOOST_TEST(above - below < 2e-9);
+}
+
+BOOST_AUTO_TEST_CASE(charts_and_their_inverses)
+{
+  ShapeParameters parameters;
+  parameters.radius         = 0.3;
+  parameters.lateral_radius = 0.2;
+  for (const std::string name : {"disc", "block"})
+    {
+      const auto shape = make_body_shape(name, parameters);
+      const auto chart = shape->chart({1e-4, 1e-3, 6e-3});
+      const auto edges = chart->edges_x();
+      BOOST_TEST(std::is_sorted(edges.begin(), edges.end()));
+      const auto top = chart->to_body({{chart->contact_x(), 0., 0.}});
+      BOOST_TEST(std::hypot(top[0], top[2]) < 1e-16);
+      double largest = 0.;
+      for (std::size_t e = 0; e + 1 < edges.size(); ++e)
+        for (const double below : {0., 0.4, 1.})
+          {
+            const SurfaceChart::Point at{
+              {edges[e], 0.03, -below * shape->thickness_below()}};
+            const auto back = chart->to_chart(chart->to_body(at));
+            for (unsigned int d = 0; d < 3; ++d)
+              largest = std::max(largest, std::abs(back[d] - at[d]));
+          }
+      BOOST_TEST(largest < 1e-14);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(twins)
+{
+  const auto two = [](const std::string &name, const auto &change) {
+    ShapeParameters parameters;
+    const auto      first = make_body_shape(name, parameters);
+    change(parameters);
+    return first->is_twin_of(*make_body_shape(name, parameters));
+  };
+  BOOST_TEST(two("disc", [](auto &) {}));
+  BOOST_TEST(two("block", [](auto &) {}));
+  // an entry of another shape does not matter
+  BOOST_TEST(two("disc", [](auto &it) { it.block_depth = 1.; }));
+  BOOST_TEST(two("block", [](auto &it) { it.hub_radius = 0.1; }));
+  BOOST_TEST(!two("disc", [](auto &it) { it.hub_radius = 0.1; }));
+  BOOST_TEST(!two("disc", [](auto &it) { it.hub = "free"; }));
+  BOOST_TEST(!two("block", [](auto &it) { it.block_depth = 1.; }));
+  BOOST_TEST(!two("block", [](auto &it) { it.block_length = 2.; }));
+  for (const std::string name : {"disc", "block"})
+    {
+      BOOST_TEST(!two(name, [](auto &it) { it.radius = 0.3; }));
+      BOOST_TEST(!two(name, [](auto &it) { it.lateral_radius = 0.3; }));
+      BOOST_TEST(!two(name, [](auto &it) { it.width = 0.3; }));
+    }
+  const ShapeParameters usual;
+  BOOST_TEST(!make_body_shape("disc", usual)
+                ->is_twin_of(*make_body_shape("block", usual)));
+  BOOST_CHECK_THROW(make_body_shape("cone", usual), InputError);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

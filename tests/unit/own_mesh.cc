@@ -65,13 +65,12 @@ namespace
   }
 
   template <int dim>
-  BodyGeometry
-  geometry_of(const MeshFile &file)
+  std::shared_ptr<const BodyShape>
+  shape_of(const MeshFile &file)
   {
-    BodyGeometry geometry;
-    geometry.shape = Shape::mesh_file;
-    geometry.mesh  = read_mesh_file<dim>(file);
-    return geometry;
+    ShapeParameters parameters;
+    parameters.mesh = read_mesh_file<dim>(file);
+    return make_body_shape("mesh file", parameters);
   }
 } // namespace
 
@@ -144,14 +143,14 @@ namespace
     return grading;
   }
 
-  BodyGeometry
+  std::shared_ptr<const BodyShape>
   patch_block()
   {
-    BodyGeometry geometry;
-    geometry.shape  = Shape::block;
-    geometry.length = geometry.width = 0.04;
-    geometry.depth                   = patch_depth;
-    return geometry;
+    ShapeParameters parameters;
+    parameters.radius       = 0.;
+    parameters.block_length = parameters.width = 0.04;
+    parameters.block_depth                     = patch_depth;
+    return make_body_shape("block", parameters);
   }
 
   template <int dim>
@@ -249,13 +248,13 @@ namespace
     const Files files;
     const auto  path =
       files.save("b.msh", block(dim, n_file, distortion).gmsh());
-    const auto      grading  = patch_grading<dim>();
-    const auto      geometry = geometry_of<dim>(rail(path));
+    const auto      grading = patch_grading<dim>();
+    const auto      shape   = shape_of<dim>(rail(path));
     DirectBody<dim> a(patch_block(), patch_material, 1., grading),
-      b(geometry, patch_material, 1., grading);
+      b(shape, patch_material, 1., grading);
     SurfaceNodes<dim>      nodes;
     const Trace            trace      = trace_of<dim>(a, nodes);
-    const MortarProjection projection = projection_to(trace, *geometry.mesh);
+    const MortarProjection projection = projection_to(trace, *shape->mesh());
     const SurfaceCoupling  coupling(projection.rows, projection.nodes.size());
     const auto             nodes_b = b.nodes_at(projection.nodes);
 
@@ -290,9 +289,10 @@ namespace
   /** The generated mesh, without hanging nodes, as a file. */
   template <int dim>
   std::string
-  gmsh_of(const BodyGeometry &geometry, const Grading<dim> &grading)
+  gmsh_of(const std::shared_ptr<const BodyShape> &shape,
+          const Grading<dim>                     &grading)
   {
-    const BodyMesh<dim> mesh  = make_body_mesh<dim>(geometry, grading);
+    const BodyMesh<dim> mesh  = make_body_mesh<dim>(shape, grading);
     const auto         &cells = *mesh.triangulation;
     std::ostringstream  text, elements;
     unsigned int        n = 0;
@@ -362,7 +362,7 @@ namespace
     const SceneRun<dim> generated(set_small_blocks<dim>,
                                   [](SceneParameters &) {});
     files.save("rail.msh",
-               gmsh_of(generated.scene.rail.geometry(),
+               gmsh_of(generated.scene.rail.body_shape(),
                        generated.steady.grading));
     const SceneRun<dim> read(set_small_blocks<dim>,
                              [&](SceneParameters &scene) {

@@ -99,83 +99,52 @@ BOOST_AUTO_TEST_CASE(hertz_pressure)
   CHECK_INPUT_ERROR(hertz_line(-1, 0.23, steel), "Load per length is -1 N/m");
 }
 
-BOOST_AUTO_TEST_CASE(compression_of_each_shape)
+BOOST_AUTO_TEST_CASE(compression_of_disc_and_layer)
 {
   const HertzLine contact = hertz_line(7.05e6, 0.23, steel / 1.82);
-  const LineBody  disc{LineBody::Shape::disc, 0.46, steel, 0.3};
   // independent computation of Johnson 1985, 5.57
-  BOOST_TEST(compression(disc, contact) == 0.00010843292883202297,
+  BOOST_TEST(compression_of_disc(0.46, steel, 0.3, contact) ==
+               0.00010843292883202297,
              tolerance(1e-13));
 
   // P = 1, E = 1, nu = 0.3, D/a = 7: independent quadrature of the axial strain
   const HertzLine unit{1, 2 / pi};
-  const LineBody  block{LineBody::Shape::block, 7, 1, 0.3};
-  BOOST_TEST(compression(block, unit) == 1.4082887312859431, tolerance(1e-12));
-
-  const LineBody deep{LineBody::Shape::block, 1e5, 1, 0.3};
-  BOOST_TEST(compression(deep, unit) ==
+  BOOST_TEST(compression_of_layer(7, 1, 0.3, unit) == 1.4082887312859431,
+             tolerance(1e-12));
+  BOOST_TEST(compression_of_layer(1e5, 1, 0.3, unit) ==
                0.91 / pi * (2 * std::log(2e5) - 0.3 / 0.7),
              tolerance(1e-9));
 
   // independent computation of the infinite layer bonded at D/a = 20
-  const LineBody layer{LineBody::Shape::block, 20, 1, 0.3};
-  const double   ratio = compression(layer, unit) / (0.91 / pi * 7.3254);
+  const double ratio =
+    compression_of_layer(20, 1, 0.3, unit) / (0.91 / pi * 7.3254);
   BOOST_TEST(ratio < 1);
   BOOST_TEST(ratio > 0.94);
+
+  BOOST_TEST(compression_of_disc(0.46, steel, 0.3, {0, 0}) == 0);
+  CHECK_INPUT_ERROR(compression_of_layer(0, steel, 0.3, contact),
+                    "Depth of the layer is 0 m");
+  CHECK_INPUT_ERROR(compression_of_disc(-1, steel, 0.3, contact),
+                    "Radius of the disc is -1 m");
 }
 
-BOOST_AUTO_TEST_CASE(approach_and_its_inverse)
+BOOST_AUTO_TEST_CASE(half_width_is_the_inverse_of_the_approach)
 {
-  const LineBody disc{LineBody::Shape::disc, 0.46, steel, 0.3};
-  const LineBody block{LineBody::Shape::block, 0.1, 70e9, 0.5};
-  LineBody       rigid_block = block;
-  rigid_block.rigid          = true;
-  LineBody rigid_disc        = disc;
-  rigid_disc.rigid           = true;
-  for (const LineBodies &bodies : {LineBodies{disc, disc},
-                                   LineBodies{disc, block},
-                                   LineBodies{block, rigid_disc},
-                                   LineBodies{rigid_block, disc}})
-    for (const double load : {1e-6, 1., 1e4, 1e7})
-      {
-        const double approach = approach_of_line_contact(bodies, load);
-        BOOST_TEST(approach > 0);
-        BOOST_TEST(load_of_line_contact(bodies, approach) == load,
-                   tolerance(1e-13));
-      }
-
-  BOOST_TEST(approach_of_line_contact({disc, disc}, 7.05e6) ==
-               2 * 0.00010843292883202297,
-             tolerance(1e-13));
-  BOOST_TEST(approach_of_line_contact({disc, disc}, 0) == 0);
-  BOOST_TEST(load_of_line_contact({disc, disc}, 0) == 0);
-  BOOST_TEST(load_of_line_contact({disc, disc}, -1e-4) == 0);
-}
-
-BOOST_AUTO_TEST_CASE(load_does_not_depend_on_the_units)
-{
-  const LineBody metre{LineBody::Shape::disc, 0.46, steel, 0.3};
-  const LineBody millimetre{LineBody::Shape::disc, 460, steel * 1e-6, 0.3};
-  BOOST_TEST(load_of_line_contact({metre, metre}, 2e-4) ==
-               1e3 * load_of_line_contact({millimetre, millimetre}, 0.2),
-             tolerance(1e-13));
-}
-
-BOOST_AUTO_TEST_CASE(bad_bodies)
-{
-  const LineBody disc{LineBody::Shape::disc, 0.46, steel, 0.3};
-  const LineBody block{LineBody::Shape::block, 0.1, steel, 0.3};
-  LineBody       rigid = disc;
-  rigid.rigid          = true;
-  CHECK_INPUT_ERROR(load_of_line_contact({block, block}, 1e-4),
-                    "Relative curvature");
-  CHECK_INPUT_ERROR(load_of_line_contact({rigid, rigid}, 1e-4),
-                    "infinite for both");
-  CHECK_INPUT_ERROR(load_of_line_contact({disc, disc}, 0.5),
+  const double modulus  = steel / 1.82;
+  const auto   approach = [&](const double half_width) {
+    const HertzLine contact =
+      hertz_line_of_half_width(half_width, 0.23, modulus);
+    return compression_of_disc(0.46, steel, 0.3, contact) +
+           compression_of_layer(0.1, steel, 0.3, contact);
+  };
+  for (const double half_width : {1e-7, 1e-5, 1e-3, 0.03})
+    BOOST_TEST(half_width_of_approach(approach, 0.05, approach(half_width)) ==
+                 half_width,
+               tolerance(1e-12));
+  BOOST_TEST(half_width_of_approach(approach, 0.05, 0) == 0);
+  BOOST_TEST(half_width_of_approach(approach, 0.05, -1e-4) == 0);
+  CHECK_INPUT_ERROR(half_width_of_approach(approach, 0.05, 0.5),
                     "Approach is 0.5 m: it must be smaller than");
-  const LineBody no_depth{LineBody::Shape::block, 0, steel, 0.3};
-  CHECK_INPUT_ERROR(approach_of_line_contact({disc, no_depth}, 1),
-                    "depth of the block is 0 m");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -24,11 +24,11 @@ namespace RollingContact
     /**
      * The model lives on @p model_rank.
      */
-    DistributedBody(const BodyGeometry &geometry,
-                    const Material     &material,
-                    const double        thickness,
-                    const Grading<dim> &grading,
-                    const unsigned int  model_rank);
+    DistributedBody(const std::shared_ptr<const BodyShape> &shape,
+                    const Material                         &material,
+                    const double                            thickness,
+                    const Grading<dim>                     &grading,
+                    const unsigned int                      model_rank);
 
     void
     analyse() override;
@@ -148,10 +148,10 @@ namespace RollingContact
           const double                                        tolerance,
           std::vector<DistributedVector>                     &x);
 
-    const BodyGeometry geometry;
-    const Grading<dim> grading;
-    const unsigned int model_rank;
-    std::size_t        total_unknowns = 0;
+    const std::shared_ptr<const BodyShape> shape;
+    const Grading<dim>                     grading;
+    const unsigned int                     model_rank;
+    std::size_t                            total_unknowns = 0;
 
     dealii::TrilinosWrappers::SparseMatrix K;
     std::unique_ptr<MultigridSolver>       multigrid;

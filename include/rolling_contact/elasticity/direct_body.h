@@ -21,11 +21,11 @@ namespace RollingContact
      * With @p recovers false, the factor is freed as soon as the compliance is
      * known and recover() throws.
      */
-    DirectBody(const BodyGeometry &geometry,
-               const Material     &material,
-               const double        thickness,
-               const Grading<dim> &grading,
-               const bool          recovers = true);
+    DirectBody(const std::shared_ptr<const BodyShape> &shape,
+               const Material                         &material,
+               const double                            thickness,
+               const Grading<dim>                     &grading,
+               const bool                              recovers = true);
 
     void
     analyse() override;

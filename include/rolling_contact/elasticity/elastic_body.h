@@ -170,11 +170,11 @@ namespace RollingContact
     /**
      * Mesh and distribute. @p thickness is used in 2D. Units: m.
      */
-    ElasticBody(const BodyGeometry &geometry,
-                const Material     &material,
-                const double        thickness,
-                const Grading<dim> &grading,
-                const MeshKind      kind);
+    ElasticBody(const std::shared_ptr<const BodyShape> &shape,
+                const Material                         &material,
+                const double                            thickness,
+                const Grading<dim>                     &grading,
+                const MeshKind                          kind);
 
     /**
      * Throws InputError if nothing holds the body.

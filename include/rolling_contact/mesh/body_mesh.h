@@ -45,7 +45,7 @@ namespace RollingContact
   };
 
   /**
-   * Mesh a body, or take it from its file: boxes in its chart, refined as @p
+   * Mesh a body, or take the mesh it brings: boxes in its chart, refined as @p
    * grading asks. The coarse mesh has an edge at x = offset * element_size_x
    * and coarse cells that are powers of two of the element size, which makes
    * the surface nodes of two bodies match. Both kinds of mesh have the same
@@ -53,9 +53,9 @@ namespace RollingContact
    */
   template <int dim>
   BodyMesh<dim>
-  make_body_mesh(const BodyGeometry &geometry,
-                 const Grading<dim> &grading,
-                 const MeshKind      kind = MeshKind::serial);
+  make_body_mesh(const std::shared_ptr<const BodyShape> &shape,
+                 const Grading<dim>                     &grading,
+                 const MeshKind kind = MeshKind::serial);
 } // namespace RollingContact
 
 #endif

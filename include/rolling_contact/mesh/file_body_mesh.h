@@ -12,7 +12,7 @@ namespace RollingContact
    */
   template <int dim>
   BodyMesh<dim>
-  file_body_mesh(const BodyGeometry &geometry);
+  file_body_mesh(const FileMesh &mesh);
 } // namespace RollingContact
 
 #endif

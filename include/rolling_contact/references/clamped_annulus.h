@@ -17,6 +17,11 @@ namespace RollingContact::References
   };
 
   /**
+   * Largest hub over rim radius that the series covers.
+   */
+  inline constexpr double largest_hub_ratio = 0.999;
+
+  /**
    * Exact displacement of an annulus clamped at the hub under a Hertz pressure
    * p0 sqrt(1 - theta^2/alpha^2) on the rim r = R, alpha = a/R. A radial
    * traction -cos(n theta) moves the rim by -c_n R/(2 G) cos(n theta), with c_n

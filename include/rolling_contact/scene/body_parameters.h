@@ -4,8 +4,7 @@
 #include <deal.II/base/parameter_acceptor.h>
 
 #include <rolling_contact/elasticity/material.h>
-#include <rolling_contact/mesh/geometry.h>
-#include <rolling_contact/mesh_files/file_mesh.h>
+#include <rolling_contact/mesh/body_shape.h>
 
 #include <filesystem>
 #include <string>
@@ -15,7 +14,9 @@ namespace RollingContact
   /**
    * Section `Wheel` or `Rail`: shape and material of one body.
    */
-  struct BodyParameters : public dealii::ParameterAcceptor
+  struct BodyParameters
+    : public dealii::ParameterAcceptor
+    , public ShapeParameters
   {
     explicit BodyParameters(const std::string &section);
 
@@ -33,34 +34,19 @@ namespace RollingContact
               const std::filesystem::path &folder);
 
     /**
-     * That of a body from a file needs read_mesh().
+     * The shape of the name `shape`; one from a file needs read_mesh().
      */
-    BodyGeometry
-    geometry() const;
+    std::shared_ptr<const BodyShape>
+    body_shape() const;
 
     bool
-    is_from_file() const
-    {
-      return shape == "mesh file";
-    }
+    is_from_file() const;
 
-    std::string  section;
-    std::string  shape          = "disc";
-    bool         rigid          = false;
-    double       radius         = 0.46;
-    double       lateral_radius = 0.;
-    double       hub_radius     = 0.08;
-    double       block_length   = 1.;
-    double       block_depth    = 0.5;
-    double       thickness      = 0.02;
-    double       width          = 0.1;
-    std::string  hub            = "clamped";
-    std::string  mesh_file;
-    double       mesh_unit        = 1.;
-    unsigned int contact_boundary = 1;
-    unsigned int hub_boundary     = 2;
-    std::string  surface          = "radii";
-    Material     material         = {210e9, 0.3};
+    std::string shape     = "disc";
+    bool        rigid     = false;
+    double      thickness = 0.02;
+    std::string surface   = "radii";
+    Material    material  = {210e9, 0.3};
 
   private:
     void
@@ -76,15 +62,7 @@ namespace RollingContact
     declare_material();
 
     void
-    check_fall(const unsigned int dimension) const;
-
-    void
     check_material(const unsigned int dimension) const;
-
-    void
-    check_mesh_file() const;
-
-    std::shared_ptr<const FileMesh> mesh;
   };
 } // namespace RollingContact
 

@@ -1,0 +1,167 @@
+#ifndef rolling_contact_mesh_body_shape_h
+#define rolling_contact_mesh_body_shape_h
+
+#include <rolling_contact/mesh/shape_parameters.h>
+#include <rolling_contact/mesh/surface_chart.h>
+#include <rolling_contact/references/clamped_annulus.h>
+#include <rolling_contact/references/hertz_line.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace RollingContact
+{
+  /**
+   * Shape of one body in its own frame: the contact point is the origin, z
+   * points out of the body; the wheel is its mirror image in z. A shape is
+   * either meshed by the program, as boxes in its chart(), or brings its
+   * mesh(). A new one is a class of its own and a row in body_shape_kinds().
+   * Units: m.
+   */
+  class BodyShape
+  {
+  public:
+    explicit BodyShape(const ShapeParameters &parameters);
+
+    virtual ~BodyShape() = default;
+
+    /**
+     * Rules for the entries of this shape; a rigid body is a surface only.
+     * Throws InputError.
+     */
+    virtual void
+    check(const unsigned int dimension, const bool rigid) const = 0;
+
+    /**
+     * Height of the undeformed surface at (@p x, @p y), 0 at the contact point
+     * and negative where the surface falls away: two circular profiles unless a
+     * shape says otherwise.
+     */
+    virtual double
+    surface_height(const double x, const double y) const;
+
+    /**
+     * Thickness of material under the contact point.
+     */
+    virtual double
+    thickness_below() const = 0;
+
+    /**
+     * How far from the contact point the contact zone may reach along x.
+     */
+    virtual double
+    reach_x() const = 0;
+
+    /**
+     * How far from the contact point the contact zone may reach across.
+     */
+    virtual double
+    reach_y() const;
+
+    /**
+     * Largest half-width of a patch that line_compression() is asked for.
+     */
+    virtual double
+    largest_half_width() const;
+
+    /**
+     * Approximate compression between the middle of the patch of a line contact
+     * and the place where the body is held: that of a layer of
+     * thickness_below() unless a shape says otherwise. E in Pa.
+     */
+    virtual double
+    line_compression(const References::HertzLine &contact,
+                     const double                 young_modulus,
+                     const double                 poisson_ratio) const;
+
+    /**
+     * The clamped annulus that this body is, whose exact compression is known;
+     * nothing for other shapes. E in Pa.
+     */
+    virtual std::optional<References::Annulus>
+    clamped_annulus(const double young_modulus,
+                    const double poisson_ratio) const;
+
+    /**
+     * Largest coarse cell along x that still resolves the shape.
+     */
+    virtual double
+    largest_coarse_size() const;
+
+    /**
+     * The chart with these coarse cells, which refers to this shape; nullptr
+     * for one with a mesh().
+     */
+    virtual std::unique_ptr<SurfaceChart>
+    chart(const CoarseCells &cells) const;
+
+    /**
+     * The mesh that the shape brings; nullptr if the program meshes it.
+     */
+    virtual std::shared_ptr<const FileMesh>
+    mesh() const;
+
+    /**
+     * False if nothing holds the body.
+     */
+    bool
+    hub_clamped() const;
+
+    /**
+     * True for mirror images of each other, which share one mesh. Bodies that
+     * bring their meshes never do.
+     */
+    bool
+    is_twin_of(const BodyShape &other) const;
+
+  protected:
+    /**
+     * Whatever makes two bodies of this class differ, in any order.
+     */
+    virtual std::vector<double>
+    dimensions() const = 0;
+
+    /**
+     * Throws InputError if the body has no width (3D) or its profile falls too
+     * far at its ends, @p end_x along x.
+     */
+    void
+    check_extent(const unsigned int dimension, const double end_x) const;
+
+    const ShapeParameters parameters;
+  };
+
+  /**
+   * A shape as Wheel/Shape, Rail/Shape and --print-parameters know it.
+   */
+  struct BodyShapeKind
+  {
+    using Maker =
+      std::shared_ptr<const BodyShape> (*)(const ShapeParameters &parameters);
+
+    std::string name;
+    std::string help; ///< how it is held
+    Maker       make;
+    bool        from_file = false; ///< needs ShapeParameters::mesh
+  };
+
+  const std::vector<BodyShapeKind> &
+  body_shape_kinds();
+
+  /**
+   * The sentence about all kinds, for the list of parameters.
+   */
+  std::string
+  body_shape_help();
+
+  /**
+   * The shape of a name in body_shape_kinds(); its entries are not checked.
+   * Throws InputError for any other name.
+   */
+  std::shared_ptr<const BodyShape>
+  make_body_shape(const std::string &name, const ShapeParameters &parameters);
+} // namespace RollingContact
+
+#endif

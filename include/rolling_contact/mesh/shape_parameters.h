@@ -1,0 +1,44 @@
+#ifndef rolling_contact_mesh_shape_parameters_h
+#define rolling_contact_mesh_shape_parameters_h
+
+#include <rolling_contact/mesh_files/file_mesh.h>
+
+#include <memory>
+#include <string>
+
+namespace RollingContact
+{
+  /**
+   * What section `Wheel` or `Rail` says of the shape of its body. Every shape
+   * takes those of the entries that concern it. Units: m.
+   */
+  struct ShapeParameters
+  {
+    /**
+     * Throws InputError "section/entry = value: allowed" unless the
+     * @p condition holds.
+     */
+    void
+    require(const bool         condition,
+            const std::string &entry,
+            const double       value,
+            const std::string &allowed) const;
+
+    std::string  section;               ///< Wheel or Rail, for messages
+    double       radius         = 0.46; ///< in the rolling direction; 0 flat
+    double       lateral_radius = 0.;   ///< across; 0 flat
+    double       hub_radius     = 0.08; ///< of the inner circle of a disc
+    double       block_length   = 1.;   ///< in the rolling direction
+    double       block_depth    = 0.5;  ///< down to the bottom, the hub
+    double       width          = 0.1;  ///< across, 3D only
+    std::string  hub            = "clamped"; ///< or "free": nothing holds it
+    std::string  mesh_file;
+    double       mesh_unit        = 1.;
+    unsigned int contact_boundary = 1;
+    unsigned int hub_boundary     = 2;
+
+    std::shared_ptr<const FileMesh> mesh; ///< what mesh_file holds, once read
+  };
+} // namespace RollingContact
+
+#endif
