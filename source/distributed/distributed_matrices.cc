@@ -1,11 +1,7 @@
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
 
 #include <rolling_contact/distributed/distributed_matrices.h>
-#include <rolling_contact/elasticity/cell_matrices.h>
-
-#include <functional>
+#include <rolling_contact/elasticity/assembly.h>
 
 namespace RollingContact
 {
@@ -14,55 +10,28 @@ namespace RollingContact
   namespace
   {
     /**
-     * Sum up cell matrices with the constraints eliminated.
+     * An empty matrix that couples all components or each with itself.
      */
     template <int dim>
     void
-    assemble(const DistributedDiscretisation<dim>            &body,
-             const DoFTools::Coupling                         others,
-             const Quadrature<dim>                           &quadrature,
-             const UpdateFlags                                update_flags,
-             const std::function<void(const FEValues<dim> &,
-                                      FullMatrix<double> &)> &cell_matrix,
-             TrilinosWrappers::SparseMatrix                  &matrix)
+    reinit(const DistributedDiscretisation<dim> &body,
+           const bool                            all_components,
+           TrilinosWrappers::SparseMatrix       &matrix)
     {
       const MPI_Comm communicator = body.dofs.get_communicator();
-      const auto     rank = Utilities::MPI::this_mpi_process(communicator);
-      Table<2, DoFTools::Coupling> couplings(dim, dim);
-      for (unsigned int i = 0; i < dim; ++i)
-        for (unsigned int j = 0; j < dim; ++j)
-          couplings(i, j) = i == j ? DoFTools::always : others;
-      {
-        TrilinosWrappers::SparsityPattern pattern(
-          body.dofs.locally_owned_dofs(),
-          body.dofs.locally_owned_dofs(),
-          body.relevant_dofs,
-          communicator);
-        DoFTools::make_sparsity_pattern(
-          body.dofs, couplings, pattern, body.constraints, false, rank);
-        pattern.compress();
-        matrix.reinit(pattern);
-      }
-      const auto                          &element = body.dofs.get_fe();
-      FEValues<dim>                        values(element,
-                           quadrature,
-                           update_flags | update_JxW_values);
-      FullMatrix<double>                   cell_values(element.dofs_per_cell);
-      std::vector<types::global_dof_index> cell_dofs(element.dofs_per_cell);
-      for (const auto &cell : body.dofs.active_cell_iterators())
-        {
-          if (!cell->is_locally_owned())
-            continue;
-          values.reinit(cell);
-          cell_matrix(values, cell_values);
-          if (dim == 2)
-            cell_values *= body.thickness;
-          cell->get_dof_indices(cell_dofs);
-          body.constraints.distribute_local_to_global(cell_values,
-                                                      cell_dofs,
-                                                      matrix);
-        }
-      matrix.compress(VectorOperation::add);
+      TrilinosWrappers::SparsityPattern pattern(body.dofs.locally_owned_dofs(),
+                                                body.dofs.locally_owned_dofs(),
+                                                body.relevant_dofs,
+                                                communicator);
+      DoFTools::make_sparsity_pattern(body.dofs,
+                                      couplings<dim>(all_components),
+                                      pattern,
+                                      body.constraints,
+                                      false,
+                                      Utilities::MPI::this_mpi_process(
+                                        communicator));
+      pattern.compress();
+      matrix.reinit(pattern);
     }
   } // namespace
 
@@ -73,15 +42,9 @@ namespace RollingContact
   assemble_stiffness(const DistributedDiscretisation<dim> &body,
                      TrilinosWrappers::SparseMatrix       &K)
   {
-    assemble<dim>(
-      body,
-      DoFTools::always,
-      QGauss<dim>(2),
-      update_gradients,
-      [&](const FEValues<dim> &values, FullMatrix<double> &stiffness) {
-        cell_stiffness(values, body.material, stiffness);
-      },
-      K);
+    reinit(body, true, K);
+    add_stiffness(body, K);
+    K.compress(VectorOperation::add);
   }
 
 
@@ -91,15 +54,9 @@ namespace RollingContact
   assemble_mass(const DistributedDiscretisation<dim> &body,
                 TrilinosWrappers::SparseMatrix       &M)
   {
-    assemble<dim>(
-      body,
-      DoFTools::none,
-      QGauss<dim>(3),
-      update_values,
-      [&](const FEValues<dim> &values, FullMatrix<double> &mass) {
-        cell_mass(values, body.material.density, mass);
-      },
-      M);
+    reinit(body, false, M);
+    add_mass(body, M);
+    M.compress(VectorOperation::add);
   }
 
 
@@ -108,28 +65,10 @@ namespace RollingContact
   DistributedVector
   lumped_mass(const DistributedDiscretisation<dim> &body)
   {
-    DistributedVector                    masses(body.dofs.locally_owned_dofs(),
+    DistributedVector masses(body.dofs.locally_owned_dofs(),
                              body.relevant_dofs,
                              body.dofs.get_communicator());
-    const auto                          &element = body.dofs.get_fe();
-    FEValues<dim>                        values(element,
-                         QGauss<dim>(2),
-                         update_values | update_JxW_values);
-    Vector<double>                       cell_masses(element.dofs_per_cell);
-    std::vector<types::global_dof_index> cell_dofs(element.dofs_per_cell);
-    const double                         density =
-      body.material.density * (dim == 2 ? body.thickness : 1.);
-    for (const auto &cell : body.dofs.active_cell_iterators())
-      {
-        if (!cell->is_locally_owned())
-          continue;
-        values.reinit(cell);
-        cell->get_dof_indices(cell_dofs);
-        cell_lumped_mass(values, density, cell_masses);
-        body.constraints.distribute_local_to_global(cell_masses,
-                                                    cell_dofs,
-                                                    masses);
-      }
+    add_lumped_mass(body, masses);
     masses.compress(VectorOperation::add);
     DistributedVector owned(body.dofs.locally_owned_dofs(),
                             body.dofs.get_communicator());

@@ -14,6 +14,33 @@ namespace RollingContact
 {
   using namespace dealii;
 
+  namespace
+  {
+    /**
+     * Throws unless every degree of freedom i on this rank is one of component
+     * i modulo dim, which saves a table of components.
+     */
+    template <int dim>
+    void
+    check_component_numbers(const DoFHandler<dim> &dofs)
+    {
+      const auto                          &element = dofs.get_fe();
+      std::vector<types::global_dof_index> cell_dofs(element.dofs_per_cell);
+      for (const auto &cell : dofs.active_cell_iterators())
+        if (cell->is_locally_owned())
+          {
+            cell->get_dof_indices(cell_dofs);
+            for (unsigned int i = 0; i < cell_dofs.size(); ++i)
+              AssertThrow(cell_dofs[i] % dim ==
+                            element.system_to_component_index(i).first,
+                          ExcMessage("Degrees of freedom are not numbered node "
+                                     "by node."));
+          }
+    }
+  } // namespace
+
+
+
   template <int dim>
   ElasticBody<dim>::ElasticBody(const std::shared_ptr<const BodyShape> &shape,
                                 const Material     &material,
@@ -29,6 +56,7 @@ namespace RollingContact
   {
     const Stopwatch watch;
     dofs.distribute_dofs(element);
+    check_component_numbers(dofs);
     DoFTools::extract_locally_relevant_dofs(dofs, relevant_dofs);
     constraints.reinit(relevant_dofs);
     DoFTools::make_hanging_node_constraints(dofs, constraints);

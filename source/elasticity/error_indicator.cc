@@ -13,7 +13,8 @@ namespace RollingContact
   namespace
   {
     /**
-     * Those of all ranks, in an order that does not depend on their number.
+     * The indicators of all ranks with their boxes, in an order that does not
+     * depend on their number.
      */
     template <int dim>
     std::vector<std::pair<double, RefinedBox<dim>>>

@@ -17,6 +17,8 @@ namespace RollingContact
 
   namespace
   {
+    const double on_boundary = 1e-6; ///< of the thickness, a vertex may be off
+
     const std::string generated_remedy =
       "take fewer Mesh/Elements across patch, a larger Mesh/Growth or a "
       "smaller Mesh/Candidate zone.";
@@ -89,7 +91,7 @@ namespace RollingContact
                      const BodyChart<dim> &chart,
                      Triangulation<dim>   &triangulation)
     {
-      const double tolerance = 1e-6 * thickness;
+      const double tolerance = on_boundary * thickness;
       for (const auto &cell : triangulation.active_cell_iterators())
         for (const unsigned int f : cell->face_indices())
           if (cell->face(f)->at_boundary())

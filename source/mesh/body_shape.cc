@@ -73,6 +73,14 @@ namespace RollingContact
 
 
 
+  namespace
+  {
+    /// of the profile over the thickness: the chart degenerates at 1
+    constexpr double largest_fall = 0.9;
+  } // namespace
+
+
+
   BodyShape::BodyShape(const ShapeParameters &parameters)
     : parameters(parameters)
   {}
@@ -178,7 +186,7 @@ namespace RollingContact
                          "it must be above 0 m.");
     const double fall =
       -surface_height(end_x, dimension == 3 ? parameters.width / 2 : 0.);
-    if (fall >= 0.9 * thickness_below())
+    if (fall >= largest_fall * thickness_below())
       throw InputError(
         parameters.section + ": at its ends the profile lies " +
         significant(fall, 6) +

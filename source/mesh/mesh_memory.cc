@@ -6,18 +6,37 @@
 
 namespace RollingContact
 {
+  namespace
+  {
+    const double usable_memory = 0.7; ///< of what is free
+
+    /**
+     * What a cell took in runs: mesh and stiffness, with factor and
+     * condensation (serial) or the multigrid levels (distributed).
+     */
+    template <int dim>
+    double
+    bytes_of_cell(const MeshKind kind)
+    {
+      if (kind == MeshKind::serial)
+        return dim == 2 ? 6e3 : 45e3;
+      return dim == 2 ? 5e3 : 15e3;
+    }
+  } // namespace
+
+
+
   template <int dim>
   void
   check_mesh_memory(const double       n_cells,
                     const MeshKind     kind,
                     const std::string &remedy)
   {
-    const bool   whole = kind == MeshKind::serial;
-    const double bytes =
-      n_cells * (dim == 2 ? (whole ? 6e3 : 5e3) : (whole ? 45e3 : 15e3));
-    const double free =
-      whole ? available_memory() : Ranks::minimum(available_memory());
-    if (free > 0. && bytes > 0.7 * free)
+    const double bytes = n_cells * bytes_of_cell<dim>(kind);
+    const double free  = kind == MeshKind::serial
+                           ? available_memory()
+                           : Ranks::minimum(available_memory());
+    if (free > 0. && bytes > usable_memory * free)
       throw MemoryError(
         "The mesh of a body would have " + significant(n_cells, 2) +
         " cells or more and need about " + human_bytes(bytes) +

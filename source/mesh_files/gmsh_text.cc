@@ -73,7 +73,7 @@ namespace RollingContact
       }
 
       /**
-       * To the word after the end of a section.
+       * Read on to the word after the end of a section.
        */
       void
       skip(std::string &word)

@@ -50,7 +50,7 @@ namespace RollingContact
 
 
     /**
-     * Of cells joined by faces, those joined with the first one.
+     * Number of cells that faces join with the first one, itself included.
      */
     template <int dim>
     std::size_t

@@ -42,7 +42,7 @@ namespace RollingContact::References
       }};
 
     /**
-     * The same by b/a (a >= b).
+     * Table E3 by b/a (a >= b).
      */
     constexpr Table long_patch =
       {{

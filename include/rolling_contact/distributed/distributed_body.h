@@ -22,7 +22,7 @@ namespace RollingContact
     using typename ElasticBody<dim>::SurfaceFace;
 
     /**
-     * The model lives on @p model_rank.
+     * Mesh over all ranks; the model of the compliance lives on @p model_rank.
      */
     DistributedBody(const std::shared_ptr<const BodyShape> &shape,
                     const Material                         &material,
@@ -96,7 +96,7 @@ namespace RollingContact
     rigid_modes() const;
 
     /**
-     * Put nodal forces on the contact nodes, those of other ranks are theirs.
+     * Add nodal forces to @p b at the contact nodes of this rank. Units: N.
      */
     void
     add_forces(const std::vector<dealii::types::global_dof_index> &contact,
@@ -111,27 +111,28 @@ namespace RollingContact
                const DistributedVector &values) const;
 
     /**
-     * The degrees of freedom of component @p components[i] at node n, at
-     * i * N + n.
+     * Degrees of freedom of contact: that of component @p components[i] at node
+     * n of N is entry i * N + n.
      */
     static std::vector<dealii::types::global_dof_index>
     contact_dofs(const std::vector<SurfaceNode>  &nodes,
                  const std::vector<unsigned int> &components);
 
     /**
-     * A solution with hanging nodes and ghosts.
+     * The field of a solution, with hanging nodes and ghosts.
      */
     BodyField
     field(const DistributedVector &solution) const;
 
     /**
-     * The model; nullptr on other ranks.
+     * The model of the compliance on its rank; nullptr on others.
      */
     std::unique_ptr<DirectBody<dim>>
     make_model() const;
 
     /**
-     * The model's nodes at those of the body.
+     * The nodes of the model that lie where @p nodes of the body do, in their
+     * order. Throws if there are others.
      */
     std::vector<SurfaceNode>
     model_nodes(const DirectBody<dim>          &model,

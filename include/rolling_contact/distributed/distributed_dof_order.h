@@ -17,7 +17,7 @@ namespace RollingContact
 
   /**
    * The unknowns of all ranks, numbered rank by rank, in the order of
-   * BodyMotion: on the first rank or on all.
+   * BodyMotion: on the first rank or on all. Collective.
    */
   template <int dim>
   std::vector<std::size_t>

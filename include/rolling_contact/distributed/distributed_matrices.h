@@ -31,7 +31,7 @@ namespace RollingContact
   using DistributedVector = dealii::LinearAlgebra::distributed::Vector<double>;
 
   /**
-   * K with B-bar, see assemble_stiffness(). Units: N/m.
+   * Assemble K, see cell_stiffness(). Collective. Units: N/m.
    */
   template <int dim>
   void
@@ -39,7 +39,7 @@ namespace RollingContact
                      dealii::TrilinosWrappers::SparseMatrix &K);
 
   /**
-   * The consistent M. Units: kg.
+   * Assemble the consistent M, see cell_mass(). Collective. Units: kg.
    */
   template <int dim>
   void
@@ -47,7 +47,8 @@ namespace RollingContact
                 dealii::TrilinosWrappers::SparseMatrix &M);
 
   /**
-   * The lumped M, its diagonal; zero at constrained nodes. Units: kg.
+   * Diagonal of the lumped M, zero at constrained nodes; see
+   * cell_lumped_mass(). Collective. Units: kg.
    */
   template <int dim>
   DistributedVector

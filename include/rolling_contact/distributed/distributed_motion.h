@@ -99,7 +99,7 @@ namespace RollingContact
               const DistributedVector &velocity);
 
     /**
-     * No step has begun, nothing is known of the next one.
+     * Forget the step that has begun and what was extrapolated to it.
      */
     void
     start_anew();

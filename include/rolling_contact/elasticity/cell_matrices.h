@@ -10,10 +10,11 @@
 namespace RollingContact
 {
   /**
-   * B-bar by mean dilatation, K_ij = integral of 2 G dev(eps_i) : dev(eps_j)
+   * Stiffness of a cell, B-bar by mean dilatation: K_ij = integral of 2 G
+   * dev(eps_i) : dev(eps_j)
    * + V k mean(div phi_i) mean(div phi_j) with the bulk modulus k and the
    * deviator of the three-dimensional strain, eps_yy = 0 in plane strain
-   * (Hughes 1980).
+   * (Hughes 1980). Units: N/m, in 2D per metre of thickness.
    */
   template <int dim>
   void
@@ -22,7 +23,8 @@ namespace RollingContact
                  dealii::FullMatrix<double>       &stiffness);
 
   /**
-   * The integral of rho phi_i phi_j.
+   * Consistent mass of a cell, the integral of rho phi_i phi_j. Units: kg, in
+   * 2D per metre of thickness.
    */
   template <int dim>
   void
@@ -31,7 +33,8 @@ namespace RollingContact
             dealii::FullMatrix<double>       &mass);
 
   /**
-   * Its row sums, the integral of rho phi_i.
+   * Lumped mass of a cell, the integral of rho phi_i: the row sums of
+   * cell_mass(). Units: kg, in 2D per metre of thickness.
    */
   template <int dim>
   void

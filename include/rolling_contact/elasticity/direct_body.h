@@ -18,8 +18,9 @@ namespace RollingContact
     using typename ElasticBody<dim>::SurfaceFace;
 
     /**
-     * With @p recovers false, the factor is freed as soon as the compliance is
-     * known and recover() throws.
+     * Mesh and number the unknowns. Unless the body @p recovers displacements,
+     * the factor of K is freed as soon as the compliance is known and recover()
+     * throws.
      */
     DirectBody(const std::shared_ptr<const BodyShape> &shape,
                const Material                         &material,
@@ -31,7 +32,7 @@ namespace RollingContact
     analyse() override;
 
     /**
-     * Factorises K on first use.
+     * Exact compliance; K is factorised on first use.
      */
     DenseMatrix
     compliance(const std::vector<SurfaceNode>  &nodes,
@@ -97,7 +98,8 @@ namespace RollingContact
     }
 
     /**
-     * The unknown of component @p components[i] at node n, at i * N + n.
+     * Numbers of the unknowns of contact: that of component @p components[i] at
+     * node n of N is entry i * N + n.
      */
     std::vector<std::size_t>
     unknowns(const std::vector<SurfaceNode>  &nodes,
@@ -112,16 +114,20 @@ namespace RollingContact
 
     /**
      * The field of given unknowns on all nodes, hanging and clamped ones
-     * included, and back.
+     * included.
      */
     BodyField
     field(const std::vector<double> &values) const;
 
+    /**
+     * The unknowns of a field on all nodes, the inverse of field().
+     */
     std::vector<double>
     unknowns_of(const BodyField &field) const;
 
     /**
-     * The unknowns in the order of BodyMotion.
+     * Numbers of the unknowns in the order of BodyMotion, see
+     * in_portable_order().
      */
     std::vector<std::size_t>
     portable_dof_order() const;

@@ -61,8 +61,8 @@ namespace RollingContact
             std::vector<SurfaceFace> &faces) const;
 
     /**
-     * The contact nodes at given vertices of the contact surface, in the mesh's
-     * numbers, in their order.
+     * The contact nodes at given vertices of the contact surface, which are
+     * numbered as in the mesh; in the order of the vertices.
      */
     std::vector<SurfaceNode>
     nodes_at(const std::vector<unsigned int> &vertices) const;
@@ -105,7 +105,8 @@ namespace RollingContact
             const std::vector<double>       &forces) = 0;
 
     /**
-     * The body in time, with contact on the given nodes.
+     * The motion of the body in time by @p scheme, with contact on the given
+     * components of the given nodes, numbered as in compliance().
      */
     virtual std::unique_ptr<BodyDynamics>
     in_time(const ThetaScheme               &scheme,
@@ -114,8 +115,7 @@ namespace RollingContact
             const std::vector<unsigned int> &components) = 0;
 
     /**
-     * Give the memory of what solves K back; compliance() would compute it
-     * again.
+     * Free what solves K; compliance() would compute it again.
      */
     virtual void
     release_solver() = 0;
@@ -131,16 +131,20 @@ namespace RollingContact
     description() const = 0;
 
     /**
-     * Bytes and seconds of what solves K.
+     * Memory of what solves K. Units: bytes.
      */
     virtual std::size_t
     solver_memory() const = 0;
 
+    /**
+     * Wall time that it took to prepare the solution of K. Units: s.
+     */
     virtual double
     solver_seconds() const = 0;
 
     /**
-     * Cells of other ranks are not locally owned.
+     * Degrees of freedom on this rank and its ghosts: number i is one of
+     * component i modulo dim. Cells of other ranks are not locally owned.
      */
     const dealii::DoFHandler<dim> &
     dof_handler() const

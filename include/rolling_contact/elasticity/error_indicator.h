@@ -12,7 +12,8 @@ namespace RollingContact
    * displacement gradient are largest (Kelly et al. 1983): the fewest cells
    * that make up @p fraction of the sum of squared indicators. Only cells
    * outside the zone of contact nodes and no smaller than those in it, so that
-   * the zone stays as it is. Of all ranks that hold a part of the body.
+   * the zone stays as it is. Collective over the
+   * ranks that hold a part of the body; all get the boxes of all. Units: m.
    */
   template <int dim>
   std::vector<RefinedBox<dim>>

@@ -20,9 +20,9 @@ namespace RollingContact
   };
 
   /**
-   * The places in the order of BodyMotion: by the node's position, then by
-   * component. Vertices have the same coordinates to the last bit whatever the
-   * number of ranks.
+   * The places of nodal values in the order of BodyMotion: by the node's
+   * position, then by component. Vertices have the same coordinates to the last
+   * bit whatever the number of ranks.
    */
   template <int dim>
   std::vector<std::size_t>

@@ -27,7 +27,8 @@ namespace RollingContact
   };
 
   /**
-   * A body mesh and the chart it lives in; one from a file has no chart.
+   * A body mesh and the chart it lives in; a mesh that the shape brings has no
+   * chart.
    */
   template <int dim>
   struct BodyMesh

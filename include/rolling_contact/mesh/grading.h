@@ -87,7 +87,7 @@ namespace RollingContact
             const dealii::Point<dim - 1> &upper) const;
 
     /**
-     * Let more nodes touch: by as many elements on each side.
+     * Let more nodes touch: the zone grows by @p n_elements on each side.
      */
     void
     enlarge_zone(const unsigned int n_elements)

@@ -9,7 +9,7 @@ namespace RollingContact
 {
   /**
    * Throws MemoryError with the @p remedy if a mesh of @p n_cells would need
-   * more than 70 % of the free memory, by the kilobytes of a cell seen in runs:
+   * more than 70 % of the free memory, by the bytes of a cell seen in runs:
    * mesh and stiffness, with factor and condensation or with the multigrid
    * levels. The ranks are taken to share one machine.
    */

@@ -10,7 +10,7 @@ namespace RollingContact
    * *ELEMENT and *SURFACE with the elements of its sets, and an element in the
    * order of a mirror image turned. deal.II takes any other line after them for
    * data, elements for numbered from 1 on, and the digits in a surface's name
-   * for its boundary id. Throws what read_abaqus_file() throws.
+   * for its boundary id. Throws std::runtime_error as read_abaqus_file() does.
    */
   std::string
   checked_abaqus(const std::string &text, const unsigned int dimension);
