@@ -168,13 +168,12 @@ namespace RollingContact
   CreepCurve<dim>::solve_point(const Creepages  &creepages,
                                SteadyState<dim> &steady)
   {
-    PhaseTimer::Scope phase(context.timer, "contact solve");
+    PhaseTimer::Scope phase(context.timer, Phase::contact_solve);
     steady.problem.set_creepages(creepages);
     solve_contact(scene, steady);
     steady.result = resultants(steady.problem, steady.state);
 
-    const double friction_force =
-      scene.contact.friction_coefficient * steady.result.normal_force;
+    const double friction_force = steady.result.friction_force;
     force.push_back(std::hypot(steady.result.force_x, steady.result.force_y) /
                     friction_force);
     if constexpr (dim == 3)

@@ -46,7 +46,7 @@ namespace RollingContact
       {
         throw_if_interrupted();
         const Stopwatch   watch;
-        PhaseTimer::Scope phase(context.timer, "contact solve");
+        PhaseTimer::Scope phase(context.timer, Phase::contact_solve);
         solve_at(share * largest, steady);
         const double k           = stiffness(steady);
         steady.contact_stiffness = k;

@@ -151,7 +151,7 @@ namespace RollingContact
   void
   QuasiStatic<dim>::write_fields(const SteadyState<dim> &steady)
   {
-    PhaseTimer::Scope phase(context.timer, "fields and plots");
+    PhaseTimer::Scope phase(context.timer, Phase::fields);
     RunFolder        &folder = context.folder;
     if (!steady.solver.converged)
       write_residuals(steady);
@@ -190,8 +190,7 @@ namespace RollingContact
     const SolverReport &solver = steady.solver;
     Log                &log    = context.log;
     const std::string   work   = "Solver: " + work_of_solver(solver) + ".";
-    (solver.solver.find("fallback") == std::string::npos ? log.detail(work)
-                                                         : log.message(work));
+    solver.used_fallback ? log.message(work) : log.detail(work);
     warn_of_few_nodes(result.n_touching, log);
     warn_of_large_strains(strain_measures(scene, result, steady.state.approach),
                           log);

@@ -154,7 +154,7 @@ namespace RollingContact
       return errors;
     const References::Carter &carter = *reference.carter;
     const auto traction = [&](const double at) { return carter.traction(at); };
-    errors.force = steady.result.force_x / (mu * steady.result.normal_force) -
+    errors.force        = steady.result.force_x / steady.result.friction_force -
                    carter.force_ratio();
     errors.traction_l2 =
       l2_error(x, steady.state.traction, traction, a) / (mu * p0);

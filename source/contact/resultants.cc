@@ -35,6 +35,8 @@ namespace RollingContact
       const bool                lateral = problem.n_tangential == 2;
       for (unsigned int i = 0; i < problem.n_nodes; ++i)
         {
+          result.friction_force +=
+            problem.areas[i] * problem.friction[i] * state.pressure[i];
           const auto  &position = problem.positions[i];
           const double force_y  = lateral ? force[problem.n_nodes + i] : 0.;
           result.force_x += force[i];
@@ -48,21 +50,91 @@ namespace RollingContact
 
 
 
+    using Line = std::vector<std::pair<double, double>>; ///< place, pressure
+
+
+
     /**
-     * Creep work and dissipation: -(q, rigid slip) and -(q, slip).
+     * Where the pressure of a line vanishes beyond its largest place.
      */
-    void
-    add_work(const ContactProblem    &problem,
-             const TangentialProblem &tangential,
-             const ContactState      &state,
-             Resultants              &result)
+    double
+    upper_edge(Line line)
     {
-      if (problem.n_tangential == 0)
-        return;
-      const std::vector<double> slip = tangential.material_slip(state.traction);
-      const std::vector<double> force = problem.H.multiply(state.traction);
-      result.creep_work               = -dot(force, problem.rigid_slip);
-      result.dissipation              = -dot(force, slip);
+      std::sort(line.rbegin(), line.rend());
+      std::vector<double> at, pressure;
+      for (const auto &point : line)
+        {
+          at.push_back(point.first);
+          pressure.push_back(point.second);
+        }
+      return patch_edge(at, pressure);
+    }
+
+
+
+    double
+    lower_edge(Line line)
+    {
+      for (auto &point : line)
+        point.first = -point.first;
+      return -upper_edge(line);
+    }
+
+
+
+    /**
+     * Touching nodes of the line along x that is nearest to y = 0.
+     */
+    Line
+    middle_line(const ContactProblem         &problem,
+                const std::vector<NodeState> &states,
+                const ContactState           &state)
+    {
+      double nearest = std::numeric_limits<double>::max();
+      for (unsigned int i = 0; i < problem.n_nodes; ++i)
+        if (states[i] != NodeState::open)
+          nearest = std::min(nearest, std::abs(problem.positions[i][1]));
+      Line line;
+      for (unsigned int i = 0; i < problem.n_nodes; ++i)
+        if (states[i] != NodeState::open &&
+            std::abs(problem.positions[i][1]) <= nearest * (1 + 1e-9))
+          line.emplace_back(problem.positions[i][0], state.pressure[i]);
+      return line;
+    }
+
+
+
+    /**
+     * Touching nodes along y through the one with the largest @p sign times y,
+     * of several that with the largest pressure; places are sign times y.
+     */
+    Line
+    outermost_line(const ContactProblem         &problem,
+                   const std::vector<NodeState> &states,
+                   const ContactState           &state,
+                   const int                     sign)
+    {
+      const auto touches = [&](const unsigned int i) {
+        return states[i] != NodeState::open;
+      };
+      const auto &at     = problem.positions;
+      double      extent = 0., outer = -std::numeric_limits<double>::max();
+      for (unsigned int i = 0; i < problem.n_nodes; ++i)
+        if (touches(i))
+          {
+            extent = std::max({extent, std::abs(at[i][0]), std::abs(at[i][1])});
+            outer  = std::max(outer, sign * at[i][1]);
+          }
+      const double                    tolerance = 1e-9 * extent;
+      std::pair<double, unsigned int> end{-1., 0}; // pressure, node
+      for (unsigned int i = 0; i < problem.n_nodes; ++i)
+        if (touches(i) && sign * at[i][1] >= outer - tolerance)
+          end = std::max(end, {state.pressure[i], i});
+      Line line;
+      for (unsigned int i = 0; i < problem.n_nodes; ++i)
+        if (touches(i) && std::abs(at[i][0] - at[end.second][0]) <= tolerance)
+          line.emplace_back(sign * at[i][1], state.pressure[i]);
+      return line;
     }
 
 
@@ -73,48 +145,24 @@ namespace RollingContact
               const ContactState           &state,
               Resultants                   &result)
     {
-      std::array<double, 2>                  lower{}, upper{};
-      std::vector<std::pair<double, double>> line;
-      double nearest = std::numeric_limits<double>::max();
       for (unsigned int i = 0; i < problem.n_nodes; ++i)
         if (states[i] != NodeState::open)
-          nearest = std::min(nearest, std::abs(problem.positions[i][1]));
-      for (unsigned int i = 0; i < problem.n_nodes; ++i)
-        {
-          if (states[i] == NodeState::open)
-            continue;
-          const auto &position = problem.positions[i];
-          for (unsigned int d = 0; d < 2; ++d)
-            {
-              lower[d] = result.n_touching == 0
-                           ? position[d]
-                           : std::min(lower[d], position[d]);
-              upper[d] = result.n_touching == 0
-                           ? position[d]
-                           : std::max(upper[d], position[d]);
-            }
-          ++result.n_touching;
-          result.contact_area += problem.areas[i];
-          if (states[i] == NodeState::stick)
-            result.stick_area += problem.areas[i];
-          result.max_pressure =
-            std::max(result.max_pressure, state.pressure[i]);
-          if (std::abs(position[1]) <= nearest * (1 + 1e-9))
-            line.emplace_back(position[0], state.pressure[i]);
-        }
-      result.half_width_y = (upper[1] - lower[1]) / 2;
-      std::sort(line.begin(), line.end());
-      std::vector<double> x, pressure;
-      for (const auto &point : line)
-        {
-          x.push_back(point.first);
-          pressure.push_back(point.second);
-        }
-      result.edge_begin_x = patch_edge(x, pressure);
-      std::reverse(x.begin(), x.end());
-      std::reverse(pressure.begin(), pressure.end());
-      result.edge_end_x   = patch_edge(x, pressure);
+          {
+            ++result.n_touching;
+            result.contact_area += problem.areas[i];
+            if (states[i] == NodeState::stick)
+              result.stick_area += problem.areas[i];
+            result.max_pressure =
+              std::max(result.max_pressure, state.pressure[i]);
+          }
+      const Line line     = middle_line(problem, states, state);
+      result.edge_begin_x = lower_edge(line);
+      result.edge_end_x   = upper_edge(line);
       result.half_width_x = (result.edge_end_x - result.edge_begin_x) / 2;
+      result.half_width_y =
+        (upper_edge(outermost_line(problem, states, state, 1)) +
+         upper_edge(outermost_line(problem, states, state, -1))) /
+        2;
     }
   } // namespace
 
@@ -164,9 +212,24 @@ namespace RollingContact
     const TangentialProblem tangential = tangential_problem(problem, state);
     Resultants              result;
     add_forces(problem, state, result);
-    add_work(problem, tangential, state, result);
+    if (problem.n_tangential > 0)
+      {
+        result.creep_work =
+          -dot(problem.H.multiply(state.traction), problem.rigid_slip);
+        result.dissipation = dissipation(tangential, state.traction);
+      }
     add_sizes(problem, node_states(tangential, state), state, result);
     return result;
+  }
+
+
+
+  double
+  dissipation(const TangentialProblem   &tangential,
+              const std::vector<double> &traction)
+  {
+    return -dot(tangential.contact.H.multiply(traction),
+                tangential.material_slip(traction));
   }
 
 

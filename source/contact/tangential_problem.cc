@@ -41,7 +41,10 @@ namespace RollingContact
         edge_constants.assign(slip_at_zero.size(), 0.);
         apply_edge_law(pressure, extrapolations, *this);
       }
-    slip_at_zero                       = B2.multiply(contact.rigid_slip);
+    std::vector<double> given = contact.rigid_slip;
+    for (std::size_t i = 0; i < contact.free_slip.size(); ++i)
+      given[i] += contact.free_slip[i];
+    slip_at_zero                       = B2.multiply(given);
     const std::vector<double> coupling = slip_of(displacement({}, pressure));
     for (std::size_t i = 0; i < slip_at_zero.size(); ++i)
       slip_at_zero[i] += coupling[i];

@@ -82,6 +82,7 @@ namespace RollingContact
       if (Ranks::count() == 1)
         return report;
       std::vector<double> numbers{double(report.converged),
+                                  double(report.used_fallback),
                                   double(report.iterations),
                                   double(report.normal_solves),
                                   double(report.tangential_solves),
@@ -106,6 +107,7 @@ namespace RollingContact
       Ranks::broadcast(report.reason);
       auto number              = numbers.begin();
       report.converged         = *number++ != 0.;
+      report.used_fallback     = *number++ != 0.;
       report.iterations        = *number++;
       report.normal_solves     = *number++;
       report.tangential_solves = *number++;
@@ -217,11 +219,12 @@ namespace RollingContact
           }
         const SolverReport next = solve_on_root(solver, problem, state);
         report.add_work(next);
-        report.corrections = correction + 1;
-        report.solver      = next.solver;
-        report.converged   = next.converged;
-        report.reason      = next.reason;
-        report.residual    = next.residual;
+        report.corrections   = correction + 1;
+        report.solver        = next.solver;
+        report.used_fallback = next.used_fallback;
+        report.converged     = next.converged;
+        report.reason        = next.reason;
+        report.residual      = next.residual;
       }
     return report;
   }

@@ -2,6 +2,8 @@
 #include <rolling_contact/report/state_summary.h>
 #include <rolling_contact/run/log.h>
 
+#include <cmath>
+
 namespace RollingContact
 {
   std::string
@@ -58,9 +60,7 @@ namespace RollingContact
         significant(1e-6 * result.max_pressure, 5) + " MPa, half-width " +
         millimetres(result.half_width_x) + ", " +
         std::to_string(result.n_touching) + " nodes touch");
-    const double bound =
-      scene.contact.friction_coefficient * result.normal_force;
-    if (steady.problem.n_tangential == 0 || bound <= 0.)
+    if (result.friction_force <= 0.)
       return;
     const std::string across =
       dim == 2 ? "" : ", " + significant(result.force_y, 6);
@@ -72,8 +72,8 @@ namespace RollingContact
         (steady.problem.friction_law
            ? ""
            : ", |T|/(mu N) = " +
-               significant(result.traction_coefficient /
-                             scene.contact.friction_coefficient,
+               significant(std::hypot(result.force_x, result.force_y) /
+                             result.friction_force,
                            5)) +
         "; stick on " +
         significant(100 * result.stick_area / result.contact_area, 3) +

@@ -88,9 +88,7 @@ namespace RollingContact
         return (value < 0 ? "\u2212" : "") + significant(std::abs(value), 4);
       };
       return "T / (" + scale_of_friction(scene) + "N) = " +
-             readable(steady.result.force_x /
-                      (scene.contact.friction_coefficient *
-                       steady.result.normal_force)) +
+             readable(steady.result.force_x / steady.result.friction_force) +
              " at creepage " + readable(steady.problem.creepages.x);
     }
   } // namespace

@@ -183,7 +183,7 @@ namespace RollingContact
     };
     if (!due || written(record.interface_fields) || written(record.body_fields))
       return;
-    PhaseTimer::Scope       phase(context.timer, "fields and plots");
+    PhaseTimer::Scope       phase(context.timer, Phase::fields);
     const SteadyState<dim> &contact = stepper.current();
     if (scene.output.interface_fields)
       {
@@ -217,7 +217,7 @@ namespace RollingContact
   TransientOutput<dim>::write_checkpoint(const ContactStepper<dim> &stepper,
                                          Checkpoint                &record)
   {
-    PhaseTimer::Scope phase(context.timer, "checkpoints");
+    PhaseTimer::Scope phase(context.timer, Phase::checkpoints);
     Ranks::on_root([&]() { record.history = history->flush(); });
     stepper.save(record);
     RollingContact::write_checkpoint(record, context.folder);

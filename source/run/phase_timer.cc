@@ -31,7 +31,9 @@ namespace RollingContact
 
 
     std::string
-    table_line(const PhaseTimer::Row &row, const double total_wall)
+    table_line(const std::string     &name,
+               const PhaseTimer::Row &row,
+               const double           total_wall)
     {
       constexpr std::size_t name_width = 37;
 
@@ -39,7 +41,7 @@ namespace RollingContact
         total_wall > 0. ? 100. * row.wall_seconds / total_wall : 0.;
       const std::string calls =
         row.n_calls > 0 ? std::to_string(row.n_calls) : "";
-      return left_aligned(row.name, name_width) + right_aligned(calls, 9) +
+      return left_aligned(name, name_width) + right_aligned(calls, 9) +
              right_aligned(fixed(row.wall_seconds, 3), 13) +
              right_aligned(fixed(row.cpu_seconds, 3), 13) +
              right_aligned(fixed(share, 1), 8) + '\n';
@@ -48,7 +50,34 @@ namespace RollingContact
 
 
 
-  PhaseTimer::Scope::Scope(PhaseTimer &timer, const std::string &phase)
+  std::string
+  name_of(const Phase phase)
+  {
+    switch (phase)
+      {
+        case Phase::mesh:
+          return "mesh and assembly";
+        case Phase::condensation:
+          return "factorisation and condensation";
+        case Phase::mass:
+          return "mass and order of elimination";
+        case Phase::body_solves:
+          return "forward and backward solves";
+        case Phase::contact_solve:
+          return "contact solve";
+        case Phase::fields:
+          return "fields and plots";
+        case Phase::checkpoints:
+          return "checkpoints";
+        case Phase::other:
+          break;
+      }
+    return "other";
+  }
+
+
+
+  PhaseTimer::Scope::Scope(PhaseTimer &timer, const Phase phase)
     : timer(std::this_thread::get_id() == timer.owner ? &timer : nullptr)
   {
     if (this->timer != nullptr)
@@ -68,7 +97,7 @@ namespace RollingContact
   PhaseTimer::PhaseTimer()
     : owner(std::this_thread::get_id())
     , last_change(now())
-    , phases{{"other", 0, 0., 0.}}
+    , phases{{Phase::other, 0, 0., 0.}}
     , open_phases{0}
   {}
 
@@ -92,7 +121,7 @@ namespace RollingContact
 
 
   void
-  PhaseTimer::enter(const std::string &phase)
+  PhaseTimer::enter(const Phase phase)
   {
     const Instant change = now();
     charge(phases[open_phases.back()], last_change, change);
@@ -100,7 +129,7 @@ namespace RollingContact
 
     auto found =
       std::find_if(phases.begin(), phases.end(), [&](const Row &row) {
-        return row.name == phase;
+        return row.phase == phase;
       });
     if (found == phases.end())
       found = phases.insert(phases.end(), {phase, 0, 0., 0.});
@@ -135,7 +164,7 @@ namespace RollingContact
   PhaseTimer::Row
   PhaseTimer::total(const std::vector<Row> &rows)
   {
-    Row sum{"total", 0, 0., 0.};
+    Row sum{Phase::other, 0, 0., 0.};
     for (const Row &row : rows)
       {
         sum.wall_seconds += row.wall_seconds;
@@ -158,7 +187,7 @@ namespace RollingContact
                         right_aligned("CPU [s]", 13) +
                         right_aligned("wall %", 8) + '\n' + rule;
     for (const Row &row : all_rows)
-      table += table_line(row, sum.wall_seconds);
-    return table + rule + table_line(sum, sum.wall_seconds);
+      table += table_line(name_of(row.phase), row, sum.wall_seconds);
+    return table + rule + table_line("total", sum, sum.wall_seconds);
   }
 } // namespace RollingContact

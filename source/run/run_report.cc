@@ -125,7 +125,7 @@ namespace RollingContact
       std::vector<std::string> values;
       for (std::size_t k = 0; k < phases.size(); ++k)
         values.push_back(
-          json_object({{"phase", json_string(phases[k].name)},
+          json_object({{"phase", json_string(name_of(phases[k].phase))},
                        {"calls", std::to_string(phases[k].n_calls)},
                        {"wall_seconds", json_number(phases[k].wall_seconds)},
                        {"cpu_seconds", json_number(phases[k].cpu_seconds)},
@@ -338,7 +338,7 @@ namespace RollingContact
       text += ", " + human_bytes(static_cast<double>(peak_memory())) + "; ";
     text += human_seconds(total.cpu_seconds) + " CPU: ";
     for (std::size_t k = 0; k < phases.size(); ++k)
-      text += (k == 0 ? "" : ", ") + phases[k].name + ' ' +
+      text += (k == 0 ? "" : ", ") + name_of(phases[k].phase) + ' ' +
               std::to_string(percent[k]) + " %";
     return text;
   }

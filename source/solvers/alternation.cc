@@ -32,9 +32,9 @@ namespace RollingContact
         report.tangential_solves += friction.tangential_solves;
         if (friction.converged)
           {
-            if (k > 0 &&
-                report.solver.find(friction.solver) == std::string::npos)
+            if (k > 0 && !report.used_fallback)
               report.solver += ", fallback " + friction.solver;
+            report.used_fallback = report.used_fallback || k > 0;
             return true;
           }
         report.reason = friction.reason;

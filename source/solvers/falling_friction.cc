@@ -25,7 +25,8 @@ namespace RollingContact
     void
     add_round(const SolverReport &round, SolverReport &report)
     {
-      report.solver = round.solver;
+      report.solver        = round.solver;
+      report.used_fallback = round.used_fallback;
       report.add_work(round);
       ++report.friction_rounds;
       report.residual = round.residual;

@@ -47,9 +47,10 @@ namespace RollingContact
     for (unsigned int k = 0; k < max_steps && n_halvings < max_halvings; ++k)
       {
         throw_if_interrupted();
-        step.rate = 1 / h;
-        for (std::size_t i = 0; i < before.size(); ++i)
-          step.rigid_slip[i] = problem.rigid_slip[i] - before[i] / h;
+        step.rate      = 1 / h;
+        step.free_slip = before;
+        for (double &value : step.free_slip)
+          value /= -h;
         step.find_tangential_norm();
         ContactState       next = state;
         const SolverReport part = step_solver->solve(step, next);

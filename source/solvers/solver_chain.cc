@@ -62,6 +62,7 @@ namespace RollingContact
     report.residual  = next.residual;
     report.reason.clear();
     report.solver += ", fallback " + next.solver;
+    report.used_fallback = true;
     if (!from.edge_law)
       report.solver += " without edge law";
     state = from;

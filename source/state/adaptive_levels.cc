@@ -118,7 +118,7 @@ namespace RollingContact
 
     template <int dim>
     LevelValues
-    level_values(const SteadyState<dim> &steady, const double friction)
+    level_values(const SteadyState<dim> &steady)
     {
       const Resultants &result = steady.result;
       LevelValues       level;
@@ -126,7 +126,7 @@ namespace RollingContact
                                result.force_x,
                                result.force_y,
                                steady.state.approach}};
-      level.friction_force = friction * result.normal_force;
+      level.friction_force = result.friction_force;
       return level;
     }
   } // namespace
@@ -188,7 +188,7 @@ namespace RollingContact
     check_budget();
     LevelHistory     history;
     SteadyState<dim> steady = solve_steady_state<dim>(scene, context);
-    history.add(level_values(steady, scene.contact.friction_coefficient));
+    history.add(level_values(steady));
     on_level(steady);
     Grading<dim> grading = steady.grading;
     while (steady.level < scene.mesh.adaptive_levels &&
@@ -198,7 +198,7 @@ namespace RollingContact
         steady.pair->release_statics();
         steady  = solve_next(steady, grading);
         grading = steady.grading;
-        history.add(level_values(steady, scene.contact.friction_coefficient));
+        history.add(level_values(steady));
         steady.change = history.change();
         steady.limit  = history.limit();
         on_level(steady);

@@ -29,7 +29,7 @@ namespace RollingContact
                    RunContext             &context,
                    InitialContact<dim>    &initial)
     {
-      PhaseTimer::Scope phase(context.timer, "contact solve");
+      PhaseTimer::Scope phase(context.timer, Phase::contact_solve);
       SteadyState<dim> &contact = initial.contact;
       ContactProblem   &problem = contact.problem;
       problem.set_creepages(histories.creepages(0.));
@@ -55,7 +55,7 @@ namespace RollingContact
     SteadyState<dim>
     mesh_only(const SceneParameters &scene, RunContext &context)
     {
-      PhaseTimer::Scope   phase(context.timer, "mesh and assembly");
+      PhaseTimer::Scope   phase(context.timer, Phase::mesh);
       const PatchEstimate patch = estimate_patch(scene);
       SteadyState<dim>    contact;
       contact.grading = make_grading<dim>(scene,
@@ -100,7 +100,7 @@ namespace RollingContact
       contact = steady ? solve_steady_state<dim>(scene, context)
                        : mesh_only<dim>(scene, context);
       {
-        PhaseTimer::Scope phase(context.timer, "mass and order of elimination");
+        PhaseTimer::Scope phase(context.timer, Phase::mass);
         initial.motion = make_inertial_rolling<dim>(scene, *contact.pair);
       }
       contact.problem =

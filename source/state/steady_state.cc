@@ -132,15 +132,15 @@ namespace RollingContact
     SteadyState<dim> steady;
     steady.grading = grading;
     {
-      PhaseTimer::Scope phase(context.timer, "mesh and assembly");
+      PhaseTimer::Scope phase(context.timer, Phase::mesh);
       steady.pair = std::make_unique<RollingPair<dim>>(scene, grading);
     }
     {
-      PhaseTimer::Scope phase(context.timer, "factorisation and condensation");
+      PhaseTimer::Scope phase(context.timer, Phase::condensation);
       steady.problem =
         steady.pair->contact_problem(scene.contact.slip_operator_kind());
     }
-    PhaseTimer::Scope phase(context.timer, "contact solve");
+    PhaseTimer::Scope phase(context.timer, Phase::contact_solve);
     steady.state = start(steady.problem);
     solve_contact(scene, steady);
     steady.result = resultants(steady.problem, steady.state);

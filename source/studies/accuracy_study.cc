@@ -164,12 +164,11 @@ namespace RollingContact
     for (unsigned int k = 0; k <= max_enlargements; ++k)
       {
         {
-          PhaseTimer::Scope phase(context.timer, "mesh and assembly");
+          PhaseTimer::Scope phase(context.timer, Phase::mesh);
           steady.pair =
             std::make_unique<RollingPair<dim>>(scene, steady.grading);
         }
-        PhaseTimer::Scope phase(context.timer,
-                                "factorisation and condensation");
+        PhaseTimer::Scope phase(context.timer, Phase::condensation);
         steady.problem =
           steady.pair->contact_problem(scene.contact.slip_operator_kind());
         steady.state = initial_state(steady.problem, patch);
@@ -210,8 +209,7 @@ namespace RollingContact
             apply_method(results.methods[method]);
             if (method != methods.front())
               {
-                PhaseTimer::Scope phase(context.timer,
-                                        "factorisation and condensation");
+                PhaseTimer::Scope phase(context.timer, Phase::condensation);
                 steady.problem = steady.pair->contact_problem(
                   scene.contact.slip_operator_kind(),
                   std::move(steady.problem.W));
@@ -237,7 +235,7 @@ namespace RollingContact
     apply_case(results.cases[key.state]);
     const StateSeconds before = state_seconds(context.timer);
     {
-      PhaseTimer::Scope phase(context.timer, "contact solve");
+      PhaseTimer::Scope phase(context.timer, Phase::contact_solve);
       steady.problem.set_creepages(scene.contact.creepages);
       steady.state = initial_state(steady.problem, patch);
       steady.solver =

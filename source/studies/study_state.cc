@@ -39,9 +39,9 @@ namespace RollingContact
   {
     StateSeconds seconds;
     for (const PhaseTimer::Row &row : timer.rows())
-      (row.name == "factorisation and condensation" ? seconds.factorisation
-       : row.name == "contact solve"                ? seconds.contact
-                                     : seconds.mesh) += row.cpu_seconds;
+      (row.phase == Phase::condensation    ? seconds.factorisation
+       : row.phase == Phase::contact_solve ? seconds.contact
+                                           : seconds.mesh) += row.cpu_seconds;
     return seconds;
   }
 
@@ -190,9 +190,7 @@ namespace RollingContact
                const TractionField    *finest)
   {
     const Resultants &result = steady.result;
-    const double      friction_force =
-      scene.contact.friction_coefficient * result.normal_force;
-    StudySample sample;
+    StudySample       sample;
     sample.converged = steady.solver.converged && result.normal_force > 0.;
     sample.residual  = steady.solver.residual.worst();
     if (sample.converged)
@@ -201,9 +199,9 @@ namespace RollingContact
                                                   : result.normal_force;
         set_closed_forms(scene, steady, finest, sample);
       }
-    if (sample.converged && friction_force > 0.)
-      sample.force = {
-        {result.force_x / friction_force, result.force_y / friction_force}};
+    if (sample.converged && result.friction_force > 0.)
+      sample.force = {{result.force_x / result.friction_force,
+                       result.force_y / result.friction_force}};
     sample.n_unknowns      = steady.pair->n_unknowns();
     sample.n_contact_nodes = steady.problem.n_nodes;
     return sample;

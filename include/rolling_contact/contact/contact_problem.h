@@ -22,12 +22,12 @@ namespace RollingContact
    * Pressure p >= 0 and traction q act on the wheel, -p and -q on the rail:
    *   u_n = gap - approach + W_nn H p + W_nt H q                      (m)
    *   w   = W_tt H q + W_tn H p                                      (m)
-   *   s   = rigid_slip + flow B1 (free_displacement + convection w)
-   *         + rate w                                                  (1)
+   *   s   = rigid_slip + free_slip
+   *         + flow B1 (free_displacement + convection w) + rate w     (1)
    *   p = Proj_{>=0}(p - rho_n u_n),  q = Proj_{|.| <= mu p}(q - rho_t s)
    * eqs. (8) and (12) of Lai et al. 2017. Steady rolling has convection 1 and
    * no rate; a time step h at speed V has the rate 1/(h |V|) of (1/V) B2, and
-   * what the step does without reactions in gap, rigid_slip and
+   * what the step does without reactions in gap, free_slip and
    * free_displacement. With a friction law mu falls with the sliding speed |s|
    * |V|, s the slip that the traction answers, and p, q, s and mu hold at once.
    */
@@ -49,6 +49,7 @@ namespace RollingContact
     Creepages           creepages;      ///< rigid_slip comes from them
     std::vector<double> rigid_slip;     ///< T N values
 
+    std::vector<double> free_slip;         ///< T N values, empty for zero
     std::vector<double> free_displacement; ///< T N values, empty for zero; m
     double              convection = 1.;
     double              rate       = 0.; ///< 1/m

@@ -26,6 +26,7 @@ namespace RollingContact
   {
     double       normal_force = 0.;
     double       force_x = 0., force_y = 0., spin_moment = 0.;
+    double       friction_force = 0.; ///< integral of mu p, mu_s if it falls
     double       traction_coefficient = 0.; ///< |T| / N
     double       max_pressure         = 0.;
     double       contact_area = 0., stick_area = 0.;
@@ -35,7 +36,7 @@ namespace RollingContact
     double half_width_x = 0., half_width_y = 0.;
 
     double creep_work  = 0.; ///< T . rigid slip, J per m rolled
-    double dissipation = 0.; ///< integral of q . s, J per m rolled
+    double dissipation = 0.; ///< see dissipation(), J per m rolled
 
     /**
      * |creep work - dissipation| over the larger of them; 0 at rest.
@@ -46,6 +47,14 @@ namespace RollingContact
 
   Resultants
   resultants(const ContactProblem &problem, const ContactState &state);
+
+  /**
+   * What sliding turns into heat over a rolled distance, -(H q) . s with the
+   * slip s of the surfaces (TangentialProblem::material_slip). Units: J/m.
+   */
+  double
+  dissipation(const TangentialProblem   &tangential,
+              const std::vector<double> &traction);
 
   /**
    * True if a node touches whose surroundings are not all on the trace: the

@@ -8,18 +8,40 @@
 namespace RollingContact
 {
   /**
-   * Wall and CPU seconds per named phase, from the construction of the timer
+   * What a run spends its time on.
+   */
+  enum class Phase
+  {
+    mesh,
+    condensation,
+    mass,
+    body_solves,
+    contact_solve,
+    fields,
+    checkpoints,
+    other
+  };
+
+  /**
+   * "mesh and assembly", "contact solve", ...: the name in tables and run.json.
+   */
+  std::string
+  name_of(const Phase phase);
+
+  /**
+   * Wall and CPU seconds per phase, from the construction of the timer
    * on. At any instant exactly one phase is charged, the innermost open one or
-   * "other", so the rows sum to the run. The CPU time is that of the process:
-   * threads count. Scopes opened in another thread than the one that made the
-   * timer count nothing; their time stays with the phase open in that thread.
+   * Phase::other, so the rows sum to the run. The CPU time is that of the
+   * process: threads count. Scopes opened in another thread than the one that
+   * made the timer count nothing; their time stays with the phase open in that
+   * thread.
    */
   class PhaseTimer
   {
   public:
     struct Row
     {
-      std::string  name;
+      Phase        phase;
       unsigned int n_calls;
       double       wall_seconds;
       double       cpu_seconds;
@@ -29,7 +51,7 @@ namespace RollingContact
     class Scope
     {
     public:
-      Scope(PhaseTimer &timer, const std::string &phase);
+      Scope(PhaseTimer &timer, const Phase phase);
       ~Scope();
 
       Scope(const Scope &) = delete;
@@ -42,11 +64,12 @@ namespace RollingContact
 
     PhaseTimer();
 
-    /** The phases in the order of first use, then "other"; open ones count up
-     * to now. */
+    /** The phases in the order of first use, then Phase::other; open ones count
+     * up to now. */
     std::vector<Row>
     rows() const;
 
+    /** The sum of the rows, under Phase::other. */
     static Row
     total(const std::vector<Row> &rows);
 
@@ -67,7 +90,7 @@ namespace RollingContact
     charge(Row &row, const Instant &begin, const Instant &end);
 
     void
-    enter(const std::string &phase);
+    enter(const Phase phase);
     void
     leave();
 

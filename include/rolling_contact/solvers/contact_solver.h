@@ -15,7 +15,8 @@ namespace RollingContact
   struct SolverReport
   {
     std::string  solver; ///< name, and fall-backs if any were used
-    bool         converged = false;
+    bool         used_fallback = false;
+    bool         converged     = false;
     std::string  reason;                ///< of a failure
     unsigned int iterations        = 0; ///< all of them, of all stages
     unsigned int normal_solves     = 0; ///< linear solves on active sets

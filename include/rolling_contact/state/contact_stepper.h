@@ -118,9 +118,6 @@ namespace RollingContact
     restore_state(const Checkpoint &checkpoint);
 
     void
-    find_resultants();
-
-    void
     finish_part(const ContactState &previous,
                 const double        h,
                 StepOutcome        &outcome);
@@ -134,7 +131,6 @@ namespace RollingContact
     std::vector<double>                  undeformed_gap;
     std::vector<bool>                    border;
     double                               time_step = 0.;
-    double friction_energy                         = 0.; ///< of all steps, J
   };
 } // namespace RollingContact
 
