@@ -22,46 +22,47 @@ namespace RollingContact
       throw InputError("Analysis = transient needs a patch to make the mesh "
                        "for: give Contact/Approach or Contact/Normal load "
                        "above 0; Time/Approach tells what really happens.");
-    Checkpoint record;
+    Checkpoint start;
     if (context.resume)
-      record = read_checkpoint(context.folder);
+      start = read_checkpoint(context.folder);
     ContactStepper<dim> stepper(scene, context);
     const TimeSteps     steps = scene.time.steps(stepper.drive().speed);
     stepper.set_time_step(steps.length);
+    files = files_read(stepper);
     if (context.resume)
       {
-        refuse_changed_entries(record.tables, files_read(stepper), {});
-        stepper.restore(record);
+        refuse_changed_entries(start.tables, files, {});
+        stepper.restore(start);
+        progress = start.progress;
         context.log.message("Resumed after step " +
-                            std::to_string(record.step) +
-                            ", t = " + significant(record.time, 6) + " s.");
+                            std::to_string(progress.step) +
+                            ", t = " + significant(progress.time, 6) + " s.");
       }
-    record.tables = files_read(stepper);
     describe(stepper, steps);
-    TransientOutput<dim> output(scene, context, record);
+    TransientOutput<dim> output(scene, context, start);
     try
       {
-        march(steps, stepper, output, record);
+        march(steps, stepper, output);
       }
     catch (const Interrupted &)
       {
         if (Ranks::all_failed(ExitCode::not_converged))
-          output.write_checkpoint(stepper, record);
+          output.write_checkpoint(stepper, progress, files);
         throw;
       }
     catch (const ConvergenceError &)
       {
         if (Ranks::all_failed(ExitCode::not_converged))
           {
-            output.write_fields(stepper, record, true);
-            output.write_checkpoint(stepper, record);
+            output.write_fields(stepper, progress, true);
+            output.write_checkpoint(stepper, progress, files);
           }
         throw;
       }
-    output.write_fields(stepper, record, true);
-    output.write_checkpoint(stepper, record);
-    summarise(stepper, record);
-    output.finish(stepper, record);
+    output.write_fields(stepper, progress, true);
+    output.write_checkpoint(stepper, progress, files);
+    summarise(stepper);
+    output.finish(stepper, progress);
     note_error_of_step(scene, stepper.current(), context.report);
   }
 
@@ -71,11 +72,11 @@ namespace RollingContact
   PrmEntries
   Transient<dim>::files_read(const ContactStepper<dim> &stepper) const
   {
-    PrmEntries files = stepper.drive().tables;
+    PrmEntries names = stepper.drive().tables;
     for (const BodyParameters *body : {&scene.wheel, &scene.rail})
       if (body->is_from_file())
-        files[body->section + "/Mesh file (mesh)"] = body->mesh->fingerprint();
-    return files;
+        names[body->section + "/Mesh file (mesh)"] = body->mesh->fingerprint();
+    return names;
   }
 
 
@@ -126,25 +127,24 @@ namespace RollingContact
   void
   Transient<dim>::march(const TimeSteps      &steps,
                         ContactStepper<dim>  &stepper,
-                        TransientOutput<dim> &output,
-                        Checkpoint           &record)
+                        TransientOutput<dim> &output)
   {
-    Progress    progress(context.log, "step", steps.number, record.step);
+    Progress    display(context.log, "step", steps.number, progress.step);
     const auto &time = scene.time;
     Stopwatch   since_checkpoint;
     double      last_checkpoint = 0.;
-    while (record.step < steps.number)
+    while (progress.step < steps.number)
       {
         throw_if_interrupted();
-        take_step(steps, stepper, output, record);
-        progress.report(record.step);
+        take_step(steps, stepper, output);
+        display.report(progress.step);
         const double elapsed =
           Ranks::maximum(since_checkpoint.seconds() - last_checkpoint);
         if ((time.checkpoint_interval > 0 &&
-             record.step % time.checkpoint_interval == 0) ||
+             progress.step % time.checkpoint_interval == 0) ||
             (time.checkpoint_seconds > 0. && elapsed > time.checkpoint_seconds))
           {
-            output.write_checkpoint(stepper, record);
+            output.write_checkpoint(stepper, progress, files);
             last_checkpoint = since_checkpoint.seconds();
           }
       }
@@ -156,54 +156,51 @@ namespace RollingContact
   void
   Transient<dim>::take_step(const TimeSteps      &steps,
                             ContactStepper<dim>  &stepper,
-                            TransientOutput<dim> &output,
-                            Checkpoint           &record)
+                            TransientOutput<dim> &output)
   {
     const double      h       = steps.length;
-    const StepOutcome outcome = stepper.advance(record.time, h);
+    const StepOutcome outcome = stepper.advance(progress.time, h);
     worst.add(outcome.several,
               stepper.current().problem,
-              "t = " + significant(record.time + h, 6) + " s");
-    ++record.step;
-    record.time      = record.step * h;
-    record.time_step = h;
-    record.rolled_distance += std::abs(outcome.speed) * h;
-    record.supplied_energy +=
+              "t = " + significant(progress.time + h, 6) + " s");
+    ++progress.step;
+    progress.time      = progress.step * h;
+    progress.time_step = h;
+    progress.rolled_distance += std::abs(outcome.speed) * h;
+    progress.supplied_energy +=
       outcome.energy.contact_work + outcome.energy.load_work + outcome.friction;
-    record.friction_energy += outcome.friction;
-    record.damping_energy += outcome.energy.damping;
-    record.numerical_energy += outcome.energy.numerical_dissipation;
-    record.energy_error += outcome.energy.balance_error;
-    record.n_impacts += outcome.n_impacts;
-    output.add_row(stepper, outcome, record);
-    output.write_fields(stepper, record, false);
+    progress.friction_energy += outcome.friction;
+    progress.damping_energy += outcome.energy.damping;
+    progress.numerical_energy += outcome.energy.numerical_dissipation;
+    progress.energy_error += outcome.energy.balance_error;
+    progress.n_impacts += outcome.n_impacts;
+    output.add_row(stepper, outcome, progress);
+    output.write_fields(stepper, progress, false);
   }
 
 
 
   template <int dim>
   void
-  Transient<dim>::summarise(const ContactStepper<dim> &stepper,
-                            const Checkpoint          &record) const
+  Transient<dim>::summarise(const ContactStepper<dim> &stepper) const
   {
     if (!stepper.bodies().description().empty())
       context.log.message(stepper.bodies().description() + ".");
     warn_of_non_uniqueness(scene, worst, context.log);
-    context.report.set_finding("end",
-                               "t = " + significant(record.time, 6) +
-                                 " s, rolled " +
-                                 significant(1e3 * record.rolled_distance, 6) +
-                                 " mm, " + std::to_string(record.n_impacts) +
-                                 " impacts of nodes");
+    context.report.set_finding(
+      "end",
+      "t = " + significant(progress.time, 6) + " s, rolled " +
+        significant(1e3 * progress.rolled_distance, 6) + " mm, " +
+        std::to_string(progress.n_impacts) + " impacts of nodes");
     note_state(scene, stepper.current(), context.report);
     context.report.set_finding(
       "energy",
       "stored " + significant(stepper.bodies().stored_energy(), 5) +
-        " J, supplied " + significant(record.supplied_energy, 5) +
-        " J, friction " + significant(record.friction_energy, 5) +
-        " J, damping " + significant(record.damping_energy, 5) +
-        " J, numerical " + significant(record.numerical_energy, 5) +
-        " J; balance error " + scientific(record.energy_error, 2) + " J");
+        " J, supplied " + significant(progress.supplied_energy, 5) +
+        " J, friction " + significant(progress.friction_energy, 5) +
+        " J, damping " + significant(progress.damping_energy, 5) +
+        " J, numerical " + significant(progress.numerical_energy, 5) +
+        " J; balance error " + scientific(progress.energy_error, 2) + " J");
   }
 
 

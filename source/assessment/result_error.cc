@@ -1,7 +1,7 @@
 #include <rolling_contact/assessment/reference_2d.h>
 #include <rolling_contact/assessment/result_error.h>
+#include <rolling_contact/assessment/state_errors.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/studies/study_state.h>
 
 #include <algorithm>
 #include <cmath>
@@ -152,18 +152,18 @@ namespace RollingContact
     if (steady.result.normal_force <= 0.)
       return;
     const bool        friction = steady.problem.n_tangential > 0;
-    const StudySample errors   = study_sample(scene, steady, nullptr);
+    const StateErrors errors   = state_errors<dim>(scene, steady, nullptr);
     if (friction)
       keep_largest(force_error(scene, steady), report);
-    if (errors.load_error)
+    if (errors.load)
       keep_largest({"load",
-                    std::abs(*errors.load_error),
+                    std::abs(*errors.load),
                     "N",
                     "the exact clamped discs",
                     false,
                     ""},
                    report);
-    if (dim == 3 || (!friction && !errors.load_error))
+    if (dim == 3 || (!friction && !errors.load))
       keep_largest({"pressure", errors.pressure_l2, "p0", "Hertz", false, "L2"},
                    report);
   }
@@ -190,28 +190,6 @@ namespace RollingContact
                              estimate.text,
                              true,
                              "time step not estimated"});
-  }
-
-
-
-  void
-  note_study_error(const std::vector<CostedError> &points,
-                   const std::string              &quantity,
-                   const std::string              &scale,
-                   const std::string              &reference,
-                   RunReport                      &report)
-  {
-    const auto front = pareto_front(points);
-    if (front.empty())
-      return;
-    const CostedError &best = points[front.back()];
-    report.errors.push_back(
-      {quantity,
-       best.error,
-       scale,
-       reference,
-       false,
-       "smallest: " + best.method + ", " + best.resolution});
   }
 
 

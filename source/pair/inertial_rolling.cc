@@ -195,25 +195,26 @@ namespace RollingContact
         for_each([](BodyDynamics &body, Side) { body.go_back(); });
       }
 
-      void
-      save(Checkpoint &checkpoint) const override
+      PairMotion
+      save() const override
       {
         const auto motion = [&](const Side side) {
           const auto &body = bodies[static_cast<int>(side)];
           return pair.shared(side, body ? body->save() : BodyMotion());
         };
-        checkpoint.wheel = motion(Side::wheel);
-        checkpoint.rail  = motion(Side::rail);
+        PairMotion saved;
+        saved.wheel = motion(Side::wheel);
+        saved.rail  = motion(Side::rail);
+        return saved;
       }
 
       void
-      restore(const Checkpoint &checkpoint,
+      restore(const PairMotion &saved,
               const ContactProblem &,
               const ContactState &) override
       {
         for_each([&](BodyDynamics &body, const Side side) {
-          body.restore(side == Side::wheel ? checkpoint.wheel
-                                           : checkpoint.rail);
+          body.restore(side == Side::wheel ? saved.wheel : saved.rail);
         });
       }
 

@@ -139,12 +139,14 @@ namespace RollingContact
         strain   = kept_strain;
       }
 
-      void
-      save(Checkpoint &) const override
-      {}
+      PairMotion
+      save() const override
+      {
+        return {};
+      }
 
       void
-      restore(const Checkpoint &,
+      restore(const PairMotion &,
               const ContactProblem &problem,
               const ContactState   &state) override
       {

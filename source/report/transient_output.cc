@@ -18,79 +18,122 @@ namespace RollingContact
 {
   namespace
   {
-    const std::vector<std::string> columns = {"step",
-                                              "time_s",
-                                              "rolled_m",
-                                              "approach_m",
-                                              "creepage_x",
-                                              "creepage_y",
-                                              "spin_1/m",
-                                              "speed_m/s",
-                                              "normal_force_N",
-                                              "force_x_N",
-                                              "force_y_N",
-                                              "spin_moment_Nm",
-                                              "traction_coefficient",
-                                              "max_pressure_Pa",
-                                              "nodes_in_contact",
-                                              "nodes_sticking",
-                                              "impacts",
-                                              "kinetic_J",
-                                              "strain_J",
-                                              "supplied_J",
-                                              "friction_J",
-                                              "damping_J",
-                                              "numerical_J",
-                                              "energy_balance_error",
-                                              "iterations",
-                                              "parts"};
+    /**
+     * What a row of history.csv tells.
+     */
+    struct Step
+    {
+      const ContactProblem    &problem;
+      const ContactState      &state;
+      const Resultants        &result;
+      const StepOutcome       &outcome;
+      const TransientProgress &progress;
+    };
+
+
+
+    struct Column
+    {
+      std::string name;
+      double (*value)(const Step &step);
+    };
+
+
+
+    double
+    energy_balance_error(const Step &step)
+    {
+      const StepEnergy &energy = step.outcome.energy;
+      const double      scale  = std::max({energy.kinetic + energy.strain,
+                                           std::abs(step.progress.supplied_energy),
+                                           step.progress.friction_energy});
+      return scale > 0. ? step.progress.energy_error / scale : 0.;
+    }
 
 
 
     /**
-     * Columns of a CSV file by their place, as many rows as there are.
+     * The columns of history.csv; one more where friction falls.
+     */
+    std::vector<Column>
+    columns_of(const SceneParameters &scene)
+    {
+      using S = const Step &;
+      std::vector<Column> columns{
+        {"step", [](S s) -> double { return s.progress.step; }},
+        {"time_s", [](S s) { return s.progress.time; }},
+        {"rolled_m", [](S s) { return s.progress.rolled_distance; }},
+        {"approach_m", [](S s) { return s.state.approach; }},
+        {"creepage_x", [](S s) { return s.problem.creepages.x; }},
+        {"creepage_y", [](S s) { return s.problem.creepages.y; }},
+        {"spin_1/m", [](S s) { return s.problem.creepages.spin; }},
+        {"speed_m/s", [](S s) { return s.outcome.speed; }},
+        {"normal_force_N", [](S s) { return s.result.normal_force; }},
+        {"force_x_N", [](S s) { return s.result.force_x; }},
+        {"force_y_N", [](S s) { return s.result.force_y; }},
+        {"spin_moment_Nm", [](S s) { return s.result.spin_moment; }},
+        {"traction_coefficient",
+         [](S s) { return s.result.traction_coefficient; }},
+        {"max_pressure_Pa", [](S s) { return s.result.max_pressure; }},
+        {"nodes_in_contact", [](S s) -> double { return s.result.n_touching; }},
+        {"nodes_sticking", [](S s) -> double { return s.outcome.n_sticking; }},
+        {"impacts", [](S s) -> double { return s.outcome.n_impacts; }},
+        {"kinetic_J", [](S s) { return s.outcome.energy.kinetic; }},
+        {"strain_J", [](S s) { return s.outcome.energy.strain; }},
+        {"supplied_J", [](S s) { return s.progress.supplied_energy; }},
+        {"friction_J", [](S s) { return s.progress.friction_energy; }},
+        {"damping_J", [](S s) { return s.progress.damping_energy; }},
+        {"numerical_J", [](S s) { return s.progress.numerical_energy; }},
+        {"energy_balance_error", &energy_balance_error},
+        {"iterations",
+         [](S s) -> double { return s.outcome.solver.iterations; }},
+        {"parts", [](S s) -> double { return s.outcome.n_parts; }}};
+      if (scene.contact.falling_friction())
+        columns.push_back({"several_solutions_ratio",
+                           [](S s) { return s.outcome.several.ratio; }});
+      return columns;
+    }
+
+
+
+    std::vector<std::string>
+    names_of(const std::vector<Column> &columns)
+    {
+      std::vector<std::string> names;
+      for (const Column &column : columns)
+        names.push_back(column.name);
+      return names;
+    }
+
+
+
+    /**
+     * Some columns of a CSV file, as many rows as there are.
      */
     std::vector<std::vector<double>>
     read_columns(const std::filesystem::path    &path,
-                 const std::vector<std::size_t> &places)
+                 const std::vector<std::string> &names)
     {
-      std::vector<std::vector<double>> values(places.size());
+      std::vector<std::vector<double>> values(names.size());
       std::ifstream                    file(path);
       std::string                      line, cell;
       std::getline(file, line);
+      std::istringstream       head(line);
+      std::vector<std::string> columns;
+      while (std::getline(head, cell, ','))
+        columns.push_back(cell);
       while (std::getline(file, line))
         {
           std::istringstream  row(line);
           std::vector<double> cells;
           while (std::getline(row, cell, ','))
             cells.push_back(std::stod(cell));
-          for (std::size_t k = 0; k < places.size(); ++k)
-            values[k].push_back(cells.at(places[k]));
+          for (std::size_t k = 0; k < names.size(); ++k)
+            values[k].push_back(
+              cells.at(std::find(columns.begin(), columns.end(), names[k]) -
+                       columns.begin()));
         }
       return values;
-    }
-
-
-
-    /**
-     * One more where friction falls.
-     */
-    std::vector<std::string>
-    columns_of(const SceneParameters &scene)
-    {
-      std::vector<std::string> names = columns;
-      if (scene.contact.falling_friction())
-        names.push_back("several_solutions_ratio");
-      return names;
-    }
-
-
-
-    std::size_t
-    place(const std::string &column)
-    {
-      return std::find(columns.begin(), columns.end(), column) -
-             columns.begin();
     }
 
 
@@ -110,17 +153,17 @@ namespace RollingContact
   template <int dim>
   TransientOutput<dim>::TransientOutput(const SceneParameters &scene,
                                         RunContext            &context,
-                                        const Checkpoint      &record)
+                                        const Checkpoint      &checkpoint)
     : scene(scene)
     , context(context)
+    , body_fields(checkpoint.body_fields)
+    , interface_fields(checkpoint.interface_fields)
   {
+    const auto names = names_of(columns_of(scene));
     if (context.resume)
-      history.emplace(context.folder,
-                      history_name,
-                      columns_of(scene),
-                      record.history);
+      history.emplace(context.folder, history_name, names, checkpoint.history);
     else
-      history.emplace(context.folder, history_name, columns_of(scene));
+      history.emplace(context.folder, history_name, names);
   }
 
 
@@ -129,42 +172,14 @@ namespace RollingContact
   void
   TransientOutput<dim>::add_row(const ContactStepper<dim> &stepper,
                                 const StepOutcome         &outcome,
-                                const Checkpoint          &record)
+                                const TransientProgress   &progress)
   {
     const SteadyState<dim> &contact = stepper.current();
-    const Resultants       &result  = contact.result;
-    const double            scale =
-      std::max({outcome.energy.kinetic + outcome.energy.strain,
-                std::abs(record.supplied_energy),
-                record.friction_energy});
-    std::vector<double> row{double(record.step),
-                            record.time,
-                            record.rolled_distance,
-                            contact.state.approach,
-                            contact.problem.creepages.x,
-                            contact.problem.creepages.y,
-                            contact.problem.creepages.spin,
-                            outcome.speed,
-                            result.normal_force,
-                            result.force_x,
-                            result.force_y,
-                            result.spin_moment,
-                            result.traction_coefficient,
-                            result.max_pressure,
-                            double(result.n_touching),
-                            double(outcome.n_sticking),
-                            double(outcome.n_impacts),
-                            outcome.energy.kinetic,
-                            outcome.energy.strain,
-                            record.supplied_energy,
-                            record.friction_energy,
-                            record.damping_energy,
-                            record.numerical_energy,
-                            scale > 0. ? record.energy_error / scale : 0.,
-                            double(outcome.solver.iterations),
-                            double(outcome.n_parts)};
-    if (scene.contact.falling_friction())
-      row.push_back(outcome.several.ratio);
+    const Step              step{
+      contact.problem, contact.state, contact.result, outcome, progress};
+    std::vector<double> row;
+    for (const Column &column : columns_of(scene))
+      row.push_back(column.value(step));
     history->add_row(row);
   }
 
@@ -173,24 +188,24 @@ namespace RollingContact
   template <int dim>
   void
   TransientOutput<dim>::write_fields(const ContactStepper<dim> &stepper,
-                                     Checkpoint                &record,
+                                     const TransientProgress   &progress,
                                      const bool                 last)
   {
     const unsigned int interval = scene.time.field_interval;
-    const bool due     = last || (interval > 0 && record.step % interval == 0);
+    const bool due = last || (interval > 0 && progress.step % interval == 0);
     const auto written = [&](const std::vector<PvdBlock> &blocks) {
-      return !blocks.empty() && blocks.back().time == record.time;
+      return !blocks.empty() && blocks.back().time == progress.time;
     };
-    if (!due || written(record.interface_fields) || written(record.body_fields))
+    if (!due || written(interface_fields) || written(body_fields))
       return;
     PhaseTimer::Scope       phase(context.timer, Phase::fields);
     const SteadyState<dim> &contact = stepper.current();
     if (scene.output.interface_fields)
       {
-        const std::string file = numbered("interface", record.step) + ".vtu";
+        const std::string file = numbered("interface", progress.step) + ".vtu";
         write_interface(scene, contact, context.folder, file);
-        record.interface_fields.push_back({record.time, 0, "interface", file});
-        write_pvd(record.interface_fields, context.folder, "interface.pvd");
+        interface_fields.push_back({progress.time, 0, "interface", file});
+        write_pvd(interface_fields, context.folder, "interface.pvd");
       }
     if (!scene.output.body_fields)
       return;
@@ -201,13 +216,11 @@ namespace RollingContact
                                              contact.problem,
                                              contact.state);
       },
-      [&](const std::string &body) { return numbered(body, record.step); },
-      record.time,
+      [&](const std::string &body) { return numbered(body, progress.step); },
+      progress.time,
       context.folder);
-    record.body_fields.insert(record.body_fields.end(),
-                              blocks.begin(),
-                              blocks.end());
-    write_pvd(record.body_fields, context.folder, "bodies.pvd");
+    body_fields.insert(body_fields.end(), blocks.begin(), blocks.end());
+    write_pvd(body_fields, context.folder, "bodies.pvd");
   }
 
 
@@ -215,12 +228,18 @@ namespace RollingContact
   template <int dim>
   void
   TransientOutput<dim>::write_checkpoint(const ContactStepper<dim> &stepper,
-                                         Checkpoint                &record)
+                                         const TransientProgress   &progress,
+                                         const PrmEntries          &files)
   {
     PhaseTimer::Scope phase(context.timer, Phase::checkpoints);
-    Ranks::on_root([&]() { record.history = history->flush(); });
-    stepper.save(record);
-    RollingContact::write_checkpoint(record, context.folder);
+    Checkpoint        checkpoint;
+    Ranks::on_root([&]() { checkpoint.history = history->flush(); });
+    checkpoint.tables           = files;
+    checkpoint.progress         = progress;
+    checkpoint.body_fields      = body_fields;
+    checkpoint.interface_fields = interface_fields;
+    stepper.save(checkpoint);
+    RollingContact::write_checkpoint(checkpoint, context.folder);
   }
 
 
@@ -228,11 +247,11 @@ namespace RollingContact
   template <int dim>
   void
   TransientOutput<dim>::finish(const ContactStepper<dim> &stepper,
-                               const Checkpoint          &record)
+                               const TransientProgress   &progress)
   {
     Ranks::on_root([&]() { history->publish(); });
-    context.results.set("time_s", record.time);
-    context.results.set("rolled_m", record.rolled_distance);
+    context.results.set("time_s", progress.time);
+    context.results.set("rolled_m", progress.rolled_distance);
     add_result_row(scene, stepper.current(), context);
     if (!Ranks::is_root()) // who has the history
       return;
@@ -247,9 +266,8 @@ namespace RollingContact
   void
   TransientOutput<dim>::note_largest_load() const
   {
-    const auto values =
-      read_columns(context.folder.get_path() / history_name,
-                   {place("time_s"), place("normal_force_N")});
+    const auto values  = read_columns(context.folder.get_path() / history_name,
+                                     {"time_s", "normal_force_N"});
     const auto largest = std::max_element(values[1].begin(), values[1].end());
     if (largest == values[1].end() || *largest <= 0.)
       return;
@@ -266,13 +284,10 @@ namespace RollingContact
   TransientOutput<dim>::plot() const
   {
     const double mu     = scene.contact.friction_coefficient;
-    const auto   values = read_columns(context.folder.get_path() / history_name,
-                                     {place("time_s"),
-                                        place("rolled_m"),
-                                        place("normal_force_N"),
-                                        place("force_x_N"),
-                                        place("force_y_N")});
-    const bool   rolls =
+    const auto   values = read_columns(
+      context.folder.get_path() / history_name,
+      {"time_s", "rolled_m", "normal_force_N", "force_x_N", "force_y_N"});
+    const bool rolls =
       mu > 0. && !values[1].empty() && std::abs(values[1].back()) > 0.;
     std::vector<double> abscissa, load, force_x, force_y;
     for (std::size_t i = 0; i < values[0].size(); ++i)

@@ -60,12 +60,13 @@ namespace boost
               [[maybe_unused]] unsigned int version)
     {
       auto    &c = checkpoint;
+      auto    &p = checkpoint.progress;
       archive &c.tables;
-      archive &c.step &c.time &c.rolled_distance &c.time_step;
-      archive &c.wheel &c.rail;
+      archive &p.step &p.time &p.rolled_distance &p.time_step;
+      archive &c.bodies.wheel &c.bodies.rail;
       archive &c.pressure &c.traction &c.approach &c.edges &c.friction;
-      archive &c.supplied_energy &c.friction_energy &c.damping_energy;
-      archive &c.numerical_energy &c.energy_error &c.n_impacts;
+      archive &p.supplied_energy &p.friction_energy &p.damping_energy;
+      archive &p.numerical_energy &p.energy_error &p.n_impacts;
       archive &c.history.n_rows &c.history.n_bytes;
       archive &c.body_fields &c.interface_fields;
     }

@@ -267,7 +267,7 @@ namespace RollingContact
     checkpoint.approach = contact.state.approach;
     checkpoint.edges    = contact.state.edges;
     checkpoint.friction = contact.state.friction;
-    motion->save(checkpoint);
+    checkpoint.bodies   = motion->save();
   }
 
 
@@ -285,11 +285,11 @@ namespace RollingContact
                        std::to_string(problem.n_nodes) +
                        ". Start the run without --resume.");
     restore_state(checkpoint);
-    const double h = checkpoint.time_step;
+    const double h = checkpoint.progress.time_step;
     if (h == 0.) // before the first step
       return;
     set_time_step(h);
-    set_drive(checkpoint.time - h, h);
+    set_drive(checkpoint.progress.time - h, h);
     contact.solver.converged = true;
     contact.restored         = true;
     contact.result           = resultants(contact.problem, contact.state);
@@ -310,7 +310,7 @@ namespace RollingContact
                      edge_law,
                      checkpoint.friction,
                      holds_friction};
-    motion->restore(checkpoint, contact.problem, contact.state);
+    motion->restore(checkpoint.bodies, contact.problem, contact.state);
   }
 
 

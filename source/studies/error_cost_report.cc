@@ -104,4 +104,26 @@ namespace RollingContact
                           : "No method reaches an error of " +
                               significant(error_levels.front(), 1) + ".");
   }
+
+
+
+  void
+  note_study_error(const std::vector<CostedError> &points,
+                   const std::string              &quantity,
+                   const std::string              &scale,
+                   const std::string              &reference,
+                   RunReport                      &report)
+  {
+    const auto front = pareto_front(points);
+    if (front.empty())
+      return;
+    const CostedError &best = points[front.back()];
+    report.errors.push_back(
+      {quantity,
+       best.error,
+       scale,
+       reference,
+       false,
+       "smallest: " + best.method + ", " + best.resolution});
+  }
 } // namespace RollingContact

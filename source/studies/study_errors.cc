@@ -173,11 +173,11 @@ namespace RollingContact
                                error[*component]
                            : length(error));
         errors.load.add(
-          sample.load_error.value_or(sample.load / limit.load - 1));
-        errors.pressure.add(sample.pressure_l2);
-        add_if_known(sample.traction_l2, errors.traction);
-        add_if_known(sample.sawtooth, errors.sawtooth);
-        add_if_known(sample.stick_boundary, errors.stick_boundary);
+          sample.errors.load.value_or(sample.load / limit.load - 1));
+        errors.pressure.add(sample.errors.pressure_l2);
+        add_if_known(sample.errors.traction_l2, errors.traction);
+        add_if_known(sample.errors.sawtooth, errors.sawtooth);
+        add_if_known(sample.errors.stick_boundary, errors.stick_boundary);
       }
     if (!component && errors.force.n > 0)
       errors.force.mean = length(sum) / errors.force.n;

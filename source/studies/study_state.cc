@@ -1,9 +1,4 @@
-#include <rolling_contact/assessment/reference_2d.h>
-#include <rolling_contact/assessment/reference_3d.h>
 #include <rolling_contact/studies/study_state.h>
-
-#include <cmath>
-#include <functional>
 
 namespace RollingContact
 {
@@ -57,132 +52,6 @@ namespace RollingContact
 
 
 
-  namespace
-  {
-    /**
-     * sqrt(integral |e|^2 dA / area) with the error e at the nodes, one for
-     * each component.
-     */
-    double
-    nodal_l2(const ContactProblem                                 &problem,
-             const unsigned int                                    n_components,
-             const double                                          area,
-             const std::function<double(const unsigned int component,
-                                        const unsigned int node)> &error)
-    {
-      double sum = 0.;
-      for (unsigned int c = 0; c < n_components; ++c)
-        for (unsigned int i = 0; i < problem.n_nodes; ++i)
-          sum += problem.areas[i] * std::pow(error(c, i), 2);
-      return std::sqrt(sum / area);
-    }
-
-
-
-    /**
-     * Difference from the finest mesh; @p area and @p scale make it
-     * dimensionless. Units: m^2, Pa.
-     */
-    template <int dim>
-    double
-    traction_difference(const SteadyState<dim> &steady,
-                        const TractionField    &finest,
-                        const double            area,
-                        const double            scale)
-    {
-      const ContactProblem &problem  = steady.problem;
-      const std::size_t     n_finest = finest.trace.nodes.size();
-      return nodal_l2(problem,
-                      problem.n_tangential,
-                      area,
-                      [&](const unsigned int c, const unsigned int i) {
-                        const auto weights =
-                          finest.trace.interpolation(problem.positions[i][0],
-                                                     problem.positions[i][1]);
-                        return steady.state.traction[c * problem.n_nodes + i] -
-                               (weights ? apply(*weights,
-                                                finest.traction,
-                                                c * n_finest)
-                                        : 0.);
-                      }) /
-             scale;
-    }
-
-
-
-    void
-    set_closed_forms(const SceneParameters &scene,
-                     const SteadyState<2>  &steady,
-                     const TractionField   *finest,
-                     StudySample           &sample)
-    {
-      const Reference2D reference = reference_2d(scene, steady);
-      const Errors2D    errors    = errors_2d(scene, steady, reference);
-      sample.load_error           = errors.normal_force;
-      sample.pressure_l2          = errors.pressure_l2;
-      if (follows_carter(scene, steady))
-        {
-          sample.traction_l2    = errors.traction_l2;
-          sample.sawtooth       = errors.sawtooth;
-          sample.stick_boundary = std::abs(errors.stick_boundary);
-        }
-      else if (finest != nullptr)
-        sample.traction_l2 =
-          traction_difference(steady,
-                              *finest,
-                              reference.hertz.half_width * scene.thickness(),
-                              scene.contact.friction_coefficient *
-                                reference.hertz.max_pressure);
-    }
-
-
-
-    void
-    set_closed_forms(const SceneParameters &scene,
-                     const SteadyState<3>  &steady,
-                     const TractionField   *finest,
-                     StudySample           &sample)
-    {
-      const References::HertzEllipse hertz =
-        reference_3d(scene, steady.result.normal_force, {}).hertz;
-      const double area = hertz.half_width_x * hertz.half_width_y;
-      const auto  &at   = steady.problem.positions;
-      sample.pressure_l2 =
-        nodal_l2(steady.problem,
-                 1,
-                 area,
-                 [&](const unsigned int, const unsigned int i) {
-                   return steady.state.pressure[i] -
-                          hertz.pressure(at[i][0], at[i][1]);
-                 }) /
-        hertz.max_pressure;
-      if (finest != nullptr)
-        sample.traction_l2 =
-          traction_difference(steady,
-                              *finest,
-                              area,
-                              scene.contact.friction_coefficient *
-                                hertz.max_pressure);
-    }
-  } // namespace
-
-
-
-  template <int dim>
-  bool
-  follows_carter(const SceneParameters &scene, const SteadyState<dim> &steady)
-  {
-    if constexpr (dim == 2)
-      {
-        const Reference2D reference = reference_2d(scene, steady);
-        return reference.carter && reference.carter_is_exact;
-      }
-    else
-      return false;
-  }
-
-
-
   template <int dim>
   StudySample
   study_sample(const SceneParameters  &scene,
@@ -195,9 +64,9 @@ namespace RollingContact
     sample.residual  = steady.solver.residual.worst();
     if (sample.converged)
       {
-        sample.load = scene.contact.normal_load() ? steady.state.approach
-                                                  : result.normal_force;
-        set_closed_forms(scene, steady, finest, sample);
+        sample.load   = scene.contact.normal_load() ? steady.state.approach
+                                                    : result.normal_force;
+        sample.errors = state_errors(scene, steady, finest);
       }
     if (sample.converged && result.friction_force > 0.)
       sample.force = {{result.force_x / result.friction_force,
@@ -217,8 +86,4 @@ namespace RollingContact
   study_sample(const SceneParameters &,
                const SteadyState<3> &,
                const TractionField *);
-  template bool
-  follows_carter(const SceneParameters &, const SteadyState<2> &);
-  template bool
-  follows_carter(const SceneParameters &, const SteadyState<3> &);
 } // namespace RollingContact

@@ -1,4 +1,3 @@
-#include <rolling_contact/assessment/result_error.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/studies/study_summary.h>
 
@@ -45,7 +44,7 @@ namespace RollingContact
     const StudyKey finest{results.reference_method,
                           0,
                           scene.study.reference_elements};
-    if (results.samples.at(finest).front().load_error)
+    if (results.samples.at(finest).front().errors.load)
       return "load against the exact clamped discs";
     return (scene.contact.normal_load() ? "approach" : "load") +
            std::string(" against the same meshes");

@@ -1,4 +1,3 @@
-#include <rolling_contact/assessment/result_error.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/memory.h>
 #include <rolling_contact/base/text.h>

@@ -213,10 +213,10 @@ BOOST_AUTO_TEST_CASE(resumed_steps_are_the_same)
       whole.march(5);
       Checkpoint checkpoint;
       whole.stepper->save(checkpoint);
-      checkpoint.time      = whole.time;
-      checkpoint.time_step = whole.scene.time.time_step;
+      checkpoint.progress.time      = whole.time;
+      checkpoint.progress.time_step = whole.scene.time.time_step;
       BOOST_TEST(checkpoint.friction.size() == checkpoint.pressure.size());
-      part.stepper->set_time_step(checkpoint.time_step);
+      part.stepper->set_time_step(checkpoint.progress.time_step);
       part.stepper->restore(checkpoint);
       part.n_steps = whole.n_steps;
       part.time    = whole.time;

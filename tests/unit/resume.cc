@@ -61,7 +61,7 @@ namespace
   {
     RunFolder  run(folder, scene, scene);
     Checkpoint state;
-    state.wheel.displacement = {0.3};
+    state.bodies.wheel.displacement = {0.3};
     std::optional<HistoryTable> history;
     if (resume)
       {
@@ -74,18 +74,19 @@ namespace
         run.open();
         history.emplace(run, history_name, columns);
       }
-    double &x = state.wheel.displacement[0];
-    while (state.step < last_step)
+    double &x = state.bodies.wheel.displacement[0];
+    while (state.progress.step < last_step)
       {
-        ++state.step;
-        state.time += 0.1;
+        ++state.progress.step;
+        state.progress.time += 0.1;
         x = 3.99 * x * (1 - x);
-        history->add_row({1. * state.step, state.time, x});
-        const std::string name = "body-" + std::to_string(state.step) + ".vtu";
+        history->add_row({1. * state.progress.step, state.progress.time, x});
+        const std::string name =
+          "body-" + std::to_string(state.progress.step) + ".vtu";
         run.write_atomically(name, std::to_string(x));
-        state.body_fields.push_back({state.time, 0, "wheel", name});
+        state.body_fields.push_back({state.progress.time, 0, "wheel", name});
         write_pvd(state.body_fields, run, "bodies.pvd");
-        if (state.step % 7 == 0)
+        if (state.progress.step % 7 == 0)
           {
             state.history = history->flush();
             write_checkpoint(state, run);
@@ -205,33 +206,36 @@ BOOST_FIXTURE_TEST_CASE(checkpoints_keep_every_bit, ScratchFolder)
   RunFolder run(folder, scene, scene);
   run.open();
   Checkpoint state;
-  state.tables      = {{"Time/Speed (table)", "12 rows"}};
-  state.step        = 1234567890123u;
-  state.time        = 0.1 + 0.2;
-  state.wheel       = {{-0., std::numeric_limits<double>::denorm_min(), 1. / 3},
-                       {std::nextafter(1., 2.), INFINITY, std::nan("7")}};
-  state.pressure    = {1e300, -1e-300};
-  state.traction    = {M_PI};
-  state.approach    = std::nextafter(2.2e-4, 0.);
-  state.edges       = {{3, 1. / 3, 0.1, {{-0.3, 0.}}}, {7, 2., 1., {{0., 0.}}}};
-  state.n_impacts   = 8;
-  state.history     = {17, 4321};
-  state.body_fields = {{0.1, 1, "rail", "rail-0001.vtu"}};
+  state.tables        = {{"Time/Speed (table)", "12 rows"}};
+  state.progress.step = 1234567890123u;
+  state.progress.time = 0.1 + 0.2;
+  state.bodies.wheel  = {{-0.,
+                          std::numeric_limits<double>::denorm_min(),
+                          1. / 3},
+                         {std::nextafter(1., 2.), INFINITY, std::nan("7")}};
+  state.pressure      = {1e300, -1e-300};
+  state.traction      = {M_PI};
+  state.approach      = std::nextafter(2.2e-4, 0.);
+  state.edges = {{3, 1. / 3, 0.1, {{-0.3, 0.}}}, {7, 2., 1., {{0., 0.}}}};
+  state.progress.n_impacts = 8;
+  state.history            = {17, 4321};
+  state.body_fields        = {{0.1, 1, "rail", "rail-0001.vtu"}};
   write_checkpoint(Checkpoint(), run);
   write_checkpoint(state, run);
 
   const Checkpoint copy = read_checkpoint(run);
   BOOST_TEST((copy.tables == state.tables));
-  BOOST_TEST(copy.step == state.step);
-  BOOST_TEST(same_bits(copy.time, state.time));
+  BOOST_TEST(copy.progress.step == state.progress.step);
+  BOOST_TEST(same_bits(copy.progress.time, state.progress.time));
   BOOST_TEST(same_bits(copy.approach, state.approach));
   for (unsigned int i = 0; i < 3; ++i)
     {
-      BOOST_TEST(
-        same_bits(copy.wheel.displacement[i], state.wheel.displacement[i]));
-      BOOST_TEST(same_bits(copy.wheel.velocity[i], state.wheel.velocity[i]));
+      BOOST_TEST(same_bits(copy.bodies.wheel.displacement[i],
+                           state.bodies.wheel.displacement[i]));
+      BOOST_TEST(same_bits(copy.bodies.wheel.velocity[i],
+                           state.bodies.wheel.velocity[i]));
     }
-  BOOST_TEST(copy.rail.displacement.empty());
+  BOOST_TEST(copy.bodies.rail.displacement.empty());
   BOOST_TEST((copy.pressure == state.pressure));
   BOOST_TEST((copy.traction == state.traction));
   BOOST_TEST(copy.edges.size() == 2u);
@@ -239,7 +243,7 @@ BOOST_FIXTURE_TEST_CASE(checkpoints_keep_every_bit, ScratchFolder)
   BOOST_TEST(same_bits(copy.edges[0].second, state.edges[0].second));
   BOOST_TEST(same_bits(copy.edges[0].third, state.edges[0].third));
   BOOST_TEST((copy.edges[0].rest == state.edges[0].rest));
-  BOOST_TEST(copy.n_impacts == 8u);
+  BOOST_TEST(copy.progress.n_impacts == 8u);
   BOOST_TEST(copy.history.n_rows == 17u);
   BOOST_TEST(copy.history.n_bytes == 4321u);
   BOOST_REQUIRE(copy.body_fields.size() == 1u);
@@ -257,7 +261,7 @@ BOOST_FIXTURE_TEST_CASE(damaged_checkpoints_are_refused, ScratchFolder)
   BOOST_TEST(contains(complaint([&]() { read_checkpoint(run); }),
                       file.string() + "\": it is missing"));
   Checkpoint state;
-  state.wheel.displacement = {1., 2., 3.};
+  state.bodies.wheel.displacement = {1., 2., 3.};
   write_checkpoint(state, run);
   const std::string whole = read(file);
 
@@ -274,7 +278,7 @@ BOOST_FIXTURE_TEST_CASE(damaged_checkpoints_are_refused, ScratchFolder)
   write(file, whole + '\0');
   BOOST_CHECK_THROW(read_checkpoint(run), InputError);
   write(file, whole);
-  BOOST_TEST(read_checkpoint(run).wheel.displacement.size() == 3u);
+  BOOST_TEST(read_checkpoint(run).bodies.wheel.displacement.size() == 3u);
 }
 
 

@@ -37,26 +37,25 @@ namespace RollingContact
     describe(const ContactStepper<dim> &stepper, const TimeSteps &steps) const;
 
     /**
-     * Steps until the end; @p record is what a checkpoint holds.
+     * Steps until the end.
      */
     void
     march(const TimeSteps      &steps,
           ContactStepper<dim>  &stepper,
-          TransientOutput<dim> &output,
-          Checkpoint           &record);
+          TransientOutput<dim> &output);
 
     void
     take_step(const TimeSteps      &steps,
               ContactStepper<dim>  &stepper,
-              TransientOutput<dim> &output,
-              Checkpoint           &record);
+              TransientOutput<dim> &output);
 
     void
-    summarise(const ContactStepper<dim> &stepper,
-              const Checkpoint          &record) const;
+    summarise(const ContactStepper<dim> &stepper) const;
 
     const SceneParameters &scene;
     RunContext            &context;
+    TransientProgress      progress;
+    PrmEntries             files; ///< fingerprints, for checkpoints
     UniquenessSummary      worst; ///< of the steps of this run
   };
 } // namespace RollingContact

@@ -1,11 +1,10 @@
 #ifndef rolling_contact_assessment_result_error_h
 #define rolling_contact_assessment_result_error_h
 
+#include <rolling_contact/run/run_report.h>
 #include <rolling_contact/state/steady_state.h>
-#include <rolling_contact/studies/error_cost.h>
 
 #include <string>
-#include <vector>
 
 namespace RollingContact
 {
@@ -49,16 +48,6 @@ namespace RollingContact
   note_error_of_step(const SceneParameters  &scene,
                      const SteadyState<dim> &steady,
                      RunReport              &report);
-
-  /**
-   * The smallest error of a study.
-   */
-  void
-  note_study_error(const std::vector<CostedError> &points,
-                   const std::string              &quantity,
-                   const std::string              &scale,
-                   const std::string              &reference,
-                   RunReport                      &report);
 } // namespace RollingContact
 
 #endif

@@ -1,8 +1,8 @@
 #ifndef rolling_contact_pair_pair_integrator_h
 #define rolling_contact_pair_pair_integrator_h
 
+#include <rolling_contact/dynamics/body_motion.h>
 #include <rolling_contact/pair/rolling_pair.h>
-#include <rolling_contact/state/checkpoint.h>
 
 #include <memory>
 
@@ -120,14 +120,17 @@ namespace RollingContact
     go_back() = 0;
 
     /**
-     * Into a checkpoint and back; @p problem and @p state are those of the last
-     * step.
+     * The bodies' state at the end of the last step. Collective.
+     */
+    virtual PairMotion
+    save() const = 0;
+
+    /**
+     * Go on from a saved state; @p problem and @p state are those of the step
+     * it was saved after.
      */
     virtual void
-    save(Checkpoint &checkpoint) const = 0;
-
-    virtual void
-    restore(const Checkpoint     &checkpoint,
+    restore(const PairMotion     &saved,
             const ContactProblem &problem,
             const ContactState   &state) = 0;
   };

@@ -11,48 +11,52 @@ namespace RollingContact
   /**
    * What a transient run writes: a row of history.csv for each step, fields
    * every Time/Field interval steps as a time series, the last state in
-   * results.csv, and a plot of the forces. Counts energies in the checkpoint it
-   * is given, which is the run's own record.
+   * results.csv, and a plot of the forces.
    */
   template <int dim>
   class TransientOutput
   {
   public:
     /**
-     * Starts history.csv, or continues it if the run is resumed.
+     * Start history.csv and the series of fields, or continue those of
+     * @p checkpoint if the run is resumed.
      */
     TransientOutput(const SceneParameters &scene,
                     RunContext            &context,
-                    const Checkpoint      &record);
+                    const Checkpoint      &checkpoint);
 
     /**
-     * The row of the step just taken; sums of the record include it.
+     * The row of the step just taken; @p progress includes it.
      */
     void
     add_row(const ContactStepper<dim> &stepper,
             const StepOutcome         &outcome,
-            const Checkpoint          &record);
+            const TransientProgress   &progress);
 
     /**
      * Fields of the state, if this step is to have any, or if it is the last.
      */
     void
     write_fields(const ContactStepper<dim> &stepper,
-                 Checkpoint                &record,
+                 const TransientProgress   &progress,
                  const bool                 last);
 
     /**
-     * Rows on the disk, then the record and the bodies' state.
+     * Rows on the disk, then a checkpoint of the run; @p files are those the
+     * scene names.
      */
     void
-    write_checkpoint(const ContactStepper<dim> &stepper, Checkpoint &record);
+    write_checkpoint(const ContactStepper<dim> &stepper,
+                     const TransientProgress   &progress,
+                     const PrmEntries          &files);
 
     /**
      * history.csv under its final name, results.csv, the largest load, the
      * plot.
      */
     void
-    finish(const ContactStepper<dim> &stepper, const Checkpoint &record);
+    finish(const ContactStepper<dim> &stepper,
+           const TransientProgress   &progress);
 
   private:
     /**
@@ -67,6 +71,7 @@ namespace RollingContact
     const SceneParameters      &scene;
     RunContext                 &context;
     std::optional<HistoryTable> history;
+    std::vector<PvdBlock>       body_fields, interface_fields; ///< written
   };
 } // namespace RollingContact
 

@@ -18,6 +18,24 @@ namespace RollingContact
   inline const std::string history_name    = "history.csv";
 
   /**
+   * How far a transient run has come, and what it has summed up since the
+   * start. Units: s, m, J.
+   */
+  struct TransientProgress
+  {
+    std::uint64_t step             = 0; ///< steps done
+    double        time             = 0.;
+    double        rolled_distance  = 0.;
+    double        time_step        = 0.; ///< of the steps; 0 before the first
+    double        supplied_energy  = 0.;
+    double        friction_energy  = 0.; ///< dissipated
+    double        damping_energy   = 0.; ///< dissipated
+    double        numerical_energy = 0.; ///< dissipated by theta
+    double        energy_error     = 0.; ///< of the balance
+    std::uint64_t n_impacts        = 0;
+  };
+
+  /**
    * All that a transient run needs to continue with the same numbers, bit by
    * bit, after the step it was taken. Meshes and factors are made again.
    */
@@ -27,23 +45,13 @@ namespace RollingContact
      * refuse_changed_entries(); RunFolder compares the scene itself. */
     PrmEntries tables;
 
-    std::uint64_t step            = 0;  ///< steps done
-    double        time            = 0.; ///< s
-    double        rolled_distance = 0.; ///< m
-    double        time_step       = 0.; ///< of the next step; s
+    TransientProgress progress;
 
-    BodyMotion          wheel, rail; ///< twins share a mesh, not a motion
-    std::vector<double> pressure, traction;
-    double              approach = 0.;       ///< m
-    std::vector<EdgeExtrapolation> edges;    ///< see edge_law.h
+    PairMotion                     bodies;
+    std::vector<double>            pressure, traction;
+    double                         approach = 0.; ///< m
+    std::vector<EdgeExtrapolation> edges;         ///< see edge_law.h
     std::vector<double>            friction; ///< mu of the nodes, if it falls
-
-    double        supplied_energy  = 0.; ///< since the start; J
-    double        friction_energy  = 0.; ///< dissipated since the start; J
-    double        damping_energy   = 0.; ///< dissipated since the start; J
-    double        numerical_energy = 0.; ///< dissipated by theta; J
-    double        energy_error     = 0.; ///< sum of the balance; J
-    std::uint64_t n_impacts        = 0;
 
     HistoryTable::Position history;
     std::vector<PvdBlock>  body_fields;      ///< of bodies.pvd so far

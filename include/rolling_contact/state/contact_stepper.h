@@ -3,6 +3,7 @@
 
 #include <rolling_contact/contact/uniqueness.h>
 #include <rolling_contact/pair/pair_integrator.h>
+#include <rolling_contact/state/checkpoint.h>
 #include <rolling_contact/state/steady_state.h>
 
 #include <memory>

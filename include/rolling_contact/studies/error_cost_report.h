@@ -36,6 +36,16 @@ namespace RollingContact
                           const std::string               &error,
                           const std::string               &cost,
                           RunContext                      &context);
+
+  /**
+   * Note the smallest error of a study, over @p scale, in the report.
+   */
+  void
+  note_study_error(const std::vector<CostedError> &points,
+                   const std::string              &quantity,
+                   const std::string              &scale,
+                   const std::string              &reference,
+                   RunReport                      &report);
 } // namespace RollingContact
 
 #endif

@@ -1,10 +1,9 @@
 #ifndef rolling_contact_studies_study_state_h
 #define rolling_contact_studies_study_state_h
 
-#include <rolling_contact/state/steady_state.h>
+#include <rolling_contact/assessment/state_errors.h>
 
 #include <array>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -66,29 +65,15 @@ namespace RollingContact
   operator-(const StateSeconds &after, const StateSeconds &before);
 
   /**
-   * The tractions of the finest mesh, for scenes without a closed form.
-   */
-  struct TractionField
-  {
-    Trace               trace;
-    std::vector<double> traction;
-  };
-
-  /**
-   * What is kept of one state. Forces over mu N; tractions over mu p0,
-   * pressures over p0, with L2 as in Errors2D, in 3D over the area a b.
+   * What is kept of one state. Forces over mu N, mu_s N if friction falls.
    */
   struct StudySample
   {
     bool                  converged = false;
     double                residual  = 0.;
     std::array<double, 2> force{};
-    double                load = 0.;  ///< N, or the approach in m if N is given
-    std::optional<double> load_error; ///< relative, against a closed form
-    double                pressure_l2 = 0.;
-    std::optional<double> traction_l2;
-    std::optional<double> sawtooth;
-    std::optional<double> stick_boundary; ///< elements
+    double                load = 0.; ///< N, or the approach in m if N is given
+    StateErrors           errors;
     StateSeconds          seconds;
     std::size_t           n_unknowns      = 0;
     std::size_t           n_contact_nodes = 0;
@@ -96,22 +81,14 @@ namespace RollingContact
   };
 
   /**
-   * Forces, errors and sizes of a solved state; Hertz and, in 2D, Carter at the
-   * computed load. Tractions are compared with @p finest where Carter does not
-   * hold; nullptr for none.
+   * Forces, errors and sizes of a solved state; see state_errors() for
+   * @p finest.
    */
   template <int dim>
   StudySample
   study_sample(const SceneParameters  &scene,
                const SteadyState<dim> &steady,
                const TractionField    *finest);
-
-  /**
-   * Whether Carter's tractions are those of the scene's bodies.
-   */
-  template <int dim>
-  bool
-  follows_carter(const SceneParameters &scene, const SteadyState<dim> &steady);
 } // namespace RollingContact
 
 #endif
