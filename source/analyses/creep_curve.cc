@@ -1,19 +1,16 @@
 #include <rolling_contact/analyses/creep_curve.h>
-#include <rolling_contact/analyses/quasi_static.h>
-#include <rolling_contact/assessment/linearity_check.h>
 #include <rolling_contact/assessment/reference_2d.h>
 #include <rolling_contact/assessment/reference_3d.h>
-#include <rolling_contact/assessment/result_error.h>
-#include <rolling_contact/assessment/uniqueness_warning.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/stopwatch.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/parallel/interrupt.h>
 #include <rolling_contact/plot/svg_plot.h>
+#include <rolling_contact/report/bodies_report.h>
 #include <rolling_contact/report/result_row.h>
+#include <rolling_contact/report/state_report.h>
 #include <rolling_contact/run/progress.h>
 #include <rolling_contact/state/adaptive_levels.h>
-#include <rolling_contact/state/solved_state.h>
 
 #include <algorithm>
 #include <cmath>
@@ -135,8 +132,8 @@ namespace RollingContact
   CreepCurve<dim>::march(const std::vector<Creepages> &points,
                          SteadyState<dim>             &steady)
   {
-    Progress          progress(context.log, "point", points.size());
-    UniquenessSummary worst;
+    Progress         progress(context.log, "point", points.size());
+    StateReview<dim> review(scene, context);
     for (std::size_t k = 0; k < points.size(); ++k)
       {
         throw_if_interrupted();
@@ -148,17 +145,10 @@ namespace RollingContact
                        steady,
                        "Creep curve, point " + std::to_string(k + 1) + " of " +
                          std::to_string(points.size()));
-        note_error(scene, steady, context.report);
-        worst.add(uniqueness(steady.problem, steady.state),
-                  steady.problem,
-                  "point " + std::to_string(k + 1));
+        review.add(steady, "point " + std::to_string(k + 1));
         progress.report(k + 1);
       }
-    warn_of_large_strains(strain_measures(scene,
-                                          steady.result,
-                                          steady.state.approach),
-                          context.log);
-    warn_of_non_uniqueness(scene, worst, context.log);
+    review.warn(steady);
   }
 
 
@@ -176,20 +166,21 @@ namespace RollingContact
     const double friction_force = steady.result.friction_force;
     force.push_back(std::hypot(steady.result.force_x, steady.result.force_y) /
                     friction_force);
+    std::size_t n = 0;
+    const auto  keep =
+      [&](const std::string &label, const bool saturates, const double ratio) {
+        if (n == references.size())
+          references.push_back({label, saturates, {}});
+        references[n++].ratios.push_back(ratio);
+      };
     if constexpr (dim == 3)
-      {
-        const Reference3D reference =
-          reference_3d(scene, steady.result.normal_force, creepages);
-        linear.push_back(std::hypot(reference.linear.x, reference.linear.y) /
-                         friction_force);
-        saturated.push_back(
-          std::hypot(reference.saturated.x, reference.saturated.y) /
-          friction_force);
-        fastsim.push_back(std::hypot(reference.fastsim.x, reference.fastsim.y) /
-                          friction_force);
-      }
+      for (const NamedForce &theory :
+           reference_3d(scene, steady.result.normal_force, creepages).forces)
+        keep(theory.label,
+             theory.saturates,
+             std::hypot(theory.x, theory.y) / friction_force);
     else if (const auto carter = reference_2d(scene, steady).carter)
-      saturated.push_back(std::abs(carter->force_ratio()));
+      keep("Carter", true, std::abs(carter->force_ratio()));
   }
 
 
@@ -214,25 +205,24 @@ namespace RollingContact
                      abscissa,
                      force,
                      CurveStyle::line_and_points);
-    if (dim == 3)
-      {
-        std::vector<double> shown_x, shown;
-        for (std::size_t k = 0; k < linear.size(); ++k)
-          if (linear[k] <= 1.2)
-            {
-              shown_x.push_back(abscissa[k]);
-              shown.push_back(linear[k]);
-            }
-        figure.add_curve("Kalker, linear", shown_x, shown, CurveStyle::dashed);
-      }
-    const bool constant = !scene.contact.falling_friction();
-    if (constant && saturated.size() == abscissa.size())
-      figure.add_curve(dim == 3 ? "Shen, Hedrick, Elkins" : "Carter",
-                       abscissa,
-                       saturated,
-                       CurveStyle::reference);
-    if (constant && dim == 3)
-      figure.add_curve("FASTSIM", abscissa, fastsim, CurveStyle::line);
+    CurveStyle style = CurveStyle::reference;
+    for (const ReferenceCurve &reference : references)
+      if (reference.saturates)
+        {
+          figure.add_curve(reference.label, abscissa, reference.ratios, style);
+          style = CurveStyle::line;
+        }
+      else
+        {
+          std::vector<double> shown_x, shown;
+          for (std::size_t k = 0; k < reference.ratios.size(); ++k)
+            if (reference.ratios[k] <= 1.2)
+              {
+                shown_x.push_back(abscissa[k]);
+                shown.push_back(reference.ratios[k]);
+              }
+          figure.add_curve(reference.label, shown_x, shown, CurveStyle::dashed);
+        }
     figure.write(context.folder, "creep_curve.svg");
   }
 

@@ -1,20 +1,14 @@
 #include <rolling_contact/analyses/load_curve.h>
-#include <rolling_contact/analyses/quasi_static.h>
-#include <rolling_contact/assessment/linearity_check.h>
 #include <rolling_contact/assessment/reference_3d.h>
-#include <rolling_contact/assessment/result_error.h>
-#include <rolling_contact/assessment/uniqueness_warning.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/stopwatch.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/parallel/interrupt.h>
 #include <rolling_contact/plot/svg_plot.h>
+#include <rolling_contact/report/bodies_report.h>
 #include <rolling_contact/report/result_row.h>
-#include <rolling_contact/report/state_summary.h>
+#include <rolling_contact/report/state_report.h>
 #include <rolling_contact/state/adaptive_levels.h>
-#include <rolling_contact/state/solved_state.h>
-
-#include <algorithm>
 
 namespace RollingContact
 {
@@ -39,9 +33,8 @@ namespace RollingContact
     if (steady.result.normal_force <= 0.)
       throw InputError(needs_contact);
     describe_bodies(steady, context);
-    const double      largest = steady.result.normal_force;
-    UniquenessSummary worst;
-    unsigned int      fewest = steady.result.n_touching;
+    const double     largest = steady.result.normal_force;
+    StateReview<dim> review(scene, context);
     for (const double share : scene.load_curve.load_fractions())
       {
         throw_if_interrupted();
@@ -52,22 +45,13 @@ namespace RollingContact
         steady.contact_stiffness = k;
         steady.wall_s            = watch.seconds();
         add_result_row(scene, steady, context);
-        note_error(scene, steady, context.report);
-        worst.add(uniqueness(steady.problem, steady.state),
-                  steady.problem,
-                  significant(steady.result.normal_force, 4) + " N");
-        fewest = std::min(fewest, steady.result.n_touching);
+        review.add(steady, significant(steady.result.normal_force, 4) + " N");
         loads.push_back(steady.result.normal_force);
         approaches.push_back(steady.state.approach);
         if constexpr (dim == 3)
           hertz.push_back(reference_3d(scene, loads.back(), {}).hertz.approach);
       }
-    warn_of_few_nodes(fewest, context.log);
-    warn_of_large_strains(strain_measures(scene,
-                                          steady.result,
-                                          steady.state.approach),
-                          context.log);
-    warn_of_non_uniqueness(scene, worst, context.log);
+    review.warn(steady);
     context.log.message(context.results.screen_table({"normal_force_N",
                                                       "approach_m",
                                                       "contact_stiffness_N/m",

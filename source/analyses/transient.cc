@@ -1,4 +1,3 @@
-#include <rolling_contact/analyses/quasi_static.h>
 #include <rolling_contact/analyses/transient.h>
 #include <rolling_contact/assessment/result_error.h>
 #include <rolling_contact/base/exceptions.h>
@@ -7,7 +6,8 @@
 #include <rolling_contact/parallel/collective_failure.h>
 #include <rolling_contact/parallel/interrupt.h>
 #include <rolling_contact/parallel/ranks.h>
-#include <rolling_contact/report/state_summary.h>
+#include <rolling_contact/report/bodies_report.h>
+#include <rolling_contact/report/state_report.h>
 #include <rolling_contact/run/progress.h>
 
 #include <cmath>

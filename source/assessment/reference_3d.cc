@@ -1,10 +1,78 @@
 #include <rolling_contact/assessment/reference_3d.h>
 #include <rolling_contact/references/contact_modulus.h>
+#include <rolling_contact/references/fastsim.h>
+#include <rolling_contact/state/steady_state.h>
 
 #include <limits>
 
 namespace RollingContact
 {
+  namespace
+  {
+    /**
+     * What the theories ask for; flow is the direction of the material.
+     */
+    struct Conditions
+    {
+      Creepages                      creepages;
+      References::HertzEllipse       hertz;
+      References::CombinedElasticity elasticity;
+      double                         friction;
+      int                            flow;
+    };
+
+
+
+    /**
+     * Names and the way to the force, which is still 0 in @p named.
+     */
+    struct Theory
+    {
+      NamedForce named;
+      void (*find)(const Conditions &at, NamedForce &force);
+    };
+
+
+
+    /**
+     * Kalker's linear theory first.
+     */
+    const std::vector<Theory> &
+    theories()
+    {
+      namespace R           = References;
+      static const auto set = [](const R::TangentialForce &found,
+                                 NamedForce               &force) {
+        force.x = found.x;
+        force.y = found.y;
+      };
+      static const std::vector<Theory> all{
+        {{"Kalker", "kalker", "Kalker, linear", false},
+         [](const Conditions &at, NamedForce &force) {
+           const R::CreepForces found =
+             R::kalker_forces(at.creepages, at.hertz, at.elasticity, at.flow);
+           force.x           = found.x;
+           force.y           = found.y;
+           force.spin_moment = found.spin_moment;
+         }},
+        {{"Shen-Hedrick-Elkins", "shen", "Shen, Hedrick, Elkins"},
+         [](const Conditions &at, NamedForce &force) {
+           set(R::shen_hedrick_elkins(
+                 at.creepages, at.hertz, at.elasticity, at.friction, at.flow),
+               force);
+         }},
+        {{"FASTSIM", "fastsim", "FASTSIM"},
+         [](const Conditions &at, NamedForce &force) {
+           set(R::fastsim(
+                 at.creepages, at.hertz, at.elasticity, at.friction, at.flow),
+               force);
+         }}};
+      return all;
+    }
+  } // namespace
+
+
+
   Reference3D
   reference_3d(const SceneParameters &scene,
                const double           normal_force,
@@ -15,29 +83,39 @@ namespace RollingContact
       return body.rigid ? std::numeric_limits<double>::infinity()
                                    : body.material.young_modulus;
     };
-    const References::CombinedElasticity elasticity =
-      References::combined_elasticity(modulus(scene.wheel),
-                                      scene.wheel.material.poisson_ratio,
-                                      modulus(scene.rail),
-                                      scene.rail.material.poisson_ratio);
-    Reference3D reference{
+    const Conditions conditions{
+      creepages,
       References::hertz_ellipse(normal_force,
                                 0.5 / constants.relative_radius,
                                 0.5 / constants.lateral_relative_radius,
                                 constants.contact_modulus),
-      {},
-      {},
-      {}};
-    const int flow = scene.contact.flow();
-    reference.linear =
-      References::kalker_forces(creepages, reference.hertz, elasticity, flow);
-    const double mu = scene.contact.friction_coefficient;
-    if (mu == 0.)
-      return reference;
-    reference.saturated = References::shen_hedrick_elkins(
-      creepages, reference.hertz, elasticity, mu, flow);
-    reference.fastsim =
-      References::fastsim(creepages, reference.hertz, elasticity, mu, flow);
+      References::combined_elasticity(modulus(scene.wheel),
+                                      scene.wheel.material.poisson_ratio,
+                                      modulus(scene.rail),
+                                      scene.rail.material.poisson_ratio),
+      scene.contact.friction_coefficient,
+      scene.contact.flow()};
+    const bool is_constant = scene.contact.friction_coefficient > 0. &&
+                             !scene.contact.falling_friction();
+    Reference3D reference{conditions.hertz, {}};
+    for (const Theory &theory : theories())
+      if (is_constant || !theory.named.saturates)
+        {
+          reference.forces.push_back(theory.named);
+          theory.find(conditions, reference.forces.back());
+        }
     return reference;
+  }
+
+
+
+  std::string
+  saturating_theories()
+  {
+    std::string names;
+    for (const Theory &theory : theories())
+      if (theory.named.saturates)
+        names += (names.empty() ? "" : ", ") + theory.named.name;
+    return names;
   }
 } // namespace RollingContact

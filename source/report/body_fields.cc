@@ -238,6 +238,35 @@ namespace RollingContact
 
 
 
+  template <int dim>
+  std::vector<PvdBlock>
+  write_bodies(const SteadyState<dim>               &steady,
+               const std::function<BodyField(Side)> &displacement,
+               const std::function<std::string(const std::string &)> &file_name,
+               const double                                           time,
+               RunFolder                                             &folder)
+  {
+    std::vector<PvdBlock> blocks;
+    unsigned int          part = 0;
+    for (const Side side : {Side::wheel, Side::rail})
+      if (steady.pair->is_elastic(side))
+        {
+          const bool        is_wheel = side == Side::wheel;
+          const std::string file =
+            write_body_fields<dim>(steady.pair->body(side),
+                                   steady.pair->rank_of(side),
+                                   displacement(side),
+                                   {is_wheel,
+                                    is_wheel ? -steady.state.approach : 0.},
+                                   folder,
+                                   file_name(name_of(side)));
+          blocks.push_back({time, part++, name_of(side), file});
+        }
+    return blocks;
+  }
+
+
+
   template std::string
   write_body_fields(const ElasticBody<2> *,
                     const unsigned int,
@@ -252,4 +281,16 @@ namespace RollingContact
                     const BodyPlacement &,
                     RunFolder &,
                     const std::string &);
+  template std::vector<PvdBlock>
+  write_bodies(const SteadyState<2> &,
+               const std::function<BodyField(Side)> &,
+               const std::function<std::string(const std::string &)> &,
+               const double,
+               RunFolder &);
+  template std::vector<PvdBlock>
+  write_bodies(const SteadyState<3> &,
+               const std::function<BodyField(Side)> &,
+               const std::function<std::string(const std::string &)> &,
+               const double,
+               RunFolder &);
 } // namespace RollingContact

@@ -200,6 +200,28 @@ namespace RollingContact
 
 
 
+  template <int dim>
+  void
+  write_interface(const SceneParameters  &scene,
+                  const SteadyState<dim> &steady,
+                  RunFolder              &folder,
+                  const std::string      &file)
+  {
+    const auto rail = scene.rail.body_shape();
+    write_interface_fields<dim>(
+      steady.pair->trace(),
+      steady.problem,
+      steady.state,
+      !steady.restored,
+      [&](const double x, const double y) {
+        return rail->surface_height(x, y);
+      },
+      folder,
+      file);
+  }
+
+
+
   template void
   write_interface_fields<2>(const Trace &,
                             const ContactProblem &,
@@ -216,4 +238,14 @@ namespace RollingContact
                             const std::function<double(double, double)> &,
                             RunFolder &,
                             const std::string &);
+  template void
+  write_interface(const SceneParameters &,
+                  const SteadyState<2> &,
+                  RunFolder &,
+                  const std::string &);
+  template void
+  write_interface(const SceneParameters &,
+                  const SteadyState<3> &,
+                  RunFolder &,
+                  const std::string &);
 } // namespace RollingContact

@@ -126,15 +126,13 @@ namespace RollingContact
       table.set("reference_approach_m", reference.hertz.approach);
       if (steady.problem.n_tangential == 0)
         return;
-      table.set("kalker_force_x_N", reference.linear.x);
-      table.set("kalker_force_y_N", reference.linear.y);
-      table.set("kalker_spin_moment_Nm", reference.linear.spin_moment);
-      if (steady.problem.friction_law) // what follows saturates at mu N
-        return;
-      table.set("shen_force_x_N", reference.saturated.x);
-      table.set("shen_force_y_N", reference.saturated.y);
-      table.set("fastsim_force_x_N", reference.fastsim.x);
-      table.set("fastsim_force_y_N", reference.fastsim.y);
+      for (const NamedForce &theory : reference.forces)
+        {
+          table.set(theory.column + "_force_x_N", theory.x);
+          table.set(theory.column + "_force_y_N", theory.y);
+          if (theory.spin_moment)
+            table.set(theory.column + "_spin_moment_Nm", *theory.spin_moment);
+        }
     }
 
 

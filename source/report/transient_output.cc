@@ -4,8 +4,9 @@
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/parallel/ranks.h>
 #include <rolling_contact/plot/svg_plot.h>
+#include <rolling_contact/report/body_fields.h>
+#include <rolling_contact/report/interface_fields.h>
 #include <rolling_contact/report/result_row.h>
-#include <rolling_contact/report/state_fields.h>
 #include <rolling_contact/report/transient_output.h>
 #include <rolling_contact/run/pvd.h>
 

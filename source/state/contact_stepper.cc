@@ -4,7 +4,6 @@
 #include <rolling_contact/pair/compliance_update.h>
 #include <rolling_contact/state/contact_stepper.h>
 #include <rolling_contact/state/initial_contact.h>
-#include <rolling_contact/state/solved_state.h>
 
 #include <algorithm>
 #include <cmath>

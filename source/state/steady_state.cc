@@ -305,6 +305,34 @@ namespace RollingContact
 
 
 
+  std::string
+  shortfall(const SolverReport &solver, const double tolerance)
+  {
+    return solver.reason + ". Natural residual " +
+           scientific(solver.residual.worst(), 3) + ", required " +
+           scientific(tolerance, 3);
+  }
+
+
+
+  template <int dim>
+  void
+  require_solved(const SceneParameters  &scene,
+                 const SteadyState<dim> &steady,
+                 const std::string      &where)
+  {
+    if (!steady.solver.converged)
+      throw ConvergenceError(
+        where + ": " +
+        shortfall(steady.solver, scene.solver.controls.tolerance) + ".");
+    if (zone_too_small(steady))
+      throw ConvergenceError(where +
+                             ": the patch reaches the border of the candidate "
+                             "zone. Take a larger Mesh/Candidate zone.");
+  }
+
+
+
   template struct SteadyState<2>;
   template void
   solve_contact(const SceneParameters &, SteadyState<2> &);
@@ -335,4 +363,12 @@ namespace RollingContact
                const double);
   template SteadyState<3>
   solve_steady_state(const SceneParameters &, RunContext &);
+  template void
+  require_solved(const SceneParameters &,
+                 const SteadyState<2> &,
+                 const std::string &);
+  template void
+  require_solved(const SceneParameters &,
+                 const SteadyState<3> &,
+                 const std::string &);
 } // namespace RollingContact

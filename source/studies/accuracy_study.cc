@@ -59,7 +59,7 @@ namespace RollingContact
               0.,
               0.};
     const auto linear = [&](const Creepages &creepages) {
-      return reference_3d(scene, patch.normal_force, creepages).linear;
+      return reference_3d(scene, patch.normal_force, creepages).linear();
     };
     const double limit = 3 * mu * patch.normal_force;
     return {limit / std::abs(linear({1., 0., 0.}).x),

@@ -40,7 +40,16 @@ namespace RollingContact
 
     const SceneParameters &scene;
     RunContext            &context;
-    std::vector<double>    force, linear, saturated, fastsim; ///< |T|/(mu N)
+    std::vector<double>    force; ///< |T|/(mu N), mu_s N if friction falls
+
+    /** |T|/(mu N) of a theory at each point. */
+    struct ReferenceCurve
+    {
+      std::string         label;
+      bool                saturates = true;
+      std::vector<double> ratios;
+    };
+    std::vector<ReferenceCurve> references;
   };
 } // namespace RollingContact
 

@@ -1,29 +1,60 @@
 #ifndef rolling_contact_assessment_reference_3d_h
 #define rolling_contact_assessment_reference_3d_h
 
-#include <rolling_contact/references/fastsim.h>
-#include <rolling_contact/state/steady_state.h>
+#include <rolling_contact/base/creepages.h>
+#include <rolling_contact/references/hertz_ellipse.h>
+#include <rolling_contact/scene/scene_parameters.h>
+
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace RollingContact
 {
   /**
-   * What half-space theory says of a 3D state at a given load: Hertz, Kalker's
-   * linear theory, its saturation by Shen, Hedrick and Elkins, and FASTSIM. All
-   * but the first are approximations, shown beside the result and no measure of
-   * its error.
+   * The force on the wheel by a half-space theory. Units: N, N m.
+   */
+  struct NamedForce
+  {
+    std::string           name;   ///< "Shen-Hedrick-Elkins", in texts
+    std::string           column; ///< "shen", what its columns begin with
+    std::string           label;  ///< "Shen, Hedrick, Elkins", in plots
+    bool                  saturates = true; ///< at mu N, mu constant
+    double                x = 0., y = 0.;
+    std::optional<double> spin_moment; ///< if the theory has one
+  };
+
+  /**
+   * What half-space theory says of a 3D state at a given load: Hertz, and the
+   * creep forces of Kalker's linear theory and of the theories that saturate,
+   * those only with constant friction above 0. All but Hertz are
+   * approximations, shown beside the result and no measure of its error.
    */
   struct Reference3D
   {
-    References::HertzEllipse    hertz;
-    References::CreepForces     linear;
-    References::TangentialForce saturated;
-    References::TangentialForce fastsim;
+    References::HertzEllipse hertz;
+    std::vector<NamedForce>  forces; ///< in the order of their columns
+
+    /**
+     * Kalker's linear theory.
+     */
+    const NamedForce &
+    linear() const
+    {
+      return forces.front();
+    }
   };
 
   Reference3D
   reference_3d(const SceneParameters &scene,
                const double           normal_force,
                const Creepages       &creepages);
+
+  /**
+   * Names of the theories that need constant friction, "FASTSIM, ...".
+   */
+  std::string
+  saturating_theories();
 } // namespace RollingContact
 
 #endif

@@ -2,9 +2,13 @@
 #define rolling_contact_report_body_fields_h
 
 #include <rolling_contact/elasticity/elastic_body.h>
+#include <rolling_contact/run/pvd.h>
 #include <rolling_contact/run/run_folder.h>
+#include <rolling_contact/state/steady_state.h>
 
+#include <functional>
 #include <string>
+#include <vector>
 
 namespace RollingContact
 {
@@ -36,6 +40,20 @@ namespace RollingContact
                     const BodyPlacement    &placement,
                     RunFolder              &folder,
                     const std::string      &name);
+
+  /**
+   * Writes the elastic bodies of a state, displaced by @p displacement, under
+   * the names that @p file_name makes of `wheel` and `rail`; what belongs into
+   * a collection at @p time. Throws InputError if a file cannot be written.
+   * Collective. Units: s.
+   */
+  template <int dim>
+  std::vector<PvdBlock>
+  write_bodies(const SteadyState<dim>               &steady,
+               const std::function<BodyField(Side)> &displacement,
+               const std::function<std::string(const std::string &)> &file_name,
+               const double                                           time,
+               RunFolder                                             &folder);
 } // namespace RollingContact
 
 #endif

@@ -4,6 +4,7 @@
 #include <rolling_contact/contact/contact_problem.h>
 #include <rolling_contact/interface/trace.h>
 #include <rolling_contact/run/run_folder.h>
+#include <rolling_contact/state/steady_state.h>
 
 #include <functional>
 #include <string>
@@ -29,6 +30,17 @@ namespace RollingContact
     const std::function<double(double, double)> &surface_height,
     RunFolder                                   &folder,
     const std::string                           &file_name);
+
+  /**
+   * Writes the interface of a state as @p file, a VTU. Throws InputError if it
+   * cannot be written. Collective.
+   */
+  template <int dim>
+  void
+  write_interface(const SceneParameters  &scene,
+                  const SteadyState<dim> &steady,
+                  RunFolder              &folder,
+                  const std::string      &file);
 } // namespace RollingContact
 
 #endif

@@ -10,6 +10,7 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 
 namespace RollingContact
 {
@@ -90,6 +91,22 @@ namespace RollingContact
   template <int dim>
   SteadyState<dim>
   solve_steady_state(const SceneParameters &scene, RunContext &context);
+
+  /**
+   * Why a solve failed, "reason. Natural residual 1e-3, required 1e-10".
+   */
+  std::string
+  shortfall(const SolverReport &solver, const double tolerance);
+
+  /**
+   * Throws ConvergenceError, with @p where in front, unless the state converged
+   * on a patch inside its candidate zone.
+   */
+  template <int dim>
+  void
+  require_solved(const SceneParameters  &scene,
+                 const SteadyState<dim> &steady,
+                 const std::string      &where);
 } // namespace RollingContact
 
 #endif
