@@ -7,7 +7,7 @@
 #include <rolling_contact/parallel/collective_failure.h>
 #include <rolling_contact/parallel/interrupt.h>
 #include <rolling_contact/parallel/ranks.h>
-#include <rolling_contact/program/analysis.h>
+#include <rolling_contact/program/analysis_table.h>
 #include <rolling_contact/program/command_line.h>
 #include <rolling_contact/program/scene_reader.h>
 #include <rolling_contact/run/run_context.h>
@@ -159,18 +159,17 @@ namespace RollingContact
      * Run a scene in its folder; run.json tells how it ended, however it ends.
      */
     void
-    run_scene(SceneParameters   &scene,
-              const SceneText   &text,
-              const CommandLine &command_line)
+    run_scene(const SceneInput &input, const CommandLine &command_line)
     {
-      PhaseTimer timer;
-      RunFolder  folder(command_line.output_folder.empty()
+      const SceneParameters &scene = input.scene;
+      PhaseTimer             timer;
+      RunFolder              folder(command_line.output_folder.empty()
                          ? RunFolder::default_path(command_line.prm_file)
                          : std::filesystem::path(command_line.output_folder),
-                       text.original,
-                       text.used);
+                       input.original,
+                       input.used);
       open_folder(scene, command_line, folder);
-      Log          log(scene.output.verbosity());
+      Log          log(scene.output.verbosity);
       ResultsTable results(folder);
       RunReport    report = describe_program(command_line);
       RunContext   context{
@@ -209,18 +208,19 @@ namespace RollingContact
      * analysis is for one rank.
      */
     void
-    check_for_ranks(const SceneParameters &scene, const SceneText &text)
+    check_for_ranks(const SceneInput &input)
     {
       if (Ranks::count() == 1)
         return;
-      std::string of_root = text.used;
+      std::string of_root = input.used;
       Ranks::broadcast(of_root);
-      if (Ranks::maximum(of_root != text.used) > 0.)
+      if (Ranks::maximum(of_root != input.used) > 0.)
         throw InputError("The ranks read different parameters: start them with "
                          "one command line and a file that all of them see.");
-      if (!analysis_kind(scene.analysis).on_ranks)
+      const std::string &analysis = input.scene.analysis;
+      if (!analysis_kind(analysis).on_ranks)
         throw InputError(
-          "Analysis = " + scene.analysis + " runs on one rank, not on " +
+          "Analysis = " + analysis + " runs on one rank, not on " +
           std::to_string(Ranks::count()) + ": start it without mpirun.");
     }
 
@@ -243,13 +243,12 @@ namespace RollingContact
         say(documented_parameters());
       else
         {
-          SceneParameters scene;
-          const SceneText text = read_scene(command_line, scene);
-          check_for_ranks(scene, text);
+          const SceneInput input = read_scene(command_line);
+          check_for_ranks(input);
           if (command_line.validate_only)
             say(command_line.prm_file + ": valid\n");
           else
-            run_scene(scene, text, command_line);
+            run_scene(input, command_line);
         }
     }
   } // namespace

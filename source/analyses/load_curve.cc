@@ -35,7 +35,7 @@ namespace RollingContact
     describe_bodies(steady, context);
     const double     largest = steady.result.normal_force;
     StateReview<dim> review(scene, context);
-    for (const double share : scene.load_curve.load_fractions())
+    for (const double share : scene.load_curve.load_fractions)
       {
         throw_if_interrupted();
         const Stopwatch   watch;

@@ -117,7 +117,7 @@ namespace RollingContact
                                steady.problem.creepages.x,
                                scene.contact.flow());
     const auto wheel = annulus(scene.wheel), rail = annulus(scene.rail);
-    if (wheel && rail && scene.contact.approach())
+    if (wheel && rail && scene.contact.approach)
       reference.normal_force =
         References::load_of_two_clamped_annuli(*wheel,
                                                *rail,

@@ -1,4 +1,3 @@
-#include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/distributed/distributed_body.h>
 #include <rolling_contact/distributed/make_body.h>
 
@@ -6,40 +5,21 @@
 
 namespace RollingContact
 {
-  BodySolver
-  body_solver_of(const std::string &name)
-  {
-    if (name == "automatic")
-      return BodySolver::automatic;
-    if (name == "direct")
-      return BodySolver::direct;
-    if (name == "distributed")
-      return BodySolver::distributed;
-    throw InputError("Body solver = " + name +
-                     ": it is automatic, direct or distributed.");
-  }
-
-
-
   template <int dim>
   std::shared_ptr<ElasticBody<dim>>
-  make_body(const BodySolver      solver,
-            const BodyParameters &parameters,
-            const Grading<dim>   &grading,
-            const bool            recovers,
-            const unsigned int    model_rank)
+  make_body(const BodySolver                        solver,
+            const std::shared_ptr<const BodyShape> &shape,
+            const Material                         &material,
+            const double                            thickness,
+            const Grading<dim>                     &grading,
+            const bool                              recovers,
+            const unsigned int                      model_rank)
   {
     if (solver == BodySolver::distributed)
-      return std::make_shared<DistributedBody<dim>>(parameters.body_shape(),
-                                                    parameters.material,
-                                                    parameters.thickness,
-                                                    grading,
-                                                    model_rank);
-    return std::make_shared<DirectBody<dim>>(parameters.body_shape(),
-                                             parameters.material,
-                                             parameters.thickness,
-                                             grading,
-                                             recovers);
+      return std::make_shared<DistributedBody<dim>>(
+        shape, material, thickness, grading, model_rank);
+    return std::make_shared<DirectBody<dim>>(
+      shape, material, thickness, grading, recovers);
   }
 
 
@@ -56,13 +36,17 @@ namespace RollingContact
 
   template std::shared_ptr<ElasticBody<2>>
   make_body(const BodySolver,
-            const BodyParameters &,
+            const std::shared_ptr<const BodyShape> &,
+            const Material &,
+            const double,
             const Grading<2> &,
             const bool,
             const unsigned int);
   template std::shared_ptr<ElasticBody<3>>
   make_body(const BodySolver,
-            const BodyParameters &,
+            const std::shared_ptr<const BodyShape> &,
+            const Material &,
+            const double,
             const Grading<3> &,
             const bool,
             const unsigned int);

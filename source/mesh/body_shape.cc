@@ -160,7 +160,7 @@ namespace RollingContact
   bool
   BodyShape::hub_clamped() const
   {
-    return parameters.hub == "clamped";
+    return parameters.hub == Hub::clamped;
   }
 
 

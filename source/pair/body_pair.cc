@@ -120,7 +120,7 @@ namespace RollingContact
                           const Grading<dim>    &grading,
                           const bool             statics)
     : scene(scene)
-    , solver(body_solver_of(scene.body_solver))
+    , solver(scene.body_solver)
     , are_twins(
         !scene.wheel.rigid && !scene.rail.rigid &&
         scene.wheel.body_shape()->is_twin_of(*scene.rail.body_shape()) &&
@@ -228,8 +228,13 @@ namespace RollingContact
       if (!it.elastic || (side == Side::rail && are_twins) ||
           (direct && it.rank != here))
         return;
-      it.body = make_body<dim>(
-        solver, body, grading, wants_displacements(scene), it.rank);
+      it.body = make_body<dim>(solver,
+                               body.body_shape(),
+                               body.material,
+                               body.thickness,
+                               grading,
+                               wants_displacements(scene),
+                               it.rank);
       if (statics)
         it.body->analyse();
     };

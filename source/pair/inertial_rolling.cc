@@ -14,13 +14,12 @@ namespace RollingContact
         : pair(pair)
         , n_threads(pair.n_threads())
         , theta(scene.time.theta)
-        , shifted(scene.time.contact_law == "shifted")
+        , shifted(scene.time.contact_law == ContactLaw::shifted)
       {
         const ThetaScheme scheme{theta,
                                  scene.time.rayleigh_alpha,
                                  scene.time.rayleigh_beta};
-        const MassKind    mass =
-          scene.time.mass == "lumped" ? MassKind::lumped : MassKind::consistent;
+        const MassKind    mass = scene.time.mass;
         for_both_bodies(
           n_threads,
           [&]() { bodies[0] = pair.in_time(Side::wheel, scheme, mass); },

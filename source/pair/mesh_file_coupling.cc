@@ -253,7 +253,7 @@ namespace RollingContact
             worst = vertex;
           largest = std::max(largest, distance);
         }
-      const bool   by_radii = body.surface == "radii";
+      const bool   by_radii = body.surface == SurfaceSource::radii;
       const double limit = (by_radii ? limit_of_radii : limit_of_nodes) * gap;
       if (largest > limit)
         {
@@ -293,10 +293,12 @@ namespace RollingContact
              std::to_string(surface.vertices.size()) +
              " contact nodes, up to " + millimetres(surface.face_size[0]) +
              " apart, are coupled to the interface. Undeformed surface: " +
-             (body.surface == "radii" ? "the radii, the nodes lie within "
-                                      : "the nodes, which lie within ") +
+             (body.surface == SurfaceSource::radii
+                ? "the radii, the nodes lie within "
+                : "the nodes, which lie within ") +
              millimetres(distance) +
-             (body.surface == "radii" ? " of them." : " of the radii.");
+             (body.surface == SurfaceSource::radii ? " of them."
+                                                   : " of the radii.");
     }
 
 
@@ -347,7 +349,7 @@ namespace RollingContact
                                           largest_gap(scene, interface));
     result.coupling =
       SurfaceCoupling(std::move(projection.rows), result.vertices.size());
-    if (body.surface == "nodes")
+    if (body.surface == SurfaceSource::nodes)
       {
         std::vector<double> heights;
         for (const unsigned int vertex : result.vertices)

@@ -101,8 +101,8 @@ namespace RollingContact
       const double        A         = 0.5 / constants.relative_radius,
                    B                = 0.5 / constants.lateral_relative_radius;
       PatchEstimate estimate;
-      estimate.normal_force = scene.contact.normal_load().value_or(
-        References::load_of_hertz_ellipse(scene.contact.approach().value_or(0.),
+      estimate.normal_force = scene.contact.normal_load.value_or(
+        References::load_of_hertz_ellipse(scene.contact.approach.value_or(0.),
                                           A,
                                           B,
                                           constants.contact_modulus));
@@ -131,7 +131,7 @@ namespace RollingContact
                                                   constants.contact_modulus);
     };
     PatchEstimate estimate;
-    if (const auto load = scene.contact.normal_load())
+    if (const auto load = scene.contact.normal_load)
       {
         if (*load > 0.)
           estimate.half_width_x =
@@ -147,7 +147,7 @@ namespace RollingContact
                  compression(scene.rail, hertz(half_width));
         },
         largest_half_width(scene, constants.relative_radius),
-        *scene.contact.approach());
+        *scene.contact.approach);
     if (estimate.half_width_x > 0.)
       estimate.normal_force =
         hertz(estimate.half_width_x).load_per_length() * scene.thickness();

@@ -261,20 +261,19 @@ namespace RollingContact
 
   template <int dim>
   ContactProblem
-  RollingPair<dim>::contact_problem(const SlipOperatorKind slip_operator)
+  RollingPair<dim>::contact_problem(const ContactParameters &contact)
   {
-    return contact_problem(slip_operator, pair_compliance());
+    return contact_problem(contact, pair_compliance());
   }
 
 
 
   template <int dim>
   ContactProblem
-  RollingPair<dim>::contact_problem(const SlipOperatorKind slip_operator,
-                                    DenseMatrix            W) const
+  RollingPair<dim>::contact_problem(const ContactParameters &contact,
+                                    DenseMatrix              W) const
   {
-    const ContactParameters &contact = this->scene.contact;
-    ContactProblem           problem;
+    ContactProblem problem;
     problem.n_nodes       = this->trace().nodes.size();
     problem.n_tangential  = components.size() - 1;
     problem.positions     = this->trace().nodes;
@@ -282,14 +281,14 @@ namespace RollingContact
     problem.coupled       = !this->twins() && problem.n_tangential > 0;
     problem.dundurs_beta  = pair_constants(this->scene).dundurs_beta;
     problem.H             = contact_matrix(this->trace(),
-                               contact.contact_matrices_kind(),
+                               contact.contact_matrices,
                                dim == 2 ? this->scene.thickness() : 1.);
     problem.slip_operator = problem.n_tangential > 0
                               ? SlipOperator(this->trace(),
-                                             slip_operator,
-                                             contact.contact_matrices_kind(),
+                                             contact.slip_operator,
+                                             contact.contact_matrices,
                                              contact.flow())
-                              : SlipOperator(slip_operator);
+                              : SlipOperator(contact.slip_operator);
     const auto wheel      = this->scene.wheel.body_shape(),
                rail       = this->scene.rail.body_shape();
     const Roughness roughness(contact.roughness);
@@ -306,10 +305,10 @@ namespace RollingContact
         roughness.value(problem.positions[i][0], problem.positions[i][1]));
     problem.friction.assign(problem.n_nodes, contact.friction_coefficient);
     problem.friction_law = contact.falling_friction();
-    problem.speed        = std::abs(contact.speed);
+    problem.speed        = std::abs(contact.rolling_speed());
     problem.set_creepages(contact.creepages);
-    problem.normal_load = contact.normal_load();
-    problem.approach    = contact.approach().value_or(0.);
+    problem.normal_load = contact.normal_load;
+    problem.approach    = contact.approach.value_or(0.);
     problem.finish();
     return problem;
   }

@@ -1,7 +1,10 @@
+#include <deal.II/base/parameter_handler.h>
+
 #include <rolling_contact/base/exception_text.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/input/prm_text.h>
 #include <rolling_contact/pair/mesh_unit_check.h>
+#include <rolling_contact/program/analysis_table.h>
 #include <rolling_contact/program/scene_reader.h>
 
 #include <algorithm>
@@ -55,27 +58,34 @@ namespace RollingContact
 
 
 
-  SceneText
-  read_scene(const CommandLine &command_line, SceneParameters &scene)
+  namespace
   {
-    ParameterAcceptor::declare_all_parameters();
-    return read_declared_scene(command_line, scene);
-  }
+    void
+    declare(SceneParameters &scene, ParameterHandler &prm)
+    {
+      std::vector<DescribedChoice> analyses;
+      for (const AnalysisKind &kind : analysis_kinds())
+        analyses.push_back({kind.name, kind.help});
+      scene.declare(prm, analyses);
+    }
+  } // namespace
 
 
 
-  SceneText
-  read_declared_scene(const CommandLine &command_line, SceneParameters &scene)
+  SceneInput
+  read_scene(const CommandLine &command_line)
   {
-    SceneText text;
+    SceneInput       input;
+    SceneParameters &scene = input.scene;
+    ParameterHandler prm;
+    declare(scene, prm);
     scene.prm_folder =
       std::filesystem::path(command_line.prm_file).parent_path();
-    text.original         = read_prm(command_line.prm_file);
-    ParameterHandler &prm = ParameterAcceptor::prm;
+    input.original = read_prm(command_line.prm_file);
     try
       {
-        std::istringstream input(text.original);
-        prm.parse_input(input, command_line.prm_file);
+        std::istringstream lines(input.original);
+        prm.parse_input(lines, command_line.prm_file);
       }
     catch (const ExceptionBase &error)
       {
@@ -83,14 +93,13 @@ namespace RollingContact
       }
     for (const auto &setting : command_line.settings)
       apply_setting(setting, prm);
-    ParameterAcceptor::parse_all_parameters();
     scene.check();
     scene.read_meshes();
     check_mesh_units(scene);
     std::ostringstream used;
     prm.print_parameters(used, ParameterHandler::ShortText);
-    text.used = used.str();
-    return text;
+    input.used = used.str();
+    return input;
   }
 
 
@@ -98,10 +107,11 @@ namespace RollingContact
   std::string
   documented_parameters()
   {
-    SceneParameters scene;
-    ParameterAcceptor::declare_all_parameters();
+    SceneParameters  scene;
+    ParameterHandler prm;
+    declare(scene, prm);
     std::ostringstream text;
-    ParameterAcceptor::prm.print_parameters(text, ParameterHandler::PRM);
+    prm.print_parameters(text, ParameterHandler::PRM);
     return text.str();
   }
 } // namespace RollingContact

@@ -202,7 +202,7 @@ namespace RollingContact
   {
     table.set("level", 0);
     set_creepage_columns(scene.contact.creepages, table);
-    table.set("approach_m", scene.contact.approach().value_or(0.));
+    table.set("approach_m", scene.contact.approach.value_or(0.));
     set_resultant_columns(Resultants(), table);
     table.set("solver", std::string("none"));
     table.set("converged", true);

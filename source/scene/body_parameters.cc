@@ -1,4 +1,7 @@
+#include <deal.II/base/parameter_handler.h>
+
 #include <rolling_contact/base/choices.h>
+#include <rolling_contact/input/prm_declarations.h>
 #include <rolling_contact/mesh_files/mesh_file.h>
 #include <rolling_contact/scene/body_parameters.h>
 
@@ -6,153 +9,161 @@ namespace RollingContact
 {
   using namespace dealii;
 
+  namespace
+  {
+    const std::vector<NamedValue<Hub>> named_hubs{{"clamped", Hub::clamped},
+                                                  {"free", Hub::free}};
+    const std::vector<NamedValue<SurfaceSource>> named_surfaces{
+      {"radii", SurfaceSource::radii},
+      {"nodes", SurfaceSource::nodes}};
+  } // namespace
+
+
+
   BodyParameters::BodyParameters(const std::string &section)
-    : ParameterAcceptor("/" + section)
   {
     this->section = section;
-    declare_profile();
-    declare_extent();
-    declare_mesh_file();
-    declare_material();
   }
 
 
 
   void
-  BodyParameters::declare_profile()
+  BodyParameters::declare(ParameterHandler &prm)
+  {
+    prm.enter_subsection(section);
+    declare_profile(prm);
+    declare_extent(prm);
+    declare_mesh_file(prm);
+    declare_material(prm);
+    prm.leave_subsection();
+  }
+
+
+
+  void
+  BodyParameters::declare_profile(ParameterHandler &prm)
   {
     const Patterns::Double any;
-    add_parameter("Shape",
-                  shape,
-                  body_shape_help(),
-                  prm,
-                  Patterns::Selection(choice_names(body_shape_kinds())));
-    add_parameter("Rigid",
-                  rigid,
-                  "A rigid body is a profile without mesh or compliance.");
-    add_parameter(
+    prm.add_parameter("Shape",
+                      shape,
+                      body_shape_help(),
+                      Patterns::Selection(choice_names(body_shape_kinds())));
+    prm.add_parameter("Rigid",
+                      rigid,
+                      "A rigid body is a profile without mesh or compliance.");
+    prm.add_parameter(
       "Radius",
       radius,
       "Radius of the profile in the rolling direction. For a block or a mesh "
       "file, 0 is flat and a negative radius is concave. Units: m.",
-      prm,
       any);
-    add_parameter(
+    prm.add_parameter(
       "Lateral radius",
       lateral_radius,
       "Radius of the profile across the rolling direction, 3D only; 0 "
       "is flat, negative concave. Units: m.",
-      prm,
       any);
   }
 
 
 
   void
-  BodyParameters::declare_extent()
+  BodyParameters::declare_extent(ParameterHandler &prm)
   {
     const Patterns::Double not_negative(0.);
-    add_parameter("Hub radius",
-                  hub_radius,
-                  "Radius of the inner circle of a disc. Units: m.",
-                  prm,
-                  not_negative);
-    add_parameter("Block length",
-                  block_length,
-                  "Extent of a block in the rolling direction. Units: m.",
-                  prm,
-                  not_negative);
-    add_parameter("Block depth",
-                  block_depth,
-                  "Depth of a block, from the contact point to its bottom. "
-                  "Units: m.",
-                  prm,
-                  not_negative);
-    add_parameter("Thickness",
-                  thickness,
-                  "Thickness in 2D (plane strain), the same for both bodies. "
-                  "Units: m.",
-                  prm,
-                  not_negative);
-    add_parameter("Width",
-                  width,
-                  "Extent across the rolling direction, 3D only. Units: m.",
-                  prm,
-                  not_negative);
-    add_parameter("Hub",
-                  hub,
-                  "What the inner circle of a disc or the bottom of a block "
-                  "does: `clamped`, or `free` in a transient analysis, where "
-                  "inertia alone holds the body.",
-                  prm,
-                  Patterns::Selection("clamped|free"));
+    prm.add_parameter("Hub radius",
+                      hub_radius,
+                      "Radius of the inner circle of a disc. Units: m.",
+                      not_negative);
+    prm.add_parameter("Block length",
+                      block_length,
+                      "Extent of a block in the rolling direction. Units: m.",
+                      not_negative);
+    prm.add_parameter("Block depth",
+                      block_depth,
+                      "Depth of a block, from the contact point to its bottom. "
+                      "Units: m.",
+                      not_negative);
+    prm.add_parameter(
+      "Thickness",
+      thickness,
+      "Thickness in 2D (plane strain), the same for both bodies. "
+      "Units: m.",
+      not_negative);
+    prm.add_parameter("Width",
+                      width,
+                      "Extent across the rolling direction, 3D only. Units: m.",
+                      not_negative);
+    declare_choice(prm,
+                   "Hub",
+                   hub,
+                   named_hubs,
+                   "What the inner circle of a disc or the bottom of a block "
+                   "does: `clamped`, or `free` in a transient analysis, where "
+                   "inertia alone holds the body.");
   }
 
 
 
   void
-  BodyParameters::declare_mesh_file()
+  BodyParameters::declare_mesh_file(ParameterHandler &prm)
   {
     const Patterns::Double not_negative(0.);
-    add_parameter("Mesh file",
-                  mesh_file,
-                  "Gmsh .msh or Abaqus .inp file of quadrilaterals (2D) or "
-                  "hexahedra (3D), relative to the folder of the .prm file. x "
-                  "is the rolling direction, z (in 2D the file's y) goes from "
-                  "rail to wheel, the contact point is the origin, the wheel "
-                  "lies above it and the rail below.",
-                  prm,
-                  Patterns::Anything());
-    add_parameter("Mesh unit",
-                  mesh_unit,
-                  "Length of one unit of the mesh file, 0.001 for millimetres. "
-                  "Units: m.",
-                  prm,
-                  not_negative);
-    add_parameter("Contact boundary id",
-                  contact_boundary,
-                  "Of the part of the mesh file's boundary that may touch: a "
-                  "physical group of Gmsh, or the digits in the name of an "
-                  "Abaqus surface. Units: 1.",
-                  prm,
-                  Patterns::Integer(1));
-    add_parameter("Hub boundary id",
-                  hub_boundary,
-                  "The same of the part that is clamped. Units: 1.",
-                  prm,
-                  Patterns::Integer(1));
-    add_parameter(
+    prm.add_parameter(
+      "Mesh file",
+      mesh_file,
+      "Gmsh .msh or Abaqus .inp file of quadrilaterals (2D) or "
+      "hexahedra (3D), relative to the folder of the .prm file. x "
+      "is the rolling direction, z (in 2D the file's y) goes from "
+      "rail to wheel, the contact point is the origin, the wheel "
+      "lies above it and the rail below.",
+      Patterns::Anything());
+    prm.add_parameter(
+      "Mesh unit",
+      mesh_unit,
+      "Length of one unit of the mesh file, 0.001 for millimetres. "
+      "Units: m.",
+      not_negative);
+    prm.add_parameter(
+      "Contact boundary id",
+      contact_boundary,
+      "Of the part of the mesh file's boundary that may touch: a "
+      "physical group of Gmsh, or the digits in the name of an "
+      "Abaqus surface. Units: 1.",
+      Patterns::Integer(1));
+    prm.add_parameter("Hub boundary id",
+                      hub_boundary,
+                      "The same of the part that is clamped. Units: 1.",
+                      Patterns::Integer(1));
+    declare_choice(
+      prm,
       "Surface",
       surface,
+      named_surfaces,
       "Undeformed surface of a mesh file's contact boundary: "
       "`radii` takes Radius and Lateral radius, which its nodes "
       "must lie on, and keeps facets out of the gap; `nodes` takes "
-      "the nodes, and the radii for the estimate of the patch only.",
-      prm,
-      Patterns::Selection("radii|nodes"));
+      "the nodes, and the radii for the estimate of the patch only.");
   }
 
 
 
   void
-  BodyParameters::declare_material()
+  BodyParameters::declare_material(ParameterHandler &prm)
   {
     const Patterns::Double not_negative(0.);
-    add_parameter("Young modulus",
-                  material.young_modulus,
-                  "Young's modulus. Units: Pa.",
-                  prm,
-                  not_negative);
-    add_parameter("Poisson ratio",
-                  material.poisson_ratio,
-                  "Poisson's ratio, at least 0 and below 0.5. Units: 1.",
-                  prm,
-                  Patterns::Double(0., 0.5));
-    add_parameter("Density",
-                  material.density,
-                  "Mass density, for analyses with inertia. Units: kg/m^3.",
-                  prm,
-                  not_negative);
+    prm.add_parameter("Young modulus",
+                      material.young_modulus,
+                      "Young's modulus. Units: Pa.",
+                      not_negative);
+    prm.add_parameter("Poisson ratio",
+                      material.poisson_ratio,
+                      "Poisson's ratio, at least 0 and below 0.5. Units: 1.",
+                      Patterns::Double(0., 0.5));
+    prm.add_parameter("Density",
+                      material.density,
+                      "Mass density, for analyses with inertia. Units: kg/m^3.",
+                      not_negative);
   }
 
 
@@ -164,7 +175,7 @@ namespace RollingContact
       throw InputError(section + "/Mesh file = " + mesh_file +
                        ": it is read with Shape = mesh file only.");
     body_shape()->check(dimension, rigid);
-    if (rigid && hub == "free")
+    if (rigid && hub == Hub::free)
       throw InputError(section + "/Hub = free: a rigid body is held; take "
                                  "Rigid = false or Hub = clamped.");
     if (!rigid)
@@ -208,7 +219,7 @@ namespace RollingContact
     file.unit             = mesh_unit;
     file.contact_boundary = contact_boundary;
     file.hub_boundary     = hub_boundary;
-    file.has_hub          = hub == "clamped";
+    file.has_hub          = hub == Hub::clamped;
     file.mirrored         = section == "Wheel";
     mesh = dimension == 2 ? read_mesh_file<2>(file) : read_mesh_file<3>(file);
   }

@@ -1,5 +1,8 @@
+#include <deal.II/base/parameter_handler.h>
+
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/input/number_list.h>
+#include <rolling_contact/input/prm_declarations.h>
 #include <rolling_contact/scene/creep_curve_parameters.h>
 
 #include <algorithm>
@@ -8,27 +11,29 @@ namespace RollingContact
 {
   using namespace dealii;
 
-  CreepCurveParameters::CreepCurveParameters()
-    : ParameterAcceptor("/Creep curve")
+  void
+  CreepCurveParameters::declare(ParameterHandler &prm)
   {
     const std::string form =
       " along the curve: " + std::string(number_list_form) +
       "; a single number holds for all points. ";
-    add_parameter("Creepage x",
-                  creepage_x,
-                  "Longitudinal creepages" + form + "Units: 1.",
-                  prm,
-                  Patterns::Anything());
-    add_parameter("Creepage y",
-                  creepage_y,
-                  "Lateral creepages" + form + "Units: 1.",
-                  prm,
-                  Patterns::Anything());
-    add_parameter("Spin",
-                  spin,
-                  "Spin creepages" + form + "Units: 1/m.",
-                  prm,
-                  Patterns::Anything());
+    prm.enter_subsection("Creep curve");
+    declare_number_list(prm,
+                        "Creep curve/Creepage x",
+                        creepage_x,
+                        "0",
+                        "Longitudinal creepages" + form + "Units: 1.");
+    declare_number_list(prm,
+                        "Creep curve/Creepage y",
+                        creepage_y,
+                        "0",
+                        "Lateral creepages" + form + "Units: 1.");
+    declare_number_list(prm,
+                        "Creep curve/Spin",
+                        spin,
+                        "0",
+                        "Spin creepages" + form + "Units: 1/m.");
+    prm.leave_subsection();
   }
 
 
@@ -36,27 +41,24 @@ namespace RollingContact
   std::vector<Creepages>
   CreepCurveParameters::points() const
   {
-    const std::vector<double> x   = number_list("Creep curve/Creepage x",
-                                              creepage_x),
-                              y   = number_list("Creep curve/Creepage y",
-                                              creepage_y),
-                              phi = number_list("Creep curve/Spin", spin);
-    const std::size_t n           = std::max({x.size(), y.size(), phi.size()});
-    const auto        length      = [&](const std::size_t size) {
+    const std::size_t n =
+      std::max({creepage_x.size(), creepage_y.size(), spin.size()});
+    const auto length = [&](const std::size_t size) {
       return size == 1 || size == n;
     };
-    if (!length(x.size()) || !length(y.size()) || !length(phi.size()))
-      throw InputError("Creep curve: Creepage x has " +
-                       std::to_string(x.size()) + " points, Creepage y " +
-                       std::to_string(y.size()) + " and Spin " +
-                       std::to_string(phi.size()) +
-                       ": give lists of the same length, or single numbers.");
+    if (!length(creepage_x.size()) || !length(creepage_y.size()) ||
+        !length(spin.size()))
+      throw InputError(
+        "Creep curve: Creepage x has " + std::to_string(creepage_x.size()) +
+        " points, Creepage y " + std::to_string(creepage_y.size()) +
+        " and Spin " + std::to_string(spin.size()) +
+        ": give lists of the same length, or single numbers.");
     const auto at = [](const std::vector<double> &list, const std::size_t i) {
       return list[list.size() == 1 ? 0 : i];
     };
     std::vector<Creepages> points(n);
     for (std::size_t i = 0; i < n; ++i)
-      points[i] = {at(x, i), at(y, i), at(phi, i)};
+      points[i] = {at(creepage_x, i), at(creepage_y, i), at(spin, i)};
     return points;
   }
 } // namespace RollingContact

@@ -1,36 +1,39 @@
+#include <deal.II/base/parameter_handler.h>
+
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/text.h>
 #include <rolling_contact/input/number_list.h>
+#include <rolling_contact/input/prm_declarations.h>
 #include <rolling_contact/scene/load_curve_parameters.h>
 
 namespace RollingContact
 {
   using namespace dealii;
 
-  LoadCurveParameters::LoadCurveParameters()
-    : ParameterAcceptor("/Load curve")
+  void
+  LoadCurveParameters::declare(ParameterHandler &prm)
   {
-    add_parameter(
-      "Shares of load",
-      shares,
+    prm.enter_subsection("Load curve");
+    declare_number_list(
+      prm,
+      "Load curve/Shares of load",
+      load_fractions,
+      "0.1 : 1 : 10",
       "Loads over the one of section Contact, for which the mesh is "
       "made: " +
-        std::string(number_list_form) + ". Units: 1.",
-      prm,
-      Patterns::Anything());
+        std::string(number_list_form) + ". Units: 1.");
+    prm.leave_subsection();
   }
 
 
 
-  std::vector<double>
-  LoadCurveParameters::load_fractions() const
+  void
+  LoadCurveParameters::check() const
   {
-    const std::vector<double> list =
-      number_list("Load curve/Shares of load", shares);
-    for (const double share : list)
-      if (!(share > 0. && share <= 1.))
-        throw InputError("Load curve/Shares of load = " + shares + ": " +
-                         Patterns::Tools::to_string(share) +
-                         " is not above 0 and at most 1.");
-    return list;
+    for (const double fraction : load_fractions)
+      if (!(fraction > 0. && fraction <= 1.))
+        throw InputError("Load curve/Shares of load contains " +
+                         significant(fraction, 15) +
+                         ", which is not above 0 and at most 1.");
   }
 } // namespace RollingContact

@@ -1,4 +1,7 @@
+#include <deal.II/base/parameter_handler.h>
+
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/input/prm_declarations.h>
 #include <rolling_contact/scene/mesh_parameters.h>
 
 #include <cmath>
@@ -7,142 +10,139 @@ namespace RollingContact
 {
   using namespace dealii;
 
-  MeshParameters::MeshParameters()
-    : ParameterAcceptor("/Mesh")
+  namespace
   {
-    declare_patch();
-    declare_zone();
-    declare_levels();
+    const std::vector<NamedValue<RimEdges>> named_rim_edges{
+      {"leading", RimEdges::leading},
+      {"both", RimEdges::both}};
+    const std::vector<NamedValue<LevelMarking>> named_markings{
+      {"adaptive", LevelMarking::adaptive},
+      {"uniform", LevelMarking::uniform}};
+
+
+
+    std::optional<double>
+    offset_of(const std::string &text)
+    {
+      if (text == "aligned")
+        return {};
+      const std::optional<double> value = number(text);
+      if (value && std::abs(*value) <= 1.)
+        return value;
+      throw InputError(
+        "Mesh/Patch offset = " + text +
+        ": give a number of elements from -1 to 1, or `aligned`.");
+    }
+  } // namespace
+
+
+
+  void
+  MeshParameters::declare(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Mesh");
+    declare_patch(prm);
+    declare_zone(prm);
+    declare_levels(prm);
+    prm.leave_subsection();
   }
 
 
 
   void
-  MeshParameters::declare_patch()
+  MeshParameters::declare_patch(ParameterHandler &prm)
   {
-    add_parameter(
+    prm.add_parameter(
       "Elements across patch",
       elements_across_patch,
       "Elements across the patch of the Hertz estimate, in the rolling "
       "direction. Units: 1.",
-      prm,
       Patterns::Integer(1, 100000));
-    add_parameter("Elements across patch y",
-                  elements_across_patch_y,
-                  "The same across the rolling direction, 3D only; 0: as many "
-                  "as in it. 0.8 times as many serve the forces as well, the "
-                  "spin moment less. Units: 1.",
-                  prm,
-                  Patterns::Integer(0, 100000));
-    add_parameter(
+    prm.add_parameter(
+      "Elements across patch y",
+      elements_across_patch_y,
+      "The same across the rolling direction, 3D only; 0: as many "
+      "as in it. 0.8 times as many serve the forces as well, the "
+      "spin moment less. Units: 1.",
+      Patterns::Integer(0, 100000));
+    prm.declare_entry(
       "Patch offset",
-      patch_offset,
+      "0",
+      Patterns::Anything(),
       "Shift of the mesh under the patch, in elements; `aligned` puts "
       "the leading edge where upwind 2 is most accurate, 0.38 elements "
-      "upstream of a node. Units: 1.",
-      prm,
-      Patterns::Anything());
+      "upstream of a node. Units: 1.");
+    prm.add_action("Patch offset", [this](const std::string &text) {
+      patch_offset = offset_of(text);
+    });
   }
 
 
 
   void
-  MeshParameters::declare_zone()
+  MeshParameters::declare_zone(ParameterHandler &prm)
   {
-    add_parameter(
+    prm.add_parameter(
       "Candidate zone",
       candidate_zone,
       "Half-length of the zone of contact nodes, over the half-width of "
       "the Hertz estimate; 0 takes 1.15, and 1.5 in time. A load curve "
       "takes 5 % more, for the loads above the largest. Units: 1.",
-      prm,
       Patterns::Double(0., 20.));
-    add_parameter(
+    prm.add_parameter(
       "Zone depth",
       zone_depth,
       "Depth of the zone of smallest elements, over the half-width of the "
       "Hertz estimate. Units: 1.",
-      prm,
       Patterns::Double(0., 20.));
-    add_parameter(
+    prm.add_parameter(
       "Growth",
       growth,
       "Growth of the element size with the distance from that zone. "
       "Units: 1.",
-      prm,
       Patterns::Double(0.01, 10.));
-    add_parameter(
+    prm.add_parameter(
       "Rim levels",
       rim_levels,
       "Further halvings of the element size at the rim of the patch. "
       "Units: 1.",
-      prm,
       Patterns::Integer(0, 10));
-    add_parameter("Rim edges",
-                  rim_edges,
-                  "Which part of the rim: `leading` or `both`.",
-                  prm,
-                  Patterns::Selection("leading|both"));
+    declare_choice(prm,
+                   "Rim edges",
+                   rim_edges,
+                   named_rim_edges,
+                   "Which part of the rim: `leading` or `both`.");
   }
 
 
 
   void
-  MeshParameters::declare_levels()
+  MeshParameters::declare_levels(ParameterHandler &prm)
   {
-    add_parameter("Adaptive levels",
-                  adaptive_levels,
-                  "Solve again on at most so many refined meshes. Units: 1.",
-                  prm,
-                  Patterns::Integer(0, 20));
-    add_parameter(
+    prm.add_parameter(
+      "Adaptive levels",
+      adaptive_levels,
+      "Solve again on at most so many refined meshes. Units: 1.",
+      Patterns::Integer(0, 20));
+    declare_choice(
+      prm,
       "Level marking",
       level_marking,
+      named_markings,
       "What a level refines: `adaptive` halves the elements at the leading "
       "edge, between stick and slip, at the rest of the rim and, in the bulk, "
-      "where the strain jumps most; `uniform` halves all.",
-      prm,
-      Patterns::Selection("adaptive|uniform"));
-    add_parameter("Contact node budget",
-                  contact_node_budget,
-                  "Levels end before the mesh has more contact nodes than "
-                  "this. Units: 1.",
-                  prm,
-                  Patterns::Integer(3, 100000));
-    add_parameter(
+      "where the strain jumps most; `uniform` halves all.");
+    prm.add_parameter("Contact node budget",
+                      contact_node_budget,
+                      "Levels end before the mesh has more contact nodes than "
+                      "this. Units: 1.",
+                      Patterns::Integer(3, 100000));
+    prm.add_parameter(
       "Target change",
       target_change,
       "Levels end when forces change less than this from one to the next, "
       "relative to N and to mu N; 0: never. Units: 1.",
-      prm,
       Patterns::Double(0., 1.));
   }
 
-
-
-  double
-  MeshParameters::offset() const
-  {
-    if (aligned())
-      return 0.;
-    try
-      {
-        std::size_t  end   = 0;
-        const double value = std::stod(patch_offset, &end);
-        if (end == patch_offset.size() && std::abs(value) <= 1.)
-          return value;
-      }
-    catch (const std::logic_error &)
-      {}
-    throw InputError("Mesh/Patch offset = " + patch_offset +
-                     ": give a number of elements from -1 to 1, or `aligned`.");
-  }
-
-
-
-  void
-  MeshParameters::check() const
-  {
-    offset();
-  }
 } // namespace RollingContact

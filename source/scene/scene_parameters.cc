@@ -1,47 +1,66 @@
+#include <deal.II/base/parameter_handler.h>
+
 #include <rolling_contact/base/choices.h>
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/distributed/make_body.h>
-#include <rolling_contact/program/analysis.h>
+#include <rolling_contact/input/prm_declarations.h>
 #include <rolling_contact/scene/scene_parameters.h>
 
 namespace RollingContact
 {
   using namespace dealii;
 
-  SceneParameters::SceneParameters()
-    : ParameterAcceptor("/")
-    , wheel("Wheel")
-    , rail("Rail")
+  namespace
   {
-    add_parameter("Dimension",
-                  dimension,
-                  "2 (x, z: rolling direction and normal, plane strain) or 3. "
-                  "Units: 1.",
-                  prm,
-                  Patterns::Integer(2, 3));
-    add_parameter("Analysis",
-                  analysis,
-                  choice_help(analysis_kinds()),
-                  prm,
-                  Patterns::Selection(choice_names(analysis_kinds())));
-    add_parameter(
+    const std::vector<NamedValue<BodySolver>> named_body_solvers{
+      {"automatic", BodySolver::automatic},
+      {"direct", BodySolver::direct},
+      {"distributed", BodySolver::distributed}};
+  } // namespace
+
+
+
+  void
+  SceneParameters::declare(ParameterHandler                   &prm,
+                           const std::vector<DescribedChoice> &analyses)
+  {
+    prm.add_parameter(
+      "Dimension",
+      dimension,
+      "2 (x, z: rolling direction and normal, plane strain) or 3. "
+      "Units: 1.",
+      Patterns::Integer(2, 3));
+    prm.add_parameter("Analysis",
+                      analysis,
+                      choice_help(analyses),
+                      Patterns::Selection(choice_names(analyses)));
+    declare_choice(
+      prm,
       "Body solver",
       body_solver,
+      named_body_solvers,
       "How the displacements of a body are found. `direct`: one factorisation, "
       "on one rank or, under mpirun -n 2, wheel and rail on a rank each. "
       "`distributed`: spread over all ranks of mpirun, multigrid-preconditioned "
       "conjugate gradients. `automatic`: direct on one rank if the factors are "
       "predicted to fit into 70 % of the free memory, else distributed. An "
       "accuracy study and bodies with a Poisson ratio above 0.49 are always "
-      "direct.",
-      prm,
-      Patterns::Selection("automatic|direct|distributed"));
-    add_parameter("Body threads",
-                  body_threads,
-                  "2: wheel and rail at the same time; 1: one after the other, "
-                  "with the same numbers. Units: 1.",
-                  prm,
-                  Patterns::Integer(1, 2));
+      "direct.");
+    prm.add_parameter(
+      "Body threads",
+      body_threads,
+      "2: wheel and rail at the same time; 1: one after the other, "
+      "with the same numbers. Units: 1.",
+      Patterns::Integer(1, 2));
+    wheel.declare(prm);
+    rail.declare(prm);
+    contact.declare(prm);
+    solver.declare(prm);
+    mesh.declare(prm);
+    creep_curve.declare(prm);
+    load_curve.declare(prm);
+    study.declare(prm);
+    time.declare(prm);
+    output.declare(prm);
   }
 
 
@@ -51,22 +70,23 @@ namespace RollingContact
   {
     const bool dynamic = is_transient() && time.inertia;
     for (const BodyParameters *body : {&wheel, &rail})
-      if (!body->rigid && body->hub == "free" &&
-          (!dynamic || time.initial_state == "steady"))
+      if (!body->rigid && body->hub == Hub::free &&
+          (!dynamic || time.initial_state == InitialState::steady))
         throw InputError(body->section +
                          "/Hub = free: only inertia holds such a body; take "
                          "Analysis = transient with Time/Inertia = true and "
                          "Time/Initial state = rest, or `clamped`.");
-    const bool free_wheel = !wheel.rigid && wheel.hub == "free";
-    if (free_wheel && contact.normal_load())
-      throw InputError("Contact/Normal load = " + contact.normal_load_entry +
-                       " and Wheel/Hub = free: the load acts through a clamped "
-                       "hub; give Contact/Approach instead.");
+    const bool free_wheel = !wheel.rigid && wheel.hub == Hub::free;
+    if (free_wheel && contact.normal_load)
+      throw InputError(
+        "Contact/Normal load = " + text_of(*contact.normal_load) +
+        " and Wheel/Hub = free: the load acts through a clamped "
+        "hub; give Contact/Approach instead.");
     if (time.initial_velocity != 0. && !free_wheel)
-      throw InputError("Time/Initial velocity = " +
-                       Patterns::Tools::to_string(time.initial_velocity) +
-                       ": it is that of an elastic wheel with Wheel/Hub = "
-                       "free.");
+      throw InputError(
+        "Time/Initial velocity = " + text_of(time.initial_velocity) +
+        ": it is that of an elastic wheel with Wheel/Hub = "
+        "free.");
   }
 
 
@@ -74,7 +94,7 @@ namespace RollingContact
   void
   SceneParameters::check_speed() const
   {
-    if (contact.speed_is_given || !contact.falling_friction() ||
+    if (contact.speed || !contact.falling_friction() ||
         (is_transient() && !time.speed.empty()))
       return;
     throw InputError("Contact/Friction law = " + contact.friction_law +
@@ -94,7 +114,7 @@ namespace RollingContact
           continue;
         const std::string why =
           ": a body from a mesh file (" + body->section + "/Shape) ";
-        if (body_solver == "distributed")
+        if (body_solver == BodySolver::distributed)
           throw InputError("Body solver = distributed" + why +
                            "lives on one rank; take direct or automatic.");
         if (analysis == "accuracy study")
@@ -128,10 +148,9 @@ namespace RollingContact
     wheel.check(dimension);
     rail.check(dimension);
     contact.check(dimension);
-    mesh.check();
     check_study();
     creep_curve.check();
-    load_curve.load_fractions();
+    load_curve.check();
     check_hubs();
     check_mesh_files();
     if (is_transient())
@@ -152,10 +171,9 @@ namespace RollingContact
                        "body must be elastic.");
     if (dimension == 2 && !wheel.rigid && !rail.rigid &&
         wheel.thickness != rail.thickness)
-      throw InputError(
-        "Wheel/Thickness = " + Patterns::Tools::to_string(wheel.thickness) +
-        " and Rail/Thickness = " + Patterns::Tools::to_string(rail.thickness) +
-        ": plane strain needs the same thickness in both.");
+      throw InputError("Wheel/Thickness = " + text_of(wheel.thickness) +
+                       " and Rail/Thickness = " + text_of(rail.thickness) +
+                       ": plane strain needs the same thickness in both.");
   }
 
 
@@ -163,7 +181,7 @@ namespace RollingContact
   void
   SceneParameters::check_body_solver() const
   {
-    if (body_solver != "distributed")
+    if (body_solver != BodySolver::distributed)
       return;
     if (analysis == "accuracy study")
       throw InputError(
@@ -173,11 +191,10 @@ namespace RollingContact
       if (!body->rigid &&
           body->material.poisson_ratio > distributed_poisson_limit)
         throw InputError(
-          body->section + "/Poisson ratio = " +
-          Patterns::Tools::to_string(body->material.poisson_ratio) +
+          body->section +
+          "/Poisson ratio = " + text_of(body->material.poisson_ratio) +
           ": conjugate gradients with multigrid converge up to " +
-          Patterns::Tools::to_string(distributed_poisson_limit) +
-          "; take Body solver = direct.");
+          text_of(distributed_poisson_limit) + "; take Body solver = direct.");
   }
 
 
@@ -206,17 +223,14 @@ namespace RollingContact
     if (dimension == 3 &&
         curvature(wheel.lateral_radius) + curvature(rail.lateral_radius) <= 0.)
       throw InputError(
-        "Wheel/Lateral radius = " +
-        Patterns::Tools::to_string(wheel.lateral_radius) +
-        " and Rail/Lateral radius = " +
-        Patterns::Tools::to_string(rail.lateral_radius) +
+        "Wheel/Lateral radius = " + text_of(wheel.lateral_radius) +
+        " and Rail/Lateral radius = " + text_of(rail.lateral_radius) +
         ": the patch would reach the edges of the bodies; the profiles must "
         "curve away from each other across, 1/R_wheel + 1/R_rail > 0.");
     if (curvature(wheel.radius) + curvature(rail.radius) <= 0.)
-      throw InputError(
-        "Wheel/Radius = " + Patterns::Tools::to_string(wheel.radius) +
-        " and Rail/Radius = " + Patterns::Tools::to_string(rail.radius) +
-        ": the profiles must curve away from each other, "
-        "1/R_wheel + 1/R_rail > 0.");
+      throw InputError("Wheel/Radius = " + text_of(wheel.radius) +
+                       " and Rail/Radius = " + text_of(rail.radius) +
+                       ": the profiles must curve away from each other, "
+                       "1/R_wheel + 1/R_rail > 0.");
   }
 } // namespace RollingContact

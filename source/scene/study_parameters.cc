@@ -1,6 +1,9 @@
+#include <deal.II/base/parameter_handler.h>
+
 #include <rolling_contact/base/choices.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
+#include <rolling_contact/input/prm_declarations.h>
 #include <rolling_contact/scene/study_parameters.h>
 #include <rolling_contact/solvers/contact_solver.h>
 
@@ -11,90 +14,88 @@ namespace RollingContact
 {
   using namespace dealii;
 
-  StudyParameters::StudyParameters()
-    : ParameterAcceptor("/Accuracy study")
+  void
+  StudyParameters::declare(ParameterHandler &prm)
   {
-    add_parameter("Vary",
-                  vary,
-                  "`mesh`: steady states on many meshes; `time step`: the "
-                  "transient scene of section Time with many steps.",
-                  prm,
-                  Patterns::Selection("mesh|time step"));
-    declare_meshes();
-    declare_cases();
-    declare_methods();
-    declare_time();
+    prm.enter_subsection("Accuracy study");
+    const std::vector<NamedValue<bool>> varied{{"mesh", false},
+                                               {"time step", true}};
+    declare_choice(prm,
+                   "Vary",
+                   varies_time_step,
+                   varied,
+                   "`mesh`: steady states on many meshes; `time step`: the "
+                   "transient scene of section Time with many steps.");
+    declare_meshes(prm);
+    declare_cases(prm);
+    declare_methods(prm);
+    declare_time(prm);
+    prm.leave_subsection();
   }
 
 
 
   void
-  StudyParameters::declare_meshes()
+  StudyParameters::declare_meshes(ParameterHandler &prm)
   {
     const Patterns::List numbers(Patterns::Integer(1), 1);
-    add_parameter("Elements across patch",
-                  elements,
-                  "Meshes to compare. Units: 1.",
-                  prm,
-                  numbers);
-    add_parameter(
+    prm.add_parameter("Elements across patch",
+                      elements,
+                      "Meshes to compare. Units: 1.",
+                      numbers);
+    prm.add_parameter(
       "Offsets",
       n_offsets,
       "Positions of each mesh under the patch, equally spaced over one "
       "element. Units: 1.",
-      prm,
       Patterns::Integer(1, 1000));
-    add_parameter(
+    prm.add_parameter(
       "Reference elements across patch",
       reference_elements,
       "Mesh of the converged solution that forces are compared with, "
       "mean over the offsets with `calibrated`; finer than the others. "
       "Units: 1.",
-      prm,
       Patterns::Integer(1));
-    add_parameter("Extrapolate reference",
-                  extrapolate_reference,
-                  "Whether the converged solution is extrapolated from the "
-                  "reference mesh and those of half and a quarter of its "
-                  "elements, with the order they show.");
-    add_parameter("Rim levels",
-                  rim_levels,
-                  "Halvings of the element size at the leading edge on "
-                  "`graded` meshes. Units: 1.",
-                  prm,
-                  Patterns::Integer(1, 10));
-    add_parameter("Adaptive levels",
-                  adaptive_levels,
-                  "Levels of `adaptive` meshes; Mesh/Contact node budget may "
-                  "end them before. Units: 1.",
-                  prm,
-                  Patterns::Integer(1, 20));
-    add_parameter("Adaptive starts",
-                  adaptive_starts,
-                  "Elements across the patch that those levels start from; "
-                  "empty: as Elements across patch. Units: 1.",
-                  prm,
-                  Patterns::List(Patterns::Integer(1), 0));
+    prm.add_parameter("Extrapolate reference",
+                      extrapolate_reference,
+                      "Whether the converged solution is extrapolated from the "
+                      "reference mesh and those of half and a quarter of its "
+                      "elements, with the order they show.");
+    prm.add_parameter("Rim levels",
+                      rim_levels,
+                      "Halvings of the element size at the leading edge on "
+                      "`graded` meshes. Units: 1.",
+                      Patterns::Integer(1, 10));
+    prm.add_parameter(
+      "Adaptive levels",
+      adaptive_levels,
+      "Levels of `adaptive` meshes; Mesh/Contact node budget may "
+      "end them before. Units: 1.",
+      Patterns::Integer(1, 20));
+    prm.add_parameter("Adaptive starts",
+                      adaptive_starts,
+                      "Elements across the patch that those levels start from; "
+                      "empty: as Elements across patch. Units: 1.",
+                      Patterns::List(Patterns::Integer(1), 0));
   }
 
 
 
   void
-  StudyParameters::declare_cases()
+  StudyParameters::declare_cases(ParameterHandler &prm)
   {
-    add_parameter("Creepages over saturation",
-                  creepages,
-                  "Creepages, in 2D over mu a/R of the Hertz estimate, in 3D "
-                  "over that at which Kalker's linear force is 3 mu N. "
-                  "Units: 1.",
-                  prm,
-                  Patterns::List(Patterns::Double(), 1));
-    add_parameter(
+    prm.add_parameter(
+      "Creepages over saturation",
+      creepages,
+      "Creepages, in 2D over mu a/R of the Hertz estimate, in 3D "
+      "over that at which Kalker's linear force is 3 mu N. "
+      "Units: 1.",
+      Patterns::List(Patterns::Double(), 1));
+    prm.add_parameter(
       "Directions",
       directions,
       "Of the creepage: `longitudinal`, and in 3D `lateral`, `spin` (its "
       "lateral force is judged) or `combined`, all three, each over sqrt(3).",
-      prm,
       Patterns::List(Patterns::Selection("longitudinal|lateral|spin|combined"),
                      1));
   }
@@ -102,68 +103,66 @@ namespace RollingContact
 
 
   void
-  StudyParameters::declare_methods()
+  StudyParameters::declare_methods(ParameterHandler &prm)
   {
-    add_parameter("Meshes",
-                  meshes,
-                  "Kinds of meshes: `uniform`, `graded` (finer at the leading "
-                  "edge, by Rim levels) or `adaptive`.",
-                  prm,
-                  Patterns::List(Patterns::Selection("uniform|graded|adaptive"),
-                                 1));
-    add_parameter(
+    prm.add_parameter(
+      "Meshes",
+      meshes,
+      "Kinds of meshes: `uniform`, `graded` (finer at the leading "
+      "edge, by Rim levels) or `adaptive`.",
+      Patterns::List(Patterns::Selection("uniform|graded|adaptive"), 1));
+    prm.add_parameter(
       "Slip operators",
       slip_operators,
       "Operators to compare, as Contact/Slip operator, and `paper`: galerkin "
       "with consistent contact matrices, by the extragradient iteration where "
       "the solver is `automatic` (Lai et al. 2017).",
-      prm,
       Patterns::List(Patterns::Selection(choice_names(slip_operator_choices()) +
                                          "|paper"),
                      1));
-    add_parameter("Solvers",
-                  solvers,
-                  "Contact solvers to compare, as Contact/Solver.",
-                  prm,
-                  Patterns::List(Patterns::Selection(
-                                   choice_names(contact_solver_kinds())),
-                                 1));
-    add_parameter("Combinations",
-                  combinations,
-                  "`one at a time`: the first mesh, operator and solver, and "
-                  "what differs from them in one; `all` of them.",
-                  prm,
-                  Patterns::Selection("one at a time|all"));
-    add_parameter("Paper tolerance",
-                  paper_tolerance,
-                  "Tolerance for `paper`, which no solver takes to that of the "
-                  "others. Units: 1.",
-                  prm,
-                  Patterns::Double(1e-15, 1.));
+    prm.add_parameter("Solvers",
+                      solvers,
+                      "Contact solvers to compare, as Contact/Solver.",
+                      Patterns::List(Patterns::Selection(
+                                       choice_names(contact_solver_kinds())),
+                                     1));
+    const std::vector<NamedValue<bool>> combined{{"one at a time", false},
+                                                 {"all", true}};
+    declare_choice(prm,
+                   "Combinations",
+                   combines_all,
+                   combined,
+                   "`one at a time`: the first mesh, operator and solver, and "
+                   "what differs from them in one; `all` of them.");
+    prm.add_parameter(
+      "Paper tolerance",
+      paper_tolerance,
+      "Tolerance for `paper`, which no solver takes to that of the "
+      "others. Units: 1.",
+      Patterns::Double(1e-15, 1.));
   }
 
 
 
   void
-  StudyParameters::declare_time()
+  StudyParameters::declare_time(ParameterHandler &prm)
   {
-    add_parameter("Time steps",
-                  time_steps,
-                  "Steps to compare, in place of Time/Time step: multiples of "
-                  "twice the reference. Units: s.",
-                  prm,
-                  Patterns::List(Patterns::Double(0.), 1));
-    add_parameter("Thetas",
-                  thetas,
-                  "Values of Time/Theta to compare. Units: 1.",
-                  prm,
-                  Patterns::List(Patterns::Double(0.5, 1.), 1));
-    add_parameter("Reference time step",
-                  reference_time_step,
-                  "The reference is extrapolated to first order from this step "
-                  "and twice this, with the first of Thetas. Units: s.",
-                  prm,
-                  Patterns::Double(0.));
+    prm.add_parameter(
+      "Time steps",
+      time_steps,
+      "Steps to compare, in place of Time/Time step: multiples of "
+      "twice the reference. Units: s.",
+      Patterns::List(Patterns::Double(0.), 1));
+    prm.add_parameter("Thetas",
+                      thetas,
+                      "Values of Time/Theta to compare. Units: 1.",
+                      Patterns::List(Patterns::Double(0.5, 1.), 1));
+    prm.add_parameter(
+      "Reference time step",
+      reference_time_step,
+      "The reference is extrapolated to first order from this step "
+      "and twice this, with the first of Thetas. Units: s.",
+      Patterns::Double(0.));
   }
 
 
@@ -242,7 +241,7 @@ namespace RollingContact
     require_different("Solvers", solvers);
     require_different("Time steps", time_steps);
     require_different("Thetas", thetas);
-    if (varies_time_step())
+    if (varies_time_step)
       check_time_steps();
     else
       check_meshes();

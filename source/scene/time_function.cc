@@ -1,3 +1,5 @@
+#include <deal.II/base/function_parser.h>
+
 #include <boost/crc.hpp>
 
 #include <rolling_contact/base/captured_stderr.h>

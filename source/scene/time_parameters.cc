@@ -1,5 +1,8 @@
+#include <deal.II/base/parameter_handler.h>
+
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
+#include <rolling_contact/input/prm_declarations.h>
 #include <rolling_contact/scene/time_parameters.h>
 
 #include <algorithm>
@@ -9,108 +12,122 @@ namespace RollingContact
 {
   using namespace dealii;
 
-  TimeParameters::TimeParameters()
-    : ParameterAcceptor("/Time")
+  namespace
   {
-    declare_steps();
-    declare_scheme();
-    declare_histories();
-    declare_output();
+    const std::vector<NamedValue<InitialState>> named_initial_states{
+      {"rest", InitialState::rest},
+      {"steady", InitialState::steady}};
+    const std::vector<NamedValue<MassKind>> named_masses{
+      {"lumped", MassKind::lumped},
+      {"consistent", MassKind::consistent}};
+    const std::vector<NamedValue<ContactLaw>> named_contact_laws{
+      {"shifted", ContactLaw::shifted},
+      {"gap", ContactLaw::gap}};
+  } // namespace
+
+
+
+  void
+  TimeParameters::declare(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Time");
+    declare_steps(prm);
+    declare_scheme(prm);
+    declare_histories(prm);
+    declare_output(prm);
+    prm.leave_subsection();
   }
 
 
 
   void
-  TimeParameters::declare_steps()
+  TimeParameters::declare_steps(ParameterHandler &prm)
   {
     const Patterns::Double not_negative(0.);
-    add_parameter("End time",
-                  end_time,
-                  "Time at which a transient run ends. Give this or `Rolled "
-                  "distance`, 0 for the other. Units: s.",
-                  prm,
-                  not_negative);
-    add_parameter("Rolled distance",
-                  rolled_distance,
-                  "Rolled distance at which a transient run ends, at constant "
-                  "speed. Units: m.",
-                  prm,
-                  not_negative);
-    add_parameter("Time step",
-                  time_step,
-                  "Length of a step. Give this or `Step length`, 0 for the "
-                  "other. Units: s.",
-                  prm,
-                  not_negative);
-    add_parameter("Step length",
-                  step_length,
-                  "Distance rolled in one step, at constant speed. Units: m.",
-                  prm,
-                  not_negative);
-    add_parameter("Maximum halvings",
-                  maximum_halvings,
-                  "How many times in a row the step is halved when the contact "
-                  "solve fails, before the run stops. Units: 1.",
-                  prm,
-                  Patterns::Integer(0, 30));
+    prm.add_parameter(
+      "End time",
+      end_time,
+      "Time at which a transient run ends. Give this or `Rolled "
+      "distance`, 0 for the other. Units: s.",
+      not_negative);
+    prm.add_parameter(
+      "Rolled distance",
+      rolled_distance,
+      "Rolled distance at which a transient run ends, at constant "
+      "speed. Units: m.",
+      not_negative);
+    prm.add_parameter("Time step",
+                      time_step,
+                      "Length of a step. Give this or `Step length`, 0 for the "
+                      "other. Units: s.",
+                      not_negative);
+    prm.add_parameter(
+      "Step length",
+      step_length,
+      "Distance rolled in one step, at constant speed. Units: m.",
+      not_negative);
+    prm.add_parameter(
+      "Maximum halvings",
+      maximum_halvings,
+      "How many times in a row the step is halved when the contact "
+      "solve fails, before the run stops. Units: 1.",
+      Patterns::Integer(0, 30));
   }
 
 
 
   void
-  TimeParameters::declare_scheme()
+  TimeParameters::declare_scheme(ParameterHandler &prm)
   {
     const Patterns::Double not_negative(0.);
-    add_parameter("Theta",
-                  theta,
-                  "The theta-scheme's parameter: 0.5 keeps the energy, 1 damps "
-                  "most. Units: 1.",
-                  prm,
-                  Patterns::Double(0.5, 1.));
-    add_parameter("Inertia",
-                  inertia,
-                  "Whether the bodies have mass; without it, quasi-static "
-                  "rolling in time.");
-    add_parameter("Initial state",
-                  initial_state,
-                  "`rest`, undeformed and without traction, or `steady`, the "
-                  "steady rolling state at t = 0.",
-                  prm,
-                  Patterns::Selection("rest|steady"));
-    add_parameter("Mass",
-                  mass,
-                  "Mass matrix: `lumped` or `consistent`.",
-                  prm,
-                  Patterns::Selection("lumped|consistent"));
-    add_parameter("Rayleigh alpha",
-                  rayleigh_alpha,
-                  "Damping C = alpha M + beta K. Units: 1/s.",
-                  prm,
-                  not_negative);
-    add_parameter("Rayleigh beta",
-                  rayleigh_beta,
-                  "Damping C = alpha M + beta K. Units: s.",
-                  prm,
-                  not_negative);
-    add_parameter(
+    prm.add_parameter(
+      "Theta",
+      theta,
+      "The theta-scheme's parameter: 0.5 keeps the energy, 1 damps "
+      "most. Units: 1.",
+      Patterns::Double(0.5, 1.));
+    prm.add_parameter("Inertia",
+                      inertia,
+                      "Whether the bodies have mass; without it, quasi-static "
+                      "rolling in time.");
+    declare_choice(prm,
+                   "Initial state",
+                   initial_state,
+                   named_initial_states,
+                   "`rest`, undeformed and without traction, or `steady`, the "
+                   "steady rolling state at t = 0.");
+    declare_choice(prm,
+                   "Mass",
+                   mass,
+                   named_masses,
+                   "Mass matrix: `lumped` or `consistent`.");
+    prm.add_parameter("Rayleigh alpha",
+                      rayleigh_alpha,
+                      "Damping C = alpha M + beta K. Units: 1/s.",
+                      not_negative);
+    prm.add_parameter("Rayleigh beta",
+                      rayleigh_beta,
+                      "Damping C = alpha M + beta K. Units: s.",
+                      not_negative);
+    declare_choice(
+      prm,
       "Contact law",
       contact_law,
+      named_contact_laws,
       "Unilateral contact in time: `shifted` (gap of Jean's shifted "
-      "configuration) or `gap` (gap plus step times velocity).",
-      prm,
-      Patterns::Selection("shifted|gap"));
-    add_parameter("Initial velocity",
-                  initial_velocity,
-                  "Velocity of a wheel with Hub = free at the start, along z: "
-                  "negative towards the rail. Units: m/s.",
-                  prm,
-                  Patterns::Double());
+      "configuration) or `gap` (gap plus step times velocity).");
+    prm.add_parameter(
+      "Initial velocity",
+      initial_velocity,
+      "Velocity of a wheel with Hub = free at the start, along z: "
+      "negative towards the rail. Units: m/s.",
+      Patterns::Double());
   }
 
 
 
   void
-  TimeParameters::declare_histories()
+  TimeParameters::declare_histories(ParameterHandler &prm)
   {
     const std::string forms =
       ", a number, an expression in t (s), `FILE.csv` or `table: FILE column` "
@@ -118,7 +135,7 @@ namespace RollingContact
       "Contact. ";
     const auto declare =
       [&](const std::string &name, std::string &text, const std::string &help) {
-        add_parameter(name, text, help, prm, Patterns::Anything());
+        prm.add_parameter(name, text, help, Patterns::Anything());
       };
     declare("Approach",
             approach,
@@ -148,46 +165,36 @@ namespace RollingContact
 
 
   void
-  TimeParameters::declare_output()
+  TimeParameters::declare_output(ParameterHandler &prm)
   {
-    add_parameter("Field interval",
-                  field_interval,
-                  "Fields are written every so many steps; 0 for none. "
-                  "Units: 1.",
-                  prm,
-                  Patterns::Integer(0));
-    add_parameter("Checkpoint interval",
-                  checkpoint_interval,
-                  "A checkpoint for --resume is written every so many steps; "
-                  "0 leaves it to `Checkpoint seconds`. Units: 1.",
-                  prm,
-                  Patterns::Integer(0));
-    add_parameter("Checkpoint seconds",
-                  checkpoint_seconds,
-                  "A checkpoint is written after so much wall time; 0 leaves "
-                  "it to `Checkpoint interval`. Units: s.",
-                  prm,
-                  Patterns::Double(0.));
-    add_parameter("Damping frequency",
-                  damping_frequency,
-                  "Frequency f for which the numerical damping "
-                  "(theta - 1/2) 2 pi f dt is said; 0 for none. Units: Hz.",
-                  prm,
-                  Patterns::Double(0.));
+    prm.add_parameter("Field interval",
+                      field_interval,
+                      "Fields are written every so many steps; 0 for none. "
+                      "Units: 1.",
+                      Patterns::Integer(0));
+    prm.add_parameter(
+      "Checkpoint interval",
+      checkpoint_interval,
+      "A checkpoint for --resume is written every so many steps; "
+      "0 leaves it to `Checkpoint seconds`. Units: 1.",
+      Patterns::Integer(0));
+    prm.add_parameter(
+      "Checkpoint seconds",
+      checkpoint_seconds,
+      "A checkpoint is written after so much wall time; 0 leaves "
+      "it to `Checkpoint interval`. Units: s.",
+      Patterns::Double(0.));
+    prm.add_parameter("Damping frequency",
+                      damping_frequency,
+                      "Frequency f for which the numerical damping "
+                      "(theta - 1/2) 2 pi f dt is said; 0 for none. Units: Hz.",
+                      Patterns::Double(0.));
   }
 
 
 
   namespace
   {
-    std::string
-    text_of(const double value)
-    {
-      return significant(value, 15);
-    }
-
-
-
     void
     require_one_of(const std::string &first,
                    const double       first_value,
@@ -239,7 +246,8 @@ namespace RollingContact
         throw InputError("Time/Speed is " + text_of(speed) + at_time() +
                          "with friction it must keep the sign of "
                          "Contact/Speed = " +
-                         text_of(contact.speed) + " and not be 0 m/s.");
+                         text_of(contact.rolling_speed()) +
+                         " and not be 0 m/s.");
     }
   } // namespace
 
@@ -255,11 +263,11 @@ namespace RollingContact
       throw InputError("Time/Rayleigh alpha = " + text_of(rayleigh_alpha) +
                        " and Time/Rayleigh beta = " + text_of(rayleigh_beta) +
                        ": without inertia there is no damping, set both to 0.");
-    if (!approach.empty() && !contact.approach())
+    if (!approach.empty() && !contact.approach)
       throw InputError("Time/Approach = " + approach +
                        ": give Contact/Approach too, the approach in m that "
                        "the mesh is made for, and no Contact/Normal load.");
-    if (!normal_load.empty() && !contact.normal_load())
+    if (!normal_load.empty() && !contact.normal_load)
       throw InputError("Time/Normal load = " + normal_load +
                        ": give Contact/Normal load too, the load in N that the "
                        "mesh is made for, and no Contact/Approach.");
@@ -311,11 +319,11 @@ namespace RollingContact
       read("Creepage x", creepage_x, contact.creepages.x),
       read("Creepage y", creepage_y, contact.creepages.y),
       read("Spin", spin, contact.creepages.spin),
-      read("Speed", speed, contact.speed),
+      read("Speed", speed, contact.rolling_speed()),
       {}};
-    if (const auto load = contact.normal_load())
+    if (const auto load = contact.normal_load)
       driving.normal_load = read("Normal load", normal_load, *load);
-    if (const auto depth = contact.approach())
+    if (const auto depth = contact.approach)
       driving.approach = read("Approach", approach, *depth);
     driving.tables = tables;
     return driving;

@@ -252,7 +252,7 @@ namespace RollingContact
   AdaptiveLevels<dim>::refine(const SteadyState<dim> &steady,
                               Grading<dim>           &grading)
   {
-    const bool refined = scene.mesh.level_marking == "uniform"
+    const bool refined = scene.mesh.level_marking == LevelMarking::uniform
                            ? refine_uniformly(steady, grading)
                            : refine_marked(steady, grading);
     if (!refined)

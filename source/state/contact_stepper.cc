@@ -54,7 +54,7 @@ namespace RollingContact
     const double    end     = time + h;
     problem.set_creepages(histories.creepages(end));
     const bool ahead =
-      scene.time.inertia && scene.time.contact_law == "shifted";
+      scene.time.inertia && scene.time.contact_law == ContactLaw::shifted;
     const double at = end + (ahead ? (1 - scene.time.theta) * h : 0.);
     if (histories.normal_load)
       problem.normal_load = histories.normal_load->value(at);

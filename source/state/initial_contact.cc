@@ -14,7 +14,7 @@ namespace RollingContact
     SlipOperatorKind
     operator_in_time(const SceneParameters &scene)
     {
-      const SlipOperatorKind kind = scene.contact.slip_operator_kind();
+      const SlipOperatorKind kind = scene.contact.slip_operator;
       return scene.time.inertia && kind == SlipOperatorKind::calibrated
                ? SlipOperatorKind::upwind_2
                : kind;
@@ -78,7 +78,7 @@ namespace RollingContact
       InitialContact<dim> initial;
       initial.contact = solve_steady_state<dim>(scene, context);
       initial.motion  = make_quasi_static_rolling<dim>(*initial.contact.pair);
-      if (scene.time.initial_state == "steady")
+      if (scene.time.initial_state == InitialState::steady)
         start_steadily(scene, histories, context, initial);
       else
         initial.contact.state = open_state(initial.contact.problem);
@@ -94,7 +94,7 @@ namespace RollingContact
                   const SlipOperatorKind  slip_operator,
                   RunContext             &context)
     {
-      const bool          steady = scene.time.initial_state == "steady";
+      const bool steady = scene.time.initial_state == InitialState::steady;
       InitialContact<dim> initial;
       SteadyState<dim>   &contact = initial.contact;
       contact = steady ? solve_steady_state<dim>(scene, context)
@@ -103,8 +103,10 @@ namespace RollingContact
         PhaseTimer::Scope phase(context.timer, Phase::mass);
         initial.motion = make_inertial_rolling<dim>(scene, *contact.pair);
       }
+      ContactParameters in_time = scene.contact;
+      in_time.slip_operator     = slip_operator;
       contact.problem =
-        contact.pair->contact_problem(slip_operator,
+        contact.pair->contact_problem(in_time,
                                       steady ? std::move(contact.problem.W)
                                              : contact.pair->combined({}, {}));
       if (steady)
@@ -127,7 +129,7 @@ namespace RollingContact
                        RunContext             &context)
   {
     const SlipOperatorKind slip_operator = operator_in_time(scene);
-    if (slip_operator != scene.contact.slip_operator_kind() &&
+    if (slip_operator != scene.contact.slip_operator &&
         scene.contact.friction_coefficient > 0.)
       context.log.message("With inertia B1 is `upwind 2`: the edge law of "
                           "`calibrated` needs the static compliance.");

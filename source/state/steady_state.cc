@@ -47,7 +47,7 @@ namespace RollingContact
     grading.rim_levels      = mesh.rim_levels;
     grading.leading_edge_x  = -scene.contact.flow() * half_width;
     grading.trailing_edge_x = -grading.leading_edge_x;
-    grading.leading_edge_only = mesh.rim_edges == "leading";
+    grading.leading_edge_only = mesh.rim_edges == RimEdges::leading;
     grading.rim_width         = 2 * grading.element_size_x;
     return grading;
   }
@@ -137,8 +137,7 @@ namespace RollingContact
     }
     {
       PhaseTimer::Scope phase(context.timer, Phase::condensation);
-      steady.problem =
-        steady.pair->contact_problem(scene.contact.slip_operator_kind());
+      steady.problem = steady.pair->contact_problem(scene.contact);
     }
     PhaseTimer::Scope phase(context.timer, Phase::contact_solve);
     steady.state = start(steady.problem);

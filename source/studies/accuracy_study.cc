@@ -1,4 +1,5 @@
 #include <rolling_contact/assessment/reference_3d.h>
+#include <rolling_contact/base/choices.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/memory.h>
 #include <rolling_contact/base/text.h>
@@ -14,12 +15,10 @@
 namespace RollingContact
 {
   template <int dim>
-  AccuracyStudy<dim>::AccuracyStudy(SceneParameters &scene, RunContext &context)
+  AccuracyStudy<dim>::AccuracyStudy(const SceneParameters &scene,
+                                    RunContext            &context)
     : scene(scene)
     , context(context)
-    , contact_matrices(scene.contact.contact_matrices)
-    , tolerance(scene.solver.controls.tolerance)
-    , rim_levels(scene.mesh.rim_levels)
     , patch(estimate_patch(scene))
   {}
 
@@ -133,32 +132,46 @@ namespace RollingContact
 
 
   template <int dim>
-  void
-  AccuracyStudy<dim>::apply_method(const StudyMethod &method)
+  SceneParameters
+  AccuracyStudy<dim>::scene_of(const std::size_t method) const
   {
-    const bool paper               = method.slip_operator == "paper";
-    scene.contact.slip_operator    = paper ? "galerkin" : method.slip_operator;
-    scene.contact.contact_matrices = paper ? "consistent" : contact_matrices;
-    scene.solver.solver =
-      paper && method.solver == "automatic" ? "extragradient" : method.solver;
-    scene.solver.controls.tolerance =
-      paper ? std::max(tolerance, scene.study.paper_tolerance) : tolerance;
+    const auto &[mesh, slip_operator, solver] = results.methods[method];
+    SceneParameters varied                    = scene;
+    varied.solver.solver                      = solver;
+    if (mesh == "graded")
+      varied.mesh.rim_levels = scene.study.rim_levels;
+    if (slip_operator != "paper")
+      {
+        varied.contact.slip_operator =
+          choice(slip_operator_choices(), slip_operator, "Slip operators").kind;
+        return varied;
+      }
+    varied.contact.slip_operator    = SlipOperatorKind::galerkin;
+    varied.contact.contact_matrices = ContactMatrices::consistent;
+    if (solver == "automatic")
+      varied.solver.solver = "extragradient";
+    varied.solver.controls.tolerance =
+      std::max(scene.solver.controls.tolerance, scene.study.paper_tolerance);
+    return varied;
+  }
+
+
+
+  template <int dim>
+  SceneParameters
+  AccuracyStudy<dim>::with_case(SceneParameters   scene,
+                                const std::size_t index) const
+  {
+    scene.contact.creepages = results.cases[index].creepages;
+    return scene;
   }
 
 
 
   template <int dim>
   void
-  AccuracyStudy<dim>::apply_case(const StudyCase &state)
-  {
-    scene.contact.creepages = state.creepages;
-  }
-
-
-
-  template <int dim>
-  void
-  AccuracyStudy<dim>::set_up_pair(SteadyState<dim> &steady)
+  AccuracyStudy<dim>::set_up_pair(const SceneParameters &scene,
+                                  SteadyState<dim>      &steady)
   {
     const unsigned int max_enlargements = 4;
     for (unsigned int k = 0; k <= max_enlargements; ++k)
@@ -169,9 +182,8 @@ namespace RollingContact
             std::make_unique<RollingPair<dim>>(scene, steady.grading);
         }
         PhaseTimer::Scope phase(context.timer, Phase::condensation);
-        steady.problem =
-          steady.pair->contact_problem(scene.contact.slip_operator_kind());
-        steady.state = initial_state(steady.problem, patch);
+        steady.problem = steady.pair->contact_problem(scene.contact);
+        steady.state   = initial_state(steady.problem, patch);
         NormalActiveSet(scene.solver.controls)
           .solve(steady.problem, steady.state);
         if (!zone_too_small(steady))
@@ -188,9 +200,8 @@ namespace RollingContact
                                  const unsigned int              elements,
                                  const std::vector<std::size_t> &methods)
   {
-    const unsigned int n_offsets = scene.study.n_offsets;
-    scene.mesh.rim_levels =
-      mesh == "graded" ? scene.study.rim_levels : rim_levels;
+    const unsigned int    n_offsets = scene.study.n_offsets;
+    const SceneParameters first     = scene_of(methods.front());
     for (unsigned int k = 0; k < n_offsets; ++k)
       {
         throw_if_interrupted();
@@ -199,23 +210,25 @@ namespace RollingContact
         const StateSeconds before = state_seconds(context.timer);
         SteadyState<dim>   steady;
         steady.grading =
-          make_grading<dim>(scene, patch, elements, double(k) / n_offsets);
-        apply_method(results.methods[methods.front()]);
-        set_up_pair(steady);
+          make_grading<dim>(first, patch, elements, double(k) / n_offsets);
+        set_up_pair(first, steady);
         // of the first method, as it would be for any
         const StateSeconds set_up = state_seconds(context.timer) - before;
         for (const std::size_t method : methods)
           {
-            apply_method(results.methods[method]);
+            const SceneParameters varied = scene_of(method);
             if (method != methods.front())
               {
                 PhaseTimer::Scope phase(context.timer, Phase::condensation);
-                steady.problem = steady.pair->contact_problem(
-                  scene.contact.slip_operator_kind(),
-                  std::move(steady.problem.W));
+                steady.problem =
+                  steady.pair->contact_problem(varied.contact,
+                                               std::move(steady.problem.W));
               }
             for (std::size_t i = 0; i < results.cases.size(); ++i)
-              solve_case({method, i, elements}, set_up, steady);
+              solve_case({method, i, elements},
+                         with_case(varied, i),
+                         set_up,
+                         steady);
           }
       }
     context.log.message(
@@ -228,11 +241,11 @@ namespace RollingContact
 
   template <int dim>
   void
-  AccuracyStudy<dim>::solve_case(const StudyKey     &key,
-                                 const StateSeconds &set_up,
-                                 SteadyState<dim>   &steady)
+  AccuracyStudy<dim>::solve_case(const StudyKey        &key,
+                                 const SceneParameters &scene,
+                                 const StateSeconds    &set_up,
+                                 SteadyState<dim>      &steady)
   {
-    apply_case(results.cases[key.state]);
     const StateSeconds before = state_seconds(context.timer);
     {
       PhaseTimer::Scope phase(context.timer, Phase::contact_solve);
@@ -250,7 +263,7 @@ namespace RollingContact
         "Accuracy study, " + std::to_string(key.elements) +
         " elements: the patch reaches the border of the candidate zone; take "
         "a larger Mesh/Candidate zone.");
-    keep(key, seconds, steady);
+    keep(key, scene, seconds, steady);
   }
 
 
@@ -260,11 +273,7 @@ namespace RollingContact
   AccuracyStudy<dim>::solve_levels(const unsigned int start,
                                    const std::size_t  method)
   {
-    const unsigned int n_offsets     = scene.study.n_offsets;
-    scene.mesh.elements_across_patch = start;
-    scene.mesh.adaptive_levels       = scene.study.adaptive_levels;
-    scene.mesh.target_change         = 0.;
-    scene.mesh.rim_levels            = rim_levels;
+    const unsigned int n_offsets = scene.study.n_offsets;
     for (unsigned int k = 0; k < n_offsets; ++k)
       for (std::size_t i = 0; i < results.cases.size(); ++i)
         solve_levels({method, i, start}, double(k) / n_offsets);
@@ -279,9 +288,11 @@ namespace RollingContact
   void
   AccuracyStudy<dim>::solve_levels(const StudyKey &key, const double offset)
   {
-    apply_method(results.methods[key.method]);
-    apply_case(results.cases[key.state]);
-    scene.mesh.patch_offset = significant(offset, 12);
+    SceneParameters varied = with_case(scene_of(key.method), key.state);
+    varied.mesh.elements_across_patch = key.elements;
+    varied.mesh.adaptive_levels       = scene.study.adaptive_levels;
+    varied.mesh.target_change         = 0.;
+    varied.mesh.patch_offset          = offset;
     release_free_memory();
     reset_peak_memory();
     const StateSeconds before = state_seconds(context.timer);
@@ -289,8 +300,8 @@ namespace RollingContact
     RunContext         unheard{
       context.folder, context.results, context.report, context.timer, quiet};
     const SteadyState<dim> steady =
-      AdaptiveLevels<dim>(scene, unheard).run([](const auto &) {});
-    keep(key, state_seconds(context.timer) - before, steady);
+      AdaptiveLevels<dim>(varied, unheard).run([](const auto &) {});
+    keep(key, varied, state_seconds(context.timer) - before, steady);
   }
 
 
@@ -298,6 +309,7 @@ namespace RollingContact
   template <int dim>
   void
   AccuracyStudy<dim>::keep(const StudyKey         &key,
+                           const SceneParameters  &scene,
                            const StateSeconds     &seconds,
                            const SteadyState<dim> &steady)
   {

@@ -21,7 +21,7 @@ namespace RollingContact
     for (std::size_t m = 0; m < study.meshes.size(); ++m)
       for (std::size_t o = 0; o < study.slip_operators.size(); ++o)
         for (std::size_t s = 0; s < study.solvers.size(); ++s)
-          if (study.combinations == "all" || (m > 0) + (o > 0) + (s > 0) <= 1)
+          if (study.combines_all || (m > 0) + (o > 0) + (s > 0) <= 1)
             methods.push_back(
               {study.meshes[m], study.slip_operators[o], study.solvers[s]});
     return methods;
@@ -64,8 +64,8 @@ namespace RollingContact
     sample.residual  = steady.solver.residual.worst();
     if (sample.converged)
       {
-        sample.load   = scene.contact.normal_load() ? steady.state.approach
-                                                    : result.normal_force;
+        sample.load   = scene.contact.normal_load ? steady.state.approach
+                                                  : result.normal_force;
         sample.errors = state_errors(scene, steady, finest);
       }
     if (sample.converged && result.friction_force > 0.)

@@ -46,7 +46,7 @@ namespace RollingContact
                           scene.study.reference_elements};
     if (results.samples.at(finest).front().errors.load)
       return "load against the exact clamped discs";
-    return (scene.contact.normal_load() ? "approach" : "load") +
+    return (scene.contact.normal_load ? "approach" : "load") +
            std::string(" against the same meshes");
   }
 

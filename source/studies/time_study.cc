@@ -21,11 +21,10 @@ namespace RollingContact
       throw InputError("Accuracy study/Vary = time step needs a patch to make "
                        "the mesh for: give Contact/Approach or Contact/Normal "
                        "load above 0.");
-    const StudyParameters &study = scene.study;
-    scene.time.step_length       = 0.;
-    const double finest          = study.reference_time_step;
-    const Run    coarse          = solve(2 * finest, study.thetas.front());
-    const Run    fine            = solve(finest, study.thetas.front());
+    const StudyParameters &study  = scene.study;
+    const double           finest = study.reference_time_step;
+    const Run              coarse = solve(2 * finest, study.thetas.front());
+    const Run              fine   = solve(finest, study.thetas.front());
     for (const Run *reference : {&coarse, &fine})
       if (!reference->failure.empty())
         throw ConvergenceError("Accuracy study, the reference: " +
@@ -70,16 +69,19 @@ namespace RollingContact
   TimeStudy<dim>::solve(const double step, const double theta)
   {
     Run run;
-    run.step             = step;
-    run.theta            = theta;
-    run.history.step     = step;
-    scene.time.time_step = step;
-    scene.time.theta     = theta;
+    run.step         = step;
+    run.theta        = theta;
+    run.history.step = step;
+
+    SceneParameters varied  = scene;
+    varied.time.step_length = 0.;
+    varied.time.time_step   = step;
+    varied.time.theta       = theta;
     release_free_memory();
     reset_peak_memory();
     try
       {
-        march(run);
+        march(varied, run);
       }
     catch (const ConvergenceError &error)
       {
@@ -96,7 +98,7 @@ namespace RollingContact
 
   template <int dim>
   void
-  TimeStudy<dim>::march(Run &run)
+  TimeStudy<dim>::march(const SceneParameters &varied, Run &run)
   {
     const auto cpu_seconds = [&]() {
       return PhaseTimer::total(context.timer.rows()).cpu_seconds;
@@ -105,8 +107,8 @@ namespace RollingContact
     Log          quiet(Verbosity::quiet);
     RunContext   unheard{
       context.folder, context.results, context.report, context.timer, quiet};
-    ContactStepper<dim> stepper(scene, unheard);
-    const TimeSteps     steps = scene.time.steps(stepper.drive().speed);
+    ContactStepper<dim> stepper(varied, unheard);
+    const TimeSteps     steps = varied.time.steps(stepper.drive().speed);
     stepper.set_time_step(steps.length);
     run.set_up_s = cpu_seconds() - begin;
     for (std::uint64_t k = 0; k < steps.number; ++k)
@@ -123,7 +125,7 @@ namespace RollingContact
     context.results.set("time_step_s", run.step);
     context.results.set("theta", run.theta);
     context.results.set("time_s", steps.number * steps.length);
-    add_result_row(scene, stepper.current(), context);
+    add_result_row(varied, stepper.current(), context);
     context.log.message("step " + significant(run.step, 4) +
                         " s, theta = " + significant(run.theta, 4) + ": " +
                         std::to_string(steps.number) + " steps");

@@ -12,34 +12,17 @@ using namespace RollingContact;
 
 namespace
 {
-  /** What `--validate` does, with settings of the command line. The parameters
-   * are declared once, which takes longest, and set back before every read. */
+  /** What `--validate` does, with settings of the command line. */
   std::string
   validate(const std::vector<std::string> &settings)
   {
-    using dealii::ParameterAcceptor;
-    static SceneParameters   scene;
-    static const std::string defaults = []() {
-      std::ostringstream text;
-      ParameterAcceptor::declare_all_parameters();
-      ParameterAcceptor::prm.print_parameters(text,
-                                              dealii::ParameterHandler::PRM);
-      std::string        values;
-      std::istringstream lines(text.str());
-      for (std::string line; std::getline(lines, line);)
-        if (line.find('#') == std::string::npos)
-          values += line + '\n';
-      return values;
-    }();
-    ParameterAcceptor::prm.parse_input_from_string(defaults);
     std::vector<const char *> words{"rolling-contact", "scene.prm"};
     for (const std::string &setting : settings)
       {
         words.push_back("--set");
         words.push_back(setting.c_str());
       }
-    const CommandLine command_line(words.size(), words.data());
-    return read_declared_scene(command_line, scene).used;
+    return read_scene(CommandLine(words.size(), words.data())).used;
   }
 } // namespace
 

@@ -23,9 +23,9 @@ namespace
         body->hub_radius = 0.08;
         body->thickness  = 0.02;
       }
-    scene.contact.approach_entry     = "0.22e-3";
+    scene.contact.approach           = 0.22e-3;
     scene.contact.creepages.x        = 0.0017;
-    scene.contact.slip_operator      = "upwind 2";
+    scene.contact.slip_operator      = SlipOperatorKind::upwind_2;
     scene.mesh.elements_across_patch = 16;
     scene.mesh.growth                = 0.3;
     scene.mesh.target_change         = 0.;
@@ -43,7 +43,7 @@ namespace
         body->lateral_radius = 0.3;
         body->width          = 0.1;
       }
-    scene.contact.approach_entry     = "0.07e-3";
+    scene.contact.approach           = 0.07e-3;
     scene.contact.creepages.x        = 0.;
     scene.contact.creepages.y        = 0.003;
     scene.mesh.elements_across_patch = 6;
@@ -254,7 +254,7 @@ BOOST_AUTO_TEST_CASE(uniform_levels_are_twice_the_elements)
 {
   const LevelRun<2> levels(standard_2d, [](SceneParameters &scene) {
     scene.mesh.adaptive_levels = 1;
-    scene.mesh.level_marking   = "uniform";
+    scene.mesh.level_marking   = LevelMarking::uniform;
   });
   const SceneRun<2> direct(standard_2d, [](SceneParameters &scene) {
     scene.mesh.elements_across_patch = 32;

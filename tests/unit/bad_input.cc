@@ -5,6 +5,7 @@
 
 #include <rolling_contact/input/prm_entries.h>
 #include <rolling_contact/input/prm_text.h>
+#include <rolling_contact/program/scene_reader.h>
 #include <rolling_contact/run/previous_run.h>
 #include <rolling_contact/scene/time_function.h>
 
@@ -59,6 +60,35 @@ BOOST_AUTO_TEST_CASE(values_that_a_file_cannot_hold)
   BOOST_TEST(problem_of_value("table: a b.csv 2") == "");
   for (const std::string value : {"1 # 2", "{1", "1\nset X = 2", "a\\"})
     BOOST_TEST(problem_of_value(value) != "");
+}
+
+
+
+BOOST_AUTO_TEST_CASE(numbers_that_are_none)
+{
+  const ScratchFolder scratch;
+  const std::string   file = (scratch.scratch / "a.prm").string();
+  const auto          said = [&](const std::string &setting) {
+    write(file, "subsection Contact\n  set Approach = 1e-4\nend\n");
+    const char *words[] = {"rolling-contact",
+                           file.c_str(),
+                           "--set",
+                           setting.c_str()};
+    return complaint([&]() { read_scene(CommandLine(4, words)); });
+  };
+  BOOST_TEST(said("Mesh/Patch offset = aligned") == "");
+  BOOST_TEST(contains(said("Mesh/Patch offset = near"),
+                      "Mesh/Patch offset = near: give a number"));
+  BOOST_TEST(contains(said("Mesh/Patch offset = 1.01"), "from -1 to 1"));
+  for (const std::string approach : {"nan", "1 mm", "1e999"})
+    BOOST_TEST(contains(said("Contact/Approach = " + approach),
+                        "Contact/Approach = " + approach +
+                          ": give a number in m, or leave it empty."));
+  BOOST_TEST(contains(said("Contact/Speed = fast"), "a number in m/s"));
+  BOOST_TEST(contains(said("Contact/Normal load = 4e4"),
+                      "Contact/Normal load = 40000 and Contact/Approach"));
+  BOOST_TEST(contains(said("Load curve/Shares of load = 0.1, 1.5"),
+                      "Load curve/Shares of load contains 1.5"));
 }
 
 

@@ -42,7 +42,7 @@ namespace
     ShapeParameters parameters;
     parameters.radius     = 0.46;
     parameters.hub_radius = 0.08;
-    parameters.hub        = clamped ? "clamped" : "free";
+    parameters.hub        = clamped ? Hub::clamped : Hub::free;
     return make_body_shape("disc", parameters);
   }
 
@@ -56,7 +56,7 @@ namespace
     parameters.block_length = block_length;
     parameters.block_depth  = block_depth;
     parameters.width        = block_width;
-    parameters.hub          = clamped ? "clamped" : "free";
+    parameters.hub          = clamped ? Hub::clamped : Hub::free;
     return make_body_shape("block", parameters);
   }
 
@@ -311,7 +311,7 @@ BOOST_AUTO_TEST_CASE(parameters_of_a_body_in_time)
 {
   BodyParameters body("Body of this test");
   BOOST_TEST(body.body_shape()->hub_clamped());
-  body.hub = "free";
+  body.hub = Hub::free;
   body.check(2);
   BOOST_TEST(!body.body_shape()->hub_clamped());
   const BodyParameters another("Another");

@@ -297,12 +297,13 @@ namespace
   void
   check_same_state(const std::function<void(SceneParameters &)> &scene)
   {
-    const auto run = [&](const std::string &solver) {
+    const auto run = [&](const BodySolver solver) {
       return SceneRun<dim>(scene, [&](SceneParameters &parameters) {
         parameters.body_solver = solver;
       });
     };
-    const auto direct = run("direct"), spread = run("distributed");
+    const auto direct = run(BodySolver::direct),
+               spread = run(BodySolver::distributed);
     BOOST_TEST(direct.steady.solver.converged);
     BOOST_TEST(spread.steady.solver.converged);
     const Resultants &one = direct.steady.result, &other = spread.steady.result;
@@ -321,7 +322,7 @@ BOOST_AUTO_TEST_CASE(states_in_2d_are_the_same)
 {
   check_same_state<2>([](SceneParameters &scene) {
     scene.mesh.elements_across_patch = 24;
-    scene.contact.approach_entry     = "0.22e-3";
+    scene.contact.approach           = 0.22e-3;
   });
 }
 
@@ -329,7 +330,7 @@ BOOST_AUTO_TEST_CASE(coupled_states_in_2d_are_the_same)
 {
   check_same_state<2>([](SceneParameters &scene) {
     scene.mesh.elements_across_patch  = 24;
-    scene.contact.approach_entry      = "0.22e-3";
+    scene.contact.approach            = 0.22e-3;
     scene.rail.material.young_modulus = 70e9;
     scene.rail.material.poisson_ratio = 0.33;
   });

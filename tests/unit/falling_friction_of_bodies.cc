@@ -77,7 +77,7 @@ BOOST_AUTO_TEST_CASE(with_spin_tractions_oppose_the_slip_and_follow_the_law)
   const SceneRun<3>         run(standard<3>, [](SceneParameters &scene) {
     fall(scene, 0.5);
     scene.contact.speed          = 20.;
-    scene.contact.slip_operator  = "upwind 2";
+    scene.contact.slip_operator  = SlipOperatorKind::upwind_2;
     scene.contact.creepages.x    = 0.005;
     scene.contact.creepages.spin = 3.;
   });
@@ -109,7 +109,7 @@ BOOST_AUTO_TEST_CASE(with_spin_tractions_oppose_the_slip_and_follow_the_law)
 BOOST_AUTO_TEST_CASE(less_friction_at_a_node_lets_all_slide_as_predicted)
 {
   const SceneRun<3> run(standard<3>, [](SceneParameters &scene) {
-    scene.contact.slip_operator  = "upwind 2";
+    scene.contact.slip_operator  = SlipOperatorKind::upwind_2;
     scene.contact.creepages.x    = 0.002;
     scene.contact.creepages.spin = 1.;
   });
@@ -121,7 +121,8 @@ BOOST_AUTO_TEST_CASE(less_friction_at_a_node_lets_all_slide_as_predicted)
 
 BOOST_AUTO_TEST_CASE(start_up_ends_in_the_steady_state_of_the_law)
 {
-  for (const char *slip_operator : {"calibrated", "upwind 2"})
+  for (const auto slip_operator :
+       {SlipOperatorKind::calibrated, SlipOperatorKind::upwind_2})
     {
       const auto change = [&](SceneParameters &scene) {
         fall(scene, 0.1);
@@ -149,10 +150,10 @@ namespace
   {
     fall(scene, 1.6667);
     scene.time.inertia          = true;
-    scene.time.initial_state    = "steady";
+    scene.time.initial_state    = InitialState::steady;
     scene.time.time_step        = step;
     scene.contact.creepages.x   = 0.001;
-    scene.contact.slip_operator = "upwind 2";
+    scene.contact.slip_operator = SlipOperatorKind::upwind_2;
   }
 } // namespace
 
@@ -237,7 +238,7 @@ BOOST_AUTO_TEST_CASE(entries_that_contradict_each_other)
 {
   const auto said = [](const std::function<void(SceneParameters &)> &change) {
     SceneParameters scene;
-    scene.contact.approach_entry = "1e-4";
+    scene.contact.approach = 1e-4;
     fall(scene, 1.);
     scene.check();
     change(scene);
@@ -247,8 +248,8 @@ BOOST_AUTO_TEST_CASE(entries_that_contradict_each_other)
   for (const char *law : {"exponential", "rational"})
     {
       const std::string text = said([&](auto &scene) {
-        scene.contact.friction_law   = law;
-        scene.contact.speed_is_given = false;
+        scene.contact.friction_law = law;
+        scene.contact.speed.reset();
       });
       BOOST_TEST(contains(text, "Contact/Friction law = " + std::string(law)));
       BOOST_TEST(contains(text, "Contact/Speed"));
@@ -263,8 +264,8 @@ BOOST_AUTO_TEST_CASE(entries_that_contradict_each_other)
     contains(said([](auto &scene) { scene.contact.friction_decay_speed = 0.; }),
              "Contact/Friction decay speed = 0"));
   BOOST_TEST(said([](auto &scene) {
-               scene.contact.friction_law     = "constant";
-               scene.contact.speed_is_given   = false;
+               scene.contact.friction_law = "constant";
+               scene.contact.speed.reset();
                scene.contact.kinetic_friction = 0.;
              }) == "");
 }

@@ -27,13 +27,13 @@ namespace
   {
     TransientScene()
     {
-      scene.analysis               = "transient";
-      scene.prm_folder             = scratch;
-      scene.contact.approach_entry = "2e-4";
-      scene.contact.speed          = 10.;
-      scene.contact.creepages.x    = 1e-3;
-      scene.time.end_time          = 2.;
-      scene.time.time_step         = 0.1;
+      scene.analysis            = "transient";
+      scene.prm_folder          = scratch;
+      scene.contact.approach    = 2e-4;
+      scene.contact.speed       = 10.;
+      scene.contact.creepages.x = 1e-3;
+      scene.time.end_time       = 2.;
+      scene.time.time_step      = 0.1;
     }
 
     std::string
@@ -277,8 +277,8 @@ BOOST_FIXTURE_TEST_CASE(rules_of_section_time, TransientScene)
   scene.time.time_step               = 0.1;
   scene.contact.friction_coefficient = 0.;
   BOOST_TEST(with(&T::speed, text("10-8*t")) == "");
-  scene.contact.approach_entry    = "";
-  scene.contact.normal_load_entry = "1e4";
+  scene.contact.approach    = {};
+  scene.contact.normal_load = 1e4;
   BOOST_TEST(with(&T::normal_load, text("1e4*(1+t)")) == "");
   BOOST_TEST(
     contains(with(&T::normal_load, text("1e4*(1-t)")), "contact cannot pull"));
@@ -315,9 +315,9 @@ BOOST_AUTO_TEST_CASE(entries_have_units_and_bounds)
   for (const std::string entry :
        {"Theta", "Rayleigh alpha", "Checkpoint seconds"})
     BOOST_TEST(contains(all, "set " + entry));
-  dealii::ParameterHandler &prm = dealii::ParameterAcceptor::prm;
-  SceneParameters           scene;
-  dealii::ParameterAcceptor::declare_all_parameters();
+  dealii::ParameterHandler prm;
+  SceneParameters          scene;
+  scene.declare(prm, {});
   prm.enter_subsection("Time");
   BOOST_CHECK_THROW(prm.set("Theta", "0.49"), dealii::ExceptionBase);
   BOOST_CHECK_THROW(prm.set("Theta", "1.01"), dealii::ExceptionBase);

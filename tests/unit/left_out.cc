@@ -27,7 +27,7 @@ namespace
       : SceneRun<2>(
           [](SceneParameters &scene) {
             scene.mesh.elements_across_patch = 12;
-            scene.contact.approach_entry     = "0.22e-3";
+            scene.contact.approach           = 0.22e-3;
           },
           change)
       , at_end(Factorisation::work_done())

@@ -40,11 +40,11 @@ namespace
     {
       return complaint([&]() {
         const auto take_it = [&](SceneParameters &scene) {
-          scene.dimension                 = dim;
-          scene.mesh.growth               = 0.5;
-          scene.wheel.lateral_radius      = 0.3;
-          scene.rail.radius               = 0.;
-          scene.contact.normal_load_entry = dim == 2 ? "40e3" : "10e3";
+          scene.dimension            = dim;
+          scene.mesh.growth          = 0.5;
+          scene.wheel.lateral_radius = 0.3;
+          scene.rail.radius          = 0.;
+          scene.contact.normal_load  = dim == 2 ? 40e3 : 10e3;
           take(scene.rail, name);
           if (change)
             change(scene);
@@ -641,8 +641,8 @@ BOOST_AUTO_TEST_CASE(meshes_in_the_wrong_unit)
   expect(said.of("approach.msh",
                  in_unit(1000., 2),
                  [](SceneParameters &scene) {
-                   scene.contact.normal_load_entry = "";
-                   scene.contact.approach_entry    = "0.2e-3";
+                   scene.contact.normal_load = {};
+                   scene.contact.approach    = 0.2e-3;
                    scene.read_meshes();
                    check_mesh_units(scene);
                  }),
@@ -659,7 +659,7 @@ BOOST_AUTO_TEST_CASE(what_a_body_from_a_file_does_not_go_with)
     return said.of_scene("good.msh", change);
   };
   BOOST_TEST(contains(with([](SceneParameters &scene) {
-                        scene.body_solver = "distributed";
+                        scene.body_solver = BodySolver::distributed;
                       }),
                       "Body solver = distributed"));
   BOOST_TEST(contains(with([](SceneParameters &scene) {

@@ -338,8 +338,8 @@ namespace
     scene.mesh.growth                = 0.01;
     scene.wheel.lateral_radius       = 0.3;
     scene.rail.radius                = 0.;
-    scene.contact.approach_entry     = "";
-    scene.contact.normal_load_entry  = dim == 2 ? "10e3" : "1e3";
+    scene.contact.approach           = {};
+    scene.contact.normal_load        = dim == 2 ? 10e3 : 1e3;
     scene.contact.creepages.x        = 0.0005;
     scene.contact.creepages.y        = dim == 2 ? 0. : 0.0003;
     const PatchEstimate patch        = estimate_patch(scene);
@@ -402,7 +402,7 @@ namespace
   const std::function<void(SceneParameters &)> two_discs =
     [](SceneParameters &scene) {
       scene.mesh.elements_across_patch = 24;
-      scene.contact.approach_entry     = "0.22e-3";
+      scene.contact.approach           = 0.22e-3;
       scene.contact.creepages.x        = 0.0017;
     };
 
@@ -433,7 +433,7 @@ BOOST_AUTO_TEST_CASE(carter_is_met_as_well_as_by_matching_meshes)
           disc(0.46, 0.08, step, std::ceil(7e-3 / step) * step, 0.3).gmsh());
       }
     double sum = 0., largest = 0.;
-    for (const char *offset : {"0", "0.25", "0.5", "0.75"})
+    for (const double offset : {0., 0.25, 0.5, 0.75})
       {
         const SceneRun<2> run(two_discs, [&](SceneParameters &scene) {
           scene.mesh.patch_offset = offset;
@@ -483,7 +483,7 @@ BOOST_AUTO_TEST_CASE(lateral_creepage_is_met_as_well_as_by_matching_meshes)
                  scene.rail.block_length          = 0.06;
                  scene.rail.block_depth           = 0.04;
                  scene.rail.width                 = 0.06;
-                 scene.contact.normal_load_entry  = "36059";
+                 scene.contact.normal_load        = 36059;
                  scene.contact.creepages.y        = 0.003;
                },
                [&](SceneParameters &scene) {

@@ -23,7 +23,7 @@ namespace
       : SceneRun<2>(
           [](SceneParameters &scene) {
             scene.mesh.elements_across_patch = 24;
-            scene.contact.approach_entry     = "0.22e-3";
+            scene.contact.approach           = 0.22e-3;
           },
           change)
     {}
@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(partial_slip_follows_carter)
     {
       const Run      run([&](SceneParameters &scene) {
         scene.mesh.elements_across_patch = 48;
-        scene.mesh.patch_offset          = std::to_string(offset);
+        scene.mesh.patch_offset          = offset;
         scene.contact.creepages.x        = 0.0017;
       });
       const Errors2D errors = run.errors();
@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(a_stick_zone_of_three_elements_follows_carter)
     {
       const Run run([&](SceneParameters &scene) {
         scene.mesh.elements_across_patch = 12;
-        scene.mesh.patch_offset          = std::to_string(offset);
+        scene.mesh.patch_offset          = offset;
         scene.contact.creepages.x        = 0.8 * 0.005517;
       });
       BOOST_TEST(std::abs(run.errors().force) < 4e-3);
@@ -135,7 +135,7 @@ BOOST_AUTO_TEST_CASE(the_flow_reversed_is_the_mirror_image)
             }
           scene.contact.speed       = flow;
           scene.contact.creepages.x = flow * 0.001;
-          scene.mesh.patch_offset   = flow > 0 ? "0.25" : "-0.25";
+          scene.mesh.patch_offset   = flow > 0 ? 0.25 : -0.25;
         };
       };
       const Run forward(scene_of(1)), backward(scene_of(-1));
@@ -195,11 +195,8 @@ BOOST_AUTO_TEST_CASE(millimetres_give_the_same_scaled_result)
           body->material.young_modulus *= stress;
         }
       scene.rail.material.young_modulus /= 3;
-      std::ostringstream approach;
-      approach.precision(17);
-      approach << 0.22e-3 * length;
-      scene.contact.approach_entry = approach.str();
-      scene.contact.creepages.x    = 0.001;
+      scene.contact.approach    = 0.22e-3 * length;
+      scene.contact.creepages.x = 0.001;
     };
   };
   const Run metres(scene_of(1., 1.)), millimetres(scene_of(1e3, 1e-6));
@@ -216,12 +213,9 @@ BOOST_AUTO_TEST_CASE(load_and_approach_are_inverse)
   const Run by_approach(
     [](SceneParameters &scene) { scene.contact.creepages.x = 0.001; });
   const Run by_load([&](SceneParameters &scene) {
-    std::ostringstream load;
-    load.precision(17);
-    load << by_approach.steady.result.normal_force;
-    scene.contact.approach_entry.clear();
-    scene.contact.normal_load_entry = load.str();
-    scene.contact.creepages.x       = 0.001;
+    scene.contact.approach.reset();
+    scene.contact.normal_load = by_approach.steady.result.normal_force;
+    scene.contact.creepages.x = 0.001;
   });
   // not the same mesh: the estimates of the patch differ by 2 %
   BOOST_TEST(std::abs(by_load.steady.state.approach / 0.22e-3 - 1) < 2e-3);
@@ -250,8 +244,8 @@ BOOST_AUTO_TEST_CASE(a_rigid_rail_is_never_meshed)
   const Run run([](SceneParameters &scene) {
     scene.rail.rigid                   = true;
     scene.contact.friction_coefficient = 0.;
-    scene.contact.approach_entry.clear();
-    scene.contact.normal_load_entry = "100e3";
+    scene.contact.approach.reset();
+    scene.contact.normal_load = 100e3;
   });
   BOOST_TEST(run.steady.pair->body(Side::rail) == nullptr);
   BOOST_TEST(std::abs(run.steady.result.half_width_x /
@@ -264,8 +258,8 @@ BOOST_AUTO_TEST_CASE(a_block_is_a_half_plane_near_the_patch)
   const Run         run([](SceneParameters &scene) {
     scene.rail.shape  = "block";
     scene.rail.radius = 0.;
-    scene.contact.approach_entry.clear();
-    scene.contact.normal_load_entry = "50e3";
+    scene.contact.approach.reset();
+    scene.contact.normal_load = 50e3;
   });
   const Reference2D reference = reference_2d(run.scene, run.steady);
   BOOST_TEST(
@@ -279,7 +273,7 @@ BOOST_AUTO_TEST_CASE(a_wrong_estimate_is_mended)
   const Run run([](SceneParameters &scene) {
     scene.wheel.hub_radius = scene.rail.hub_radius = 0.455;
     scene.mesh.candidate_zone                      = 1.1;
-    scene.contact.approach_entry                   = "2e-5";
+    scene.contact.approach                         = 2e-5;
   });
   BOOST_TEST(run.steady.result.n_touching > 10u);
   BOOST_TEST(!run.said.str().empty());
@@ -292,8 +286,8 @@ BOOST_AUTO_TEST_CASE(an_aligned_mesh_puts_the_edge_upstream_of_a_node)
 {
   const Run run([](SceneParameters &scene) {
     scene.mesh.elements_across_patch = 48;
-    scene.mesh.patch_offset          = "aligned";
-    scene.contact.slip_operator      = "upwind 2";
+    scene.mesh.patch_offset          = std::nullopt;
+    scene.contact.slip_operator      = SlipOperatorKind::upwind_2;
     scene.contact.creepages.x        = 0.0017;
   });
   BOOST_TEST(std::abs(run.errors().force) < 1.5e-3);
@@ -317,7 +311,7 @@ BOOST_AUTO_TEST_CASE(rules_across_entries)
   const auto refused =
     [](const std::function<void(SceneParameters &)> &change) {
       SceneParameters scene;
-      scene.contact.approach_entry = "1e-4";
+      scene.contact.approach = 1e-4;
       scene.check();
       change(scene);
       BOOST_CHECK_THROW(scene.check(), InputError);
@@ -326,14 +320,11 @@ BOOST_AUTO_TEST_CASE(rules_across_entries)
   refused([](auto &scene) { scene.wheel.hub_radius = 1.; });
   refused([](auto &scene) { scene.rail.material.poisson_ratio = 0.5; });
   refused([](auto &scene) { scene.rail.thickness = 1.; });
-  refused([](auto &scene) { scene.contact.normal_load_entry = "1"; });
-  refused([](auto &scene) { scene.contact.approach_entry = ""; });
-  refused([](auto &scene) { scene.contact.approach_entry = "nan"; });
-  refused([](auto &scene) { scene.contact.approach_entry = "1 mm"; });
+  refused([](auto &scene) { scene.contact.normal_load = 1; });
+  refused([](auto &scene) { scene.contact.approach = {}; });
   refused([](auto &scene) { scene.contact.creepages.spin = 1.; });
   refused([](auto &scene) { scene.contact.creepages.y = 1.; });
   refused([](auto &scene) { scene.contact.speed = 0.; });
-  refused([](auto &scene) { scene.mesh.patch_offset = "near"; });
   refused([](auto &scene) { scene.wheel.rigid = scene.rail.rigid = true; });
   refused([](auto &scene) {
     scene.rail.shape       = "block";
@@ -352,9 +343,9 @@ BOOST_AUTO_TEST_CASE(refining_the_rim_does_not_spoil_the_calibrated_force)
   // is off by up to 7.3e-4, at 0.9 of saturation by 3.8e-3
   const std::array<std::pair<double, double>, 4> converged{
     {{0.3, 0.513087}, {0.5, 0.753651}, {0.7, 0.913048}, {0.9, 0.991273}}};
-  for (const char *edges : {"leading", "both"})
+  for (const RimEdges edges : {RimEdges::leading, RimEdges::both})
     for (const unsigned int levels : {1, 2, 3})
-      for (const char *offset : {"0.25", "0.75"})
+      for (const double offset : {0.25, 0.75})
         for (const auto &point : converged)
           {
             const Run run([&](SceneParameters &scene) {

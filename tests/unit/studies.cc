@@ -196,7 +196,7 @@ BOOST_AUTO_TEST_CASE(methods_one_at_a_time)
                "paper",
                "upwind 1",
                "calibrated, graded"});
-  study.combinations = "all";
+  study.combines_all = true;
   BOOST_TEST(study_methods(study).size() == 12u);
 }
 
@@ -281,7 +281,7 @@ BOOST_AUTO_TEST_CASE(entries_that_do_not_fit)
   BOOST_TEST(
     contains(with(&StudyParameters::slip_operators, Texts{"paper", "paper"}),
              "Slip operators contains paper twice"));
-  scene.study.vary = "time step";
+  scene.study.varies_time_step = true;
   BOOST_TEST(contains(with(&StudyParameters::time_steps, Reals{3e-6}),
                       "Accuracy study/Time steps contains 3e-06"));
   BOOST_TEST(contains(with(&StudyParameters::reference_time_step, 0.),
@@ -318,10 +318,10 @@ BOOST_AUTO_TEST_CASE(line_of_a_run)
  */
 BOOST_AUTO_TEST_CASE(estimates_hold)
 {
-  const auto run = [](const std::string &slip_operator,
-                      const unsigned int n,
-                      const double       offset,
-                      const double       creepage) {
+  const auto run = [](const SlipOperatorKind slip_operator,
+                      const unsigned int     n,
+                      const double           offset,
+                      const double           creepage) {
     SceneRun<2> result(
       [&](SceneParameters &scene) {
         for (BodyParameters *body : {&scene.wheel, &scene.rail})
@@ -329,19 +329,22 @@ BOOST_AUTO_TEST_CASE(estimates_hold)
             body->radius     = 0.46;
             body->hub_radius = 0.08;
           }
-        scene.contact.approach_entry     = "0.22e-3";
+        scene.contact.approach           = 0.22e-3;
         scene.contact.creepages.x        = creepage;
         scene.contact.slip_operator      = slip_operator;
         scene.mesh.elements_across_patch = n;
-        scene.mesh.patch_offset          = std::to_string(offset);
+        scene.mesh.patch_offset          = offset;
       },
       [](SceneParameters &) {});
     return std::make_pair(
       result.force_x(), resolution_estimate(result.scene, result.steady).error);
   };
-  const double creepage  = 0.0022;
-  const double converged = run("calibrated", 160, 0.5, creepage).first;
-  for (const std::string slip_operator : {"calibrated", "upwind 2", "upwind 1"})
+  const double creepage = 0.0022;
+  const double converged =
+    run(SlipOperatorKind::calibrated, 160, 0.5, creepage).first;
+  for (const auto slip_operator : {SlipOperatorKind::calibrated,
+                                   SlipOperatorKind::upwind_2,
+                                   SlipOperatorKind::upwind_1})
     for (const unsigned int n : {15, 30})
       {
         double largest = 0., estimate = 0.;

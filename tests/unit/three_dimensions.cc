@@ -27,7 +27,7 @@ namespace
             scene.mesh.growth                = 0.7;
             scene.wheel.lateral_radius       = 0.3;
             scene.rail.lateral_radius        = 0.3;
-            scene.contact.normal_load_entry  = "36059";
+            scene.contact.normal_load        = 36059;
           },
           change)
     {}
@@ -110,7 +110,7 @@ BOOST_AUTO_TEST_CASE(pure_rolling_and_full_slip)
 BOOST_AUTO_TEST_CASE(partial_slip_matches_half_space_theory)
 {
   // converged half-space value 0.7738 to 0.7785, see doc/accuracy.md
-  for (const char *offset : {"0", "0.5"})
+  for (const double offset : {0., 0.5})
     {
       const Run run([&](SceneParameters &scene) {
         scene.mesh.elements_across_patch = 14;
@@ -160,7 +160,7 @@ BOOST_AUTO_TEST_CASE(the_flow_reversed_is_the_mirror_image)
       scene.contact.creepages.x    = flow * 0.0005;
       scene.contact.creepages.y    = 0.001;
       scene.contact.creepages.spin = flow * 0.2;
-      scene.mesh.patch_offset      = flow > 0 ? "0.25" : "-0.25";
+      scene.mesh.patch_offset      = flow > 0 ? 0.25 : -0.25;
     };
   };
   const Run forward(scene_of(1)), backward(scene_of(-1));

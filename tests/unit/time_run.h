@@ -31,7 +31,7 @@ namespace RollingContact
     scene.mesh.elements_across_patch = dim == 2 ? 16 : 6;
     scene.mesh.growth                = dim == 2 ? 0.3 : 0.8;
     scene.contact.speed              = 10.;
-    scene.contact.approach_entry     = dim == 2 ? "0.15e-3" : "0.07e-3";
+    scene.contact.approach           = dim == 2 ? 0.15e-3 : 0.07e-3;
     scene.time.time_step             = 1e-4;
     scene.time.end_time              = 1.;
     scene.time.inertia               = false;

@@ -1,7 +1,7 @@
 #ifndef rolling_contact_analyses_load_curve_h
 #define rolling_contact_analyses_load_curve_h
 
-#include <rolling_contact/program/analysis.h>
+#include <rolling_contact/analyses/analysis.h>
 #include <rolling_contact/state/steady_state.h>
 
 namespace RollingContact

@@ -1,8 +1,8 @@
 #ifndef rolling_contact_analyses_transient_h
 #define rolling_contact_analyses_transient_h
 
+#include <rolling_contact/analyses/analysis.h>
 #include <rolling_contact/assessment/uniqueness_warning.h>
-#include <rolling_contact/program/analysis.h>
 #include <rolling_contact/report/transient_output.h>
 
 namespace RollingContact

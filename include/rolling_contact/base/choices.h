@@ -9,6 +9,15 @@
 namespace RollingContact
 {
   /**
+   * What an entry may be, for its help.
+   */
+  struct DescribedChoice
+  {
+    std::string name;
+    std::string help;
+  };
+
+  /**
    * The names of a table of choices as a selection, "one|another".
    */
   template <class Kind>

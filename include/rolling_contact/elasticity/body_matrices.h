@@ -4,6 +4,7 @@
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/lac/affine_constraints.h>
 
+#include <rolling_contact/dynamics/theta_scheme.h>
 #include <rolling_contact/elasticity/material.h>
 #include <rolling_contact/linear_algebra/symmetric_sparse_matrix.h>
 
@@ -25,12 +26,6 @@ namespace RollingContact
     std::size_t                              n_unknowns;
     Material                                 material;
     double                                   thickness;
-  };
-
-  enum class MassKind
-  {
-    lumped,
-    consistent
   };
 
   /**

@@ -9,6 +9,15 @@
 namespace RollingContact
 {
   /**
+   * What the inner circle, bottom or hub boundary of a body does.
+   */
+  enum class Hub
+  {
+    clamped,
+    free ///< held by inertia alone
+  };
+
+  /**
    * What section `Wheel` or `Rail` says of the shape of its body. Every shape
    * takes those of the entries that concern it. Units: m.
    */
@@ -31,7 +40,7 @@ namespace RollingContact
     double       block_length   = 1.;   ///< in the rolling direction
     double       block_depth    = 0.5;  ///< down to the bottom, the hub
     double       width          = 0.1;  ///< across, 3D only
-    std::string  hub            = "clamped"; ///< or "free": nothing holds it
+    Hub          hub            = Hub::clamped; ///< or "free": nothing holds it
     std::string  mesh_file;
     double       mesh_unit        = 1.;
     unsigned int contact_boundary = 1;

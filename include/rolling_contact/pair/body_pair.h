@@ -193,7 +193,7 @@ namespace RollingContact
       return part(side).heights;
     }
 
-    const SceneParameters &scene;
+    const SceneParameters scene;
 
   private:
     struct Part

@@ -25,17 +25,17 @@ namespace RollingContact
                 const bool             statics = true);
 
     /**
-     * The contact problem for the scene's load and creepages with this slip
-     * operator. Condenses the bodies: once, take W of the problem for the next.
+     * The contact problem for a load, creepages and operators. Condenses the
+     * bodies: once, take W of the problem for the next.
      */
     ContactProblem
-    contact_problem(const SlipOperatorKind slip_operator);
+    contact_problem(const ContactParameters &contact);
 
     /**
      * The same with a given compliance of the pair. Units: m/N.
      */
     ContactProblem
-    contact_problem(const SlipOperatorKind slip_operator, DenseMatrix W) const;
+    contact_problem(const ContactParameters &contact, DenseMatrix W) const;
 
     /**
      * Of compliances of the bodies in their own frames, on the ranks that have

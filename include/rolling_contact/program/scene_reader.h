@@ -7,27 +7,22 @@
 namespace RollingContact
 {
   /**
-   * A scene as read: its file, the settings of the command line applied, and
-   * the whole as deal.II writes it back.
+   * A scene as read and the texts it came from: its file, and the whole as
+   * deal.II writes it back, settings of the command line included.
    */
-  struct SceneText
+  struct SceneInput
   {
-    std::string original; ///< the file
-    std::string used;     ///< every entry that differs from its default
+    SceneParameters scene;
+    std::string     original; ///< the file
+    std::string     used;     ///< every entry that differs from its default
   };
 
   /**
    * Read and check a scene. Throws InputError, one message with file and line
    * where deal.II knows them.
    */
-  SceneText
-  read_scene(const CommandLine &command_line, SceneParameters &scene);
-
-  /**
-   * The same when the parameters are declared already and have their defaults.
-   */
-  SceneText
-  read_declared_scene(const CommandLine &command_line, SceneParameters &scene);
+  SceneInput
+  read_scene(const CommandLine &command_line);
 
   /**
    * Every parameter with its default and documentation, as a .prm file.

@@ -1,24 +1,37 @@
 #ifndef rolling_contact_scene_body_parameters_h
 #define rolling_contact_scene_body_parameters_h
 
-#include <deal.II/base/parameter_acceptor.h>
-
 #include <rolling_contact/elasticity/material.h>
 #include <rolling_contact/mesh/body_shape.h>
 
 #include <filesystem>
 #include <string>
 
+namespace dealii
+{
+  class ParameterHandler;
+}
+
 namespace RollingContact
 {
   /**
+   * Where the undeformed surface of a body from a mesh file lies.
+   */
+  enum class SurfaceSource
+  {
+    radii,
+    nodes
+  };
+
+  /**
    * Section `Wheel` or `Rail`: shape and material of one body.
    */
-  struct BodyParameters
-    : public dealii::ParameterAcceptor
-    , public ShapeParameters
+  struct BodyParameters : public ShapeParameters
   {
     explicit BodyParameters(const std::string &section);
+
+    void
+    declare(dealii::ParameterHandler &prm);
 
     /**
      * Rules across entries. Throws InputError.
@@ -42,24 +55,24 @@ namespace RollingContact
     bool
     is_from_file() const;
 
-    std::string shape     = "disc";
-    bool        rigid     = false;
-    double      thickness = 0.02;
-    std::string surface   = "radii";
-    Material    material  = {210e9, 0.3};
+    std::string   shape     = "disc";
+    bool          rigid     = false;
+    double        thickness = 0.02;
+    SurfaceSource surface   = SurfaceSource::radii;
+    Material      material  = {210e9, 0.3};
 
   private:
     void
-    declare_profile();
+    declare_profile(dealii::ParameterHandler &prm);
 
     void
-    declare_extent();
+    declare_extent(dealii::ParameterHandler &prm);
 
     void
-    declare_mesh_file();
+    declare_mesh_file(dealii::ParameterHandler &prm);
 
     void
-    declare_material();
+    declare_material(dealii::ParameterHandler &prm);
 
     void
     check_material(const unsigned int dimension) const;

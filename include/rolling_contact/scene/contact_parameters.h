@@ -1,8 +1,6 @@
 #ifndef rolling_contact_scene_contact_parameters_h
 #define rolling_contact_scene_contact_parameters_h
 
-#include <deal.II/base/parameter_acceptor.h>
-
 #include <rolling_contact/base/creepages.h>
 #include <rolling_contact/contact/friction_law.h>
 #include <rolling_contact/interface/operators.h>
@@ -10,14 +8,20 @@
 #include <optional>
 #include <string>
 
+namespace dealii
+{
+  class ParameterHandler;
+}
+
 namespace RollingContact
 {
   /**
    * Section `Contact`: load, creepages, friction and the choice of operators.
    */
-  struct ContactParameters : public dealii::ParameterAcceptor
+  struct ContactParameters
   {
-    ContactParameters();
+    void
+    declare(dealii::ParameterHandler &prm);
 
     /**
      * Rules across entries. Throws InputError.
@@ -26,25 +30,19 @@ namespace RollingContact
     check(const unsigned int dimension) const;
 
     /**
-     * None when the entry is empty. Throws InputError.
-     */
-    std::optional<double>
-    normal_load() const;
-
-    std::optional<double>
-    approach() const;
-
-    SlipOperatorKind
-    slip_operator_kind() const;
-
-    ContactMatrices
-    contact_matrices_kind() const;
-
-    /**
-     * The law by which mu falls; none if it is constant.
+     * The law by which mu falls; nullptr if it is constant.
      */
     std::shared_ptr<const FrictionLaw>
     falling_friction() const;
+
+    /**
+     * Rolling speed, 1 where it is not given. Units: m/s.
+     */
+    double
+    rolling_speed() const
+    {
+      return speed.value_or(1.);
+    }
 
     /**
      * Direction of the material flow along x, the sign of the speed.
@@ -52,38 +50,33 @@ namespace RollingContact
     int
     flow() const
     {
-      return speed < 0. ? -1 : 1;
+      return rolling_speed() < 0. ? -1 : 1;
     }
 
-    std::string normal_load_entry;
-    std::string approach_entry;
-    double      friction_coefficient = 0.3;
-    std::string friction_law         = "constant";
-    double      kinetic_friction     = 0.; ///< of the laws that fall
-    double      friction_decay_speed = 0.; ///< of the laws that fall, m/s
-    Creepages   creepages;
-    std::string speed_entry;
-    double      speed            = 1.;
-    bool        speed_is_given   = true;
-    std::string slip_operator    = "calibrated";
-    std::string contact_matrices = "lumped";
-    std::string roughness;
+    /** Either the load or the approach is given. Units: N, m. */
+    std::optional<double> normal_load, approach;
+    double                friction_coefficient = 0.3;
+    std::string           friction_law         = "constant";
+    double                kinetic_friction     = 0.; ///< of the laws that fall
+    double    friction_decay_speed = 0.; ///< of the laws that fall, m/s
+    Creepages creepages;
+    std::optional<double> speed; ///< m/s
+    SlipOperatorKind      slip_operator    = SlipOperatorKind::calibrated;
+    ContactMatrices       contact_matrices = ContactMatrices::lumped;
+    std::string           roughness;
 
   private:
     void
-    declare_load();
+    declare_load(dealii::ParameterHandler &prm);
 
     void
-    declare_friction();
+    declare_friction(dealii::ParameterHandler &prm);
 
     void
-    declare_rolling();
+    declare_rolling(dealii::ParameterHandler &prm);
 
     void
-    declare_operators();
-
-    void
-    read_speed();
+    declare_operators(dealii::ParameterHandler &prm);
 
     void
     check_friction_law() const;

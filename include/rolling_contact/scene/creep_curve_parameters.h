@@ -1,25 +1,28 @@
 #ifndef rolling_contact_scene_creep_curve_parameters_h
 #define rolling_contact_scene_creep_curve_parameters_h
 
-#include <deal.II/base/parameter_acceptor.h>
-
 #include <rolling_contact/base/creepages.h>
 
-#include <string>
 #include <vector>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
 
 namespace RollingContact
 {
   /**
    * Section `Creep curve`: a path of creepages.
    */
-  struct CreepCurveParameters : public dealii::ParameterAcceptor
+  struct CreepCurveParameters
   {
-    CreepCurveParameters();
+    void
+    declare(dealii::ParameterHandler &prm);
 
     /**
-     * The points of the path. Throws InputError if a list is malformed or the
-     * lengths differ.
+     * The points of the path. Throws InputError if the lengths of the lists
+     * differ.
      */
     std::vector<Creepages>
     points() const;
@@ -30,9 +33,8 @@ namespace RollingContact
       points();
     }
 
-    std::string creepage_x = "0";
-    std::string creepage_y = "0";
-    std::string spin       = "0";
+    /** A single number holds for all points. Units: 1, 1, 1/m. */
+    std::vector<double> creepage_x{0.}, creepage_y{0.}, spin{0.};
   };
 } // namespace RollingContact
 

@@ -1,28 +1,31 @@
 #ifndef rolling_contact_scene_load_curve_parameters_h
 #define rolling_contact_scene_load_curve_parameters_h
 
-#include <deal.II/base/parameter_acceptor.h>
-
-#include <string>
 #include <vector>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
 
 namespace RollingContact
 {
   /**
    * Section `Load curve`.
    */
-  struct LoadCurveParameters : public dealii::ParameterAcceptor
+  struct LoadCurveParameters
   {
-    LoadCurveParameters();
+    void
+    declare(dealii::ParameterHandler &prm);
 
     /**
-     * Loads over that of section Contact. Throws InputError if the list is
-     * malformed or a share is not in (0, 1].
+     * Throws InputError if a fraction is not in (0, 1].
      */
-    std::vector<double>
-    load_fractions() const;
+    void
+    check() const;
 
-    std::string shares = "0.1 : 1 : 10";
+    /** Loads over that of section Contact. Units: 1. */
+    std::vector<double> load_fractions{1.};
   };
 } // namespace RollingContact
 

@@ -1,18 +1,40 @@
 #ifndef rolling_contact_scene_mesh_parameters_h
 #define rolling_contact_scene_mesh_parameters_h
 
-#include <deal.II/base/parameter_acceptor.h>
+#include <optional>
 
-#include <string>
+namespace dealii
+{
+  class ParameterHandler;
+}
 
 namespace RollingContact
 {
   /**
+   * What part of the rim of the patch gets smaller elements.
+   */
+  enum class RimEdges
+  {
+    leading,
+    both
+  };
+
+  /**
+   * What a level refines.
+   */
+  enum class LevelMarking
+  {
+    adaptive,
+    uniform
+  };
+
+  /**
    * Section `Mesh`: element sizes, measured in the patch of the Hertz estimate.
    */
-  struct MeshParameters : public dealii::ParameterAcceptor
+  struct MeshParameters
   {
-    MeshParameters();
+    void
+    declare(dealii::ParameterHandler &prm);
 
     /**
      * True if the mesh is to follow the leading edge it finds.
@@ -20,40 +42,41 @@ namespace RollingContact
     bool
     aligned() const
     {
-      return patch_offset == "aligned";
+      return !patch_offset;
     }
 
     /**
-     * The given offset, 0 when aligned. Throws InputError.
+     * The given offset, 0 when aligned. Units: elements.
      */
     double
-    offset() const;
-
-    void
-    check() const;
+    offset() const
+    {
+      return patch_offset.value_or(0.);
+    }
 
     unsigned int elements_across_patch   = 48;
     unsigned int elements_across_patch_y = 0;
-    std::string  patch_offset            = "0";
-    double       candidate_zone          = 0.;
-    double       zone_depth              = 0.75;
-    double       growth                  = 0.1;
-    unsigned int rim_levels              = 0;
-    std::string  rim_edges               = "leading";
-    unsigned int adaptive_levels         = 0;
-    std::string  level_marking           = "adaptive";
-    unsigned int contact_node_budget     = 2000;
-    double       target_change           = 1e-3;
+    /** None: aligned. Units: elements. */
+    std::optional<double> patch_offset        = 0.;
+    double                candidate_zone      = 0.;
+    double                zone_depth          = 0.75;
+    double                growth              = 0.1;
+    unsigned int          rim_levels          = 0;
+    RimEdges              rim_edges           = RimEdges::leading;
+    unsigned int          adaptive_levels     = 0;
+    LevelMarking          level_marking       = LevelMarking::adaptive;
+    unsigned int          contact_node_budget = 2000;
+    double                target_change       = 1e-3;
 
   private:
     void
-    declare_patch();
+    declare_patch(dealii::ParameterHandler &prm);
 
     void
-    declare_zone();
+    declare_zone(dealii::ParameterHandler &prm);
 
     void
-    declare_levels();
+    declare_levels(dealii::ParameterHandler &prm);
   };
 } // namespace RollingContact
 

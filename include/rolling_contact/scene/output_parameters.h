@@ -1,28 +1,27 @@
 #ifndef rolling_contact_scene_output_parameters_h
 #define rolling_contact_scene_output_parameters_h
 
-#include <deal.II/base/parameter_acceptor.h>
-
 #include <rolling_contact/run/log.h>
 
-#include <string>
+namespace dealii
+{
+  class ParameterHandler;
+}
 
 namespace RollingContact
 {
   /**
    * Section `Output`.
    */
-  struct OutputParameters : public dealii::ParameterAcceptor
+  struct OutputParameters
   {
-    OutputParameters();
+    void
+    declare(dealii::ParameterHandler &prm);
 
-    Verbosity
-    verbosity() const;
-
-    bool        body_fields      = true;
-    bool        interface_fields = true;
-    bool        plot             = true;
-    std::string level            = "normal";
+    bool      body_fields      = true;
+    bool      interface_fields = true;
+    bool      plot             = true;
+    Verbosity verbosity        = Verbosity::normal;
   };
 } // namespace RollingContact
 

@@ -1,6 +1,8 @@
 #ifndef rolling_contact_scene_scene_parameters_h
 #define rolling_contact_scene_scene_parameters_h
 
+#include <rolling_contact/base/choices.h>
+#include <rolling_contact/distributed/body_solver.h>
 #include <rolling_contact/scene/body_parameters.h>
 #include <rolling_contact/scene/contact_parameters.h>
 #include <rolling_contact/scene/creep_curve_parameters.h>
@@ -13,14 +15,26 @@
 
 #include <filesystem>
 
+namespace dealii
+{
+  class ParameterHandler;
+}
+
 namespace RollingContact
 {
   /**
-   * A scene: the whole .prm file.
+   * A scene: the whole .prm file. Nothing changes it once it is read; who wants
+   * another takes a copy.
    */
-  struct SceneParameters : public dealii::ParameterAcceptor
+  struct SceneParameters
   {
-    SceneParameters();
+    /**
+     * Declare all entries; @p prm sets the members when it reads a file, so it
+     * must not outlive the scene. @p analyses: what `Analysis` may be.
+     */
+    void
+    declare(dealii::ParameterHandler           &prm,
+            const std::vector<DescribedChoice> &analyses);
 
     /**
      * Rules within and across sections. Throws InputError.
@@ -50,9 +64,28 @@ namespace RollingContact
     is_transient() const
     {
       return analysis == "transient" ||
-             (analysis == "accuracy study" && study.varies_time_step());
+             (analysis == "accuracy study" && study.varies_time_step);
     }
 
+    unsigned int dimension    = 2;
+    std::string  analysis     = "quasi-static";
+    BodySolver   body_solver  = BodySolver::automatic;
+    unsigned int body_threads = 2;
+    /** Of the .prm file: where the files it names are. */
+    std::filesystem::path prm_folder;
+
+    BodyParameters       wheel{"Wheel"};
+    BodyParameters       rail{"Rail"};
+    ContactParameters    contact;
+    SolverParameters     solver;
+    MeshParameters       mesh;
+    CreepCurveParameters creep_curve;
+    LoadCurveParameters  load_curve;
+    StudyParameters      study;
+    TimeParameters       time;
+    OutputParameters     output;
+
+  private:
     void
     check_pair() const;
 
@@ -73,24 +106,6 @@ namespace RollingContact
 
     void
     check_mesh_files() const;
-
-    unsigned int dimension    = 2;
-    std::string  analysis     = "quasi-static";
-    std::string  body_solver  = "automatic";
-    unsigned int body_threads = 2;
-    /** Of the .prm file: where the files it names are. */
-    std::filesystem::path prm_folder;
-
-    BodyParameters       wheel;
-    BodyParameters       rail;
-    ContactParameters    contact;
-    SolverParameters     solver;
-    MeshParameters       mesh;
-    CreepCurveParameters creep_curve;
-    LoadCurveParameters  load_curve;
-    StudyParameters      study;
-    TimeParameters       time;
-    OutputParameters     output;
   };
 } // namespace RollingContact
 

@@ -1,31 +1,29 @@
 #ifndef rolling_contact_scene_study_parameters_h
 #define rolling_contact_scene_study_parameters_h
 
-#include <deal.II/base/parameter_acceptor.h>
-
 #include <string>
 #include <vector>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
 
 namespace RollingContact
 {
   /**
    * Section `Accuracy study`.
    */
-  struct StudyParameters : public dealii::ParameterAcceptor
+  struct StudyParameters
   {
-    StudyParameters();
+    void
+    declare(dealii::ParameterHandler &prm);
 
     /**
      * Throws InputError.
      */
     void
     check(const unsigned int dimension) const;
-
-    bool
-    varies_time_step() const
-    {
-      return vary == "time step";
-    }
 
     /**
      * Meshes that the levels of `adaptive` start from.
@@ -36,7 +34,7 @@ namespace RollingContact
       return adaptive_starts.empty() ? elements : adaptive_starts;
     }
 
-    std::string               vary = "mesh";
+    bool                      varies_time_step = false; ///< instead of the mesh
     std::vector<unsigned int> elements{12, 24, 48, 96};
     unsigned int              n_offsets             = 8;
     unsigned int              reference_elements    = 192;
@@ -49,7 +47,7 @@ namespace RollingContact
     std::vector<unsigned int> adaptive_starts;
     std::vector<std::string>  slip_operators{"calibrated", "upwind 2"};
     std::vector<std::string>  solvers{"automatic"};
-    std::string               combinations    = "one at a time";
+    bool                      combines_all    = false; ///< else one at a time
     double                    paper_tolerance = 1e-3;
     std::vector<double>       time_steps{4e-6, 8e-6, 16e-6};
     std::vector<double>       thetas{0.5, 1.};
@@ -57,14 +55,14 @@ namespace RollingContact
 
   private:
     void
-    declare_meshes();
+    declare_meshes(dealii::ParameterHandler &prm);
     void
-    declare_cases();
+    declare_cases(dealii::ParameterHandler &prm);
 
     void
-    declare_methods();
+    declare_methods(dealii::ParameterHandler &prm);
     void
-    declare_time();
+    declare_time(dealii::ParameterHandler &prm);
 
     void
     check_meshes() const;

@@ -1,13 +1,17 @@
 #ifndef rolling_contact_scene_time_function_h
 #define rolling_contact_scene_time_function_h
 
-#include <deal.II/base/function_parser.h>
-
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace dealii
+{
+  template <int>
+  class FunctionParser;
+}
 
 namespace RollingContact
 {

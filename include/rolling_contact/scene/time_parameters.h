@@ -1,8 +1,7 @@
 #ifndef rolling_contact_scene_time_parameters_h
 #define rolling_contact_scene_time_parameters_h
 
-#include <deal.II/base/parameter_acceptor.h>
-
+#include <rolling_contact/dynamics/theta_scheme.h>
 #include <rolling_contact/input/prm_entries.h>
 #include <rolling_contact/scene/contact_parameters.h>
 #include <rolling_contact/scene/time_function.h>
@@ -12,6 +11,11 @@
 #include <optional>
 #include <set>
 #include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
 
 namespace RollingContact
 {
@@ -48,11 +52,30 @@ namespace RollingContact
   };
 
   /**
+   * What a transient run starts from.
+   */
+  enum class InitialState
+  {
+    rest,  ///< undeformed and without traction
+    steady ///< the steady rolling state at t = 0
+  };
+
+  /**
+   * Unilateral contact in time.
+   */
+  enum class ContactLaw
+  {
+    shifted, ///< the gap of Jean's shifted configuration
+    gap      ///< the gap plus step times velocity
+  };
+
+  /**
    * Section `Time`: transient analysis.
    */
-  struct TimeParameters : public dealii::ParameterAcceptor
+  struct TimeParameters
   {
-    TimeParameters();
+    void
+    declare(dealii::ParameterHandler &prm);
 
     /**
      * Rules across entries, for Analysis = transient; table files are relative
@@ -96,11 +119,11 @@ namespace RollingContact
     double       step_length         = 0.;
     double       theta               = 0.5;
     bool         inertia             = true;
-    std::string  initial_state       = "rest";
-    std::string  mass                = "lumped";
+    InitialState initial_state       = InitialState::rest;
+    MassKind     mass                = MassKind::lumped;
     double       rayleigh_alpha      = 0.;
     double       rayleigh_beta       = 0.;
-    std::string  contact_law         = "shifted";
+    ContactLaw   contact_law         = ContactLaw::shifted;
     double       initial_velocity    = 0.;
     std::string  approach            = "";
     std::string  normal_load         = "";
@@ -116,13 +139,13 @@ namespace RollingContact
 
   private:
     void
-    declare_steps();
+    declare_steps(dealii::ParameterHandler &prm);
     void
-    declare_scheme();
+    declare_scheme(dealii::ParameterHandler &prm);
     void
-    declare_histories();
+    declare_histories(dealii::ParameterHandler &prm);
     void
-    declare_output();
+    declare_output(dealii::ParameterHandler &prm);
 
     void
     check_entries(const ContactParameters &contact,

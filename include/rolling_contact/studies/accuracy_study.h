@@ -1,7 +1,7 @@
 #ifndef rolling_contact_studies_accuracy_study_h
 #define rolling_contact_studies_accuracy_study_h
 
-#include <rolling_contact/program/analysis.h>
+#include <rolling_contact/analyses/analysis.h>
 #include <rolling_contact/studies/study_summary.h>
 
 #include <string>
@@ -15,14 +15,13 @@ namespace RollingContact
    * creepages, slip operators and solvers, against the converged solution of
    * the same bodies. One row per state in results.csv; tables and plot are left
    * to StudySummary. A state that is not solved is counted there; only the
-   * reference must converge. The entries of the scene change from state to
-   * state.
+   * reference must converge.
    */
   template <int dim>
   class AccuracyStudy : public Analysis
   {
   public:
-    AccuracyStudy(SceneParameters &scene, RunContext &context);
+    AccuracyStudy(const SceneParameters &scene, RunContext &context);
 
     void
     run() override;
@@ -48,11 +47,23 @@ namespace RollingContact
     methods_on(const std::string &mesh) const;
 
     /**
+     * The study's scene on the meshes of a method, solved by it.
+     */
+    SceneParameters
+    scene_of(const std::size_t method) const;
+
+    /**
+     * A scene with the creepages of a case.
+     */
+    SceneParameters
+    with_case(SceneParameters scene, const std::size_t index) const;
+
+    /**
      * Bodies and compliance on the grading of @p steady, its zone enlarged
      * until it holds the patch without friction.
      */
     void
-    set_up_pair(SteadyState<dim> &steady);
+    set_up_pair(const SceneParameters &scene, SteadyState<dim> &steady);
 
     /**
      * All positions of a uniform or graded mesh; its set-up is made once for
@@ -64,9 +75,10 @@ namespace RollingContact
                const std::vector<std::size_t> &methods);
 
     void
-    solve_case(const StudyKey     &key,
-               const StateSeconds &set_up,
-               SteadyState<dim>   &steady);
+    solve_case(const StudyKey        &key,
+               const SceneParameters &scene,
+               const StateSeconds    &set_up,
+               SteadyState<dim>      &steady);
 
     /**
      * All positions of an adaptive mesh, whose levels belong to one state.
@@ -78,21 +90,13 @@ namespace RollingContact
     solve_levels(const StudyKey &key, const double offset);
 
     void
-    apply_method(const StudyMethod &method);
-
-    void
-    apply_case(const StudyCase &state);
-
-    void
     keep(const StudyKey         &key,
+         const SceneParameters  &scene,
          const StateSeconds     &seconds,
          const SteadyState<dim> &steady);
 
-    SceneParameters           &scene;
+    const SceneParameters     &scene;
     RunContext                &context;
-    const std::string          contact_matrices; ///< what the scene gave
-    const double               tolerance;
-    const unsigned int         rim_levels;
     const PatchEstimate        patch;
     StudyResults               results;
     std::vector<TractionField> finest; ///< of each case, once it is solved

@@ -1,7 +1,7 @@
 #ifndef rolling_contact_studies_time_study_h
 #define rolling_contact_studies_time_study_h
 
-#include <rolling_contact/program/analysis.h>
+#include <rolling_contact/analyses/analysis.h>
 #include <rolling_contact/studies/error_cost.h>
 #include <rolling_contact/studies/force_history.h>
 #include <rolling_contact/studies/study_state.h>
@@ -17,14 +17,13 @@ namespace RollingContact
    * steps point to. Judged is the force over mu N, without friction the load
    * over N, with N the largest load. A row for each run in summary.csv, then
    * report_errors_and_costs(). A run that fails is marked so; only the
-   * reference must end. The entries Time/Time step and Theta change from run to
-   * run.
+   * reference must end.
    */
   template <int dim>
   class TimeStudy : public Analysis
   {
   public:
-    TimeStudy(SceneParameters &scene, RunContext &context)
+    TimeStudy(const SceneParameters &scene, RunContext &context)
       : scene(scene)
       , context(context)
     {}
@@ -52,7 +51,7 @@ namespace RollingContact
     solve(const double step, const double theta);
 
     void
-    march(Run &run);
+    march(const SceneParameters &varied, Run &run);
 
     void
     add_row(const Run &run, const HistoryErrors &errors, ResultsTable &table);
@@ -66,8 +65,8 @@ namespace RollingContact
     double
     judged(const HistoryErrors &errors) const;
 
-    SceneParameters &scene;
-    RunContext      &context;
+    const SceneParameters &scene;
+    RunContext            &context;
   };
 } // namespace RollingContact
 

@@ -3,7 +3,7 @@
 #include <rolling_contact/analyses/quasi_static.h>
 #include <rolling_contact/analyses/transient.h>
 #include <rolling_contact/base/choices.h>
-#include <rolling_contact/program/analysis.h>
+#include <rolling_contact/program/analysis_table.h>
 #include <rolling_contact/studies/accuracy_study.h>
 #include <rolling_contact/studies/time_study.h>
 
@@ -13,7 +13,7 @@ namespace RollingContact
   {
     template <template <int> class Kind, int dim>
     std::unique_ptr<Analysis>
-    make(SceneParameters &scene, RunContext &context)
+    make(const SceneParameters &scene, RunContext &context)
     {
       return std::make_unique<Kind<dim>>(scene, context);
     }
@@ -31,9 +31,9 @@ namespace RollingContact
 
     template <int dim>
     std::unique_ptr<Analysis>
-    make_study(SceneParameters &scene, RunContext &context)
+    make_study(const SceneParameters &scene, RunContext &context)
     {
-      return scene.study.varies_time_step()
+      return scene.study.varies_time_step
                ? make<TimeStudy, dim>(scene, context)
                : make<AccuracyStudy, dim>(scene, context);
     }

@@ -1,5 +1,7 @@
-#ifndef rolling_contact_program_analysis_h
-#define rolling_contact_program_analysis_h
+#ifndef rolling_contact_program_analysis_table_h
+#define rolling_contact_program_analysis_table_h
+
+#include <rolling_contact/analyses/analysis.h>
 
 #include <memory>
 #include <string>
@@ -11,27 +13,11 @@ namespace RollingContact
   struct SceneParameters;
 
   /**
-   * What is asked of a scene: `Analysis` of the .prm file.
-   */
-  class Analysis
-  {
-  public:
-    virtual ~Analysis() = default;
-
-    /**
-     * Compute, and write what is to be written. Throws ConvergenceError if that
-     * is not possible.
-     */
-    virtual void
-    run() = 0;
-  };
-
-  /**
    * An analysis as --print-parameters and main() know it.
    */
   struct AnalysisKind
   {
-    using Maker = std::unique_ptr<Analysis> (*)(SceneParameters &,
+    using Maker = std::unique_ptr<Analysis> (*)(const SceneParameters &,
                                                 RunContext &);
 
     std::string name;
@@ -42,13 +28,14 @@ namespace RollingContact
   };
 
   /**
-   * All there are.
+   * All analyses, the default first.
    */
   const std::vector<AnalysisKind> &
   analysis_kinds();
 
   /**
-   * Of an entry of analysis_kinds(). Throws InputError for any other name.
+   * The one of this name in analysis_kinds(). Throws InputError for any other
+   * name.
    */
   const AnalysisKind &
   analysis_kind(const std::string &name);

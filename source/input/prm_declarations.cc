@@ -1,0 +1,83 @@
+#include <rolling_contact/base/text.h>
+#include <rolling_contact/input/number_list.h>
+#include <rolling_contact/input/prm_declarations.h>
+
+#include <cmath>
+
+namespace RollingContact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    void
+    declare_text(ParameterHandler                               &prm,
+                 const std::string                              &path,
+                 const std::string                              &default_text,
+                 const std::string                              &help,
+                 const std::function<void(const std::string &)> &read)
+    {
+      const std::string entry = path.substr(path.find('/') + 1);
+      prm.declare_entry(entry, default_text, Patterns::Anything(), help);
+      prm.add_action(entry, read);
+    }
+  } // namespace
+
+
+
+  void
+  declare_number(ParameterHandler      &prm,
+                 const std::string     &path,
+                 std::optional<double> &value,
+                 const std::string     &unit,
+                 const std::string     &help)
+  {
+    declare_text(
+      prm, path, "", help, [&value, path, unit](const std::string &text) {
+        value = number(text);
+        if (!value && !text.empty())
+          throw InputError(path + " = " + text + ": give a number in " + unit +
+                           ", or leave it empty.");
+      });
+  }
+
+
+
+  void
+  declare_number_list(ParameterHandler    &prm,
+                      const std::string   &path,
+                      std::vector<double> &values,
+                      const std::string   &default_text,
+                      const std::string   &help)
+  {
+    declare_text(
+      prm, path, default_text, help, [&values, path](const std::string &text) {
+        values = number_list(path, text);
+      });
+  }
+
+
+
+  std::optional<double>
+  number(const std::string &text)
+  {
+    try
+      {
+        std::size_t  end   = 0;
+        const double value = std::stod(text, &end);
+        if (end == text.size() && std::isfinite(value))
+          return value;
+      }
+    catch (const std::logic_error &)
+      {}
+    return {};
+  }
+
+
+
+  std::string
+  text_of(const double value)
+  {
+    return significant(value, 15);
+  }
+} // namespace RollingContact
