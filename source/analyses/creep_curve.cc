@@ -101,7 +101,8 @@ namespace RollingContact
         estimate_patch(scene).half_width_x <= 0.)
       throw InputError(needs_contact);
     SteadyState<dim> steady =
-      AdaptiveLevels<dim>(scene, context).run([](const auto &) {});
+      AdaptiveLevels<dim>(scene, StateDemands(), context).run([](const auto &) {
+      });
     require_solved(scene, steady, "Creep curve, the state to start from");
     if (steady.result.normal_force <= 0.)
       throw InputError(needs_contact);
@@ -160,7 +161,7 @@ namespace RollingContact
   {
     PhaseTimer::Scope phase(context.timer, Phase::contact_solve);
     steady.problem.set_creepages(creepages);
-    solve_contact(scene, steady);
+    solve_contact(scene, StateDemands(), steady);
     steady.result = resultants(steady.problem, steady.state);
 
     const double friction_force = steady.result.friction_force;

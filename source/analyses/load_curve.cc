@@ -21,6 +21,22 @@ namespace RollingContact
 
 
 
+  namespace
+  {
+    /**
+     * The stiffness is found with 10 % more than the largest load.
+     */
+    StateDemands
+    demands()
+    {
+      StateDemands demands;
+      demands.growth = 1.05;
+      return demands;
+    }
+  } // namespace
+
+
+
   template <int dim>
   void
   LoadCurve<dim>::run()
@@ -28,7 +44,7 @@ namespace RollingContact
     if (estimate_patch(scene).half_width_x <= 0.)
       throw InputError(needs_contact);
     SteadyState<dim> steady =
-      AdaptiveLevels<dim>(scene, context).run([](const auto &) {});
+      AdaptiveLevels<dim>(scene, demands(), context).run([](const auto &) {});
     require_solved(scene, steady, "Load curve, the largest load");
     if (steady.result.normal_force <= 0.)
       throw InputError(needs_contact);
@@ -73,7 +89,7 @@ namespace RollingContact
   LoadCurve<dim>::solve_at(const double load, SteadyState<dim> &steady) const
   {
     steady.problem.normal_load = load;
-    solve_contact(scene, steady);
+    solve_contact(scene, demands(), steady);
     steady.result = resultants(steady.problem, steady.state);
     require_solved(scene, steady, "Load curve, " + significant(load, 6) + " N");
   }

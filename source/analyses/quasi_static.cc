@@ -20,7 +20,9 @@ namespace RollingContact
         report_no_contact();
         return;
       }
-    const SteadyState<dim> steady = AdaptiveLevels<dim>(scene, context)
+    StateDemands demands;
+    demands.pair.displacements    = scene.output.body_fields;
+    const SteadyState<dim> steady = AdaptiveLevels<dim>(scene, demands, context)
                                       .run([&](const SteadyState<dim> &level) {
                                         add_result_row(scene, level, context);
                                       });

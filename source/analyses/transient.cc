@@ -25,7 +25,9 @@ namespace RollingContact
     Checkpoint start;
     if (context.resume)
       start = read_checkpoint(context.folder);
-    ContactStepper<dim> stepper(scene, context);
+    PairDemands demands;
+    demands.displacements = scene.output.body_fields;
+    ContactStepper<dim> stepper(scene, demands, context);
     const TimeSteps     steps = scene.time.steps(stepper.drive().speed);
     stepper.set_time_step(steps.length);
     files = files_read(stepper);
@@ -186,7 +188,7 @@ namespace RollingContact
   {
     if (!stepper.bodies().description().empty())
       context.log.message(stepper.bodies().description() + ".");
-    warn_of_non_uniqueness(scene, worst, context.log);
+    warn_of_non_uniqueness(scene, true, worst, context.log);
     context.report.set_finding(
       "end",
       "t = " + significant(progress.time, 6) + " s, rolled " +

@@ -21,6 +21,7 @@ namespace RollingContact
 
   void
   warn_of_non_uniqueness(const SceneParameters   &scene,
+                         const bool               in_time,
                          const UniquenessSummary &worst,
                          Log                     &log)
   {
@@ -29,7 +30,6 @@ namespace RollingContact
     const auto millimetres = [](const double length) {
       return significant(1e3 * length, 3) + " mm";
     };
-    const bool        in_time = scene.is_transient();
     const std::string what =
       in_time
         ? "Steps of which friction and sliding speed may have several "

@@ -96,30 +96,13 @@ namespace RollingContact
 
 
 
-  namespace
-  {
-    /**
-     * Whether anything after the contact solve asks for a displacement: fields,
-     * the marks of the next level, the start of a motion with mass.
-     */
-    bool
-    wants_displacements(const SceneParameters &scene)
-    {
-      const bool has_fields =
-        scene.analysis == "quasi-static" || scene.is_transient();
-      return scene.mesh.adaptive_levels > 0 ||
-             (has_fields && scene.output.body_fields) ||
-             (scene.is_transient() && scene.time.inertia);
-    }
-  } // namespace
-
-
-
   template <int dim>
   BodyPair<dim>::BodyPair(const SceneParameters &scene,
                           const Grading<dim>    &grading,
+                          const PairDemands     &demands,
                           const bool             statics)
     : scene(scene)
+    , demands(demands)
     , solver(scene.body_solver)
     , are_twins(
         !scene.wheel.rigid && !scene.rail.rigid &&
@@ -135,23 +118,17 @@ namespace RollingContact
 
 
 
-  namespace
+  template <int dim>
+  bool
+  BodyPair<dim>::needs_factors() const
   {
-    /**
-     * True if no other way than a factorisation will do.
-     */
-    bool
-    needs_factors(const SceneParameters &scene)
-    {
-      const auto stiff = [](const BodyParameters &body) {
-        return !body.rigid &&
-               body.material.poisson_ratio > distributed_poisson_limit;
-      };
-      return scene.analysis == "accuracy study" || stiff(scene.wheel) ||
-             stiff(scene.rail) || scene.wheel.is_from_file() ||
-             scene.rail.is_from_file();
-    }
-  } // namespace
+    const auto needs = [](const BodyParameters &body) {
+      return body.is_from_file() ||
+             (!body.rigid &&
+              body.material.poisson_ratio > distributed_poisson_limit);
+    };
+    return demands.factors || needs(scene.wheel) || needs(scene.rail);
+  }
 
 
 
@@ -160,7 +137,7 @@ namespace RollingContact
   BodyPair<dim>::choose_and_build(const Grading<dim> &grading,
                                   const bool          statics)
   {
-    const bool open = solver == BodySolver::automatic && !needs_factors(scene);
+    const bool open = solver == BodySolver::automatic && !needs_factors();
     if (!open || Ranks::count() > 1)
       {
         if (solver == BodySolver::automatic)
@@ -219,7 +196,7 @@ namespace RollingContact
       throw InputError("Body solver = direct on " + std::to_string(n_ranks) +
                        " ranks: it takes one rank for each body, " +
                        std::to_string(n_bodies) + " here. Start fewer" +
-                       (needs_factors(scene)
+                       (needs_factors()
                           ? "; this scene needs direct bodies."
                           : ", or take Body solver = distributed."));
     part(Side::rail).rank = n_bodies == 2 && n_ranks > 1 ? 1 : 0;
@@ -233,7 +210,7 @@ namespace RollingContact
                                body.material,
                                body.thickness,
                                grading,
-                               wants_displacements(scene),
+                               demands.displacements,
                                it.rank);
       if (statics)
         it.body->analyse();

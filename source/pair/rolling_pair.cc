@@ -17,8 +17,9 @@ namespace RollingContact
   template <int dim>
   RollingPair<dim>::RollingPair(const SceneParameters &scene,
                                 const Grading<dim>    &grading,
+                                const PairDemands     &demands,
                                 const bool             statics)
-    : BodyPair<dim>(scene, grading, statics)
+    : BodyPair<dim>(scene, grading, demands, statics)
   {
     if (scene.contact.friction_coefficient > 0.)
       for (unsigned int d = 0; d < dim - 1; ++d)

@@ -234,7 +234,7 @@ namespace RollingContact
                           "elements (Mesh/Elements across patch).");
     warn_of_large_strains(
       strain_measures(scene, last.result, last.state.approach), context.log);
-    warn_of_non_uniqueness(scene, worst, context.log);
+    warn_of_non_uniqueness(scene, false, worst, context.log);
   }
 
 

@@ -166,6 +166,7 @@ namespace RollingContact
       return;
     const double nodes = estimated_contact_nodes(
       make_grading<dim>(scene,
+                        demands,
                         estimate_patch(scene),
                         scene.mesh.elements_across_patch,
                         scene.mesh.offset()));
@@ -187,7 +188,7 @@ namespace RollingContact
   {
     check_budget();
     LevelHistory     history;
-    SteadyState<dim> steady = solve_steady_state<dim>(scene, context);
+    SteadyState<dim> steady = solve_steady_state<dim>(scene, demands, context);
     history.add(level_values(steady));
     on_level(steady);
     Grading<dim> grading = steady.grading;
@@ -224,6 +225,7 @@ namespace RollingContact
       {
         SteadyState<dim> next = solve_on<dim>(
           scene,
+          demands,
           grading,
           [&](const ContactProblem &problem) {
             return transferred_state(previous, problem);

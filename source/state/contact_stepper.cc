@@ -12,6 +12,7 @@ namespace RollingContact
 {
   template <int dim>
   ContactStepper<dim>::ContactStepper(const SceneParameters &scene,
+                                      const PairDemands     &demands,
                                       RunContext            &context)
     : scene(scene)
     , context(context)
@@ -19,7 +20,7 @@ namespace RollingContact
     , solver(make_contact_solver(scene.solver.solver, scene.solver.controls))
   {
     InitialContact<dim> initial =
-      make_initial_contact<dim>(scene, histories, context);
+      make_initial_contact<dim>(scene, demands, histories, context);
     contact        = std::move(initial.contact);
     motion         = std::move(initial.motion);
     undeformed_gap = contact.problem.gap;

@@ -25,6 +25,7 @@ namespace RollingContact
     template <int dim>
     void
     start_steadily(const SceneParameters  &scene,
+                   const StateDemands     &demands,
                    const DrivingFunctions &histories,
                    RunContext             &context,
                    InitialContact<dim>    &initial)
@@ -38,7 +39,7 @@ namespace RollingContact
         problem.normal_load = histories.normal_load->value(0.);
       else
         problem.approach = histories.approach->value(0.);
-      solve_contact(scene, contact);
+      solve_contact(scene, demands, contact);
       if (!contact.solver.converged)
         throw ConvergenceError("The steady initial state did not converge: " +
                                contact.solver.reason +
@@ -53,17 +54,22 @@ namespace RollingContact
      */
     template <int dim>
     SteadyState<dim>
-    mesh_only(const SceneParameters &scene, RunContext &context)
+    mesh_only(const SceneParameters &scene,
+              const StateDemands    &demands,
+              RunContext            &context)
     {
       PhaseTimer::Scope   phase(context.timer, Phase::mesh);
       const PatchEstimate patch = estimate_patch(scene);
       SteadyState<dim>    contact;
       contact.grading = make_grading<dim>(scene,
+                                          demands,
                                           patch,
                                           scene.mesh.elements_across_patch,
                                           scene.mesh.offset());
-      contact.pair =
-        std::make_unique<RollingPair<dim>>(scene, contact.grading, false);
+      contact.pair    = std::make_unique<RollingPair<dim>>(scene,
+                                                        contact.grading,
+                                                        demands.pair,
+                                                        false);
       return contact;
     }
 
@@ -72,14 +78,15 @@ namespace RollingContact
     template <int dim>
     InitialContact<dim>
     make_massless(const SceneParameters  &scene,
+                  const StateDemands     &demands,
                   const DrivingFunctions &histories,
                   RunContext             &context)
     {
       InitialContact<dim> initial;
-      initial.contact = solve_steady_state<dim>(scene, context);
+      initial.contact = solve_steady_state<dim>(scene, demands, context);
       initial.motion  = make_quasi_static_rolling<dim>(*initial.contact.pair);
       if (scene.time.initial_state == InitialState::steady)
-        start_steadily(scene, histories, context, initial);
+        start_steadily(scene, demands, histories, context, initial);
       else
         initial.contact.state = open_state(initial.contact.problem);
       return initial;
@@ -90,6 +97,7 @@ namespace RollingContact
     template <int dim>
     InitialContact<dim>
     make_inertial(const SceneParameters  &scene,
+                  const StateDemands     &demands,
                   const DrivingFunctions &histories,
                   const SlipOperatorKind  slip_operator,
                   RunContext             &context)
@@ -97,8 +105,8 @@ namespace RollingContact
       const bool steady = scene.time.initial_state == InitialState::steady;
       InitialContact<dim> initial;
       SteadyState<dim>   &contact = initial.contact;
-      contact = steady ? solve_steady_state<dim>(scene, context)
-                       : mesh_only<dim>(scene, context);
+      contact = steady ? solve_steady_state<dim>(scene, demands, context)
+                       : mesh_only<dim>(scene, demands, context);
       {
         PhaseTimer::Scope phase(context.timer, Phase::mass);
         initial.motion = make_inertial_rolling<dim>(scene, *contact.pair);
@@ -111,7 +119,7 @@ namespace RollingContact
                                              : contact.pair->combined({}, {}));
       if (steady)
         {
-          start_steadily(scene, histories, context, initial);
+          start_steadily(scene, demands, histories, context, initial);
           contact.pair->release_statics();
         }
       else
@@ -125,6 +133,7 @@ namespace RollingContact
   template <int dim>
   InitialContact<dim>
   make_initial_contact(const SceneParameters  &scene,
+                       const PairDemands      &demands,
                        const DrivingFunctions &histories,
                        RunContext             &context)
   {
@@ -133,19 +142,25 @@ namespace RollingContact
         scene.contact.friction_coefficient > 0.)
       context.log.message("With inertia B1 is `upwind 2`: the edge law of "
                           "`calibrated` needs the static compliance.");
+    StateDemands in_time = demands_in_time(demands);
+    if (scene.time.inertia) // the motion starts from them
+      in_time.pair.displacements = true;
     return scene.time.inertia
-             ? make_inertial<dim>(scene, histories, slip_operator, context)
-             : make_massless<dim>(scene, histories, context);
+             ? make_inertial<dim>(
+                 scene, in_time, histories, slip_operator, context)
+             : make_massless<dim>(scene, in_time, histories, context);
   }
 
 
 
   template InitialContact<2>
   make_initial_contact<2>(const SceneParameters &,
+                          const PairDemands &,
                           const DrivingFunctions &,
                           RunContext &);
   template InitialContact<3>
   make_initial_contact<3>(const SceneParameters &,
+                          const PairDemands &,
                           const DrivingFunctions &,
                           RunContext &);
 } // namespace RollingContact

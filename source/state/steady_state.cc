@@ -10,9 +10,24 @@
 
 namespace RollingContact
 {
+  StateDemands
+  demands_in_time(const PairDemands &pair)
+  {
+    StateDemands demands;
+    demands.pair            = pair;
+    demands.zone            = 1.5;
+    demands.margin          = 3.;
+    demands.one_direction   = false;
+    demands.rough_responses = false;
+    return demands;
+  }
+
+
+
   template <int dim>
   Grading<dim>
   make_grading(const SceneParameters &scene,
+               const StateDemands    &demands,
                const PatchEstimate   &patch,
                const unsigned int     elements_across_patch,
                const double           offset)
@@ -22,24 +37,17 @@ namespace RollingContact
     const unsigned int    elements_y = mesh.elements_across_patch_y > 0
                                          ? mesh.elements_across_patch_y
                                          : elements_across_patch;
-    // vibration makes patches larger than Hertz's, and time cannot go back to
-    // enlarge the zone; the flow needs an element more on its upstream side
-    const bool in_time = scene.is_transient();
-    // contact stiffness is found with 10 % more than the load
-    const double swelling = scene.analysis == "load curve" ? 1.05 : 1.,
-                 factor   = mesh.candidate_zone > 0. ? mesh.candidate_zone
-                            : in_time                ? 1.5
-                                                     : 1.15,
-                 margin   = in_time ? 3. : 1.;
-    const auto zone       = [&](const double half_width, const double size) {
-      return std::max(factor * swelling * half_width,
-                      swelling * half_width + margin * size);
+    const double          factor =
+      mesh.candidate_zone > 0. ? mesh.candidate_zone : demands.zone;
+    const auto zone = [&](const double half_width, const double size) {
+      return std::max(factor * demands.growth * half_width,
+                      demands.growth * half_width + demands.margin * size);
     };
     const double half_width = patch.half_width_x;
     grading.element_size_x  = 2 * half_width / elements_across_patch;
     grading.element_size_y  = 2 * patch.half_width_y / elements_y;
     grading.zone_x          = zone(half_width, grading.element_size_x);
-    grading.upstream        = in_time ? 0 : -scene.contact.flow();
+    grading.upstream        = demands.one_direction ? -scene.contact.flow() : 0;
     grading.zone_y          = zone(patch.half_width_y, grading.element_size_y);
     grading.zone_depth      = mesh.zone_depth * half_width;
     grading.growth          = mesh.growth;
@@ -104,13 +112,15 @@ namespace RollingContact
 
   template <int dim>
   void
-  solve_contact(const SceneParameters &scene, SteadyState<dim> &steady)
+  solve_contact(const SceneParameters &scene,
+                const StateDemands    &demands,
+                SteadyState<dim>      &steady)
   {
     steady.solver = solve_updating_compliance(
       *make_contact_solver(scene.solver.solver, scene.solver.controls),
       [&](const auto &forces, const bool roughly) {
-        // in time small errors of W add up
-        return steady.pair->response(forces, roughly && !scene.is_transient());
+        return steady.pair->response(forces,
+                                     roughly && demands.rough_responses);
       },
       steady.pair->compliance_is_exact(),
       scene.solver.controls,
@@ -123,6 +133,7 @@ namespace RollingContact
   template <int dim>
   SteadyState<dim>
   solve_on(const SceneParameters                                     &scene,
+           const StateDemands                                        &demands,
            const Grading<dim>                                        &grading,
            const std::function<ContactState(const ContactProblem &)> &start,
            RunContext                                                &context)
@@ -133,7 +144,8 @@ namespace RollingContact
     steady.grading = grading;
     {
       PhaseTimer::Scope phase(context.timer, Phase::mesh);
-      steady.pair = std::make_unique<RollingPair<dim>>(scene, grading);
+      steady.pair =
+        std::make_unique<RollingPair<dim>>(scene, grading, demands.pair);
     }
     {
       PhaseTimer::Scope phase(context.timer, Phase::condensation);
@@ -141,7 +153,7 @@ namespace RollingContact
     }
     PhaseTimer::Scope phase(context.timer, Phase::contact_solve);
     steady.state = start(steady.problem);
-    solve_contact(scene, steady);
+    solve_contact(scene, demands, steady);
     steady.result = resultants(steady.problem, steady.state);
     steady.wall_s = watch.seconds();
     return steady;
@@ -159,8 +171,11 @@ namespace RollingContact
     class FittedMesh
     {
     public:
-      FittedMesh(const SceneParameters &scene, Log &log)
+      FittedMesh(const SceneParameters &scene,
+                 const StateDemands    &demands,
+                 Log                   &log)
         : scene(scene)
+        , demands(demands)
         , log(log)
         , patch(estimate_patch(scene))
         , offset(scene.mesh.offset())
@@ -181,6 +196,7 @@ namespace RollingContact
       }
 
       const SceneParameters &scene;
+      const StateDemands    &demands;
       Log                   &log;
       PatchEstimate          patch;
       Grading<dim>           grading;
@@ -189,10 +205,8 @@ namespace RollingContact
       void
       grade()
       {
-        grading = make_grading<dim>(scene,
-                                    patch,
-                                    scene.mesh.elements_across_patch,
-                                    offset);
+        grading = make_grading<dim>(
+          scene, demands, patch, scene.mesh.elements_across_patch, offset);
         grading.enlarge_zone(is_enlarged ? 1 : 0);
       }
 
@@ -274,16 +288,19 @@ namespace RollingContact
 
   template <int dim>
   SteadyState<dim>
-  solve_steady_state(const SceneParameters &scene, RunContext &context)
+  solve_steady_state(const SceneParameters &scene,
+                     const StateDemands    &demands,
+                     RunContext            &context)
   {
     const Stopwatch    watch;
     const unsigned int max_meshes = 10;
-    FittedMesh<dim>    mesh(scene, context.log);
+    FittedMesh<dim>    mesh(scene, demands, context.log);
     for (unsigned int k = 0; k < max_meshes; ++k)
       {
         const PatchEstimate patch  = mesh.patch;
         SteadyState<dim>    steady = solve_on<dim>(
           scene,
+          demands,
           mesh.grading,
           [&](const ContactProblem &problem) {
             return initial_state(problem, patch);
@@ -334,34 +351,46 @@ namespace RollingContact
 
   template struct SteadyState<2>;
   template void
-  solve_contact(const SceneParameters &, SteadyState<2> &);
+  solve_contact(const SceneParameters &,
+                const StateDemands &,
+                SteadyState<2> &);
   template void
-  solve_contact(const SceneParameters &, SteadyState<3> &);
+  solve_contact(const SceneParameters &,
+                const StateDemands &,
+                SteadyState<3> &);
   template Grading<2>
   make_grading(const SceneParameters &,
+               const StateDemands &,
                const PatchEstimate &,
                const unsigned int,
                const double);
   template SteadyState<2>
   solve_on(const SceneParameters &,
+           const StateDemands &,
            const Grading<2> &,
            const std::function<ContactState(const ContactProblem &)> &,
            RunContext &);
   template SteadyState<3>
   solve_on(const SceneParameters &,
+           const StateDemands &,
            const Grading<3> &,
            const std::function<ContactState(const ContactProblem &)> &,
            RunContext &);
   template SteadyState<2>
-  solve_steady_state(const SceneParameters &, RunContext &);
+  solve_steady_state(const SceneParameters &,
+                     const StateDemands &,
+                     RunContext &);
   template struct SteadyState<3>;
   template Grading<3>
   make_grading(const SceneParameters &,
+               const StateDemands &,
                const PatchEstimate &,
                const unsigned int,
                const double);
   template SteadyState<3>
-  solve_steady_state(const SceneParameters &, RunContext &);
+  solve_steady_state(const SceneParameters &,
+                     const StateDemands &,
+                     RunContext &);
   template void
   require_solved(const SceneParameters &,
                  const SteadyState<2> &,

@@ -20,7 +20,9 @@ namespace RollingContact
     : scene(scene)
     , context(context)
     , patch(estimate_patch(scene))
-  {}
+  {
+    demands.pair.factors = true;
+  }
 
 
 
@@ -178,8 +180,9 @@ namespace RollingContact
       {
         {
           PhaseTimer::Scope phase(context.timer, Phase::mesh);
-          steady.pair =
-            std::make_unique<RollingPair<dim>>(scene, steady.grading);
+          steady.pair = std::make_unique<RollingPair<dim>>(scene,
+                                                           steady.grading,
+                                                           demands.pair);
         }
         PhaseTimer::Scope phase(context.timer, Phase::condensation);
         steady.problem = steady.pair->contact_problem(scene.contact);
@@ -209,8 +212,8 @@ namespace RollingContact
         reset_peak_memory();
         const StateSeconds before = state_seconds(context.timer);
         SteadyState<dim>   steady;
-        steady.grading =
-          make_grading<dim>(first, patch, elements, double(k) / n_offsets);
+        steady.grading = make_grading<dim>(
+          first, demands, patch, elements, double(k) / n_offsets);
         set_up_pair(first, steady);
         // of the first method, as it would be for any
         const StateSeconds set_up = state_seconds(context.timer) - before;
@@ -300,7 +303,7 @@ namespace RollingContact
     RunContext         unheard{
       context.folder, context.results, context.report, context.timer, quiet};
     const SteadyState<dim> steady =
-      AdaptiveLevels<dim>(varied, unheard).run([](const auto &) {});
+      AdaptiveLevels<dim>(varied, demands, unheard).run([](const auto &) {});
     keep(key, varied, state_seconds(context.timer) - before, steady);
   }
 

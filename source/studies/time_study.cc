@@ -107,7 +107,9 @@ namespace RollingContact
     Log          quiet(Verbosity::quiet);
     RunContext   unheard{
       context.folder, context.results, context.report, context.timer, quiet};
-    ContactStepper<dim> stepper(varied, unheard);
+    PairDemands demands;
+    demands.factors = true;
+    ContactStepper<dim> stepper(varied, demands, unheard);
     const TimeSteps     steps = varied.time.steps(stepper.drive().speed);
     stepper.set_time_step(steps.length);
     run.set_up_s = cpu_seconds() - begin;

@@ -65,7 +65,7 @@ namespace
       standard(scene);
       change(scene);
       scene.check();
-      last = AdaptiveLevels<dim>(scene, context)
+      last = AdaptiveLevels<dim>(scene, StateDemands(), context)
                .run([&](const SteadyState<dim> &level) {
                  BOOST_TEST(level.solver.converged);
                  n_nodes.push_back(level.problem.n_nodes);

@@ -46,7 +46,9 @@ namespace RollingContact
       standard(scene);
       change(scene);
       scene.check();
-      steady = solve_steady_state<dim>(scene, context);
+      StateDemands demands;
+      demands.pair.displacements = true;
+      steady = solve_steady_state<dim>(scene, demands, context);
       BOOST_TEST(steady.solver.converged);
     }
 

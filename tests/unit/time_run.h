@@ -51,7 +51,9 @@ namespace RollingContact
       standard<dim>(scene);
       change(scene);
       scene.check();
-      stepper = std::make_unique<ContactStepper<dim>>(scene, context);
+      PairDemands demands;
+      demands.displacements = true;
+      stepper = std::make_unique<ContactStepper<dim>>(scene, demands, context);
     }
 
     /**

@@ -31,10 +31,12 @@ namespace RollingContact
   };
 
   /**
-   * Warns if several solutions must be expected, and says what to do.
+   * Warns if several solutions must be expected, of steps @p in_time or of
+   * steady states, and says what to do.
    */
   void
   warn_of_non_uniqueness(const SceneParameters   &scene,
+                         const bool               in_time,
                          const UniquenessSummary &worst,
                          Log                     &log);
 

@@ -26,6 +26,17 @@ namespace RollingContact
   }
 
   /**
+   * What an analysis demands of the bodies, beyond what the scene says.
+   */
+  struct PairDemands
+  {
+    /** Displacements inside the bodies will be asked for. */
+    bool displacements = false;
+    /** The compliance must be exact: bodies are factorised. */
+    bool factors = false;
+  };
+
+  /**
    * The elastic bodies of a scene, the interface between them, and the ranks
    * they live on: spread over all (distributed) or on one each (direct). Bodies
    * that the program meshes carry the interface's nodes, one from a file is
@@ -43,6 +54,7 @@ namespace RollingContact
      */
     BodyPair(const SceneParameters &scene,
              const Grading<dim>    &grading,
+             const PairDemands     &demands,
              const bool             statics);
 
     /**
@@ -240,6 +252,13 @@ namespace RollingContact
     void
     pair_surfaces(const Grading<dim> &zone);
 
+    /**
+     * True if no other way than a factorisation will do.
+     */
+    bool
+    needs_factors() const;
+
+    PairDemands demands;
     BodySolver  solver;
     std::string reason;
     bool        are_twins;

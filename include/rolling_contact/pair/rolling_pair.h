@@ -22,6 +22,7 @@ namespace RollingContact
      */
     RollingPair(const SceneParameters &scene,
                 const Grading<dim>    &grading,
+                const PairDemands     &demands,
                 const bool             statics = true);
 
     /**

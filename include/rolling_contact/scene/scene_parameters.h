@@ -57,16 +57,6 @@ namespace RollingContact
       return wheel.rigid ? rail.thickness : wheel.thickness;
     }
 
-    /**
-     * Whether section Time is in use.
-     */
-    bool
-    is_transient() const
-    {
-      return analysis == "transient" ||
-             (analysis == "accuracy study" && study.varies_time_step);
-    }
-
     unsigned int dimension    = 2;
     std::string  analysis     = "quasi-static";
     BodySolver   body_solver  = BodySolver::automatic;
@@ -86,6 +76,16 @@ namespace RollingContact
     OutputParameters     output;
 
   private:
+    /**
+     * Whether section Time is in use.
+     */
+    bool
+    is_transient() const
+    {
+      return analysis == "transient" ||
+             (analysis == "accuracy study" && study.varies_time_step);
+    }
+
     void
     check_pair() const;
 

@@ -20,10 +20,16 @@ namespace RollingContact
   class AdaptiveLevels
   {
   public:
-    AdaptiveLevels(const SceneParameters &scene, RunContext &context)
+    AdaptiveLevels(const SceneParameters &scene,
+                   const StateDemands    &demands,
+                   RunContext            &context)
       : scene(scene)
+      , demands(demands)
       , context(context)
-    {}
+    {
+      if (scene.mesh.adaptive_levels > 0) // marked by strains
+        this->demands.pair.displacements = true;
+    }
 
     /**
      * The last level's state. @p on_level is called with each level's, in
@@ -60,6 +66,7 @@ namespace RollingContact
     solve_next(const SteadyState<dim> &previous, Grading<dim> grading);
 
     const SceneParameters &scene;
+    StateDemands           demands;
     RunContext            &context;
   };
 

@@ -41,7 +41,9 @@ namespace RollingContact
      * Mesh, matrices and the initial state. Throws InputError,
      * ConvergenceError.
      */
-    ContactStepper(const SceneParameters &scene, RunContext &context);
+    ContactStepper(const SceneParameters &scene,
+                   const PairDemands     &demands,
+                   RunContext            &context);
 
     /**
      * Factorise and condense for this step, if it is not the current one.

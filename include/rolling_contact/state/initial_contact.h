@@ -27,6 +27,7 @@ namespace RollingContact
   template <int dim>
   InitialContact<dim>
   make_initial_contact(const SceneParameters  &scene,
+                       const PairDemands      &demands,
                        const DrivingFunctions &histories,
                        RunContext             &context);
 } // namespace RollingContact

@@ -15,6 +15,35 @@
 namespace RollingContact
 {
   /**
+   * What an analysis demands of a state and its mesh, beyond what the scene
+   * says.
+   */
+  struct StateDemands
+  {
+    PairDemands pair;
+    /** Half-length of the zone of contact nodes over the half-width of the
+     * estimated patch, where the scene gives none. */
+    double zone = 1.15;
+    /** Least distance from the patch to the zone's border, in elements. */
+    double margin = 1.;
+    /** Largest patch that may come, over the estimated one. */
+    double growth = 1.;
+    /** The flow keeps its direction: an element more on the upstream side. */
+    bool one_direction = true;
+    /** Corrections of an approximate compliance may begin with rough
+     * responses. */
+    bool rough_responses = true;
+  };
+
+  /**
+   * The demands of rolling in time: vibration makes patches larger than
+   * Hertz's, time cannot go back to enlarge the zone, and small errors of the
+   * compliance add up.
+   */
+  StateDemands
+  demands_in_time(const PairDemands &pair);
+
+  /**
    * One steady rolling state on the mesh that was made for it.
    */
   template <int dim>
@@ -41,6 +70,7 @@ namespace RollingContact
   template <int dim>
   Grading<dim>
   make_grading(const SceneParameters &scene,
+               const StateDemands    &demands,
                const PatchEstimate   &patch,
                const unsigned int     elements_across_patch,
                const double           offset);
@@ -57,7 +87,9 @@ namespace RollingContact
    */
   template <int dim>
   void
-  solve_contact(const SceneParameters &scene, SteadyState<dim> &steady);
+  solve_contact(const SceneParameters &scene,
+                const StateDemands    &demands,
+                SteadyState<dim>      &steady);
 
   /**
    * Mesh, condense and solve the scene's state on this grading, from the state
@@ -66,6 +98,7 @@ namespace RollingContact
   template <int dim>
   SteadyState<dim>
   solve_on(const SceneParameters                                     &scene,
+           const StateDemands                                        &demands,
            const Grading<dim>                                        &grading,
            const std::function<ContactState(const ContactProblem &)> &start,
            RunContext                                                &context);
@@ -90,7 +123,9 @@ namespace RollingContact
    */
   template <int dim>
   SteadyState<dim>
-  solve_steady_state(const SceneParameters &scene, RunContext &context);
+  solve_steady_state(const SceneParameters &scene,
+                     const StateDemands    &demands,
+                     RunContext            &context);
 
   /**
    * Why a solve failed, "reason. Natural residual 1e-3, required 1e-10".

@@ -97,6 +97,7 @@ namespace RollingContact
 
     const SceneParameters     &scene;
     RunContext                &context;
+    StateDemands               demands;
     const PatchEstimate        patch;
     StudyResults               results;
     std::vector<TractionField> finest; ///< of each case, once it is solved
