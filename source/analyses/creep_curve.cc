@@ -160,7 +160,7 @@ namespace RollingContact
                                SteadyState<dim> &steady)
   {
     PhaseTimer::Scope phase(context.timer, Phase::contact_solve);
-    steady.problem.set_creepages(creepages);
+    steady.problem.loads.creepages = creepages;
     solve_contact(scene, StateDemands(), steady);
     steady.result = resultants(steady.problem, steady.state);
 

@@ -88,7 +88,7 @@ namespace RollingContact
   void
   LoadCurve<dim>::solve_at(const double load, SteadyState<dim> &steady) const
   {
-    steady.problem.normal_load = load;
+    steady.problem.loads.normal_load = load;
     solve_contact(scene, demands(), steady);
     steady.result = resultants(steady.problem, steady.state);
     require_solved(scene, steady, "Load curve, " + significant(load, 6) + " N");
@@ -100,17 +100,17 @@ namespace RollingContact
   double
   LoadCurve<dim>::stiffness(SteadyState<dim> &steady) const
   {
-    const double load = *steady.problem.normal_load, change = 0.1;
+    const double load = *steady.problem.loads.normal_load, change = 0.1;
     const auto   solver = steady.solver;
     const auto   state  = steady.state;
     solve_at((1 + change) * load, steady);
     const double above = steady.state.approach;
     solve_at((1 - change) * load, steady);
-    const double below         = steady.state.approach;
-    steady.problem.normal_load = load;
-    steady.state               = state;
-    steady.solver              = solver;
-    steady.result              = resultants(steady.problem, state);
+    const double below               = steady.state.approach;
+    steady.problem.loads.normal_load = load;
+    steady.state                     = state;
+    steady.solver                    = solver;
+    steady.result                    = resultants(steady.problem, state);
     return 2 * change * load / (above - below);
   }
 

@@ -93,7 +93,7 @@ namespace RollingContact
       significant(steps.length, 4) + " s, " +
       (scene.time.inertia ? "theta = " + significant(scene.time.theta, 4)
                           : std::string("without inertia")) +
-      ", " + std::to_string(stepper.current().problem.n_nodes) +
+      ", " + std::to_string(stepper.current().problem.n_nodes()) +
       " contact nodes.");
     if (scene.time.inertia && scene.time.damping_frequency > 0.)
       context.log.message(
@@ -112,13 +112,13 @@ namespace RollingContact
       objects.push_back({object, built, bytes, 0., built ? "" : reason});
     };
     const bool inertia = scene.time.inertia,
-               slips   = stepper.current().problem.n_tangential > 0;
+               slips   = stepper.current().problem.n_tangential() > 0;
     add("K, M", inertia, memory.matrices, "Time/Inertia = false");
     add("factor of the step", inertia, memory.solver, "Time/Inertia = false");
     add("columns Y", inertia, memory.columns, "Time/Inertia = false");
     add("compliance W",
         true,
-        stepper.current().problem.W.memory_consumption(),
+        stepper.current().problem.operators.W().memory_consumption(),
         "");
     add("tangential compliance, B1, B2", slips, 0, "frictionless");
   }

@@ -85,7 +85,7 @@ namespace RollingContact
             {
               stick_x.push_back(x[i]);
               margin.push_back(tangential.bound[i] -
-                               std::abs(steady.state.traction[i]));
+                               steady.state.traction.norm_at(i));
             }
           else if (!stick_x.empty())
             break;
@@ -110,11 +110,11 @@ namespace RollingContact
                           steady.pair->twins(),
                           {}};
     if (std::abs(constants.dundurs_beta) < 1e-12 &&
-        steady.problem.n_tangential > 0 && !steady.problem.friction_law)
+        steady.problem.n_tangential() > 0 && !steady.problem.loads.friction_law)
       reference.carter.emplace(reference.hertz,
                                constants.relative_radius,
                                scene.contact.friction_coefficient,
-                               steady.problem.creepages.x,
+                               steady.problem.loads.creepages.x,
                                scene.contact.flow());
     const auto wheel = annulus(scene.wheel), rail = annulus(scene.rail);
     if (wheel && rail && scene.contact.approach)
@@ -134,7 +134,7 @@ namespace RollingContact
             const Reference2D     &reference)
   {
     std::vector<double> x;
-    for (const auto &position : steady.problem.positions)
+    for (const auto &position : steady.problem.operators.positions())
       x.push_back(position[0]);
     const double a  = reference.hertz.half_width,
                  p0 = reference.hertz.max_pressure,
@@ -153,13 +153,13 @@ namespace RollingContact
     if (!reference.carter || !reference.carter_is_exact)
       return errors;
     const References::Carter &carter = *reference.carter;
+    const std::vector<double> q      = steady.state.traction.component(0);
     const auto traction = [&](const double at) { return carter.traction(at); };
     errors.force        = steady.result.force_x / steady.result.friction_force -
                    carter.force_ratio();
-    errors.traction_l2 =
-      l2_error(x, steady.state.traction, traction, a) / (mu * p0);
-    errors.sawtooth = sawtooth(x, steady.state.traction, traction) / (mu * p0);
-    const int  flow = scene.contact.flow();
+    errors.traction_l2    = l2_error(x, q, traction, a) / (mu * p0);
+    errors.sawtooth       = sawtooth(x, q, traction) / (mu * p0);
+    const int  flow       = scene.contact.flow();
     const auto interval   = carter.stick_interval();
     errors.stick_boundary = (stick_boundary(steady, x, flow) -
                              (flow > 0 ? interval.second : interval.first)) /

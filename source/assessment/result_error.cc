@@ -45,7 +45,8 @@ namespace RollingContact
     Bound
     measured_bound(const SceneParameters &scene, const SteadyState<dim> &steady)
     {
-      const SlipOperatorKind kind = steady.problem.slip_operator.kind();
+      const SlipOperatorKind kind =
+        steady.problem.operators.slip_operator().kind();
       if (kind == SlipOperatorKind::upwind_1)
         return {dim == 2 ? 0.65 : 1.1, 1.};
       if (kind == SlipOperatorKind::galerkin)
@@ -56,8 +57,8 @@ namespace RollingContact
         return {dim == 2 ? 0.4 : 0.65, 1.};
       if (dim == 2)
         return {2.3, 2.};
-      return steady.problem.creepages.spin == 0. ? Bound{1.3, 2.}
-                                                 : Bound{0.9, 1.5};
+      return steady.problem.loads.creepages.spin == 0. ? Bound{1.3, 2.}
+                                                       : Bound{0.9, 1.5};
     }
 
 
@@ -85,7 +86,8 @@ namespace RollingContact
                           const SteadyState<dim> &steady)
     {
       // along a creep curve the levels were those of its first state
-      if (steady.limit && steady.problem.creepages == scene.contact.creepages)
+      if (steady.limit &&
+          steady.problem.loads.creepages == scene.contact.creepages)
         return {"force",
                 steady.limit->value_error,
                 "mu N",
@@ -151,7 +153,7 @@ namespace RollingContact
   {
     if (steady.result.normal_force <= 0.)
       return;
-    const bool        friction = steady.problem.n_tangential > 0;
+    const bool        friction = steady.problem.n_tangential() > 0;
     const StateErrors errors   = state_errors<dim>(scene, steady, nullptr);
     if (friction)
       keep_largest(force_error(scene, steady), report);
@@ -176,7 +178,7 @@ namespace RollingContact
                      const SteadyState<dim> &steady,
                      RunReport              &report)
   {
-    if (steady.problem.n_tangential == 0)
+    if (steady.problem.n_tangential() == 0)
       {
         const double unknown = std::numeric_limits<double>::quiet_NaN();
         report.errors.push_back(

@@ -22,8 +22,8 @@ namespace RollingContact
     {
       double sum = 0.;
       for (unsigned int c = 0; c < n_components; ++c)
-        for (unsigned int i = 0; i < problem.n_nodes; ++i)
-          sum += problem.areas[i] * std::pow(error(c, i), 2);
+        for (unsigned int i = 0; i < problem.n_nodes(); ++i)
+          sum += problem.operators.areas()[i] * std::pow(error(c, i), 2);
       return std::sqrt(sum / area);
     }
 
@@ -40,19 +40,16 @@ namespace RollingContact
                         const double            area,
                         const double            scale)
     {
-      const ContactProblem &problem  = steady.problem;
-      const std::size_t     n_finest = finest.trace.nodes.size();
+      const ContactProblem &problem = steady.problem;
+      const auto           &at      = problem.operators.positions();
       return nodal_l2(problem,
-                      problem.n_tangential,
+                      problem.n_tangential(),
                       area,
                       [&](const unsigned int c, const unsigned int i) {
                         const auto weights =
-                          finest.trace.interpolation(problem.positions[i][0],
-                                                     problem.positions[i][1]);
-                        return steady.state.traction[c * problem.n_nodes + i] -
-                               (weights ? apply(*weights,
-                                                finest.traction,
-                                                c * n_finest)
+                          finest.trace.interpolation(at[i][0], at[i][1]);
+                        return steady.state.traction(c, i) -
+                               (weights ? apply(*weights, finest.traction, c)
                                         : 0.);
                       }) /
              scale;
@@ -96,7 +93,7 @@ namespace RollingContact
       const References::HertzEllipse hertz =
         reference_3d(scene, steady.result.normal_force, {}).hertz;
       const double area = hertz.half_width_x * hertz.half_width_y;
-      const auto  &at   = steady.problem.positions;
+      const auto  &at   = steady.problem.operators.positions();
       result.pressure_l2 =
         nodal_l2(steady.problem,
                  1,

@@ -13,7 +13,7 @@ namespace RollingContact
     if (found.ratio <= ratio)
       return;
     ratio    = found.ratio;
-    position = problem.positions[found.node];
+    position = problem.operators.positions()[found.node];
     of       = of_state;
   }
 

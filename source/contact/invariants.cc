@@ -1,6 +1,7 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/contact/invariants.h>
+#include <rolling_contact/contact/tangential_problem.h>
 
 #include <algorithm>
 #include <cmath>
@@ -34,24 +35,25 @@ namespace RollingContact
                Invariants           &result)
     {
       const std::vector<double> u_n = normal_gap(problem, state);
-      const double              rho =
-        problem.normal_norm > 0. ? 1 / problem.normal_norm : 0.;
-      const double load    = problem.resultant(state.pressure);
+      const double              rho = problem.operators.normal_norm() > 0.
+                                        ? 1 / problem.operators.normal_norm()
+                                        : 0.;
+      const double load    = problem.operators.resultant(state.pressure);
       double       largest = 0.;
-      for (unsigned int i = 0; i < problem.n_nodes; ++i)
+      for (unsigned int i = 0; i < problem.n_nodes(); ++i)
         {
-          const double area = problem.areas[i], p = state.pressure[i],
-                       distance = rho * u_n[i];
-          largest               = std::max({largest, p, distance});
+          const double area = problem.operators.areas()[i],
+                       p = state.pressure[i], distance = rho * u_n[i];
+          largest = std::max({largest, p, distance});
           result.pull += area * excess(-p);
           result.overlap += area * excess(-distance);
           result.complementarity += area * excess(p) * excess(distance);
         }
-      const double scale     = problem.normal_load.value_or(load);
+      const double scale     = problem.loads.normal_load.value_or(load);
       result.pull            = ratio(result.pull, scale);
       result.overlap         = ratio(result.overlap, scale);
       result.complementarity = ratio(result.complementarity, scale * largest);
-      if (problem.normal_load)
+      if (problem.loads.normal_load)
         result.load = ratio(std::abs(load - scale), scale);
     }
 
@@ -62,28 +64,23 @@ namespace RollingContact
                  const ContactState   &state,
                  Invariants           &result)
     {
-      const TangentialProblem   friction = tangential_problem(problem, state);
-      const std::vector<double> slip     = friction.slip(state.traction);
-      const double              rho =
-        problem.tangential_norm > 0. ? 1 / problem.tangential_norm : 0.;
+      const TangentialProblem friction = tangential_problem(problem, state);
+      const double            norm     = problem.operators.tangential_norm();
+      NodalField              slip     = friction.slip(state.traction);
+      slip *= norm > 0. ? 1 / norm : 0.; // in Pa
       double largest = 0.;
-      for (unsigned int i = 0; i < problem.n_nodes; ++i)
+      for (unsigned int i = 0; i < problem.n_nodes(); ++i)
         {
-          double size = 0., speed = 0., power = 0.;
-          for (unsigned int c = 0; c < problem.n_tangential; ++c)
-            {
-              const std::size_t k = c * problem.n_nodes + i;
-              const double      q = state.traction[k], s = rho * slip[k];
-              size  = std::hypot(size, q);
-              speed = std::hypot(speed, s);
-              power += q * s;
-            }
-          const double area = problem.areas[i];
-          largest           = std::max(largest, friction.bound[i] + speed);
-          result.cone += area * excess(size - friction.bound[i]);
+          double power = 0.;
+          for (unsigned int c = 0; c < problem.n_tangential(); ++c)
+            power += state.traction(c, i) * slip(c, i);
+          const double area  = problem.operators.areas()[i],
+                       bound = friction.bound[i];
+          largest            = std::max(largest, bound + slip.norm_at(i));
+          result.cone += area * excess(state.traction.norm_at(i) - bound);
           result.friction_power += area * excess(power);
         }
-      const double scale    = problem.resultant(friction.bound);
+      const double scale    = problem.operators.resultant(friction.bound);
       result.cone           = ratio(result.cone, scale);
       result.friction_power = ratio(result.friction_power, scale * largest);
     }
@@ -97,13 +94,9 @@ namespace RollingContact
     double
     negative_energy(const ContactProblem &problem, const ContactState &state)
     {
-      std::vector<double> forces;
-      if (problem.n_tangential > 0)
-        forces = problem.H.multiply(state.traction);
-      const std::vector<double> normal = problem.H.multiply(state.pressure);
-      forces.insert(forces.end(), normal.begin(), normal.end());
-      std::vector<double> displacements(forces.size(), 0.);
-      problem.W.multiply_block(0, 0, forces, displacements);
+      const std::vector<double> forces = nodal_forces(problem, state);
+      std::vector<double>       displacements(forces.size(), 0.);
+      problem.operators.W().multiply_block(0, 0, forces, displacements);
       double energy = 0., size = 0.;
       for (std::size_t i = 0; i < forces.size(); ++i)
         {
@@ -151,7 +144,7 @@ namespace RollingContact
   {
     Invariants result;
     add_normal(problem, state, result);
-    if (problem.n_tangential > 0)
+    if (problem.n_tangential() > 0)
       add_friction(problem, state, result);
     result.elastic_energy = negative_energy(problem, state);
     return result;

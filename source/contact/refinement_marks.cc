@@ -260,11 +260,12 @@ namespace RollingContact
                    const ContactProblem &problem,
                    const ContactState   &state)
   {
-    const int flow =
-      problem.n_tangential > 0 ? problem.slip_operator.flow_direction() : 1;
-    Marks marks(trace.cells.size(), RefinementMark::none);
+    const int flow = problem.n_tangential() > 0
+                       ? problem.operators.slip_operator().flow_direction()
+                       : 1;
+    Marks     marks(trace.cells.size(), RefinementMark::none);
     mark_rim(trace, state.pressure, flow, marks);
-    if (problem.n_tangential > 0)
+    if (problem.n_tangential() > 0)
       {
         const auto states =
           node_states(tangential_problem(problem, state), state);

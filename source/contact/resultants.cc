@@ -10,38 +10,27 @@ namespace RollingContact
 {
   namespace
   {
-    double
-    traction_size(const ContactProblem &problem,
-                  const ContactState   &state,
-                  const unsigned int    node)
-    {
-      double size = 0.;
-      for (unsigned int c = 0; c < problem.n_tangential; ++c)
-        size = std::hypot(size, state.traction[c * problem.n_nodes + node]);
-      return size;
-    }
-
-
-
     void
     add_forces(const ContactProblem &problem,
                const ContactState   &state,
                Resultants           &result)
     {
-      result.normal_force = problem.resultant(state.pressure);
-      if (problem.n_tangential == 0)
+      result.normal_force = problem.operators.resultant(state.pressure);
+      if (problem.n_tangential() == 0)
         return;
-      const std::vector<double> force   = problem.H.multiply(state.traction);
-      const bool                lateral = problem.n_tangential == 2;
-      for (unsigned int i = 0; i < problem.n_nodes; ++i)
+      const NodalField force   = problem.operators.H() * state.traction;
+      const bool       lateral = problem.n_tangential() == 2;
+      for (unsigned int i = 0; i < problem.n_nodes(); ++i)
         {
-          result.friction_force +=
-            problem.areas[i] * problem.friction[i] * state.pressure[i];
-          const auto  &position = problem.positions[i];
-          const double force_y  = lateral ? force[problem.n_nodes + i] : 0.;
-          result.force_x += force[i];
+          result.friction_force += problem.operators.areas()[i] *
+                                   problem.loads.friction[i] *
+                                   state.pressure[i];
+          const auto  &position = problem.operators.positions()[i];
+          const double force_x  = force(0, i),
+                       force_y  = lateral ? force(1, i) : 0.;
+          result.force_x += force_x;
           result.force_y += force_y;
-          result.spin_moment += position[0] * force_y - position[1] * force[i];
+          result.spin_moment += position[0] * force_y - position[1] * force_x;
         }
       if (result.normal_force > 0.)
         result.traction_coefficient =
@@ -91,14 +80,17 @@ namespace RollingContact
                 const ContactState           &state)
     {
       double nearest = std::numeric_limits<double>::max();
-      for (unsigned int i = 0; i < problem.n_nodes; ++i)
+      for (unsigned int i = 0; i < problem.n_nodes(); ++i)
         if (states[i] != NodeState::open)
-          nearest = std::min(nearest, std::abs(problem.positions[i][1]));
+          nearest =
+            std::min(nearest, std::abs(problem.operators.positions()[i][1]));
       Line line;
-      for (unsigned int i = 0; i < problem.n_nodes; ++i)
+      for (unsigned int i = 0; i < problem.n_nodes(); ++i)
         if (states[i] != NodeState::open &&
-            std::abs(problem.positions[i][1]) <= nearest * (1 + 1e-9))
-          line.emplace_back(problem.positions[i][0], state.pressure[i]);
+            std::abs(problem.operators.positions()[i][1]) <=
+              nearest * (1 + 1e-9))
+          line.emplace_back(problem.operators.positions()[i][0],
+                            state.pressure[i]);
       return line;
     }
 
@@ -117,9 +109,9 @@ namespace RollingContact
       const auto touches = [&](const unsigned int i) {
         return states[i] != NodeState::open;
       };
-      const auto &at     = problem.positions;
+      const auto &at     = problem.operators.positions();
       double      extent = 0., outer = -std::numeric_limits<double>::max();
-      for (unsigned int i = 0; i < problem.n_nodes; ++i)
+      for (unsigned int i = 0; i < problem.n_nodes(); ++i)
         if (touches(i))
           {
             extent = std::max({extent, std::abs(at[i][0]), std::abs(at[i][1])});
@@ -127,11 +119,11 @@ namespace RollingContact
           }
       const double                    tolerance = 1e-9 * extent;
       std::pair<double, unsigned int> end{-1., 0}; // pressure, node
-      for (unsigned int i = 0; i < problem.n_nodes; ++i)
+      for (unsigned int i = 0; i < problem.n_nodes(); ++i)
         if (touches(i) && sign * at[i][1] >= outer - tolerance)
           end = std::max(end, {state.pressure[i], i});
       Line line;
-      for (unsigned int i = 0; i < problem.n_nodes; ++i)
+      for (unsigned int i = 0; i < problem.n_nodes(); ++i)
         if (touches(i) && std::abs(at[i][0] - at[end.second][0]) <= tolerance)
           line.emplace_back(sign * at[i][1], state.pressure[i]);
       return line;
@@ -145,13 +137,13 @@ namespace RollingContact
               const ContactState           &state,
               Resultants                   &result)
     {
-      for (unsigned int i = 0; i < problem.n_nodes; ++i)
+      for (unsigned int i = 0; i < problem.n_nodes(); ++i)
         if (states[i] != NodeState::open)
           {
             ++result.n_touching;
-            result.contact_area += problem.areas[i];
+            result.contact_area += problem.operators.areas()[i];
             if (states[i] == NodeState::stick)
-              result.stick_area += problem.areas[i];
+              result.stick_area += problem.operators.areas()[i];
             result.max_pressure =
               std::max(result.max_pressure, state.pressure[i]);
           }
@@ -172,22 +164,22 @@ namespace RollingContact
   node_states(const TangentialProblem &tangential, const ContactState &state)
   {
     const ContactProblem  &problem = tangential.contact;
-    std::vector<NodeState> states(problem.n_nodes, NodeState::open);
+    std::vector<NodeState> states(problem.n_nodes(), NodeState::open);
     const bool             rests = std::all_of(state.traction.begin(),
                                    state.traction.end(),
                                    [](const double q) { return q == 0.; });
-    for (unsigned int i = 0; i < problem.n_nodes; ++i)
+    for (unsigned int i = 0; i < problem.n_nodes(); ++i)
       if (state.pressure[i] > 0.)
         // a node that the edge law releases slips without traction
         states[i] =
           (rests || tangential.bound[i] > 0.) &&
-              traction_size(problem, state, i) <
+              state.traction.norm_at(i) <
                 (1 - 1e-9) * tangential.friction[i] * state.pressure[i]
             ? NodeState::stick
             : NodeState::slip;
-    if (!problem.friction_law || state.holds_friction)
+    if (!problem.loads.friction_law || state.holds_friction)
       return states;
-    for (unsigned int i = 0; i < problem.n_nodes; ++i)
+    for (unsigned int i = 0; i < problem.n_nodes(); ++i)
       if (states[i] == NodeState::slip)
         states[i] = NodeState::stick;
     for (const unsigned int i : slipping_nodes(tangential, state.traction))
@@ -212,10 +204,10 @@ namespace RollingContact
     const TangentialProblem tangential = tangential_problem(problem, state);
     Resultants              result;
     add_forces(problem, state, result);
-    if (problem.n_tangential > 0)
+    if (problem.n_tangential() > 0)
       {
         result.creep_work =
-          -dot(problem.H.multiply(state.traction), problem.rigid_slip);
+          -dot(problem.operators.H() * state.traction, problem.rigid_slip());
         result.dissipation = dissipation(tangential, state.traction);
       }
     add_sizes(problem, node_states(tangential, state), state, result);
@@ -225,10 +217,9 @@ namespace RollingContact
 
 
   double
-  dissipation(const TangentialProblem   &tangential,
-              const std::vector<double> &traction)
+  dissipation(const TangentialProblem &tangential, const NodalField &traction)
   {
-    return -dot(tangential.contact.H.multiply(traction),
+    return -dot(tangential.contact.operators.H() * traction,
                 tangential.material_slip(traction));
   }
 
@@ -239,10 +230,10 @@ namespace RollingContact
                  const ContactProblem      &problem,
                  const std::vector<double> &pressure)
   {
-    const auto &defined = problem.slip_operator.defined();
-    for (unsigned int i = 0; i < problem.n_nodes; ++i)
+    const auto &defined = problem.operators.slip_operator().defined();
+    for (unsigned int i = 0; i < problem.n_nodes(); ++i)
       if (pressure[i] > 0. &&
-          (border[i] || (problem.n_tangential > 0 && !defined[i])))
+          (border[i] || (problem.n_tangential() > 0 && !defined[i])))
         return true;
     return false;
   }

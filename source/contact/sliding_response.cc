@@ -8,33 +8,15 @@ namespace RollingContact
   namespace
   {
     /**
-     * The size of a nodal field of T components.
-     */
-    double
-    size_at(const std::vector<double> &field,
-            const std::size_t          n_nodes,
-            const unsigned int         node)
-    {
-      double size = 0.;
-      for (std::size_t k = node; k < field.size(); k += n_nodes)
-        size = std::hypot(size, field[k]);
-      return size;
-    }
-
-
-
-    /**
      * Unit vector along which a node slides, or would: against its traction.
      */
     std::array<double, 2>
-    direction(const std::vector<double> &traction,
-              const std::size_t          n_nodes,
-              const unsigned int         node)
+    direction(const NodalField &traction, const unsigned int node)
     {
-      const double          size = size_at(traction, n_nodes, node);
+      const double          size = traction.norm_at(node);
       std::array<double, 2> e{{1., 0.}};
-      for (unsigned int c = 0; c < traction.size() / n_nodes && size > 0.; ++c)
-        e[c] = -traction[c * n_nodes + node] / size;
+      for (unsigned int c = 0; c < traction.n_components() && size > 0.; ++c)
+        e[c] = -traction(c, node) / size;
       return e;
     }
 
@@ -119,10 +101,10 @@ namespace RollingContact
     struct Unknowns
     {
       Unknowns(const TangentialProblem         &problem,
-               const std::vector<double>       &traction,
+               const NodalField                &traction,
                const std::vector<unsigned int> &nodes);
 
-      std::vector<std::size_t>           places; ///< in the nodal field
+      std::vector<NodalIndex>            all;
       std::vector<std::array<double, 2>> directions;
       Places                             e, o;
       std::vector<double>                C; ///< of the others, 1/Pa
@@ -131,12 +113,12 @@ namespace RollingContact
 
 
     Unknowns::Unknowns(const TangentialProblem         &problem,
-                       const std::vector<double>       &traction,
+                       const NodalField                &traction,
                        const std::vector<unsigned int> &nodes)
     {
-      const std::size_t         n    = problem.contact.n_nodes;
-      const std::vector<double> slip = problem.slip(traction);
-      std::vector<bool>         moves(n, false), slips(n, false);
+      const std::size_t n    = problem.contact.n_nodes();
+      const NodalField  slip = problem.slip(traction);
+      std::vector<bool> moves(n, false), slips(n, false);
       for (const unsigned int i : nodes)
         moves[i] = true;
       for (const unsigned int i : slipping_nodes(problem, traction))
@@ -145,19 +127,19 @@ namespace RollingContact
       for (unsigned int i = 0; i < n; ++i)
         if (problem.bound[i] > 0.)
           {
-            first[i] = places.size();
-            directions.push_back(direction(traction, n, i));
-            for (unsigned int c = 0; c < problem.contact.n_tangential; ++c)
+            first[i] = all.size();
+            directions.push_back(direction(traction, i));
+            for (unsigned int c = 0; c < problem.contact.n_tangential(); ++c)
               {
                 const bool across = c == 1;
                 if (across || !moves[i])
                   {
-                    o.push_back(places.size());
+                    o.push_back(all.size());
                     C.push_back(across && slips[i]
-                                  ? size_at(slip, n, i) / problem.bound[i]
+                                  ? slip.norm_at(i) / problem.bound[i]
                                   : 0.);
                   }
-                places.push_back(c * n + i);
+                all.push_back({c, i});
               }
           }
       for (const unsigned int i : nodes)
@@ -169,15 +151,15 @@ namespace RollingContact
 
   DenseMatrix
   sliding_response(const TangentialProblem         &problem,
-                   const std::vector<double>       &traction,
+                   const NodalField                &traction,
                    const std::vector<unsigned int> &nodes)
   {
     const Unknowns unknowns(problem, traction, nodes);
-    DenseMatrix    A = problem.slip_compliance(unknowns.places);
-    if (problem.contact.n_tangential == 2)
+    DenseMatrix    A = problem.slip_compliance(unknowns.all);
+    if (problem.contact.n_tangential() == 2)
       rotate(unknowns.directions, A);
     DenseMatrix R = condensed(A, unknowns.e, unknowns.o, unknowns.C);
-    if (problem.contact.n_tangential == 1) // directions are signs
+    if (problem.contact.n_tangential() == 1) // directions are signs
       for (std::size_t j = 0; j < R.n_columns(); ++j)
         for (std::size_t i = 0; i < R.n_rows(); ++i)
           R(i, j) *= unknowns.directions[unknowns.e[i]][0] *
@@ -188,16 +170,12 @@ namespace RollingContact
 
 
   std::vector<unsigned int>
-  slipping_nodes(const TangentialProblem   &problem,
-                 const std::vector<double> &traction)
+  slipping_nodes(const TangentialProblem &problem, const NodalField &traction)
   {
-    std::vector<double> trial = problem.slip(traction);
-    for (std::size_t k = 0; k < trial.size(); ++k)
-      trial[k] = traction[k] - trial[k] / problem.contact.tangential_norm;
+    const NodalField trial = problem.trial(traction, problem.slip(traction));
     std::vector<unsigned int> nodes;
-    for (unsigned int i = 0; i < problem.contact.n_nodes; ++i)
-      if (problem.bound[i] > 0. &&
-          size_at(trial, problem.contact.n_nodes, i) > problem.bound[i])
+    for (unsigned int i = 0; i < problem.contact.n_nodes(); ++i)
+      if (problem.bound[i] > 0. && trial.norm_at(i) > problem.bound[i])
         nodes.push_back(i);
     return nodes;
   }

@@ -1,120 +1,81 @@
-#include <rolling_contact/contact/contact_problem.h>
-#include <rolling_contact/contact/edge_law.h>
+#include <rolling_contact/contact/tangential_problem.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace RollingContact
 {
-  namespace
-  {
-    SparseRows
-    identity(const unsigned int n)
-    {
-      SparseRows rows(n);
-      for (unsigned int i = 0; i < n; ++i)
-        rows.add(i, i, 1.);
-      return rows;
-    }
-  } // namespace
-
-
-
-  TangentialProblem::TangentialProblem(
-    const ContactProblem                 &contact,
-    const std::vector<double>            &pressure,
-    const std::vector<EdgeExtrapolation> &extrapolations,
-    const bool                            edge_law)
+  TangentialProblem::TangentialProblem(const ContactProblem      &contact,
+                                       const std::vector<double> &pressure,
+                                       const EdgeExtrapolations &extrapolations,
+                                       const bool                edge_law)
     : contact(contact)
-    , B1(contact.slip_operator.rows())
-    , B2(identity(contact.n_nodes))
-    , friction(contact.friction)
-    , bound(contact.n_nodes)
-    , slip_at_zero(contact.n_tangential * contact.n_nodes)
+    , rows(slip_rows(contact, pressure, extrapolations, edge_law))
+    , friction(contact.loads.friction)
+    , bound(contact.n_nodes(), 0.)
+    , slip_at_zero(contact.n_nodes(), contact.n_tangential())
   {
-    if (contact.n_tangential == 0)
+    if (contact.n_tangential() == 0)
       return;
-    for (unsigned int i = 0; i < contact.n_nodes; ++i)
+    for (unsigned int i = 0; i < contact.n_nodes(); ++i)
       bound[i] = friction[i] * pressure[i];
-    if (edge_law && contact.slip_operator.has_edge_law())
-      {
-        edge_rows.assign(contact.n_tangential, SparseRows(contact.n_nodes));
-        edge_constants.assign(slip_at_zero.size(), 0.);
-        apply_edge_law(pressure, extrapolations, *this);
-      }
-    std::vector<double> given = contact.rigid_slip;
-    for (std::size_t i = 0; i < contact.free_slip.size(); ++i)
-      given[i] += contact.free_slip[i];
-    slip_at_zero                       = B2.multiply(given);
-    const std::vector<double> coupling = slip_of(displacement({}, pressure));
-    for (std::size_t i = 0; i < slip_at_zero.size(); ++i)
-      slip_at_zero[i] += coupling[i];
-    if (contact.free_displacement.empty())
-      return;
-    const std::vector<double> free = B1.multiply(contact.free_displacement);
-    for (std::size_t i = 0; i < slip_at_zero.size(); ++i)
-      slip_at_zero[i] += contact.slip_operator.flow_direction() * free[i];
+    for (const unsigned int i : rows.released)
+      bound[i] = 0.;
+
+    const ContactLoads &loads = contact.loads;
+    NodalField          drive = contact.rigid_slip();
+    if (!loads.free_slip.empty())
+      drive += loads.free_slip;
+    slip_at_zero = rows.B2 * drive;
+    slip_at_zero += slip_of(contact.operators.distortion_of_pressure(pressure));
+    if (!loads.free_displacement.empty())
+      slip_at_zero.add(contact.operators.slip_operator().flow_direction(),
+                       rows.B1 * loads.free_displacement);
   }
 
 
 
-  std::vector<double>
-  TangentialProblem::displacement(const std::vector<double> &traction,
-                                  const std::vector<double> &pressure) const
+  NodalField
+  TangentialProblem::slip_of(const NodalField &w) const
   {
-    const bool of_pressure = traction.empty();
-    if (contact.rate != 0.)
-      return of_pressure ? contact.tangential_displacement_of_pressure(pressure)
-                         : contact.tangential_displacement(traction);
-    return contact.tangential_distortion(
-      of_pressure
-        ? std::vector<double>(contact.n_tangential * contact.n_nodes, 0.)
-        : traction,
-      pressure);
+    NodalField s = rows.B1 * w;
+    s *= contact.operators.flow_convection();
+    const double rate = contact.operators.time_scaling().rate;
+    return rate == 0. ? s : s.add(rate, rows.B2 * w);
   }
 
 
 
-  std::vector<double>
-  TangentialProblem::slip_of(const std::vector<double> &w) const
+  double
+  TangentialProblem::slip_of(const NodalField &w, const NodalIndex &at) const
   {
-    const double convection =
-      contact.slip_operator.flow_direction() * contact.convection;
-    std::vector<double> s = B1.multiply(w);
-    for (double &value : s)
-      value *= convection;
-    if (contact.rate == 0.)
-      return s;
-    const std::vector<double> change = B2.multiply(w);
-    for (std::size_t i = 0; i < s.size(); ++i)
-      s[i] += contact.rate * change[i];
+    return contact.operators.flow_convection() *
+             apply(rows.B1[at.node], w, at.component) +
+           contact.operators.time_scaling().rate *
+             apply(rows.B2[at.node], w, at.component);
+  }
+
+
+
+  NodalField
+  TangentialProblem::material_slip(const NodalField &traction) const
+  {
+    NodalField s = slip_of(contact.operators.distortion_of_traction(traction));
+    s += slip_at_zero;
     return s;
   }
 
 
 
-  std::vector<double>
-  TangentialProblem::material_slip(const std::vector<double> &traction) const
+  NodalField
+  TangentialProblem::slip(const NodalField &traction) const
   {
-    std::vector<double> s = slip_of(displacement(traction, {}));
-    for (std::size_t i = 0; i < s.size(); ++i)
-      s[i] += slip_at_zero[i];
-    return s;
-  }
-
-
-
-  std::vector<double>
-  TangentialProblem::slip(const std::vector<double> &traction) const
-  {
-    std::vector<double> s = material_slip(traction);
-    for (std::size_t i = 0; i < edge_constants.size(); ++i)
-      {
-        const std::size_t component = i / contact.n_nodes,
-                          node      = i % contact.n_nodes;
-        s[i] += edge_constants[i] + apply(edge_rows[component][node],
-                                          traction,
-                                          component * contact.n_nodes);
-      }
+    NodalField s = material_slip(traction);
+    for (unsigned int c = 0; c < rows.edge_rows.size(); ++c)
+      for (unsigned int i = 0; i < contact.n_nodes(); ++i)
+        s(c, i) +=
+          rows.edge_constants(c, i) + apply(rows.edge_rows[c][i], traction, c);
     return s;
   }
 
@@ -122,65 +83,54 @@ namespace RollingContact
 
   DenseMatrix
   TangentialProblem::slip_compliance(
-    const std::vector<std::size_t> &unknowns) const
+    const std::vector<NodalIndex> &unknowns) const
   {
-    const unsigned int n = contact.n_nodes;
-    const double       convection =
-      contact.slip_operator.flow_direction() * contact.convection;
-    DenseMatrix A(unknowns.size(), unknowns.size());
-    for (std::size_t j = 0; j < unknowns.size(); ++j)
+    const std::size_t n = unknowns.size();
+    DenseMatrix       A(n, n);
+    for (std::size_t j = 0; j < n; ++j)
       {
-        const std::vector<double> displacement =
-          contact.distortion_of_unit(unknowns[j] % n, unknowns[j] / n);
-        for (std::size_t i = 0; i < unknowns.size(); ++i)
-          {
-            const std::size_t node  = unknowns[i] % n,
-                              first = unknowns[i] - node;
-            A(i, j) = convection * apply(B1[node], displacement, first) +
-                      contact.rate * apply(B2[node], displacement, first);
-          }
+        const NodalField w = contact.operators.distortion_of_unit(unknowns[j]);
+        for (std::size_t i = 0; i < n; ++i)
+          A(i, j) = slip_of(w, unknowns[i]);
       }
-    std::vector<std::size_t> place(contact.n_tangential * n, unknowns.size());
-    for (std::size_t k = 0; k < unknowns.size(); ++k)
-      place[unknowns[k]] = k;
-    for (std::size_t c = 0; c < edge_rows.size(); ++c)
-      for (unsigned int i = 0; i < n; ++i)
-        for (const auto &entry : edge_rows[c][i])
-          {
-            const std::size_t row    = place[c * n + i],
-                              column = place[c * n + entry.first];
-            if (row < unknowns.size() && column < unknowns.size())
-              A(row, column) += entry.second;
-          }
+    for (unsigned int c = 0; c < rows.edge_rows.size(); ++c)
+      {
+        std::vector<std::size_t> place(contact.n_nodes(), n);
+        for (std::size_t k = 0; k < n; ++k)
+          if (unknowns[k].component == c)
+            place[unknowns[k].node] = k;
+        for (unsigned int i = 0; i < contact.n_nodes(); ++i)
+          for (const auto &entry : rows.edge_rows[c][i])
+            if (place[i] < n && place[entry.first] < n)
+              A(place[i], place[entry.first]) += entry.second;
+      }
     return A;
   }
 
 
 
   std::vector<double>
-  TangentialProblem::sliding_speeds(const std::vector<double> &slip) const
+  TangentialProblem::sliding_speeds(const NodalField &slip) const
   {
-    std::vector<double> speeds(contact.n_nodes, 0.);
-    for (std::size_t i = 0; i < slip.size(); ++i)
-      if (bound[i % contact.n_nodes] > 0.)
-        speeds[i % contact.n_nodes] =
-          std::hypot(speeds[i % contact.n_nodes], slip[i]);
-    for (double &speed : speeds)
-      speed *= contact.speed;
+    std::vector<double> speeds(contact.n_nodes(), 0.);
+    for (unsigned int i = 0; i < contact.n_nodes(); ++i)
+      if (bound[i] > 0.)
+        speeds[i] = slip.norm_at(i) * contact.loads.speed;
     return speeds;
   }
 
 
 
   std::vector<double>
-  TangentialProblem::friction_at(const std::vector<double> &slip) const
+  TangentialProblem::friction_at(const NodalField &slip) const
   {
-    if (!contact.friction_law)
+    const ContactLoads &loads = contact.loads;
+    if (!loads.friction_law)
       return friction;
     std::vector<double> coefficients = sliding_speeds(slip);
-    for (unsigned int i = 0; i < contact.n_nodes; ++i)
+    for (unsigned int i = 0; i < contact.n_nodes(); ++i)
       coefficients[i] =
-        contact.friction[i] * (1 - contact.friction_law->drop(coefficients[i]));
+        loads.friction[i] * (1 - loads.friction_law->drop(coefficients[i]));
     return coefficients;
   }
 
@@ -189,7 +139,7 @@ namespace RollingContact
   void
   TangentialProblem::set_friction(const std::vector<double> &coefficients)
   {
-    for (unsigned int i = 0; i < contact.n_nodes; ++i)
+    for (unsigned int i = 0; i < contact.n_nodes(); ++i)
       if (friction[i] > 0.)
         bound[i] *= coefficients[i] / friction[i];
     friction = coefficients;
@@ -198,42 +148,119 @@ namespace RollingContact
 
 
   void
-  TangentialProblem::project(std::vector<double> &traction) const
+  TangentialProblem::project(NodalField &traction) const
   {
-    const unsigned int n = contact.n_nodes, n_components = contact.n_tangential;
-    for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int i = 0; i < contact.n_nodes(); ++i)
       {
-        double size = 0.;
-        for (unsigned int c = 0; c < n_components; ++c)
-          size = std::hypot(size, traction[c * n + i]);
+        const double size = traction.norm_at(i);
         if (size > bound[i])
-          for (unsigned int c = 0; c < n_components; ++c)
-            traction[c * n + i] *= bound[i] / size;
+          for (unsigned int c = 0; c < traction.n_components(); ++c)
+            traction(c, i) *= bound[i] / size;
       }
   }
 
 
 
-  double
-  TangentialProblem::residual(const std::vector<double> &traction,
-                              const std::vector<double> &slip) const
+  NodalField
+  TangentialProblem::trial(const NodalField &traction,
+                           const NodalField &slip) const
   {
-    const double friction_force = contact.resultant(bound);
-    if (friction_force <= 0. || contact.tangential_norm <= 0.)
+    const double norm   = contact.operators.tangential_norm();
+    NodalField   result = traction;
+    std::transform(traction.begin(),
+                   traction.end(),
+                   slip.begin(),
+                   result.begin(),
+                   [&](const double q, const double s) {
+                     return q - s / norm;
+                   });
+    return result;
+  }
+
+
+
+  double
+  TangentialProblem::residual(const NodalField &traction,
+                              const NodalField &slip) const
+  {
+    const double friction_force = contact.operators.resultant(bound);
+    if (friction_force <= 0. || contact.operators.tangential_norm() <= 0.)
       return 0.;
-    std::vector<double> projected(traction);
-    for (std::size_t i = 0; i < projected.size(); ++i)
-      projected[i] -= slip[i] / contact.tangential_norm;
+    NodalField projected = trial(traction, slip);
     project(projected);
-    const unsigned int n   = contact.n_nodes;
-    double             sum = 0.;
-    for (unsigned int i = 0; i < n; ++i)
-      {
-        double size = 0.;
-        for (std::size_t k = i; k < traction.size(); k += n)
-          size = std::hypot(size, traction[k] - projected[k]);
-        sum += contact.areas[i] * size;
-      }
+    NodalField change = traction;
+    change -= projected;
+    double sum = 0.;
+    for (unsigned int i = 0; i < contact.n_nodes(); ++i)
+      sum += contact.operators.areas()[i] * change.norm_at(i);
     return sum / friction_force;
+  }
+
+
+
+  TangentialProblem
+  tangential_problem(const ContactProblem &contact, const ContactState &state)
+  {
+    TangentialProblem problem(contact,
+                              state.pressure,
+                              state.edges,
+                              state.edge_law);
+    if (contact.loads.friction_law && contact.n_tangential() > 0)
+      problem.set_friction(
+        state.holds_friction
+          ? state.friction
+          : problem.friction_at(problem.slip(state.traction)));
+    return problem;
+  }
+
+
+
+  double
+  NaturalResidual::worst() const
+  {
+    // a comparison with NaN must not pass for convergence
+    return std::isfinite(normal) && std::isfinite(tangential)
+             ? std::max(normal, tangential)
+             : std::numeric_limits<double>::infinity();
+  }
+
+
+
+  namespace
+  {
+    double
+    normal_residual(const ContactProblem &contact, const ContactState &state)
+    {
+      const ContactOperators   &operators = contact.operators;
+      const std::vector<double> u_n       = normal_gap(contact, state);
+      const double              rho =
+        operators.normal_norm() > 0. ? 1 / operators.normal_norm() : 0.;
+      double sum = 0.;
+      for (unsigned int i = 0; i < contact.n_nodes(); ++i)
+        sum += operators.areas()[i] *
+               std::abs(state.pressure[i] -
+                        std::max(0., state.pressure[i] - rho * u_n[i]));
+      double load = operators.resultant(state.pressure);
+      if (contact.loads.normal_load)
+        {
+          sum += std::abs(load - *contact.loads.normal_load);
+          load = *contact.loads.normal_load;
+        }
+      return load > 0. ? sum / load : sum;
+    }
+  } // namespace
+
+
+
+  NaturalResidual
+  natural_residual(const ContactProblem    &contact,
+                   const TangentialProblem &tangential,
+                   const ContactState      &state)
+  {
+    return {normal_residual(contact, state),
+            contact.n_tangential() == 0
+              ? 0.
+              : tangential.residual(state.traction,
+                                    tangential.slip(state.traction))};
   }
 } // namespace RollingContact

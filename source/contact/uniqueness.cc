@@ -17,9 +17,9 @@ namespace RollingContact
                    const ContactState              &state,
                    const std::vector<unsigned int> &slipping)
     {
-      const ContactProblem &problem = tangential.contact;
-      const unsigned int    n       = problem.n_nodes;
-      std::vector<double>   speeds =
+      const ContactLoads &loads = tangential.contact.loads;
+      const unsigned int  n     = tangential.contact.n_nodes();
+      std::vector<double> speeds =
         tangential.sliding_speeds(tangential.slip(state.traction));
       std::vector<bool> slips(n, false);
       for (const unsigned int i : slipping)
@@ -28,14 +28,12 @@ namespace RollingContact
       for (unsigned int i = 0; i < n; ++i)
         if (tangential.bound[i] > 0.)
           {
-            double q = 0.;
-            for (unsigned int c = 0; c < problem.n_tangential; ++c)
-              q = std::hypot(q, state.traction[c * n + i]);
-            const double most = problem.friction[i] * state.pressure[i];
+            const double most = loads.friction[i] * state.pressure[i];
             falls[i] =
-              most * problem.speed *
-              problem.friction_law->steepest_fall(q / most,
-                                                  slips[i] ? speeds[i] : 0.);
+              most * loads.speed *
+              loads.friction_law->steepest_fall(state.traction.norm_at(i) /
+                                                  most,
+                                                slips[i] ? speeds[i] : 0.);
           }
       return falls;
     }
@@ -79,14 +77,14 @@ namespace RollingContact
   Uniqueness
   uniqueness(const ContactProblem &problem, const ContactState &state)
   {
-    if (!problem.friction_law || problem.n_tangential == 0)
+    if (!problem.loads.friction_law || problem.n_tangential() == 0)
       return {};
     const TangentialProblem tangential = tangential_problem(problem, state);
     const auto slipping = slipping_nodes(tangential, state.traction);
     const std::vector<double> falls =
       steepest_falls(tangential, state, slipping);
     std::vector<unsigned int> can_fall;
-    for (unsigned int i = 0; i < problem.n_nodes; ++i)
+    for (unsigned int i = 0; i < problem.n_nodes(); ++i)
       if (falls[i] > 0.)
         can_fall.push_back(i);
     const Uniqueness all = ratio_of(tangential, state, falls, can_fall);

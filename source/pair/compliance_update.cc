@@ -9,67 +9,6 @@ namespace RollingContact
   namespace
   {
     /**
-     * W(first : first + n) on the diagonal, changed so that it takes @p forces
-     * to @p displacement, unless what is left is the @p error of the response.
-     */
-    void
-    correct_block(const std::size_t          first,
-                  const std::vector<double> &forces,
-                  const std::vector<double> &displacement,
-                  const double               error,
-                  DenseMatrix               &W)
-    {
-      const std::size_t   n = forces.size();
-      std::vector<double> d(n, 0.);
-      W.multiply_block(first, first, forces, d);
-      for (std::size_t i = 0; i < n; ++i)
-        d[i] = displacement[i] - d[i];
-      const double size = norm(d), force = norm(forces), work = dot(forces, d);
-      if (force == 0. || size <= error)
-        return;
-      const bool   rank_one = work > 1e-3 * force * size;
-      const double square   = force * force;
-      for (std::size_t j = 0; j < n; ++j)
-        for (std::size_t i = 0; i < n; ++i)
-          W(first + i, first + j) +=
-            rank_one ? d[i] * d[j] / work
-                     : (d[i] * forces[j] + forces[i] * d[j] -
-                        work / square * forces[i] * forces[j]) /
-                         square;
-    }
-  } // namespace
-
-
-
-  void
-  correct_compliance(const std::vector<double> &forces,
-                     const std::vector<double> &displacement,
-                     ContactProblem            &problem)
-  {
-    const double error = 1e-11 * norm(displacement);
-    if (problem.coupled)
-      {
-        correct_block(0, forces, displacement, error, problem.W);
-        return;
-      }
-    const std::size_t first = problem.n_tangential * problem.n_nodes;
-    const auto part = [&](const std::vector<double> &all, const bool normal) {
-      return normal ? std::vector<double>(all.begin() + first, all.end())
-                    : std::vector<double>(all.begin(), all.begin() + first);
-    };
-    for (const bool normal : {false, true})
-      correct_block(normal ? first : 0,
-                    part(forces, normal),
-                    part(displacement, normal),
-                    error,
-                    problem.W);
-  }
-
-
-
-  namespace
-  {
-    /**
      * Solve on the first rank; state and report on all.
      */
     SolverReport
@@ -93,15 +32,14 @@ namespace RollingContact
                                   state.approach,
                                   double(state.edge_law)};
       for (const EdgeExtrapolation &edge : state.edges)
-        numbers.insert(numbers.end(),
-                       {double(edge.first),
-                        edge.second,
-                        edge.third,
-                        edge.rest[0],
-                        edge.rest[1]});
+        numbers.insert(
+          numbers.end(),
+          {double(edge.first), edge.a, edge.b, edge.c[0], edge.c[1]});
       Ranks::broadcast(numbers);
       Ranks::broadcast(state.pressure);
-      Ranks::broadcast(state.traction);
+      std::vector<double> traction = state.traction.values();
+      Ranks::broadcast(traction);
+      state.traction = NodalField(problem.n_nodes(), traction);
       Ranks::broadcast(state.friction);
       Ranks::broadcast(report.solver);
       Ranks::broadcast(report.reason);
@@ -135,22 +73,23 @@ namespace RollingContact
     std::vector<std::vector<double>>
     smooth_loads(const ContactProblem &problem, const ContactState &state)
     {
-      const std::size_t n    = problem.n_nodes;
+      const std::size_t n    = problem.n_nodes();
       double            size = 0.;
       for (std::size_t i = 0; i < n; ++i)
         if (state.pressure[i] > 0.)
           size = std::max({size,
-                           std::abs(problem.positions[i][0]),
-                           std::abs(problem.positions[i][1])});
+                           std::abs(problem.operators.positions()[i][0]),
+                           std::abs(problem.operators.positions()[i][1])});
       std::vector<std::vector<double>> loads;
-      for (unsigned int c = 0; c <= problem.n_tangential && size > 0.; ++c)
-        for (unsigned int moment = 0; moment <= problem.n_tangential; ++moment)
+      for (unsigned int c = 0; c <= problem.n_tangential() && size > 0.; ++c)
+        for (unsigned int moment = 0; moment <= problem.n_tangential();
+             ++moment)
           {
             std::vector<double> field = state.pressure;
             for (std::size_t i = 0; i < n && moment > 0; ++i)
-              field[i] *= problem.positions[i][moment - 1] / size;
-            const std::vector<double> forces = problem.H.multiply(field);
-            loads.emplace_back((problem.n_tangential + 1) * n, 0.);
+              field[i] *= problem.operators.positions()[i][moment - 1] / size;
+            const auto forces = problem.operators.H().multiply(field);
+            loads.emplace_back((problem.n_tangential() + 1) * n, 0.);
             std::copy(forces.begin(),
                       forces.end(),
                       loads.back().begin() + c * n);
@@ -172,17 +111,13 @@ namespace RollingContact
       const auto correct = [&](const auto &loads, const bool roughly) {
         const auto displacements = response(loads, roughly);
         for (std::size_t k = 0; k < loads.size(); ++k)
-          correct_compliance(loads[k], displacements[k], problem);
+          problem.operators.correct(loads[k], displacements[k]);
       };
-      if (!problem.smooth_modes_corrected && problem.n_tangential > 0 &&
-          problem.slip_operator.has_edge_law())
-        {
-          correct(smooth_loads(problem, state), true);
-          problem.smooth_modes_corrected = true;
-        }
+      if (!problem.operators.is_corrected() && problem.n_tangential() > 0 &&
+          problem.operators.slip_operator().has_edge_law())
+        correct(smooth_loads(problem, state), true);
       correct(std::vector<std::vector<double>>{nodal_forces(problem, state)},
               false);
-      problem.update_pressure_compliance();
     }
   } // namespace
 

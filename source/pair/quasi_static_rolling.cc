@@ -13,17 +13,18 @@ namespace RollingContact
          const ContactState   &along)
     {
       const std::vector<double> normal =
-        problem.normal_displacement(along.pressure);
+        problem.operators.normal_displacement(along.pressure);
       const std::vector<double> coupling =
-        problem.normal_displacement_of_traction(along.traction);
-      const std::vector<double> forces = problem.H.multiply(of.pressure);
-      double                    sum    = 0.;
+        problem.operators.normal_displacement_of_traction(along.traction);
+      const std::vector<double> forces =
+        problem.operators.H().multiply(of.pressure);
+      double sum = 0.;
       for (std::size_t i = 0; i < normal.size(); ++i)
         sum += forces[i] * (normal[i] + coupling[i]);
-      if (problem.n_tangential > 0)
-        sum +=
-          dot(problem.H.multiply(of.traction),
-              problem.tangential_displacement(along.traction, along.pressure));
+      if (problem.n_tangential() > 0)
+        sum += dot(problem.operators.H() * of.traction,
+                   problem.operators.tangential_displacement(along.traction,
+                                                             along.pressure));
       return sum;
     }
 
@@ -92,7 +93,9 @@ namespace RollingContact
       start_from(const ContactProblem &problem,
                  const ContactState   &state) override
       {
-        u = problem.tangential_displacement(state.traction, state.pressure);
+        u = problem.operators
+              .tangential_displacement(state.traction, state.pressure)
+              .values();
         previous = state;
         strain   = work(problem, state, state) / 2;
       }

@@ -274,43 +274,42 @@ namespace RollingContact
   RollingPair<dim>::contact_problem(const ContactParameters &contact,
                                     DenseMatrix              W) const
   {
+    const bool     friction = components.size() > 1;
+    const auto    &at       = this->trace().nodes;
     ContactProblem problem;
-    problem.n_nodes       = this->trace().nodes.size();
-    problem.n_tangential  = components.size() - 1;
-    problem.positions     = this->trace().nodes;
-    problem.W             = std::move(W);
-    problem.coupled       = !this->twins() && problem.n_tangential > 0;
-    problem.dundurs_beta  = pair_constants(this->scene).dundurs_beta;
-    problem.H             = contact_matrix(this->trace(),
-                               contact.contact_matrices,
-                               dim == 2 ? this->scene.thickness() : 1.);
-    problem.slip_operator = problem.n_tangential > 0
-                              ? SlipOperator(this->trace(),
-                                             contact.slip_operator,
-                                             contact.contact_matrices,
-                                             contact.flow())
-                              : SlipOperator(contact.slip_operator);
-    const auto wheel      = this->scene.wheel.body_shape(),
-               rail       = this->scene.rail.body_shape();
+    problem.operators =
+      ContactOperators(at,
+                       contact_matrix(this->trace(),
+                                      contact.contact_matrices,
+                                      dim == 2 ? this->scene.thickness() : 1.),
+                       std::move(W),
+                       friction ? SlipOperator(this->trace(),
+                                               slip_operator,
+                                               contact.contact_matrices,
+                                               contact.flow())
+                                : SlipOperator(contact.slip_operator),
+                       {!this->twins() && friction,
+                        pair_constants(this->scene).dundurs_beta});
+    const auto wheel = this->scene.wheel.body_shape(),
+               rail  = this->scene.rail.body_shape();
     const Roughness roughness(contact.roughness);
     const auto      height =
       [&](const Side side, const BodyShape &shape, const std::size_t i) {
         const std::vector<double> &given = this->heights(side);
-        return given.empty() ? shape.surface_height(problem.positions[i][0],
-                                                    problem.positions[i][1])
+        return given.empty() ? shape.surface_height(at[i][0], at[i][1])
                              : given[i];
       };
-    for (std::size_t i = 0; i < problem.n_nodes; ++i)
-      problem.gap.push_back(
-        -height(Side::wheel, *wheel, i) - height(Side::rail, *rail, i) +
-        roughness.value(problem.positions[i][0], problem.positions[i][1]));
-    problem.friction.assign(problem.n_nodes, contact.friction_coefficient);
-    problem.friction_law = contact.falling_friction();
-    problem.speed        = std::abs(contact.rolling_speed());
-    problem.set_creepages(contact.creepages);
-    problem.normal_load = contact.normal_load;
-    problem.approach    = contact.approach.value_or(0.);
-    problem.finish();
+    ContactLoads &loads = problem.loads;
+    for (std::size_t i = 0; i < at.size(); ++i)
+      loads.gap.push_back(-height(Side::wheel, *wheel, i) -
+                          height(Side::rail, *rail, i) +
+                          roughness.value(at[i][0], at[i][1]));
+    loads.friction.assign(at.size(), contact.friction_coefficient);
+    loads.friction_law = contact.falling_friction();
+    loads.speed        = std::abs(contact.rolling_speed());
+    loads.creepages    = contact.creepages;
+    loads.normal_load  = contact.normal_load;
+    loads.approach     = contact.approach.value_or(0.);
     return problem;
   }
 

@@ -1,7 +1,7 @@
-#include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <boost/math/special_functions/bessel.hpp>
 
+#include <rolling_contact/base/constants.h>
 #include <rolling_contact/references/checks.h>
 #include <rolling_contact/references/clamped_annulus.h>
 #include <rolling_contact/references/hertz_line.h>
@@ -13,7 +13,6 @@ namespace RollingContact::References
 {
   namespace
   {
-    constexpr double pi = boost::math::constants::pi<double>();
 
     /**
      * c_0: potentials z and 1/z.

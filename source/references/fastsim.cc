@@ -1,3 +1,4 @@
+#include <rolling_contact/base/constants.h>
 #include <rolling_contact/references/checks.h>
 #include <rolling_contact/references/fastsim.h>
 
@@ -8,10 +9,6 @@ namespace RollingContact::References
 {
   namespace
   {
-    const double pi = std::acos(-1.);
-
-
-
     /**
      * Springs and bound on the ellipse.
      */

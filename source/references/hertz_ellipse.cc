@@ -1,7 +1,7 @@
-#include <boost/math/constants/constants.hpp>
 #include <boost/math/special_functions/ellint_rd.hpp>
 #include <boost/math/special_functions/ellint_rf.hpp>
 
+#include <rolling_contact/base/constants.h>
 #include <rolling_contact/references/bracketed_root.h>
 #include <rolling_contact/references/checks.h>
 #include <rolling_contact/references/hertz_ellipse.h>
@@ -12,7 +12,6 @@ namespace RollingContact::References
 {
   namespace
   {
-    constexpr double pi = boost::math::constants::pi<double>();
 
     /**
      * b/a from B/A = RD(0, 1, (b/a)^2)/RD(0, (b/a)^2, 1), which falls from

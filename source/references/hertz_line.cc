@@ -1,5 +1,4 @@
-#include <boost/math/constants/constants.hpp>
-
+#include <rolling_contact/base/constants.h>
 #include <rolling_contact/references/checks.h>
 #include <rolling_contact/references/hertz_line.h>
 
@@ -7,11 +6,6 @@
 
 namespace RollingContact::References
 {
-  namespace
-  {
-    constexpr double pi = boost::math::constants::pi<double>();
-  }
-
   double
   HertzLine::pressure(const double x) const
   {

@@ -1,5 +1,4 @@
-#include <boost/math/constants/constants.hpp>
-
+#include <rolling_contact/base/constants.h>
 #include <rolling_contact/references/checks.h>
 #include <rolling_contact/references/kalker.h>
 
@@ -11,7 +10,6 @@ namespace RollingContact::References
 {
   namespace
   {
-    constexpr double pi = boost::math::constants::pi<double>();
 
     /**
      * C11, C22, C23 and C33, each at nu = 0, 1/4, 1/2.

@@ -1,5 +1,4 @@
-#include <boost/math/constants/constants.hpp>
-
+#include <rolling_contact/base/constants.h>
 #include <rolling_contact/references/bracketed_root.h>
 #include <rolling_contact/references/checks.h>
 #include <rolling_contact/references/line_contact_approach.h>
@@ -11,8 +10,6 @@ namespace RollingContact::References
 {
   namespace
   {
-    constexpr double pi = boost::math::constants::pi<double>();
-
     /**
      * (1-nu^2) P/(pi E) times a factor of extent over half-width.
      */

@@ -61,15 +61,18 @@ namespace RollingContact
     describe_factors(steady, context);
     auto       &objects = context.report.objects;
     const auto &problem = steady.problem;
-    objects.push_back(
-      {"compliance W", true, problem.W.memory_consumption(), 0., ""});
+    objects.push_back({"compliance W",
+                       true,
+                       problem.operators.W().memory_consumption(),
+                       0.,
+                       ""});
     objects.push_back({"tangential compliance, B1",
-                       problem.n_tangential > 0,
+                       problem.n_tangential() > 0,
                        0,
                        0.,
-                       problem.n_tangential > 0 ? "" : "frictionless"});
+                       problem.n_tangential() > 0 ? "" : "frictionless"});
     objects.push_back({"mass, damping, B2", false, 0, 0., "quasi-static"});
-    if (problem.friction_law)
+    if (problem.loads.friction_law)
       objects.push_back({dim == 2 ? "reference: Carter"
                                   : "references: " + saturating_theories(),
                          false,

@@ -29,31 +29,26 @@ namespace RollingContact
 
       /** The first @p n_components of a field; zero if it has none. */
       void
-      add_vector(const std::string         &name,
-                 const std::vector<double> &field,
-                 const unsigned int         n_components,
-                 const unsigned int         n_nodes)
+      add_vector(const std::string &name,
+                 const NodalField  &field,
+                 const unsigned int n_components)
       {
         for (unsigned int c = 0; c < n_components; ++c)
           add(name,
-              field.empty()
-                ? std::vector<double>(n_nodes, 0.)
-                : std::vector<double>(field.begin() + c * n_nodes,
-                                      field.begin() + (c + 1) * n_nodes));
+              field.empty() ? std::vector<double>(field.n_nodes(), 0.)
+                            : field.component(c));
       }
     };
 
 
 
     std::vector<double>
-    traction_sizes(const ContactProblem &problem, const ContactState &state)
+    norms(const NodalField &field)
     {
-      std::vector<double> sizes(problem.n_nodes, 0.);
-      for (unsigned int c = 0; c < problem.n_tangential; ++c)
-        for (unsigned int i = 0; i < problem.n_nodes; ++i)
-          sizes[i] =
-            std::hypot(sizes[i], state.traction[c * problem.n_nodes + i]);
-      return sizes;
+      std::vector<double> values;
+      for (std::size_t i = 0; i < field.n_nodes(); ++i)
+        values.push_back(field.norm_at(i));
+      return values;
     }
 
 
@@ -65,24 +60,26 @@ namespace RollingContact
                  const ContactState   &state,
                  const bool            step_is_known)
     {
-      const auto known = [&](const std::vector<double> &values) {
-        return step_is_known ? values
-                             : std::vector<double>(values.size(), std::nan(""));
+      const auto known = [&](auto values) {
+        if (!step_is_known)
+          std::fill(values.begin(), values.end(), std::nan(""));
+        return values;
       };
       const TangentialProblem tangential = tangential_problem(problem, state);
-      std::vector<double>     slip, states;
-      if (problem.n_tangential > 0)
+      NodalField              slip(problem.n_nodes(), 0);
+      std::vector<double>     states;
+      if (problem.n_tangential() > 0)
         slip = known(tangential.material_slip(state.traction));
       for (const NodeState node_state : node_states(tangential, state))
         states.push_back(static_cast<int>(node_state));
 
       NodalFields fields;
-      fields.add_vector("traction", state.traction, dim - 1, problem.n_nodes);
-      fields.add_vector("slip", slip, dim - 1, problem.n_nodes);
+      fields.add_vector("traction", state.traction, dim - 1);
+      fields.add_vector("slip", slip, dim - 1);
       fields.add("pressure", state.pressure);
-      fields.add("traction_size", traction_sizes(problem, state));
+      fields.add("traction_size", norms(state.traction));
       fields.add("traction_bound", tangential.bound);
-      if (problem.friction_law && problem.n_tangential > 0)
+      if (problem.loads.friction_law && problem.n_tangential() > 0)
         {
           fields.add("friction_coefficient", tangential.friction);
           fields.add("sliding_speed",
@@ -90,7 +87,7 @@ namespace RollingContact
                        tangential.slip(state.traction))));
         }
       fields.add("gap", known(normal_gap(problem, state)));
-      fields.add("area", problem.areas);
+      fields.add("area", problem.operators.areas());
       fields.add("state", states);
       return fields;
     }
@@ -173,7 +170,7 @@ namespace RollingContact
     const std::string                           &file_name)
   {
     AssertDimension(trace.n_dimensions, dim - 1);
-    AssertDimension(trace.nodes.size(), problem.n_nodes);
+    AssertDimension(trace.nodes.size(), problem.n_nodes());
     Ranks::on_root([&]() {
       const NodalFields fields =
         nodal_fields<dim>(problem, state, step_is_known);

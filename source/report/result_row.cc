@@ -63,7 +63,8 @@ namespace RollingContact
     set_falling_friction_columns(const SteadyState<dim> &steady,
                                  ResultsTable           &table)
     {
-      if (!steady.problem.friction_law || steady.problem.n_tangential == 0)
+      if (!steady.problem.loads.friction_law ||
+          steady.problem.n_tangential() == 0)
         return;
       table.set("friction_rounds", steady.solver.friction_rounds);
       if (!steady.restored)
@@ -117,14 +118,15 @@ namespace RollingContact
     {
       if (steady.result.normal_force <= 0. || !scene.contact.roughness.empty())
         return;
-      const Reference3D reference = reference_3d(scene,
-                                                 steady.result.normal_force,
-                                                 steady.problem.creepages);
+      const Reference3D reference =
+        reference_3d(scene,
+                     steady.result.normal_force,
+                     steady.problem.loads.creepages);
       table.set("reference_half_width_x_m", reference.hertz.half_width_x);
       table.set("reference_half_width_y_m", reference.hertz.half_width_y);
       table.set("reference_max_pressure_Pa", reference.hertz.max_pressure);
       table.set("reference_approach_m", reference.hertz.approach);
-      if (steady.problem.n_tangential == 0)
+      if (steady.problem.n_tangential() == 0)
         return;
       for (const NamedForce &theory : reference.forces)
         {
@@ -169,11 +171,12 @@ namespace RollingContact
     ResultsTable &table = context.results;
     table.set("level", steady.level);
     table.set("dofs", steady.pair->n_unknowns());
-    table.set("contact_nodes", steady.problem.n_nodes);
+    table.set("contact_nodes", steady.problem.n_nodes());
     table.set("elements_across", steady.grading.elements_across());
     table.set("patch_offset", steady.grading.offset);
-    table.set("slip_operator", name_of(steady.problem.slip_operator.kind()));
-    set_creepage_columns(steady.problem.creepages, table);
+    table.set("slip_operator",
+              name_of(steady.problem.operators.slip_operator().kind()));
+    set_creepage_columns(steady.problem.loads.creepages, table);
     table.set("approach_m", steady.state.approach);
     if (steady.contact_stiffness)
       table.set("contact_stiffness_N/m", *steady.contact_stiffness);

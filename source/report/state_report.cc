@@ -74,7 +74,7 @@ namespace RollingContact
       (dim == 2 ? "T = " : "T = (") + significant(result.force_x, 6) + across +
         (dim == 2 ? " N" : ") N") +
         ", |T|/N = " + significant(result.traction_coefficient, 5) +
-        (steady.problem.friction_law
+        (steady.problem.loads.friction_law
            ? ""
            : ", |T|/(mu N) = " +
                significant(std::hypot(result.force_x, result.force_y) /
@@ -112,18 +112,18 @@ namespace RollingContact
       const TangentialProblem tangential =
         tangential_problem(problem, steady.state);
       Lines lines;
-      for (unsigned int i = 0; i < problem.n_nodes; ++i)
+      for (unsigned int i = 0; i < problem.n_nodes(); ++i)
         {
           const double at =
-            problem.positions[i][0] / reference.hertz.half_width;
+            problem.operators.positions()[i][0] / reference.hertz.half_width;
           if (std::abs(at) > extent)
             continue;
           lines.x.push_back(at);
           lines.pressure.push_back(steady.state.pressure[i] / p0);
-          if (problem.n_tangential == 0)
+          if (problem.n_tangential() == 0)
             continue;
-          lines.traction.push_back(steady.state.traction[i] / bound);
-          lines.bound.push_back(std::copysign(problem.friction_law
+          lines.traction.push_back(steady.state.traction(0, i) / bound);
+          lines.bound.push_back(std::copysign(problem.loads.friction_law
                                                 ? tangential.bound[i] / bound
                                                 : lines.pressure.back(),
                                               steady.result.force_x));
@@ -161,14 +161,14 @@ namespace RollingContact
     std::string
     title(const SceneParameters &scene, const SteadyState<2> &steady)
     {
-      if (steady.problem.n_tangential == 0)
+      if (steady.problem.n_tangential() == 0)
         return "Frictionless contact";
       const auto readable = [](const double value) {
         return (value < 0 ? "\u2212" : "") + significant(std::abs(value), 4);
       };
       return "T / (" + scale_of_friction(scene) + "N) = " +
              readable(steady.result.force_x / steady.result.friction_force) +
-             " at creepage " + readable(steady.problem.creepages.x);
+             " at creepage " + readable(steady.problem.loads.creepages.x);
     }
   } // namespace
 
@@ -199,7 +199,7 @@ namespace RollingContact
     if (reference.carter)
       plot.add_curve("Carter", exact.x, exact.traction, CurveStyle::reference);
     plot.add_curve("pressure p", found.x, found.pressure, CurveStyle::points);
-    if (steady.problem.n_tangential > 0)
+    if (steady.problem.n_tangential() > 0)
       {
         plot.add_curve("traction q on the wheel",
                        found.x,

@@ -1,4 +1,3 @@
-#include <rolling_contact/linear_algebra/dense_matrix.h>
 #include <rolling_contact/solvers/anderson.h>
 
 #include <algorithm>
@@ -7,20 +6,17 @@ namespace RollingContact
 {
   namespace
   {
-    std::vector<double>
-    difference(const std::vector<double> &x, const std::vector<double> &y)
+    NodalField
+    difference(NodalField x, const NodalField &y)
     {
-      std::vector<double> result(x);
-      for (std::size_t i = 0; i < x.size(); ++i)
-        result[i] -= y[i];
-      return result;
+      return x -= y;
     }
   } // namespace
 
 
 
-  std::vector<double>
-  Anderson::next(const std::vector<double> &x, const std::vector<double> &image)
+  NodalField
+  Anderson::next(const NodalField &x, const NodalField &image)
   {
     images.push_back(image);
     residuals.push_back(difference(image, x));
@@ -33,7 +29,7 @@ namespace RollingContact
     if (n == 0)
       return image;
 
-    std::vector<std::vector<double>> changes;
+    std::vector<NodalField> changes;
     for (std::size_t k = 0; k < n; ++k)
       changes.push_back(difference(residuals[k + 1], residuals[k]));
     DenseMatrix normal_matrix(n, n), weights(n, 1);
@@ -50,13 +46,9 @@ namespace RollingContact
     if (largest == 0. || !solve_positive_definite(normal_matrix, weights))
       return image;
 
-    std::vector<double> result = image;
+    NodalField result = image;
     for (std::size_t k = 0; k < n; ++k)
-      {
-        const std::vector<double> step = difference(images[k + 1], images[k]);
-        for (std::size_t i = 0; i < result.size(); ++i)
-          result[i] -= weights(k, 0) * step[i];
-      }
+      result.add(-weights(k, 0), difference(images[k + 1], images[k]));
     return result;
   }
 } // namespace RollingContact

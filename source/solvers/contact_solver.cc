@@ -1,15 +1,42 @@
 #include <rolling_contact/base/choices.h>
 #include <rolling_contact/solvers/accelerated_projection.h>
-#include <rolling_contact/solvers/alternation.h>
 #include <rolling_contact/solvers/extragradient.h>
 #include <rolling_contact/solvers/falling_friction.h>
 #include <rolling_contact/solvers/fixed_point.h>
 #include <rolling_contact/solvers/normal_active_set.h>
+#include <rolling_contact/solvers/normal_tangential_split.h>
 #include <rolling_contact/solvers/solver_chain.h>
 #include <rolling_contact/solvers/tangential_active_set.h>
 
+#include <cmath>
+
 namespace RollingContact
 {
+  bool
+  SolverReport::ends_with(const NaturalResidual &now, const double tolerance)
+  {
+    residual = now;
+    history.push_back(now);
+    converged          = now.worst() <= tolerance;
+    const bool is_lost = !std::isfinite(now.worst());
+    if (is_lost)
+      reason = std::isfinite(now.normal) ? "the traction is not a number"
+                                         : "the pressure is not a number";
+    return converged || is_lost;
+  }
+
+
+
+  bool
+  TangentialSolver::ends_with(const double  tangential_residual,
+                              SolverReport &report) const
+  {
+    return report.ends_with({0., tangential_residual},
+                            0.5 * controls.tolerance);
+  }
+
+
+
   void
   SolverReport::add_work(const SolverReport &part)
   {
@@ -36,10 +63,10 @@ namespace RollingContact
     {
       std::vector<std::unique_ptr<TangentialSolver>> tangential;
       (tangential.push_back(std::make_unique<Tangential>(controls)), ...);
-      return std::make_unique<Alternation>(std::make_unique<NormalActiveSet>(
-                                             controls),
-                                           std::move(tangential),
-                                           controls);
+      return std::make_unique<NormalTangentialSplit>(
+        std::make_unique<NormalActiveSet>(controls),
+        std::move(tangential),
+        controls);
     }
 
 

@@ -51,7 +51,8 @@ namespace RollingContact
 
       std::vector<unsigned int> nodes;
       std::vector<std::size_t>  number; ///< of a node among the touching ones
-      std::vector<double>       u_n, slip;
+      std::vector<double>       u_n;
+      NodalField                slip;
       DenseMatrix               matrix, right;
     };
 
@@ -67,12 +68,12 @@ namespace RollingContact
     {
       const std::vector<double> u_n    = normal_gap(problem, state);
       ContactState              result = state;
-      for (unsigned int i = 0; i < problem.n_nodes; ++i)
+      for (unsigned int i = 0; i < problem.n_nodes(); ++i)
         if (!(state.pressure[i] - rho * u_n[i] > 0.))
           {
             result.pressure[i] = 0.;
-            for (unsigned int c = 0; c < problem.n_tangential; ++c)
-              result.traction[c * problem.n_nodes + i] = 0.;
+            for (unsigned int c = 0; c < problem.n_tangential(); ++c)
+              result.traction(c, i) = 0.;
           }
       return result;
     }
@@ -83,18 +84,19 @@ namespace RollingContact
                                const SolverControls &controls,
                                const ContactState   &state)
       : problem(problem)
-      , now(released(problem, state, 1 / problem.normal_norm))
+      , now(released(problem, state, 1 / problem.operators.normal_norm()))
       , friction(tangential_problem(problem, now))
-      , rho_n(1 / problem.normal_norm)
-      , rho_t(problem.tangential_norm > 0.
-                ? controls.tangential_augmentation / problem.tangential_norm
+      , rho_n(1 / problem.operators.normal_norm())
+      , rho_t(problem.operators.tangential_norm() > 0.
+                ? controls.tangential_augmentation /
+                    problem.operators.tangential_norm()
                 : 0.)
-      , n_tangential(problem.n_tangential)
-      , n_components(problem.n_tangential + 1)
-      , number(problem.n_nodes, problem.n_nodes)
+      , n_tangential(problem.n_tangential())
+      , n_components(problem.n_tangential() + 1)
+      , number(problem.n_nodes(), problem.n_nodes())
       , u_n(normal_gap(problem, state))
     {
-      for (unsigned int i = 0; i < problem.n_nodes; ++i)
+      for (unsigned int i = 0; i < problem.n_nodes(); ++i)
         if (state.pressure[i] - rho_n * u_n[i] > 0.)
           {
             number[i] = nodes.size();
@@ -103,7 +105,7 @@ namespace RollingContact
       u_n  = normal_gap(problem, now);
       slip = friction.slip(now.traction);
       const std::size_t n =
-        nodes.size() * n_components + (problem.normal_load ? 1 : 0);
+        nodes.size() * n_components + (problem.loads.normal_load ? 1 : 0);
       matrix = DenseMatrix(n, n);
       right  = DenseMatrix(n, 1);
     }
@@ -117,26 +119,22 @@ namespace RollingContact
     NewtonSystem::add_column(const std::size_t  touching,
                              const unsigned int component)
     {
-      const unsigned int        N = problem.n_nodes;
-      const std::vector<double> w =
-        problem.distortion_of_unit(nodes[touching], component);
+      const unsigned int N = problem.n_nodes();
+      const NodalField   w =
+        problem.operators.distortion_of_unit({component, nodes[touching]});
       std::vector<double> u_normal(N, 0.);
-      for (const auto &entry : problem.H_column(nodes[touching]))
+      for (const auto &entry : problem.operators.H_column(nodes[touching]))
         for (std::size_t i = 0; i < N; ++i)
-          u_normal[i] +=
-            problem.W(n_tangential * N + i, component * N + entry.first) *
-            entry.second;
-      const double convection =
-        problem.slip_operator.flow_direction() * problem.convection;
+          u_normal[i] += problem.operators.W()(n_tangential * N + i,
+                                               component * N + entry.first) *
+                         entry.second;
       const std::size_t column = place(touching, component);
       for (std::size_t k = 0; k < nodes.size(); ++k)
         {
           const unsigned int i                   = nodes[k];
           matrix(place(k, n_tangential), column) = u_normal[i];
           for (unsigned int c = 0; c < n_tangential; ++c)
-            matrix(place(k, c), column) =
-              convection * apply(friction.B1[i], w, c * N) +
-              problem.rate * apply(friction.B2[i], w, c * N);
+            matrix(place(k, c), column) = friction.slip_of(w, {c, i});
         }
     }
 
@@ -145,10 +143,10 @@ namespace RollingContact
     void
     NewtonSystem::add_edge_rows()
     {
-      for (unsigned int c = 0; c < friction.edge_rows.size(); ++c)
+      for (unsigned int c = 0; c < friction.rows.edge_rows.size(); ++c)
         for (std::size_t k = 0; k < nodes.size(); ++k)
-          for (const auto &entry : friction.edge_rows[c][nodes[k]])
-            if (number[entry.first] < problem.n_nodes)
+          for (const auto &entry : friction.rows.edge_rows[c][nodes[k]])
+            if (number[entry.first] < problem.n_nodes())
               matrix(place(k, c), place(number[entry.first], c)) +=
                 entry.second;
     }
@@ -161,19 +159,19 @@ namespace RollingContact
     void
     NewtonSystem::set_friction_rows(const std::size_t touching)
     {
-      const unsigned int N = problem.n_nodes, i = nodes[touching];
+      const unsigned int i = nodes[touching];
       const double       p = now.pressure[i],
                    coefficient =
                      p > 0. ? friction.bound[i] / p : friction.friction[i],
                    bound = coefficient * std::max(0., p - rho_n * u_n[i]);
       std::array<double, 2> z{};
       for (unsigned int c = 0; c < n_tangential; ++c)
-        z[c] = now.traction[c * N + i] - rho_t * slip[c * N + i];
+        z[c] = now.traction(c, i) - rho_t * slip(c, i);
       const double size = std::hypot(z[0], z[1]);
       if (size <= bound)
         {
           for (unsigned int c = 0; c < n_tangential; ++c)
-            right(place(touching, c), 0) = -slip[c * N + i];
+            right(place(touching, c), 0) = -slip(c, i);
           return;
         }
       const std::array<double, 2> direction{{z[0] / size, z[1] / size}};
@@ -199,7 +197,7 @@ namespace RollingContact
         }
       for (unsigned int c = 0; c < n_tangential; ++c)
         right(place(touching, c), 0) =
-          coefficient * p * direction[c] - now.traction[c * N + i];
+          coefficient * p * direction[c] - now.traction(c, i);
     }
 
 
@@ -217,15 +215,16 @@ namespace RollingContact
           right(place(k, n_tangential), 0) = -u_n[nodes[k]];
           set_friction_rows(k);
         }
-      if (problem.normal_load)
+      if (problem.loads.normal_load)
         {
           for (std::size_t k = 0; k < nodes.size(); ++k)
             {
               matrix(place(k, n_tangential), n - 1) = -1.;
-              matrix(n - 1, place(k, n_tangential)) = problem.areas[nodes[k]];
+              matrix(n - 1, place(k, n_tangential)) =
+                problem.operators.areas()[nodes[k]];
             }
-          right(n - 1, 0) =
-            *problem.normal_load - problem.resultant(now.pressure);
+          right(n - 1, 0) = *problem.loads.normal_load -
+                            problem.operators.resultant(now.pressure);
         }
       if (n == 0 || !solve_general(matrix, right))
         return false;
@@ -234,10 +233,9 @@ namespace RollingContact
         {
           target.pressure[nodes[k]] += right(place(k, n_tangential), 0);
           for (unsigned int c = 0; c < n_tangential; ++c)
-            target.traction[c * problem.n_nodes + nodes[k]] +=
-              right(place(k, c), 0);
+            target.traction(c, nodes[k]) += right(place(k, c), 0);
         }
-      if (problem.normal_load)
+      if (problem.loads.normal_load)
         target.approach += right(n - 1, 0);
       return true;
     }
@@ -264,9 +262,9 @@ namespace RollingContact
       for (std::size_t i = 0; i < state.pressure.size(); ++i)
         state.pressure[i] = std::max(
           0., from.pressure[i] + part * (to.pressure[i] - from.pressure[i]));
-      for (std::size_t i = 0; i < state.traction.size(); ++i)
-        state.traction[i] =
-          from.traction[i] + part * (to.traction[i] - from.traction[i]);
+      state.traction -= from.traction;
+      state.traction *= part;
+      state.traction += from.traction;
       state.approach = from.approach + part * (to.approach - from.approach);
       return state;
     }
@@ -309,10 +307,7 @@ namespace RollingContact
     const unsigned int max_steps = 100, patience = 15;
     SolverReport       report;
     report.solver = "coupled Newton";
-    state.pressure.resize(problem.n_nodes, 0.);
-    state.traction.resize(problem.n_tangential * problem.n_nodes, 0.);
-    if (!problem.normal_load)
-      state.approach = problem.approach;
+    complete(problem, state);
     report.residual           = residual_of(problem, state);
     ContactState    best      = state;
     NaturalResidual lowest    = report.residual;

@@ -10,28 +10,24 @@ namespace RollingContact
     /**
      * Proj(q - rho s).
      */
-    std::vector<double>
-    projected_step(const TangentialProblem   &problem,
-                   const std::vector<double> &traction,
-                   const std::vector<double> &slip,
-                   const double               rho)
+    NodalField
+    projected_step(const TangentialProblem &problem,
+                   NodalField               traction,
+                   const NodalField        &slip,
+                   const double             rho)
     {
-      std::vector<double> result(traction);
-      for (std::size_t i = 0; i < result.size(); ++i)
-        result[i] -= rho * slip[i];
-      problem.project(result);
-      return result;
+      traction.add(-rho, slip);
+      problem.project(traction);
+      return traction;
     }
 
 
 
     double
-    distance(const std::vector<double> &x, const std::vector<double> &y)
+    distance(NodalField x, const NodalField &y)
     {
-      double sum = 0.;
-      for (std::size_t i = 0; i < x.size(); ++i)
-        sum += (x[i] - y[i]) * (x[i] - y[i]);
-      return std::sqrt(sum);
+      x -= y;
+      return std::sqrt(dot(x, x));
     }
   } // namespace
 
@@ -42,9 +38,9 @@ namespace RollingContact
                        ContactState            &state) const
   {
     SolverReport report;
-    report.solver             = "extragradient";
-    std::vector<double> &q    = state.traction;
-    const double         norm = problem.contact.tangential_norm;
+    report.solver     = "extragradient";
+    NodalField  &q    = state.traction;
+    const double norm = problem.contact.operators.tangential_norm();
     problem.project(q);
     if (norm == 0.)
       {
@@ -54,22 +50,12 @@ namespace RollingContact
     double rho = 1 / norm;
     while (report.iterations < controls.max_iterations)
       {
-        const std::vector<double> s = problem.slip(q);
-        report.residual.tangential  = problem.residual(q, s);
-        report.history.push_back(report.residual);
-        if (!std::isfinite(report.residual.tangential))
-          {
-            report.reason = "the traction is not a number";
-            return report;
-          }
-        if (report.residual.tangential <= 0.5 * controls.tolerance)
-          {
-            report.converged = true;
-            return report;
-          }
+        const NodalField s = problem.slip(q);
+        if (ends_with(problem.residual(q, s), report))
+          return report;
         ++report.iterations;
-        std::vector<double> predicted, predicted_slip;
-        double              ratio = 0.;
+        NodalField predicted, predicted_slip;
+        double     ratio = 0.;
         for (unsigned int shrinkings = 0; shrinkings < 60; ++shrinkings)
           {
             predicted         = projected_step(problem, q, s, rho);

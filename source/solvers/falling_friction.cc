@@ -11,7 +11,7 @@ namespace RollingContact
   /**
    * A state that holds the mu it was solved with, and what belongs to its slip.
    */
-  struct FallingFriction::Round
+  struct FallingFriction::Iterate
   {
     ContactState        state;
     std::vector<double> own; ///< mu of the friction law
@@ -23,14 +23,14 @@ namespace RollingContact
   namespace
   {
     void
-    add_round(const SolverReport &round, SolverReport &report)
+    add_outer_iteration(const SolverReport &fixed_mu, SolverReport &report)
     {
-      report.solver        = round.solver;
-      report.used_fallback = round.used_fallback;
-      report.add_work(round);
+      report.solver        = fixed_mu.solver;
+      report.used_fallback = fixed_mu.used_fallback;
+      report.add_work(fixed_mu);
       ++report.friction_rounds;
-      report.residual = round.residual;
-      report.reason   = round.reason;
+      report.residual = fixed_mu.residual;
+      report.reason   = fixed_mu.reason;
     }
 
 
@@ -56,9 +56,9 @@ namespace RollingContact
       DenseMatrix matrix(nodes.size(), nodes.size()), d(nodes.size(), 1);
       for (std::size_t k = 0; k < nodes.size(); ++k)
         {
-          const unsigned int i    = nodes[k];
-          const double       fall = problem.friction[i] * problem.speed *
-                              problem.friction_law->slope(speeds[i]);
+          const unsigned int i = nodes[k];
+          const double fall = problem.loads.friction[i] * problem.loads.speed *
+                              problem.loads.friction_law->slope(speeds[i]);
           for (std::size_t l = 0; l < nodes.size(); ++l)
             matrix(k, l) =
               (k == l ? 1. : 0.) - fall * R(k, l) * state.pressure[nodes[l]];
@@ -70,7 +70,7 @@ namespace RollingContact
         {
           const unsigned int i = nodes[k];
           target[i] = std::min(std::max(state.friction[i] + d(k, 0), 0.),
-                               problem.friction[i]);
+                               problem.loads.friction[i]);
         }
       return target;
     }
@@ -78,13 +78,23 @@ namespace RollingContact
 
 
     /**
-     * mu of the friction law where everything slides fast.
+     * Outer iterations at most, and how many may pass without halving the
+     * lowest residual. Empirical: larger numbers only cost time where friction
+     * does not settle.
+     */
+    const unsigned int max_iterations = 200, patience = 50;
+
+
+
+    /**
+     * mu of the friction law where everything slides fast: so many decay speeds
+     * that nothing is left to fall.
      */
     std::vector<double>
     friction_of_fast_sliding(const ContactProblem &problem)
     {
-      const FrictionLaw  &law      = *problem.friction_law;
-      std::vector<double> friction = problem.friction;
+      const FrictionLaw  &law      = *problem.loads.friction_law;
+      std::vector<double> friction = problem.loads.friction;
       for (double &mu : friction)
         mu *= 1 - law.drop(1e9 * law.decay_speed());
       return friction;
@@ -96,24 +106,24 @@ namespace RollingContact
   bool
   FallingFriction::solve_with(const std::vector<double> &friction,
                               const ContactProblem      &problem,
-                              Round                     &round,
+                              Iterate                   &iterate,
                               SolverReport              &report) const
   {
     throw_if_interrupted();
-    ContactState &state         = round.state;
+    ContactState &state         = iterate.state;
     state.friction              = friction;
     state.holds_friction        = true;
-    const SolverReport fixed_mu = coulomb->solve(problem, state);
-    add_round(fixed_mu, report);
+    const SolverReport fixed_mu = fixed_mu_solver->solve(problem, state);
+    add_outer_iteration(fixed_mu, report);
     if (!fixed_mu.converged)
       return false;
     state.holds_friction        = false;
     const TangentialProblem own = tangential_problem(problem, state);
     state.holds_friction        = true;
-    round.own                   = own.friction;
-    round.residual              = natural_residual(problem, own, state);
-    report.residual             = round.residual;
-    report.history.push_back(round.residual);
+    iterate.own                 = own.friction;
+    iterate.residual            = natural_residual(problem, own, state);
+    report.residual             = iterate.residual;
+    report.history.push_back(iterate.residual);
     return true;
   }
 
@@ -121,17 +131,17 @@ namespace RollingContact
 
   bool
   FallingFriction::try_newton(const ContactProblem &problem,
-                              Round                &round,
+                              Iterate              &iterate,
                               SolverReport         &report) const
   {
-    Round trial = round;
-    if (!solve_with(newton_target(problem, round.state, round.own),
+    Iterate trial = iterate;
+    if (!solve_with(newton_target(problem, iterate.state, iterate.own),
                     problem,
                     trial,
                     report) ||
-        !(trial.residual.worst() < 0.5 * round.residual.worst()))
+        !(trial.residual.worst() < 0.5 * iterate.residual.worst()))
       return false;
-    round = std::move(trial);
+    iterate = std::move(trial);
     return true;
   }
 
@@ -143,16 +153,16 @@ namespace RollingContact
                           ContactState         &state,
                           SolverReport         &report) const
   {
-    const unsigned int max_rounds = 200, patience = 50;
-    double             lowest    = std::numeric_limits<double>::infinity();
-    unsigned int       n_stalled = 0, pause = 1, n_plain = 1;
-    Round              round{state, {}, {}};
+    double       lowest    = std::numeric_limits<double>::infinity();
+    unsigned int n_stalled = 0, pause = 1, n_plain = 1;
+    Iterate      iterate{state, {}, {}};
     report.converged = false;
-    bool solved      = solve_with(state.friction, problem, round, report);
-    for (unsigned int k = 0; solved && k < max_rounds && n_stalled < patience;
+    bool solved      = solve_with(state.friction, problem, iterate, report);
+    for (unsigned int k = 0;
+         solved && k < max_iterations && n_stalled < patience;
          ++k)
       {
-        const double residual = round.residual.worst();
+        const double residual = iterate.residual.worst();
         report.converged      = residual <= controls.tolerance;
         if (report.converged)
           break;
@@ -160,23 +170,23 @@ namespace RollingContact
         lowest    = std::min(lowest, residual);
         if (n_plain >= pause)
           {
-            if (try_newton(problem, round, report))
+            if (try_newton(problem, iterate, report))
               continue;
             pause *= 2;
             n_plain = 0;
           }
         ++n_plain;
-        std::vector<double> next = round.own;
+        std::vector<double> next = iterate.own;
         for (std::size_t i = 0; i < next.size(); ++i)
-          next[i] = round.state.friction[i] +
-                    part * (next[i] - round.state.friction[i]);
-        solved = solve_with(next, problem, round, report);
+          next[i] = iterate.state.friction[i] +
+                    part * (next[i] - iterate.state.friction[i]);
+        solved = solve_with(next, problem, iterate, report);
       }
-    state                = round.state;
+    state                = iterate.state;
     state.holds_friction = false;
     if (!solved)
       return;
-    report.residual = round.residual;
+    report.residual = iterate.residual;
     if (report.converged)
       report.reason.clear();
     else
@@ -190,10 +200,10 @@ namespace RollingContact
   FallingFriction::solve(const ContactProblem &problem,
                          ContactState         &state) const
   {
-    if (!problem.friction_law || problem.n_tangential == 0)
-      return coulomb->solve(problem, state);
-    if (state.friction.size() != problem.n_nodes)
-      state.friction = problem.friction;
+    if (!problem.loads.friction_law || problem.n_tangential() == 0)
+      return fixed_mu_solver->solve(problem, state);
+    if (state.friction.size() != problem.n_nodes())
+      state.friction = problem.loads.friction;
     ContactState fast  = state;
     fast.friction      = friction_of_fast_sliding(problem);
     const auto   start = state;

@@ -1,7 +1,6 @@
 #include <rolling_contact/solvers/fixed_point.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 namespace RollingContact
@@ -27,9 +26,9 @@ namespace RollingContact
         {
           if (area > 0. && trial[i] <= level)
             break;
-          area += problem.areas[i];
-          force += problem.areas[i] * trial[i];
-          level = (force - *problem.normal_load) / area;
+          area += problem.operators.areas()[i];
+          force += problem.operators.areas()[i] * trial[i];
+          level = (force - *problem.loads.normal_load) / area;
         }
       return -level / rho;
     }
@@ -42,12 +41,12 @@ namespace RollingContact
                      ContactState         &state)
     {
       std::vector<double> trial = normal_gap(problem, state);
-      for (unsigned int i = 0; i < problem.n_nodes; ++i)
+      for (unsigned int i = 0; i < problem.n_nodes(); ++i)
         trial[i] = state.pressure[i] - rho * (trial[i] + state.approach);
-      state.approach = problem.normal_load
+      state.approach = problem.loads.normal_load
                          ? approach_for_load(problem, trial, rho)
-                         : problem.approach;
-      for (unsigned int i = 0; i < problem.n_nodes; ++i)
+                         : problem.loads.approach;
+      for (unsigned int i = 0; i < problem.n_nodes(); ++i)
         state.pressure[i] = std::max(0., trial[i] + rho * state.approach);
     }
   } // namespace
@@ -59,39 +58,25 @@ namespace RollingContact
   {
     SolverReport report;
     report.solver = "fixed point";
-    state.pressure.resize(problem.n_nodes, 0.);
-    state.traction.resize(problem.n_tangential * problem.n_nodes, 0.);
-    if (!problem.normal_load)
-      state.approach = problem.approach;
-    const double rho_n = controls.normal_augmentation / problem.normal_norm;
-    const double rho_t =
-      problem.tangential_norm > 0.
-        ? controls.tangential_augmentation / problem.tangential_norm
-        : 0.;
+    complete(problem, state);
+    const double norm  = problem.operators.tangential_norm(),
+                 rho_n = controls.normal_augmentation /
+                         problem.operators.normal_norm(),
+                 rho_t =
+                   norm > 0. ? controls.tangential_augmentation / norm : 0.;
     while (report.iterations < controls.max_iterations)
       {
         ++report.iterations;
         project_pressure(problem, rho_n, state);
         const TangentialProblem friction = tangential_problem(problem, state);
-        if (problem.n_tangential > 0)
+        if (problem.n_tangential() > 0)
           {
-            const std::vector<double> s = friction.slip(state.traction);
-            for (std::size_t i = 0; i < s.size(); ++i)
-              state.traction[i] -= rho_t * s[i];
+            state.traction.add(-rho_t, friction.slip(state.traction));
             friction.project(state.traction);
           }
-        report.residual = natural_residual(problem, friction, state);
-        report.history.push_back(report.residual);
-        if (!std::isfinite(report.residual.worst()))
-          {
-            report.reason = "the iteration diverged";
-            return report;
-          }
-        if (report.residual.worst() <= controls.tolerance)
-          {
-            report.converged = true;
-            return report;
-          }
+        if (report.ends_with(natural_residual(problem, friction, state),
+                             controls.tolerance))
+          return report;
       }
     report.reason = "the fixed point reached its limit of " +
                     std::to_string(controls.max_iterations) + " iterations";

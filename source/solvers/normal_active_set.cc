@@ -21,7 +21,7 @@ namespace RollingContact
              ContactState              &state)
     {
       std::vector<unsigned int> nodes;
-      for (unsigned int i = 0; i < problem.n_nodes; ++i)
+      for (unsigned int i = 0; i < problem.n_nodes(); ++i)
         if (active[i])
           nodes.push_back(i);
       const std::size_t n = nodes.size();
@@ -40,13 +40,14 @@ namespace RollingContact
       double load_of_unit_approach = 0., load_of_gap = 0.;
       for (std::size_t i = 0; i < n; ++i)
         {
-          load_of_unit_approach += problem.areas[nodes[i]] * columns(i, 0);
-          load_of_gap += problem.areas[nodes[i]] * columns(i, 1);
+          load_of_unit_approach +=
+            problem.operators.areas()[nodes[i]] * columns(i, 0);
+          load_of_gap += problem.operators.areas()[nodes[i]] * columns(i, 1);
         }
-      if (problem.normal_load && n > 0)
+      if (problem.loads.normal_load && n > 0)
         state.approach =
-          (*problem.normal_load + load_of_gap) / load_of_unit_approach;
-      state.pressure.assign(problem.n_nodes, 0.);
+          (*problem.loads.normal_load + load_of_gap) / load_of_unit_approach;
+      state.pressure.assign(problem.n_nodes(), 0.);
       for (std::size_t i = 0; i < n; ++i)
         state.pressure[nodes[i]] =
           state.approach * columns(i, 0) - columns(i, 1);
@@ -63,15 +64,15 @@ namespace RollingContact
                 const std::vector<double> &gap,
                 const ContactState        &state)
     {
-      ActiveSet active(problem.n_nodes);
-      for (unsigned int i = 0; i < problem.n_nodes; ++i)
+      ActiveSet active(problem.n_nodes());
+      for (unsigned int i = 0; i < problem.n_nodes(); ++i)
         active[i] = state.pressure[i] > 0.;
       if (std::find(active.begin(), active.end(), true) != active.end())
         return active;
       const double lowest = *std::min_element(gap.begin(), gap.end());
-      for (unsigned int i = 0; i < problem.n_nodes; ++i)
-        active[i] =
-          problem.normal_load ? gap[i] <= lowest : gap[i] < state.approach;
+      for (unsigned int i = 0; i < problem.n_nodes(); ++i)
+        active[i] = problem.loads.normal_load ? gap[i] <= lowest
+                                              : gap[i] < state.approach;
       return active;
     }
 
@@ -104,13 +105,13 @@ namespace RollingContact
   {
     SolverReport report;
     report.solver           = "active set";
-    std::vector<double> gap = problem.gap;
+    std::vector<double> gap = problem.loads.gap;
     const auto          coupling =
-      problem.normal_displacement_of_traction(state.traction);
-    for (unsigned int i = 0; i < problem.n_nodes; ++i)
+      problem.operators.normal_displacement_of_traction(state.traction);
+    for (unsigned int i = 0; i < problem.n_nodes(); ++i)
       gap[i] += coupling[i];
-    if (!problem.normal_load)
-      state.approach = problem.approach;
+    if (!problem.loads.normal_load)
+      state.approach = problem.loads.approach;
 
     ActiveSet           active = initial_set(problem, gap, state);
     std::set<ActiveSet> visited;
@@ -118,15 +119,19 @@ namespace RollingContact
     while (report.iterations < controls.max_iterations)
       {
         ++report.iterations;
-        if (!solve_on(
-              problem, gap, active, problem.pressure_compliance(), state))
+        if (!solve_on(problem,
+                      gap,
+                      active,
+                      problem.operators.pressure_compliance(),
+                      state))
           {
             report.reason = "the compliance of the active nodes is singular";
             return report;
           }
-        std::vector<double> u_n = problem.normal_displacement(state.pressure);
-        double              largest = 0.;
-        for (unsigned int i = 0; i < problem.n_nodes; ++i)
+        std::vector<double> u_n =
+          problem.operators.normal_displacement(state.pressure);
+        double largest = 0.;
+        for (unsigned int i = 0; i < problem.n_nodes(); ++i)
           {
             largest = std::max(largest, u_n[i]);
             u_n[i] += gap[i] - state.approach;
@@ -145,7 +150,7 @@ namespace RollingContact
             if (single_exchange)
               break;
           }
-        if (problem.normal_load &&
+        if (problem.loads.normal_load &&
             std::find(active.begin(), active.end(), true) == active.end())
           active[std::min_element(gap.begin(), gap.end()) - gap.begin()] = true;
       }

@@ -13,14 +13,14 @@ namespace RollingContact
     /**
      * The touching unknowns, both components of a node side by side.
      */
-    std::vector<std::size_t>
+    std::vector<NodalIndex>
     touching_unknowns(const TangentialProblem &problem)
     {
-      std::vector<std::size_t> unknowns;
-      for (unsigned int i = 0; i < problem.contact.n_nodes; ++i)
+      std::vector<NodalIndex> unknowns;
+      for (unsigned int i = 0; i < problem.contact.n_nodes(); ++i)
         if (problem.bound[i] > 0.)
           for (unsigned int c = 0; c < 2; ++c)
-            unknowns.push_back(c * problem.contact.n_nodes + i);
+            unknowns.push_back({c, i});
       return unknowns;
     }
 
@@ -40,6 +40,28 @@ namespace RollingContact
 
 
 
+    std::vector<double>
+    gathered(const std::vector<NodalIndex> &unknowns, const NodalField &field)
+    {
+      std::vector<double> values;
+      for (const NodalIndex &unknown : unknowns)
+        values.push_back(field[unknown]);
+      return values;
+    }
+
+
+
+    void
+    scatter(const std::vector<NodalIndex> &unknowns,
+            const std::vector<double>     &values,
+            NodalField                    &field)
+    {
+      for (std::size_t k = 0; k < unknowns.size(); ++k)
+        field[unknowns[k]] = values[k];
+    }
+
+
+
     /**
      * The frictional problem on the touching unknowns alone.
      */
@@ -48,16 +70,15 @@ namespace RollingContact
       explicit TouchingProblem(const TangentialProblem &problem)
         : unknowns(touching_unknowns(problem))
         , slip_compliance(problem.slip_compliance(unknowns))
-        , norm(problem.contact.tangential_norm)
-        , friction_force(problem.contact.resultant(problem.bound))
+        , norm(problem.contact.operators.tangential_norm())
+        , friction_force(problem.contact.operators.resultant(problem.bound))
       {
-        const std::vector<double> slip =
-          problem.slip(std::vector<double>(problem.slip_at_zero.size(), 0.));
-        for (const std::size_t i : unknowns)
+        const NodalField no_traction(problem.contact.n_nodes(), 2);
+        slip_at_zero = gathered(unknowns, problem.slip(no_traction));
+        for (const NodalIndex &unknown : unknowns)
           {
-            slip_at_zero.push_back(slip[i]);
-            bound.push_back(problem.bound[i % problem.contact.n_nodes]);
-            area.push_back(problem.contact.areas[i % problem.contact.n_nodes]);
+            bound.push_back(problem.bound[unknown.node]);
+            area.push_back(problem.contact.operators.areas()[unknown.node]);
           }
       }
 
@@ -91,11 +112,11 @@ namespace RollingContact
         return sum / friction_force;
       }
 
-      std::vector<std::size_t> unknowns;
-      DenseMatrix              slip_compliance; ///< 1/Pa
-      double                   norm;            ///< 1/Pa
-      double                   friction_force;  ///< N
-      std::vector<double>      slip_at_zero, bound, area;
+      std::vector<NodalIndex> unknowns;
+      DenseMatrix             slip_compliance; ///< 1/Pa
+      double                  norm;            ///< 1/Pa
+      double                  friction_force;  ///< N
+      std::vector<double>     slip_at_zero, bound, area;
     };
 
 
@@ -175,29 +196,6 @@ namespace RollingContact
             }
         }
       traction = best_traction;
-    }
-
-
-
-    std::vector<double>
-    gathered(const std::vector<std::size_t> &unknowns,
-             const std::vector<double>      &field)
-    {
-      std::vector<double> values;
-      for (const std::size_t i : unknowns)
-        values.push_back(field[i]);
-      return values;
-    }
-
-
-
-    void
-    scatter(const std::vector<std::size_t> &unknowns,
-            const std::vector<double>      &values,
-            std::vector<double>            &field)
-    {
-      for (std::size_t k = 0; k < unknowns.size(); ++k)
-        field[unknowns[k]] = values[k];
     }
 
 

@@ -38,9 +38,9 @@ namespace RollingContact
 
 
 
-  SolverChain::SolverChain(std::shared_ptr<const ContactSolver> alternation,
+  SolverChain::SolverChain(std::shared_ptr<const ContactSolver> split,
                            const SolverControls                &controls)
-    : alternation(std::move(alternation))
+    : split(std::move(split))
     , newton(std::make_shared<CoupledNewton>(controls))
     , controls(controls)
   {}
@@ -74,24 +74,24 @@ namespace RollingContact
   SolverReport
   SolverChain::solve(const ContactProblem &problem, ContactState &state) const
   {
-    state.pressure.resize(problem.n_nodes, 0.);
-    state.traction.resize(problem.n_tangential * problem.n_nodes, 0.);
+    complete(problem, state);
     state.edge_law            = true;
     const ContactState start  = state;
-    SolverReport       report = alternation->solve(problem, state);
-    if (report.converged || problem.n_tangential == 0)
+    SolverReport       report = split->solve(problem, state);
+    if (report.converged || problem.n_tangential() == 0)
       return report;
-    if (attempt(*newton, problem, state, report, state) || problem.rate != 0.)
+    if (attempt(*newton, problem, state, report, state) ||
+        problem.operators.time_scaling().rate != 0.)
       return report;
     ContactState plain  = start;
     plain.edge_law      = false;
-    const bool edge_law = problem.slip_operator.has_edge_law();
-    if (edge_law && (attempt(*alternation, problem, plain, report, state) ||
+    const bool edge_law = problem.operators.slip_operator().has_edge_law();
+    if (edge_law && (attempt(*split, problem, plain, report, state) ||
                      attempt(*newton, problem, plain, report, state)))
       return report;
     const RollingMarch march(
       std::make_shared<InTurn>(
-        std::vector<std::shared_ptr<const ContactSolver>>{newton, alternation}),
+        std::vector<std::shared_ptr<const ContactSolver>>{newton, split}),
       controls);
     if (!attempt(march, problem, start, report, state) && edge_law)
       attempt(march, problem, plain, report, state);

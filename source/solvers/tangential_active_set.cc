@@ -1,7 +1,6 @@
 #include <rolling_contact/solvers/semismooth_newton.h>
 #include <rolling_contact/solvers/tangential_active_set.h>
 
-#include <numeric>
 #include <set>
 
 namespace RollingContact
@@ -23,15 +22,15 @@ namespace RollingContact
     using States = std::vector<NodeState>;
 
     States
-    classify(const TangentialProblem   &problem,
-             const std::vector<double> &traction,
-             const std::vector<double> &slip,
-             const double               rho)
+    classify(const TangentialProblem &problem,
+             const NodalField        &traction,
+             const NodalField        &slip,
+             const double             rho)
     {
-      States states(traction.size());
+      States states(traction.n_nodes());
       for (std::size_t i = 0; i < states.size(); ++i)
         {
-          const double trial = traction[i] - rho * slip[i];
+          const double trial = traction(0, i) - rho * slip(0, i);
           states[i]          = problem.bound[i] <= 0.     ? NodeState::open
                                : trial > problem.bound[i] ? NodeState::slip_positive
                                : trial < -problem.bound[i] ? NodeState::slip_negative
@@ -50,30 +49,30 @@ namespace RollingContact
     solve_on(const TangentialProblem &problem,
              const DenseMatrix       &slip_compliance,
              const States            &states,
-             std::vector<double>     &traction)
+             NodalField              &traction)
     {
       std::vector<unsigned int> stick;
       for (unsigned int i = 0; i < states.size(); ++i)
         {
           if (states[i] == NodeState::stick)
             stick.push_back(i);
-          traction[i] = states[i] == NodeState::slip_positive ? problem.bound[i]
-                        : states[i] == NodeState::slip_negative
-                          ? -problem.bound[i]
-                          : 0.;
+          traction(0, i) =
+            states[i] == NodeState::slip_positive   ? problem.bound[i]
+            : states[i] == NodeState::slip_negative ? -problem.bound[i]
+                                                    : 0.;
         }
-      const std::vector<double> known = problem.slip(traction);
-      const std::size_t         n     = stick.size();
-      DenseMatrix               matrix(n, n), column(n, 1);
+      const NodalField  known = problem.slip(traction);
+      const std::size_t n     = stick.size();
+      DenseMatrix       matrix(n, n), column(n, 1);
       for (std::size_t j = 0; j < n; ++j)
         for (std::size_t i = 0; i < n; ++i)
           matrix(i, j) = slip_compliance(stick[i], stick[j]);
       for (std::size_t i = 0; i < n; ++i)
-        column(i, 0) = -known[stick[i]];
+        column(i, 0) = -known(0, stick[i]);
       if (!solve_general(matrix, column))
         return false;
       for (std::size_t i = 0; i < n; ++i)
-        traction[stick[i]] = column(i, 0);
+        traction(0, stick[i]) = column(i, 0);
       return true;
     }
   } // namespace
@@ -84,14 +83,15 @@ namespace RollingContact
   TangentialActiveSet::solve(const TangentialProblem &problem,
                              ContactState            &state) const
   {
-    if (problem.contact.n_tangential == 2)
+    if (problem.contact.n_tangential() == 2)
       return SemismoothNewton(controls).solve(problem, state);
     SolverReport report;
     report.solver = "active set";
-    std::vector<std::size_t> unknowns(state.traction.size());
-    std::iota(unknowns.begin(), unknowns.end(), 0);
+    std::vector<NodalIndex> unknowns;
+    for (unsigned int i = 0; i < problem.contact.n_nodes(); ++i)
+      unknowns.push_back({0, i});
     const DenseMatrix slip_compliance = problem.slip_compliance(unknowns);
-    const double      norm            = problem.contact.tangential_norm;
+    const double      norm = problem.contact.operators.tangential_norm();
     double rho = norm > 0. ? controls.tangential_augmentation / norm : 0.;
     problem.project(state.traction);
     const unsigned int max_halvings = 12, patience = 100;

@@ -138,20 +138,17 @@ namespace RollingContact
   transferred_state(const SteadyState<dim> &previous,
                     const ContactProblem   &problem)
   {
-    const ContactState &old     = previous.state;
-    const std::size_t   n_old   = previous.problem.n_nodes;
-    const unsigned int  n_nodes = problem.n_nodes;
-    ContactState        state   = open_state(problem);
-    state.approach              = old.approach;
-    for (unsigned int i = 0; i < n_nodes; ++i)
-      if (const auto weights =
-            previous.pair->trace().interpolation(problem.positions[i][0],
-                                                 problem.positions[i][1]))
+    const ContactState &old   = previous.state;
+    ContactState        state = open_state(problem);
+    state.approach            = old.approach;
+    for (unsigned int i = 0; i < problem.n_nodes(); ++i)
+      if (const auto weights = previous.pair->trace().interpolation(
+            problem.operators.positions()[i][0],
+            problem.operators.positions()[i][1]))
         {
           state.pressure[i] = apply(*weights, old.pressure);
-          for (unsigned int c = 0; c < problem.n_tangential; ++c)
-            state.traction[c * n_nodes + i] =
-              apply(*weights, old.traction, c * n_old);
+          for (unsigned int c = 0; c < problem.n_tangential(); ++c)
+            state.traction(c, i) = apply(*weights, old.traction, c);
         }
     return state;
   }
@@ -205,7 +202,7 @@ namespace RollingContact
         on_level(steady);
         context.log.message(
           "level " + std::to_string(steady.level) + ": " +
-          std::to_string(steady.problem.n_nodes) +
+          std::to_string(steady.problem.n_nodes()) +
           " contact nodes, forces changed by " + scientific(*steady.change, 2) +
           ", expected error " + scientific(steady.limit->value_error, 2));
         if (*steady.change < scene.mesh.target_change)
@@ -272,7 +269,7 @@ namespace RollingContact
   AdaptiveLevels<dim>::refine_uniformly(const SteadyState<dim> &steady,
                                         Grading<dim>           &grading)
   {
-    if (steady.problem.n_nodes << (dim - 1) > scene.mesh.contact_node_budget)
+    if (steady.problem.n_nodes() << (dim - 1) > scene.mesh.contact_node_budget)
       return false;
     grading.element_size_x /= 2;
     grading.element_size_y /= 2;
@@ -300,7 +297,7 @@ namespace RollingContact
             next.boxes.push_back(halved<dim>(trace.cells[k], grading));
         if (next.boxes.size() == grading.boxes.size())
           continue;
-        if (steady.problem.n_nodes + n_new_nodes(trace, next) >
+        if (steady.problem.n_nodes() + n_new_nodes(trace, next) >
             scene.mesh.contact_node_budget)
           break;
         grading = next;

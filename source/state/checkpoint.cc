@@ -44,17 +44,6 @@ namespace boost
 
     template <typename Archive>
     void
-    serialize(Archive                           &archive,
-              RollingContact::EdgeExtrapolation &edge,
-              [[maybe_unused]] unsigned int      version)
-    {
-      archive &edge.first &edge.second &edge.third &edge.rest;
-    }
-
-
-
-    template <typename Archive>
-    void
     serialize(Archive                      &archive,
               RollingContact::Checkpoint   &checkpoint,
               [[maybe_unused]] unsigned int version)

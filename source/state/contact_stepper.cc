@@ -23,7 +23,7 @@ namespace RollingContact
       make_initial_contact<dim>(scene, demands, histories, context);
     contact        = std::move(initial.contact);
     motion         = std::move(initial.motion);
-    undeformed_gap = contact.problem.gap;
+    undeformed_gap = contact.problem.loads.gap;
     border         = contact.pair->trace().border_nodes();
   }
 
@@ -37,12 +37,11 @@ namespace RollingContact
       return;
     PhaseTimer::Scope phase(context.timer, Phase::condensation);
     motion->set_time_step(h);
-    time_step = h;
+    time_step                   = h;
+    ContactOperators &operators = contact.problem.operators;
     if (motion->compliance_depends_on_step())
-      contact.problem.W = motion->compliance();
-    contact.problem.convection = motion->displacement_factor();
-    contact.problem.rate       = 0.;
-    contact.problem.finish();
+      operators.set_compliance(motion->compliance());
+    operators.set_time_scaling({motion->displacement_factor(), 0.});
   }
 
 
@@ -53,14 +52,14 @@ namespace RollingContact
   {
     ContactProblem &problem = contact.problem;
     const double    end     = time + h;
-    problem.set_creepages(histories.creepages(end));
+    problem.loads.creepages = histories.creepages(end);
     const bool ahead =
       scene.time.inertia && scene.time.contact_law == ContactLaw::shifted;
     const double at = end + (ahead ? (1 - scene.time.theta) * h : 0.);
     if (histories.normal_load)
-      problem.normal_load = histories.normal_load->value(at);
+      problem.loads.normal_load = histories.normal_load->value(at);
     else
-      problem.approach = histories.approach->value(at);
+      problem.loads.approach = histories.approach->value(at);
   }
 
 
@@ -84,23 +83,20 @@ namespace RollingContact
   ContactStepper<dim>::apply_free_motion(const FreeMotion &free,
                                          const double      speed)
   {
-    ContactProblem &problem = contact.problem;
-    problem.gap             = undeformed_gap;
+    const std::size_t n_nodes = contact.problem.n_nodes();
+    ContactLoads     &loads   = contact.problem.loads;
+    loads.gap                 = undeformed_gap;
     for (std::size_t i = 0; i < free.gap.size(); ++i)
-      problem.gap[i] += free.gap[i];
-    if (problem.n_tangential == 0)
+      loads.gap[i] += free.gap[i];
+    if (contact.problem.n_tangential() == 0)
       return;
-    problem.speed             = speed;
-    problem.free_displacement = free.displacement;
-    problem.free_slip         = free.velocity;
-    for (double &value : problem.free_slip)
+    loads.speed             = speed;
+    loads.free_displacement = NodalField(n_nodes, free.displacement);
+    loads.free_slip         = NodalField(n_nodes, free.velocity);
+    for (double &value : loads.free_slip)
       value /= speed;
-    const double rate = 1 / (speed * time_step);
-    if (rate != problem.rate)
-      {
-        problem.rate = rate;
-        problem.find_tangential_norm();
-      }
+    contact.problem.operators.set_time_scaling(
+      {motion->displacement_factor(), 1 / (speed * time_step)});
   }
 
 
@@ -114,7 +110,7 @@ namespace RollingContact
     set_time_step(h);
     set_drive(time, h);
     outcome.speed = histories.speed.value(time + h);
-    if (contact.problem.n_tangential > 0 &&
+    if (contact.problem.n_tangential() > 0 &&
         outcome.speed * scene.contact.flow() <= 0.)
       throw InputError("Time/Speed is " + significant(outcome.speed, 6) +
                        " m/s at t = " + significant(time + h, 6) +
@@ -172,10 +168,10 @@ namespace RollingContact
     ++outcome.n_parts;
     outcome.solver.iterations += contact.solver.iterations;
     outcome.solver.solver = contact.solver.solver;
-    for (unsigned int i = 0; i < problem.n_nodes; ++i)
+    for (unsigned int i = 0; i < problem.n_nodes(); ++i)
       outcome.n_impacts +=
         contact.state.pressure[i] > 0. && previous.pressure[i] == 0.;
-    if (problem.n_tangential == 0)
+    if (problem.n_tangential() == 0)
       return;
     const Uniqueness several = uniqueness(problem, contact.state);
     if (several.ratio > outcome.several.ratio)
@@ -263,7 +259,7 @@ namespace RollingContact
   ContactStepper<dim>::save(Checkpoint &checkpoint) const
   {
     checkpoint.pressure = contact.state.pressure;
-    checkpoint.traction = contact.state.traction;
+    checkpoint.traction = contact.state.traction.values();
     checkpoint.approach = contact.state.approach;
     checkpoint.edges    = contact.state.edges;
     checkpoint.friction = contact.state.friction;
@@ -277,12 +273,13 @@ namespace RollingContact
   ContactStepper<dim>::restore(const Checkpoint &checkpoint)
   {
     const ContactProblem &problem = contact.problem;
-    if (checkpoint.pressure.size() != problem.n_nodes ||
-        checkpoint.traction.size() != problem.n_tangential * problem.n_nodes)
+    if (checkpoint.pressure.size() != problem.n_nodes() ||
+        checkpoint.traction.size() !=
+          problem.n_tangential() * problem.n_nodes())
       throw InputError("Cannot resume: the checkpoint has " +
                        std::to_string(checkpoint.pressure.size()) +
                        " contact nodes, the scene " +
-                       std::to_string(problem.n_nodes) +
+                       std::to_string(problem.n_nodes()) +
                        ". Start the run without --resume.");
     restore_state(checkpoint);
     const double h = checkpoint.progress.time_step;
@@ -304,7 +301,8 @@ namespace RollingContact
     // its slip is not known before the next step
     const bool edge_law = true, holds_friction = !checkpoint.friction.empty();
     contact.state = {checkpoint.pressure,
-                     checkpoint.traction,
+                     NodalField(checkpoint.pressure.size(),
+                                checkpoint.traction),
                      checkpoint.approach,
                      checkpoint.edges,
                      edge_law,

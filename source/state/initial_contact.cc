@@ -33,12 +33,12 @@ namespace RollingContact
       PhaseTimer::Scope phase(context.timer, Phase::contact_solve);
       SteadyState<dim> &contact = initial.contact;
       ContactProblem   &problem = contact.problem;
-      problem.set_creepages(histories.creepages(0.));
-      problem.speed = std::abs(histories.speed.value(0.));
+      problem.loads.creepages   = histories.creepages(0.);
+      problem.loads.speed       = std::abs(histories.speed.value(0.));
       if (histories.normal_load)
-        problem.normal_load = histories.normal_load->value(0.);
+        problem.loads.normal_load = histories.normal_load->value(0.);
       else
-        problem.approach = histories.approach->value(0.);
+        problem.loads.approach = histories.approach->value(0.);
       solve_contact(scene, demands, contact);
       if (!contact.solver.converged)
         throw ConvergenceError("The steady initial state did not converge: " +
@@ -113,10 +113,10 @@ namespace RollingContact
       }
       ContactParameters in_time = scene.contact;
       in_time.slip_operator     = slip_operator;
-      contact.problem =
-        contact.pair->contact_problem(in_time,
-                                      steady ? std::move(contact.problem.W)
-                                             : contact.pair->combined({}, {}));
+      contact.problem           = contact.pair->contact_problem(
+        in_time,
+        steady ? std::move(contact.problem.operators).W()
+                         : contact.pair->combined({}, {}));
       if (steady)
         {
           start_steadily(scene, demands, histories, context, initial);

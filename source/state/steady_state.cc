@@ -68,11 +68,13 @@ namespace RollingContact
     ContactState state = open_state(problem);
     // a node at the very edge must not depend on rounding
     const double inside = 1 - 1e-6;
-    for (unsigned int i = 0; i < problem.n_nodes; ++i)
+    for (unsigned int i = 0; i < problem.n_nodes(); ++i)
       {
-        const double x = problem.positions[i][0] / patch.half_width_x,
+        const double x =
+                       problem.operators.positions()[i][0] / patch.half_width_x,
                      y = patch.half_width_y > 0.
-                           ? problem.positions[i][1] / patch.half_width_y
+                           ? problem.operators.positions()[i][1] /
+                               patch.half_width_y
                            : 0.;
         if (std::hypot(x, y) < inside)
           state.pressure[i] = 1.;

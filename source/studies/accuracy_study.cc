@@ -223,9 +223,8 @@ namespace RollingContact
             if (method != methods.front())
               {
                 PhaseTimer::Scope phase(context.timer, Phase::condensation);
-                steady.problem =
-                  steady.pair->contact_problem(varied.contact,
-                                               std::move(steady.problem.W));
+                steady.problem = steady.pair->contact_problem(
+                  varied.contact, std::move(steady.problem.operators).W());
               }
             for (std::size_t i = 0; i < results.cases.size(); ++i)
               solve_case({method, i, elements},
@@ -252,8 +251,8 @@ namespace RollingContact
     const StateSeconds before = state_seconds(context.timer);
     {
       PhaseTimer::Scope phase(context.timer, Phase::contact_solve);
-      steady.problem.set_creepages(scene.contact.creepages);
-      steady.state = initial_state(steady.problem, patch);
+      steady.problem.loads.creepages = scene.contact.creepages;
+      steady.state                   = initial_state(steady.problem, patch);
       steady.solver =
         make_contact_solver(scene.solver.solver, scene.solver.controls)
           ->solve(steady.problem, steady.state);

@@ -72,7 +72,7 @@ namespace RollingContact
       sample.force = {{result.force_x / result.friction_force,
                        result.force_y / result.friction_force}};
     sample.n_unknowns      = steady.pair->n_unknowns();
-    sample.n_contact_nodes = steady.problem.n_nodes;
+    sample.n_contact_nodes = steady.problem.n_nodes();
     return sample;
   }
 

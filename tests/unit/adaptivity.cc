@@ -68,7 +68,7 @@ namespace
       last = AdaptiveLevels<dim>(scene, StateDemands(), context)
                .run([&](const SteadyState<dim> &level) {
                  BOOST_TEST(level.solver.converged);
-                 n_nodes.push_back(level.problem.n_nodes);
+                 n_nodes.push_back(level.problem.n_nodes());
                });
     }
 
@@ -213,7 +213,7 @@ BOOST_AUTO_TEST_CASE(transfer_keeps_the_state)
   for (std::size_t i = 0; i < state.pressure.size(); ++i)
     {
       BOOST_TEST(state.pressure[i] == run.steady.state.pressure[i]);
-      BOOST_TEST(state.traction[i] == run.steady.state.traction[i]);
+      BOOST_TEST(state.traction(0, i) == run.steady.state.traction(0, i));
     }
 }
 

@@ -1,6 +1,7 @@
 #ifndef rolling_contact_tests_half_plane_h
 #define rolling_contact_tests_half_plane_h
 
+#include <rolling_contact/base/constants.h>
 #include <rolling_contact/contact/resultants.h>
 #include <rolling_contact/interface/slip_operator.h>
 #include <rolling_contact/solvers/contact_solver.h>
@@ -11,7 +12,6 @@ namespace HalfPlane
 {
   using namespace RollingContact;
 
-  const double pi = std::acos(-1.);
   const double mu = 0.3;
 
   /**
@@ -60,41 +60,39 @@ namespace HalfPlane
       trace.cells.push_back({trace.nodes[i],
                              {{trace.nodes[i + 1][0], 1.}},
                              {{{i, 1.}}, {{i + 1, 1.}}}});
-    ContactProblem problem;
-    problem.n_nodes      = n;
-    problem.n_tangential = options.friction ? 1 : 0;
-    problem.coupled      = options.coupling != 0.;
-    problem.dundurs_beta = options.coupling;
-    problem.positions    = trace.nodes;
-    problem.H            = contact_matrix(trace, ContactMatrices::lumped, 1.);
-    const unsigned int n_blocks = problem.n_tangential + 1;
-    problem.W                   = DenseMatrix(n_blocks * n, n_blocks * n);
-    const double scale          = 1 / options.pressure_unit;
+    const unsigned int n_blocks = options.friction ? 2 : 1;
+    DenseMatrix        W(n_blocks * n, n_blocks * n);
+    const double       scale = 1 / options.pressure_unit;
     for (unsigned int j = 0; j < n; ++j)
       for (unsigned int i = 0; i < n; ++i)
         {
           for (unsigned int c = 0; c < n_blocks; ++c)
-            problem.W(c * n + i, c * n + j) =
+            W(c * n + i, c * n + j) =
               scale * half_plane(i, j, 2. / options.n_elements);
           if (options.friction)
             {
               // du_t/dx = -beta p, its mirror image in the other block
-              const double step   = i == j ? 0. : (i > j ? 0.5 : -0.5);
-              problem.W(i, n + j) = -scale * options.coupling * step;
-              problem.W(n + j, i) = problem.W(i, n + j);
+              const double step = i == j ? 0. : (i > j ? 0.5 : -0.5);
+              W(i, n + j) = W(n + j, i) = -scale * options.coupling * step;
             }
         }
+    ContactProblem problem;
+    problem.operators =
+      ContactOperators(trace.nodes,
+                       contact_matrix(trace, ContactMatrices::lumped, 1.),
+                       std::move(W),
+                       options.friction ? SlipOperator(trace,
+                                                       options.kind,
+                                                       ContactMatrices::lumped,
+                                                       options.flow)
+                                        : SlipOperator(),
+                       {options.coupling != 0., options.coupling});
     for (const auto &node : trace.nodes)
-      problem.gap.push_back(node[0] * node[0] / 2 / options.length_unit);
-    problem.friction.assign(n, mu);
-    if (options.friction)
-      problem.slip_operator = SlipOperator(trace,
-                                           options.kind,
-                                           ContactMatrices::lumped,
-                                           options.flow);
-    problem.set_creepages({options.creepage * mu, 0., 0.});
-    problem.normal_load = pi / 2 * options.length_unit * options.pressure_unit;
-    problem.finish();
+      problem.loads.gap.push_back(node[0] * node[0] / 2 / options.length_unit);
+    problem.loads.friction.assign(n, mu);
+    problem.loads.creepages = {options.creepage * mu, 0., 0.};
+    problem.loads.normal_load =
+      pi / 2 * options.length_unit * options.pressure_unit;
     return problem;
   }
 

@@ -32,27 +32,25 @@ namespace
       trace.cells.push_back({trace.nodes[i],
                              {{trace.nodes[i + 1][0], 1.}},
                              {{{i, 1.}}, {{i + 1, 1.}}}});
+    DenseMatrix    W(2 * n_nodes, 2 * n_nodes);
     ContactProblem problem;
-    problem.n_nodes      = n_nodes;
-    problem.n_tangential = 1;
-    problem.positions    = trace.nodes;
-    problem.H            = contact_matrix(trace, ContactMatrices::lumped, 1.);
-    problem.W            = DenseMatrix(2 * n_nodes, 2 * n_nodes);
     for (unsigned int i = 0; i < n_nodes; ++i)
       {
-        problem.W(i, i) = problem.W(n_nodes + i, n_nodes + i) = 1.;
-        problem.W(i, n_nodes + i) = problem.W(n_nodes + i, i) = 0.05;
-        problem.gap.push_back(problem.positions[i][0] *
-                              problem.positions[i][0] / 50);
+        W(i, i) = W(n_nodes + i, n_nodes + i) = 1.;
+        W(i, n_nodes + i) = W(n_nodes + i, i) = 0.05;
+        problem.loads.gap.push_back(std::pow(trace.nodes[i][0], 2) / 50);
       }
-    problem.friction.assign(n_nodes, 0.3);
-    problem.slip_operator = SlipOperator(trace,
-                                         SlipOperatorKind::upwind_2,
-                                         ContactMatrices::lumped,
-                                         1);
-    problem.set_creepages({0.03, 0., 0.});
-    problem.normal_load = load;
-    problem.finish();
+    problem.operators =
+      ContactOperators(trace.nodes,
+                       contact_matrix(trace, ContactMatrices::lumped, 1.),
+                       std::move(W),
+                       SlipOperator(trace,
+                                    SlipOperatorKind::upwind_2,
+                                    ContactMatrices::lumped,
+                                    1));
+    problem.loads.friction.assign(n_nodes, 0.3);
+    problem.loads.creepages   = {0.03, 0., 0.};
+    problem.loads.normal_load = load;
     return problem;
   }
 
@@ -114,15 +112,15 @@ BOOST_AUTO_TEST_CASE(each_is_seen_when_broken)
     state.pressure[0] = -0.01;
   });
   check_broken("overlap", &Invariants::overlap, [](auto &problem, auto &state) {
-    problem.gap[middle(state)] -= 0.01;
+    problem.loads.gap[middle(state)] -= 0.01;
   });
   check_broken("complementarity",
                &Invariants::complementarity,
                [](auto &problem, auto &state) {
-                 problem.gap[middle(state)] += 0.01;
+                 problem.loads.gap[middle(state)] += 0.01;
                });
   check_broken("cone", &Invariants::cone, [](auto &, auto &state) {
-    state.traction[middle(state)] = -0.301 * state.pressure[middle(state)];
+    state.traction(0, middle(state)) = -0.301 * state.pressure[middle(state)];
   });
   check_broken("friction power",
                &Invariants::friction_power,
@@ -131,13 +129,15 @@ BOOST_AUTO_TEST_CASE(each_is_seen_when_broken)
                    q = -q;
                });
   check_broken("load", &Invariants::load, [](auto &problem, auto &) {
-    problem.normal_load = 1.001 * load;
+    problem.loads.normal_load = 1.001 * load;
   });
   check_broken("elastic energy",
                &Invariants::elastic_energy,
                [](auto &problem, auto &) {
+                 DenseMatrix W = problem.operators.W();
                  for (unsigned int i = 0; i < 2 * n_nodes; ++i)
-                   problem.W(i, i) = -problem.W(i, i);
+                   W(i, i) = -W(i, i);
+                 problem.operators.set_compliance(std::move(W));
                });
 }
 
@@ -146,9 +146,9 @@ BOOST_AUTO_TEST_CASE(what_is_not_a_number_is_broken)
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const bool pressure : {true, false})
     {
-      const ContactProblem problem                    = brush_bed();
-      ContactState         state                      = solution(problem);
-      (pressure ? state.pressure : state.traction)[0] = nan;
+      const ContactProblem problem = brush_bed();
+      ContactState         state   = solution(problem);
+      *(pressure ? state.pressure.begin() : state.traction.begin()) = nan;
       const Invariants found = invariants(problem, state);
       BOOST_TEST(!std::isfinite(found.worst().second));
       BOOST_CHECK_THROW(check_invariants(found, tolerance, ""),

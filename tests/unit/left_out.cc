@@ -65,12 +65,12 @@ BOOST_AUTO_TEST_CASE(twins_are_factorised_once)
 {
   const Run twins([](SceneParameters &) {});
   BOOST_TEST(twins.n_factorisations() == 1u);
-  BOOST_TEST(twins.n_columns() == 2 * twins.steady.problem.n_nodes);
+  BOOST_TEST(twins.n_columns() == 2 * twins.steady.problem.n_nodes());
   BOOST_TEST(twins.n_solves() == 0u);
 
   const Run different(separate_bodies);
   BOOST_TEST(different.n_factorisations() == 2u);
-  BOOST_TEST(different.n_columns() == 4 * different.steady.problem.n_nodes);
+  BOOST_TEST(different.n_columns() == 4 * different.steady.problem.n_nodes());
 }
 
 BOOST_AUTO_TEST_CASE(a_frictionless_contact_condenses_normal_columns)
@@ -80,12 +80,12 @@ BOOST_AUTO_TEST_CASE(a_frictionless_contact_condenses_normal_columns)
     scene.contact.friction_coefficient = 0.;
   });
   const ContactProblem &problem = run.steady.problem;
-  BOOST_TEST(run.n_columns() == 2 * problem.n_nodes);
-  BOOST_TEST(problem.W.n_rows() == problem.n_nodes);
-  BOOST_TEST(problem.W.memory_consumption() ==
-             problem.n_nodes * problem.n_nodes * sizeof(double));
-  BOOST_TEST(problem.slip_operator.rows().size() == 0u);
-  BOOST_TEST(problem.rigid_slip.empty());
+  BOOST_TEST(run.n_columns() == 2 * problem.n_nodes());
+  BOOST_TEST(problem.operators.W().n_rows() == problem.n_nodes());
+  BOOST_TEST(problem.operators.W().memory_consumption() ==
+             problem.n_nodes() * problem.n_nodes() * sizeof(double));
+  BOOST_TEST(problem.operators.slip_operator().rows().size() == 0u);
+  BOOST_TEST(problem.rigid_slip().empty());
   BOOST_TEST(run.steady.state.traction.empty());
 }
 
@@ -93,7 +93,7 @@ BOOST_AUTO_TEST_CASE(a_rigid_rail_is_neither_factorised_nor_condensed)
 {
   const Run run([](SceneParameters &scene) { scene.rail.rigid = true; });
   BOOST_TEST(run.n_factorisations() == 1u);
-  BOOST_TEST(run.n_columns() == 2 * run.steady.problem.n_nodes);
+  BOOST_TEST(run.n_columns() == 2 * run.steady.problem.n_nodes());
   BOOST_TEST((run.steady.pair->body(Side::rail) == nullptr));
 }
 

@@ -1,6 +1,6 @@
 #include <boost/test/unit_test.hpp>
 
-#include <rolling_contact/contact/edge_companion.h>
+#include <rolling_contact/contact/edge_pressure.h>
 #include <rolling_contact/interface/operators.h>
 
 #include <cmath>

@@ -19,9 +19,9 @@ namespace RollingContact
   {
     const auto sizes = [&](const ContactProblem &of, const ContactState &at) {
       const auto          s = tangential_problem(of, at).slip(at.traction);
-      std::vector<double> result(of.n_nodes, 0.);
-      for (std::size_t k = 0; k < s.size(); ++k)
-        result[k % of.n_nodes] = std::hypot(result[k % of.n_nodes], s[k]);
+      std::vector<double> result;
+      for (std::size_t i = 0; i < s.n_nodes(); ++i)
+        result.push_back(s.norm_at(i));
       return result;
     };
     const TangentialProblem tangential = tangential_problem(problem, state);
@@ -33,7 +33,7 @@ namespace RollingContact
     for (std::size_t l = 0; l < nodes.size(); l += 3)
       {
         ContactProblem less = problem;
-        less.friction[nodes[l]] *= 1 - part;
+        less.loads.friction[nodes[l]] *= 1 - part;
         ContactState   next = state;
         SolverControls controls;
         controls.tolerance = 1e-13;

@@ -240,9 +240,9 @@ BOOST_FIXTURE_TEST_CASE(checkpoints_keep_every_bit, ScratchFolder)
   BOOST_TEST((copy.traction == state.traction));
   BOOST_TEST(copy.edges.size() == 2u);
   BOOST_TEST(copy.edges[0].first == 3u);
-  BOOST_TEST(same_bits(copy.edges[0].second, state.edges[0].second));
-  BOOST_TEST(same_bits(copy.edges[0].third, state.edges[0].third));
-  BOOST_TEST((copy.edges[0].rest == state.edges[0].rest));
+  BOOST_TEST(same_bits(copy.edges[0].a, state.edges[0].a));
+  BOOST_TEST(same_bits(copy.edges[0].b, state.edges[0].b));
+  BOOST_TEST((copy.edges[0].c == state.edges[0].c));
   BOOST_TEST(copy.progress.n_impacts == 8u);
   BOOST_TEST(copy.history.n_rows == 17u);
   BOOST_TEST(copy.history.n_bytes == 4321u);

@@ -14,8 +14,8 @@ namespace RollingContact
    */
   struct TractionField
   {
-    Trace               trace;
-    std::vector<double> traction;
+    Trace      trace;
+    NodalField traction;
   };
 
   /**

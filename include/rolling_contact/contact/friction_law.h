@@ -8,9 +8,10 @@
 namespace RollingContact
 {
   /**
-   * How the friction coefficient falls with the sliding speed v = |s| V (m/s)
-   * from its static value mu_s, mu(v) = mu_s (1 - drop(v)). The drop is 0 at
-   * rest, grows and is concave: mu falls most steeply at rest.
+   * Velocity-dependent (falling) friction: how the friction coefficient falls
+   * with the sliding speed v = |s| V (m/s) from its static value mu_s, mu(v) =
+   * mu_s (1 - drop(v)). The drop is 0 at rest, grows and is concave: mu falls
+   * most steeply at rest.
    */
   class FrictionLaw
   {
@@ -24,7 +25,7 @@ namespace RollingContact
     drop(const double speed) const = 0;
 
     /**
-     * Of the drop, d/dv. Units: m/s to s/m.
+     * Derivative of the drop by the speed. Units: m/s to s/m.
      */
     virtual double
     slope(const double speed) const = 0;
@@ -60,6 +61,9 @@ namespace RollingContact
     Maker       make; ///< nullptr for friction that does not fall
   };
 
+  /**
+   * All friction laws, constant friction first.
+   */
   const std::vector<FrictionLawKind> &
   friction_law_kinds();
 

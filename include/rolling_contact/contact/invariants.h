@@ -34,14 +34,17 @@ namespace RollingContact
     named() const;
 
     /**
-     * Name and value of the largest; the first that is not a number.
+     * Name and value of the largest invariant, or of the first that is not
+     * finite; `none` and 0 if nothing is violated.
      */
     std::pair<std::string, double>
     worst() const;
   };
 
   /**
-   * Of a state, from the problem alone. Not a number where the state is not.
+   * The invariants of @p state, found from the problem alone and by no solver's
+   * means. Not a number where the state is not; infinite where something is
+   * violated that is measured by a load of zero.
    */
   Invariants
   invariants(const ContactProblem &problem, const ContactState &state);

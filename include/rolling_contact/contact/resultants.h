@@ -1,7 +1,7 @@
 #ifndef rolling_contact_contact_resultants_h
 #define rolling_contact_contact_resultants_h
 
-#include <rolling_contact/contact/contact_problem.h>
+#include <rolling_contact/contact/tangential_problem.h>
 
 namespace RollingContact
 {
@@ -13,7 +13,8 @@ namespace RollingContact
   };
 
   /**
-   * Open where p = 0, slip where |q| has reached mu p, stick else.
+   * States of the nodes: open where p = 0, slip where |q| has reached mu p,
+   * stick else.
    */
   std::vector<NodeState>
   node_states(const TangentialProblem &tangential, const ContactState &state);
@@ -53,8 +54,7 @@ namespace RollingContact
    * slip s of the surfaces (TangentialProblem::material_slip). Units: J/m.
    */
   double
-  dissipation(const TangentialProblem   &tangential,
-              const std::vector<double> &traction);
+  dissipation(const TangentialProblem &tangential, const NodalField &traction);
 
   /**
    * True if a node touches whose surroundings are not all on the trace: the

@@ -1,35 +1,37 @@
 #ifndef rolling_contact_contact_sliding_response_h
 #define rolling_contact_contact_sliding_response_h
 
-#include <rolling_contact/contact/contact_problem.h>
+#include <rolling_contact/contact/tangential_problem.h>
 
 #include <vector>
 
 namespace RollingContact
 {
   /**
-   * What less friction does to the slip. The nodes lose a traction f_j along
-   * their slip (that against which they stick) and slide by (R f)_i more, while
-   * the other touching nodes stick and slipping nodes may turn: with A = ds/dq,
-   * e along and t across the slip, a turn changes the traction by dq_t = -mu p
-   * / |s| ds_t, so C = |s| / (mu p) across slipping nodes and 0 elsewhere,
+   * How much further the @p nodes slide when friction at them gives way: the
+   * slip (R f)_i along their directions under losses f_j of the tractions
+   * against these, at fixed pressure. Other touching nodes stick, or turn their
+   * traction if they slip. R is the Schur complement of A = ds/dq onto the
+   * directions e of the nodes (that of the slip, or against the traction),
    *
-   *   R = A_ee - A_eo (A_oo + C)^-1 A_oe,   o all but the e of the nodes.
+   *   R = A_ee - A_eo (A_oo + C)^-1 A_oe,
    *
-   * Pressure is fixed. Empty if A_oo + C is singular. Units: 1/Pa.
+   * o all other unknowns of touching nodes, with C = |s| / (mu p) on the
+   * transverse unknown of slipping nodes, whose turn changes the traction by
+   * dq_t = -mu p / |s| ds_t, and 0 elsewhere. One row and column for each of
+   * @p nodes; empty if A_oo + C is singular. Units: 1/Pa.
    */
   DenseMatrix
   sliding_response(const TangentialProblem         &problem,
-                   const std::vector<double>       &traction,
+                   const NodalField                &traction,
                    const std::vector<unsigned int> &nodes);
 
   /**
-   * The nodes that slip, |q - rho s| > mu p: where mu falls and is known to a
-   * tolerance, |q| = mu p does not tell.
+   * The nodes that slip, |q - rho s| > mu p: where mu depends on the slip and
+   * is known to a tolerance, |q| = mu p does not tell.
    */
   std::vector<unsigned int>
-  slipping_nodes(const TangentialProblem   &problem,
-                 const std::vector<double> &traction);
+  slipping_nodes(const TangentialProblem &problem, const NodalField &traction);
 } // namespace RollingContact
 
 #endif

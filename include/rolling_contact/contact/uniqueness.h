@@ -6,7 +6,8 @@
 namespace RollingContact
 {
   /**
-   * Whether a state with falling friction may be one of several. Let another
+   * Whether a state with velocity-dependent (falling) friction may be one of
+   * several. Let another
    * state differ by ds in slip and dq in traction. Node by node the friction
    * law allows dq . ds <= L |ds|^2, with L = mu_s p V times
    * FrictionLaw::steepest_fall() from this state; the surfaces ask for ds = A
@@ -40,7 +41,8 @@ namespace RollingContact
   };
 
   /**
-   * Of a state that solves the problem; zero without a friction law.
+   * The ratio of @p state, which solves @p problem; zero without a friction law
+   * or tangential components.
    */
   Uniqueness
   uniqueness(const ContactProblem &problem, const ContactState &state);

@@ -42,8 +42,8 @@ namespace RollingContact
   };
 
   /**
-   * The corners of the interface's cells must be nodes: none hangs. Faces may
-   * overlap it or not.
+   * The projection from @p surface to @p interface, which may overlap in part.
+   * The corners of the interface's cells must be nodes: none hangs.
    */
   MortarProjection
   mortar_projection(const Trace &interface, const SurfaceMesh &surface);

@@ -24,8 +24,7 @@ namespace RollingContact
   };
 
   /**
-   * Operators as their entries of the .prm file and --print-parameters know
-   * them.
+   * An operator as its entry of the .prm file and --print-parameters know it.
    */
   template <class Kind>
   struct OperatorChoice
@@ -74,8 +73,9 @@ namespace RollingContact
   upstream_rows(const Trace &trace, const int flow);
 
   /**
-   * The paper's B1: the derivative projected on the shape functions,
-   * H^-1 integral of N^T dN/dx, with the H in use.
+   * The Galerkin B1 of Lai et al. 2017: the derivative projected on the shape
+   * functions, H^-1 integral of N^T dN/dx, with H of the given @p kind: row
+   * sums for lumped and balanced H. Units: 1/m.
    */
   SparseRows
   galerkin_rows(const Trace &trace, const ContactMatrices kind);

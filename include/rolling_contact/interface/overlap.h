@@ -33,7 +33,8 @@ namespace RollingContact
                  const unsigned int           n_dimensions);
 
   /**
-   * True if the corners, as above, are those of a convex quadrilateral.
+   * True if the corners 0, 1, 2, 3 of @p face, ordered as those of a cell, are
+   * those of a convex quadrilateral.
    */
   bool
   is_convex(const std::array<Point2, 4> &face);

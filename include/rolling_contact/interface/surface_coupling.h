@@ -16,7 +16,8 @@ namespace RollingContact
   {
   public:
     /**
-     * The same nodes; what is passed through stays as it is.
+     * A body whose contact nodes are those of the interface: values and forces
+     * pass through unchanged.
      */
     SurfaceCoupling() = default;
 
@@ -32,19 +33,20 @@ namespace RollingContact
     }
 
     /**
-     * P u of each component.
+     * Nodal values P u on the interface from those on the body.
      */
     std::vector<double>
     to_interface(std::vector<double> body_values) const;
 
     /**
-     * P^T r of each component.
+     * Nodal forces P^T r on the body from those on the interface. Units: N.
      */
     std::vector<double>
     to_body(std::vector<double> interface_forces) const;
 
     /**
-     * P W P^T of a body's compliance, symmetric. Units: m/N.
+     * Compliance P W P^T on the interface from a body's W, symmetric. Units:
+     * m/N.
      */
     DenseMatrix
     to_interface(DenseMatrix W) const;

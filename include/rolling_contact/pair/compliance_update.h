@@ -20,9 +20,9 @@ namespace RollingContact
    * approximately, and whose true response W r to the nodal forces r of the
    * state can be had at a price. Corrections from outside: solve with the
    * approximate W, ask for the response, let W give it from now on (see
-   * correct_compliance()), until the contact laws hold with the true response
-   * to the tolerance of @p controls. W keeps what it learned. The contact laws
-   * are solved on one rank and the state is given to all.
+   * ContactOperators::correct()), until the contact laws hold with the true
+   * response to the tolerance of @p controls. W keeps what it learned. The
+   * contact laws are solved on one rank and the state is given to all.
    */
   SolverReport
   solve_updating_compliance(const ContactSolver  &solver,
@@ -31,21 +31,6 @@ namespace RollingContact
                             const SolverControls &controls,
                             ContactProblem       &problem,
                             ContactState         &state);
-
-  /**
-   * Make W give a displacement under given nodal forces, both with tangential
-   * components first, by the smallest symmetric change that keeps what W gave
-   * for earlier forces: with d = displacement - W forces,
-   *   W += d d^T / (forces . d),
-   * or, where that is not positive enough, the symmetric change of rank two of
-   * smallest norm (Powell). Uncoupled problems change block by block. A d of
-   * less than 1e-11 of the displacement is the error of the response and
-   * changes nothing.
-   */
-  void
-  correct_compliance(const std::vector<double> &forces,
-                     const std::vector<double> &displacement,
-                     ContactProblem            &problem);
 } // namespace RollingContact
 
 #endif

@@ -1,9 +1,10 @@
 #ifndef rolling_contact_solvers_anderson_h
 #define rolling_contact_solvers_anderson_h
 
+#include <rolling_contact/linear_algebra/nodal_field.h>
+
 #include <cstddef>
 #include <deque>
-#include <vector>
 
 namespace RollingContact
 {
@@ -22,12 +23,12 @@ namespace RollingContact
     /**
      * The next iterate from x and its image G(x).
      */
-    std::vector<double>
-    next(const std::vector<double> &x, const std::vector<double> &image);
+    NodalField
+    next(const NodalField &x, const NodalField &image);
 
   private:
-    std::size_t                     depth;
-    std::deque<std::vector<double>> images, residuals;
+    std::size_t            depth;
+    std::deque<NodalField> images, residuals;
   };
 } // namespace RollingContact
 

@@ -1,7 +1,7 @@
 #ifndef rolling_contact_solvers_contact_solver_h
 #define rolling_contact_solvers_contact_solver_h
 
-#include <rolling_contact/contact/contact_problem.h>
+#include <rolling_contact/contact/tangential_problem.h>
 
 #include <memory>
 #include <string>
@@ -21,12 +21,20 @@ namespace RollingContact
     unsigned int iterations        = 0; ///< all of them, of all stages
     unsigned int normal_solves     = 0; ///< linear solves on active sets
     unsigned int tangential_solves = 0;
-    unsigned int passes            = 0; ///< of the alternation
+    unsigned int passes            = 0; ///< of normal and tangential solves
     unsigned int corrections       = 0; ///< of an approximate compliance
-    unsigned int friction_rounds   = 0; ///< of friction that falls
+    unsigned int friction_rounds   = 0; ///< of velocity-dependent friction
 
     NaturalResidual              residual;
     std::vector<NaturalResidual> history;
+
+    /**
+     * Take the residual of the present iterate, also into the history. Returns
+     * true if that ends the iteration: converged, when it is at most
+     * @p tolerance, or not a number, which then is the reason of the failure.
+     */
+    bool
+    ends_with(const NaturalResidual &now, const double tolerance);
 
     /**
      * Count the work of a part, whose history follows what is there.
@@ -81,7 +89,8 @@ namespace RollingContact
   };
 
   /**
-   * Solves for the traction at fixed pressure, in place of @p state.traction.
+   * Solves for the traction at fixed pressure, in place of @p state.traction,
+   * to half the tolerance: the other half is left to the pressure.
    */
   class TangentialSolver
   {
@@ -96,6 +105,12 @@ namespace RollingContact
     solve(const TangentialProblem &problem, ContactState &state) const = 0;
 
   protected:
+    /**
+     * SolverReport::ends_with() for the tangential residual of a traction.
+     */
+    bool
+    ends_with(const double tangential_residual, SolverReport &report) const;
+
     SolverControls controls;
   };
 
@@ -112,14 +127,14 @@ namespace RollingContact
   };
 
   /**
-   * All of them, the default first.
+   * All contact solvers, the default first.
    */
   const std::vector<ContactSolverKind> &
   contact_solver_kinds();
 
   /**
-   * The solver of a name in contact_solver_kinds(), with falling friction
-   * around it. Throws InputError for any other name.
+   * The solver of a name in contact_solver_kinds(), with
+   * FallingFriction around it. Throws InputError for any other name.
    */
   std::unique_ptr<ContactSolver>
   make_contact_solver(const std::string &name, const SolverControls &controls);

@@ -8,14 +8,15 @@
 namespace RollingContact
 {
   /**
-   * The alternation and, where it fails, what is left to try: Newton for
-   * pressure and traction at once, both without the edge law, and for steady
-   * rolling the march in rolled distance. The report names what was used.
+   * The split into normal and tangential solves and, where it fails, what is
+   * left to try: Newton for pressure and traction at once, both without the
+   * edge law, and for steady rolling the march in rolled distance. The report
+   * names what was used.
    */
   class SolverChain : public ContactSolver
   {
   public:
-    SolverChain(std::shared_ptr<const ContactSolver> alternation,
+    SolverChain(std::shared_ptr<const ContactSolver> split,
                 const SolverControls                &controls);
 
     SolverReport
@@ -33,7 +34,7 @@ namespace RollingContact
             SolverReport         &report,
             ContactState         &state) const;
 
-    std::shared_ptr<const ContactSolver> alternation, newton;
+    std::shared_ptr<const ContactSolver> split, newton;
     SolverControls                       controls;
   };
 } // namespace RollingContact

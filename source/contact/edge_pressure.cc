@@ -1,4 +1,5 @@
-#include <rolling_contact/contact/edge_companion.h>
+#include <rolling_contact/base/constants.h>
+#include <rolling_contact/contact/edge_pressure.h>
 #include <rolling_contact/interface/patch_edge.h>
 
 #include <algorithm>
@@ -8,7 +9,35 @@ namespace RollingContact
 {
   namespace
   {
-    const double pi = 3.14159265358979323846;
+    /**
+     * Weight of corrections far from the edge: room for the rough pressures of
+     * nearly incompressible elements. Empirical; with 0.3 corrections spread so
+     * far that coupled half-planes lose the accuracy of the edge law.
+     */
+    const double far_correction = 0.03;
+
+    /**
+     * Largest length of the window in elements. Empirical: longer windows
+     * average rough pressures better, but the displacement is less quadratic on
+     * them and the system to be solved larger.
+     */
+    const double longest_window = 32.;
+
+    /**
+     * Where the bodies are coupled the displacement is less quadratic away from
+     * the edge: the window is shorter by this share from this Dundurs' beta on,
+     * and in proportion below. Empirical: shorter windows follow the
+     * displacement better and average less.
+     */
+    const double coupled_narrowing = 0.625, narrowing_beta = 0.05;
+
+    /**
+     * Share of the first element next to the edges of the patch where the
+     * logarithm of the coupling traction, infinite there, is left out.
+     */
+    const double edge_margin = 0.02;
+
+
 
     /**
      * True if the point with these weights is in contact.
@@ -55,59 +84,59 @@ namespace RollingContact
 
 
 
-  EdgeCompanion::EdgeCompanion(const ContactProblem &contact,
-                               const TouchingRun    &run,
-                               const unsigned int    component)
-    : contact(contact)
+  EdgePressure::EdgePressure(const ContactProblem &contact,
+                             const TouchingRun    &run,
+                             const unsigned int    component)
+    : operators(contact.operators)
     , run(run)
-    , component(component)
-    , flow(contact.slip_operator.flow_direction())
+    , direction(component)
+    , flow(operators.slip_operator().flow_direction())
   {}
 
 
 
   double
-  EdgeCompanion::compliance(const std::size_t k, const std::size_t j) const
+  EdgePressure::compliance(const std::size_t k, const std::size_t j) const
   {
-    const std::size_t offset = component * contact.n_nodes;
-    double            sum    = 0.;
-    for (const auto &entry : contact.H_column(run.nodes[j]))
+    const std::size_t first = direction * operators.n_nodes();
+    double            sum   = 0.;
+    for (const auto &entry : operators.H_column(run.nodes[j]))
       sum +=
-        contact.W(offset + run.nodes[k], offset + entry.first) * entry.second;
+        operators.W()(first + run.nodes[k], first + entry.first) * entry.second;
     return sum;
   }
 
 
 
   std::vector<double>
-  EdgeCompanion::on_run(const std::vector<double> &nodal) const
+  EdgePressure::on_run(const std::vector<double> &nodal) const
   {
-    const std::size_t offset =
-      nodal.size() > contact.n_nodes ? component * contact.n_nodes : 0;
     std::vector<double> values;
     for (const unsigned int node : run.nodes)
-      values.push_back(nodal[offset + node]);
+      values.push_back(nodal[node]);
     return values;
   }
 
 
 
   std::size_t
-  EdgeCompanion::window() const
+  EdgePressure::window() const
   {
-    // two thirds of the line, at most 32 of its largest elements; where the
-    // bodies are coupled the displacement is less quadratic away from the edge
+    // two thirds of the line, at most 32 of its largest elements
     const std::size_t n_run = run.nodes.size(), n_least = run.cut ? 4 : 6;
     if (n_run < n_least)
       return 0;
     const double narrowing =
-      1 - 0.625 * std::min(1., std::abs(contact.dundurs_beta) / 0.05);
+      1 -
+      coupled_narrowing *
+        std::min(1.,
+                 std::abs(operators.coupling().dundurs_beta) / narrowing_beta);
     const double length = along(n_run - 1) - along(0);
     double       reach  = run.cut ? 2 * length : narrowing * 2. / 3 * length;
     double       size   = 0.;
     for (std::size_t k = 1; k < n_run && along(k - 1) - along(0) < reach; ++k)
       size = std::max(size, along(k) - along(k - 1));
-    reach         = (1 - 1e-9) * std::min(reach, 32 * size);
+    reach         = (1 - 1e-9) * std::min(reach, longest_window * size);
     std::size_t n = 0;
     while (n < n_run && along(n) - along(0) < reach)
       ++n;
@@ -117,11 +146,11 @@ namespace RollingContact
 
 
   std::vector<double>
-  EdgeCompanion::correction_scales(const std::size_t          n_window,
-                                   const std::vector<double> &pressure) const
+  EdgePressure::correction_scales(const std::size_t          n_window,
+                                  const std::vector<double> &pressure) const
   {
     const std::size_t   n_run = run.nodes.size();
-    std::vector<double> scales(n_window, 0.03);
+    std::vector<double> scales(n_window, far_correction);
     const auto          disturb = [&](const std::size_t e, const double size) {
       for (std::size_t k = 0; k < n_window; ++k)
         scales[k] +=
@@ -146,9 +175,9 @@ namespace RollingContact
 
 
   void
-  EdgeCompanion::smooth(const std::vector<double> &displacement,
-                        const std::vector<double> &pressure,
-                        std::vector<double>       &field) const
+  EdgePressure::smooth(const std::vector<double> &displacement,
+                       const std::vector<double> &pressure,
+                       std::vector<double>       &field) const
   {
     const std::size_t n = window();
     if (n == 0)
@@ -188,8 +217,8 @@ namespace RollingContact
 
 
   std::vector<double>
-  EdgeCompanion::pressure(const std::vector<double> &pressure,
-                          const std::vector<double> &displacement) const
+  EdgePressure::equivalent(const std::vector<double> &pressure,
+                           const std::vector<double> &displacement) const
   {
     const std::vector<double> p     = on_run(pressure);
     std::vector<double>       field = p;
@@ -200,12 +229,12 @@ namespace RollingContact
 
 
   std::vector<double>
-  EdgeCompanion::coupling_traction(const std::vector<double> &pressure) const
+  EdgePressure::coupling_traction(const std::vector<double> &pressure) const
   {
     const std::size_t         n = run.nodes.size();
     const std::vector<double> p = on_run(pressure);
     std::vector<double>       field(n, 0.);
-    if (!contact.coupled || n < 10 || run.cut || component > 0)
+    if (!operators.coupling().exists || n < 10 || run.cut || direction > 0)
       return field;
     std::vector<double> x(n), x_reversed, p_reversed(p.rbegin(), p.rend());
     for (std::size_t k = 0; k < n; ++k)
@@ -213,35 +242,21 @@ namespace RollingContact
     x_reversed.assign(x.rbegin(), x.rend());
     const double        begin  = patch_edge(x, p);
     const double        end    = patch_edge(x_reversed, p_reversed);
-    const double        margin = 0.02 * (along(1) - along(0));
-    std::vector<double> nodal(contact.n_nodes, 0.);
+    const double        margin = edge_margin * (along(1) - along(0));
+    std::vector<double> nodal(operators.n_nodes(), 0.);
     for (std::size_t k = 0; k < n; ++k)
       {
         if (x[k] > begin + margin && x[k] < end - margin)
-          field[k] = flow * contact.dundurs_beta / pi * p[k] *
+          field[k] = flow * operators.coupling().dundurs_beta / pi * p[k] *
                      std::log((x[k] - begin) / (end - x[k]));
         nodal[run.nodes[k]] = field[k];
       }
-    std::vector<double>       displacement = displacement_of(contact, nodal, 0);
-    const std::vector<double> of_pressure =
-      contact.tangential_displacement_of_pressure(pressure);
+    std::vector<double> displacement = operators.displacement_along(0, nodal);
+    const NodalField    of_pressure =
+      operators.tangential_displacement_of_pressure(pressure);
     for (std::size_t i = 0; i < displacement.size(); ++i)
-      displacement[i] += of_pressure[i];
+      displacement[i] += of_pressure(0, i);
     smooth(on_run(displacement), p, field);
     return field;
-  }
-
-
-
-  std::vector<double>
-  displacement_of(const ContactProblem      &contact,
-                  const std::vector<double> &field,
-                  const unsigned int         component)
-  {
-    std::vector<double> traction(contact.n_tangential * contact.n_nodes, 0.);
-    std::copy(field.begin(),
-              field.end(),
-              traction.begin() + component * contact.n_nodes);
-    return contact.tangential_displacement(traction);
   }
 } // namespace RollingContact

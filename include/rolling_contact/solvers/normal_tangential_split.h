@@ -1,5 +1,5 @@
-#ifndef rolling_contact_solvers_alternation_h
-#define rolling_contact_solvers_alternation_h
+#ifndef rolling_contact_solvers_normal_tangential_split_h
+#define rolling_contact_solvers_normal_tangential_split_h
 
 #include <rolling_contact/solvers/contact_solver.h>
 
@@ -12,20 +12,23 @@ namespace RollingContact
    * enough. A tangential solver that fails is followed by the next one given.
    * All that again with the edge extrapolations the traction asks for, until
    * these settle; where they do not, the edges of both last rounds keep theirs.
+   * Reported as `active set`.
    */
-  class Alternation : public ContactSolver
+  class NormalTangentialSplit : public ContactSolver
   {
   public:
-    Alternation(std::unique_ptr<NormalSolver>                  normal,
-                std::vector<std::unique_ptr<TangentialSolver>> tangential,
-                const SolverControls                          &controls);
+    NormalTangentialSplit(
+      std::unique_ptr<NormalSolver>                  normal,
+      std::vector<std::unique_ptr<TangentialSolver>> tangential,
+      const SolverControls                          &controls);
 
     SolverReport
     solve(const ContactProblem &problem, ContactState &state) const override;
 
   private:
     /**
-     * The first tangential solver that succeeds.
+     * Solve for the traction by the first tangential solver that succeeds;
+     * false if none does.
      */
     bool
     solve_with_any(const TangentialProblem &problem,
@@ -33,10 +36,10 @@ namespace RollingContact
                    SolverReport            &report) const;
 
     /**
-     * With the edge extrapolations of the state. Returns those the traction
-     * asks for, none where it fails.
+     * Alternate normal and tangential solves, with the edge extrapolations of
+     * the state. Returns those the traction asks for, none where it fails.
      */
-    std::vector<EdgeExtrapolation>
+    EdgeExtrapolations
     alternate(const ContactProblem &problem,
               ContactState         &state,
               SolverReport         &report) const;

@@ -1,0 +1,24 @@
+#ifndef rolling_contact_contact_contact_state_h
+#define rolling_contact_contact_contact_state_h
+
+#include <rolling_contact/contact/edge_extrapolation.h>
+
+namespace RollingContact
+{
+  /**
+   * The unknowns of a contact problem: pressure and traction at the nodes, and
+   * the approach when the load is given. Units: Pa, m.
+   */
+  struct ContactState
+  {
+    std::vector<double> pressure;
+    NodalField          traction;
+    double              approach = 0.;
+    EdgeExtrapolations  edges;                  ///< where not g1 = g2
+    bool                edge_law = true;        ///< if B1 has one
+    std::vector<double> friction;               ///< mu it was solved with
+    bool                holds_friction = false; ///< mu stays, whatever the slip
+  };
+} // namespace RollingContact
+
+#endif

@@ -1,0 +1,86 @@
+#ifndef rolling_contact_contact_edge_extrapolation_h
+#define rolling_contact_contact_edge_extrapolation_h
+
+#include <rolling_contact/linear_algebra/nodal_field.h>
+
+#include <array>
+#include <vector>
+
+namespace RollingContact
+{
+  struct TangentialProblem;
+
+  /**
+   * What the edge law asks of the first node of a line of touching nodes, by
+   * the next two: g1 = a g2 - b g3 + c, with g = (q - q_n) / p. The default is
+   * g1 = g2. See slip_rows() and extrapolate_edges().
+   */
+  struct EdgeExtrapolation
+  {
+    unsigned int          first = 0; ///< node
+    double                a     = 1.;
+    double                b     = 0.;
+    std::array<double, 2> c{{0., 0.}}; ///< for each tangential component
+
+    /**
+     * For Boost.Serialization.
+     */
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &first &a &b &c;
+    }
+  };
+
+  using EdgeExtrapolations = std::vector<EdgeExtrapolation>;
+
+  /**
+   * The extrapolations that a traction asks for. With e the value of g at the
+   * first node that slips, rho = g - e vanishes with the square root of the
+   * distance to the transition, as in Carter's solution: there rho^2 =
+   * (l - x)/(2a - x) times a constant, l the length of the stick zone and x
+   * from the edge. So rho^2 is taken as linear in x,
+   *
+   *   |rho1|^2 = (1 + r) |rho2|^2 - r |rho3|^2,    r = (x2 - x1)/(x3 - x2),
+   *
+   * and what is given is its tangent, a = (1 + r) |rho2|/|rho1|, b = r
+   * |rho3|/|rho1|, c = e (1 - a + b). On lines that stick throughout g itself
+   * is linear; where node 1 or 2 slips and on lines of less than four nodes g1
+   * = g2, and there is no entry.
+   */
+  EdgeExtrapolations
+  extrapolate_edges(const TangentialProblem &problem,
+                    const NodalField        &traction);
+
+  /**
+   * The extrapolation at the edge that begins with node @p first; nullptr if
+   * there is none.
+   */
+  const EdgeExtrapolation *
+  find_edge(const EdgeExtrapolations &extrapolations, const unsigned int first);
+
+  /**
+   * The largest difference between two sets of extrapolations, in their
+   * coefficients a and b; infinite if they are of different edges.
+   */
+  double
+  difference(const EdgeExtrapolations &first, const EdgeExtrapolations &second);
+
+  /**
+   * The extrapolations @p next, where @p now has that edge as well @p part of
+   * the way from those of @p now.
+   */
+  EdgeExtrapolations
+  moved(const EdgeExtrapolations &now,
+        const EdgeExtrapolations &next,
+        const double              part);
+
+  /**
+   * The extrapolations of @p now at edges that @p next has as well.
+   */
+  EdgeExtrapolations
+  common(const EdgeExtrapolations &now, const EdgeExtrapolations &next);
+} // namespace RollingContact
+
+#endif

@@ -1,0 +1,363 @@
+#include <rolling_contact/contact/contact_operators.h>
+
+#include <cmath>
+
+namespace RollingContact
+{
+  namespace
+  {
+    /**
+     * Largest singular value of an operator from products with it and its
+     * transpose; to the few digits an augmentation parameter needs.
+     */
+    template <typename Product, typename TransposedProduct>
+    double
+    operator_norm(const std::size_t        n,
+                  const Product           &product,
+                  const TransposedProduct &transposed_product)
+    {
+      std::vector<double> x(n);
+      for (std::size_t i = 0; i < n; ++i)
+        x[i] = 1. + 0.5 * std::cos(1. + 7. * i);
+      double value = 0.;
+      for (unsigned int iteration = 0; iteration < 100; ++iteration)
+        {
+          const double length = norm(x);
+          if (length == 0.)
+            return 0.;
+          for (double &entry : x)
+            entry /= length;
+          x                     = transposed_product(product(x));
+          const double previous = value;
+          value                 = std::sqrt(norm(x));
+          if (std::abs(value - previous) < 1e-3 * value)
+            break;
+        }
+      return value;
+    }
+
+
+
+    std::vector<double>
+    block_product(const DenseMatrix         &W,
+                  const std::size_t          first_row,
+                  const std::size_t          first_column,
+                  const std::size_t          n_rows,
+                  const std::vector<double> &forces)
+    {
+      std::vector<double> result(n_rows, 0.);
+      W.multiply_block(first_row, first_column, forces, result);
+      return result;
+    }
+
+
+
+    /**
+     * Correct the diagonal block of W that starts at @p first so that it takes
+     * @p forces to @p displacement, unless it does to within @p error.
+     */
+    void
+    correct_block(const std::size_t          first,
+                  const std::vector<double> &forces,
+                  const std::vector<double> &displacement,
+                  const double               error,
+                  DenseMatrix               &W)
+    {
+      const std::size_t   n = forces.size();
+      std::vector<double> d = block_product(W, first, first, n, forces);
+      for (std::size_t i = 0; i < n; ++i)
+        d[i] = displacement[i] - d[i];
+      const double size = norm(d), force = norm(forces), work = dot(forces, d);
+      if (force == 0. || size <= error)
+        return;
+      const bool   rank_one = work > 1e-3 * force * size;
+      const double square   = force * force;
+      for (std::size_t j = 0; j < n; ++j)
+        for (std::size_t i = 0; i < n; ++i)
+          W(first + i, first + j) +=
+            rank_one ? d[i] * d[j] / work
+                     : (d[i] * forces[j] + forces[i] * d[j] -
+                        work / square * forces[i] * forces[j]) /
+                         square;
+    }
+  } // namespace
+
+
+
+  ContactOperators::ContactOperators(Positions    positions,
+                                     SparseRows   H,
+                                     DenseMatrix  W,
+                                     SlipOperator slip_operator,
+                                     const NormalTangentialCoupling &coupling)
+    : n_tangential_components(W.n_rows() / H.size() - 1)
+    , node_positions(std::move(positions))
+    , contact_matrix(std::move(H))
+    , H_columns(contact_matrix.transposed())
+    , B1(std::move(slip_operator))
+    , normal_tangential(coupling)
+    , node_areas(contact_matrix.multiply(std::vector<double>(n_nodes(), 1.)))
+  {
+    set_compliance(std::move(W));
+  }
+
+
+
+  void
+  ContactOperators::set_compliance(DenseMatrix W)
+  {
+    compliance = std::move(W);
+    corrected  = false;
+    find_pressure_compliance();
+    find_normal_norm();
+    find_tangential_norm();
+  }
+
+
+
+  void
+  ContactOperators::set_time_scaling(const TimeScaling &new_scaling)
+  {
+    if (scaling == new_scaling)
+      return;
+    scaling = new_scaling;
+    find_tangential_norm();
+  }
+
+
+
+  void
+  ContactOperators::correct(const std::vector<double> &forces,
+                            const std::vector<double> &displacement)
+  {
+    const double error = 1e-11 * norm(displacement);
+    if (normal_tangential.exists)
+      correct_block(0, forces, displacement, error, compliance);
+    else
+      {
+        const auto correct_part = [&](const std::size_t begin,
+                                      const std::size_t end) {
+          const auto part = [&](const std::vector<double> &all) {
+            return std::vector<double>(all.begin() + begin, all.begin() + end);
+          };
+          correct_block(
+            begin, part(forces), part(displacement), error, compliance);
+        };
+        correct_part(0, first_normal());
+        correct_part(first_normal(), forces.size());
+      }
+    corrected = true;
+    find_pressure_compliance();
+  }
+
+
+
+  std::vector<double>
+  ContactOperators::normal_displacement(
+    const std::vector<double> &pressure) const
+  {
+    return block_product(compliance,
+                         first_normal(),
+                         first_normal(),
+                         n_nodes(),
+                         contact_matrix.multiply(pressure));
+  }
+
+
+
+  std::vector<double>
+  ContactOperators::normal_displacement_of_traction(
+    const NodalField &traction) const
+  {
+    if (!normal_tangential.exists || n_tangential() == 0)
+      return std::vector<double>(n_nodes(), 0.);
+    return block_product(compliance,
+                         first_normal(),
+                         0,
+                         n_nodes(),
+                         contact_matrix.multiply(traction.values()));
+  }
+
+
+
+  NodalField
+  ContactOperators::tangential_displacement(const NodalField &traction) const
+  {
+    return {n_nodes(),
+            block_product(compliance,
+                          0,
+                          0,
+                          first_normal(),
+                          contact_matrix.multiply(traction.values()))};
+  }
+
+
+
+  NodalField
+  ContactOperators::tangential_displacement_of_pressure(
+    const std::vector<double> &pressure) const
+  {
+    if (!normal_tangential.exists)
+      return {n_nodes(), n_tangential()};
+    return {n_nodes(),
+            block_product(compliance,
+                          0,
+                          first_normal(),
+                          first_normal(),
+                          contact_matrix.multiply(pressure))};
+  }
+
+
+
+  NodalField
+  ContactOperators::tangential_displacement(
+    const NodalField          &traction,
+    const std::vector<double> &pressure) const
+  {
+    if (n_tangential() == 0)
+      return {};
+    NodalField w = tangential_displacement(traction);
+    w += tangential_displacement_of_pressure(pressure);
+    return w;
+  }
+
+
+
+  std::vector<double>
+  ContactOperators::displacement_along(const unsigned int         c,
+                                       const std::vector<double> &field) const
+  {
+    const std::size_t first = c * n_nodes();
+    return block_product(
+      compliance, first, first, n_nodes(), contact_matrix.multiply(field));
+  }
+
+
+
+  NodalField
+  ContactOperators::distortion(const std::size_t          first_column,
+                               const std::vector<double> &forces) const
+  {
+    NodalField result(n_nodes(), n_tangential());
+    for (std::size_t j = 0; j < forces.size(); ++j)
+      if (forces[j] != 0.)
+        for (unsigned int c = 0; c < n_tangential(); ++c)
+          {
+            const std::size_t column = first_column + j, first = c * n_nodes();
+            const double common = compliance(first + n_nodes() / 2, column);
+            for (std::size_t i = 0; i < n_nodes(); ++i)
+              result(c, i) +=
+                (compliance(first + i, column) - common) * forces[j];
+          }
+    return result;
+  }
+
+
+
+  NodalField
+  ContactOperators::distortion_of_traction(const NodalField &traction) const
+  {
+    return scaling.rate != 0.
+             ? tangential_displacement(traction)
+             : distortion(0, contact_matrix.multiply(traction.values()));
+  }
+
+
+
+  NodalField
+  ContactOperators::distortion_of_pressure(
+    const std::vector<double> &pressure) const
+  {
+    if (scaling.rate != 0. || !normal_tangential.exists)
+      return tangential_displacement_of_pressure(pressure);
+    return distortion(first_normal(), contact_matrix.multiply(pressure));
+  }
+
+
+
+  NodalField
+  ContactOperators::distortion_of_unit(const NodalIndex &unit) const
+  {
+    NodalField result(n_nodes(), n_tangential());
+    for (const auto &entry : H_columns[unit.node])
+      {
+        const std::size_t j = unit.component * n_nodes() + entry.first;
+        for (unsigned int c = 0; c < n_tangential(); ++c)
+          {
+            const std::size_t first = c * n_nodes();
+            const double      common =
+              scaling.rate == 0. ? compliance(first + n_nodes() / 2, j) : 0.;
+            for (std::size_t i = 0; i < n_nodes(); ++i)
+              result(c, i) +=
+                (compliance(first + i, j) - common) * entry.second;
+          }
+      }
+    return result;
+  }
+
+
+
+  double
+  ContactOperators::resultant(const std::vector<double> &field) const
+  {
+    return dot(node_areas, field);
+  }
+
+
+
+  void
+  ContactOperators::find_pressure_compliance()
+  {
+    const std::size_t first = first_normal(), n = n_nodes();
+    W_nn_H = DenseMatrix(n, n);
+    for (std::size_t k = 0; k < n; ++k)
+      for (const auto &entry : contact_matrix[k])
+        for (std::size_t i = 0; i < n; ++i)
+          W_nn_H(i, entry.first) +=
+            compliance(first + i, first + k) * entry.second;
+  }
+
+
+
+  void
+  ContactOperators::find_normal_norm()
+  {
+    largest_normal = operator_norm(
+      n_nodes(),
+      [&](const std::vector<double> &p) { return normal_displacement(p); },
+      [&](const std::vector<double> &u) {
+        return contact_matrix.multiply_transposed(block_product(
+          compliance, first_normal(), first_normal(), n_nodes(), u));
+      });
+  }
+
+
+
+  void
+  ContactOperators::find_tangential_norm()
+  {
+    if (n_tangential() == 0)
+      return;
+    // flow convection B1 x + rate y
+    const auto scaled = [&](std::vector<double>        B1_x,
+                            const std::vector<double> &y) {
+      for (std::size_t i = 0; i < B1_x.size(); ++i)
+        B1_x[i] = flow_convection() * B1_x[i] + scaling.rate * y[i];
+      return B1_x;
+    };
+    largest_tangential = operator_norm(
+      first_normal(),
+      [&](const std::vector<double> &q) {
+        const auto w = block_product(
+          compliance, 0, 0, first_normal(), contact_matrix.multiply(q));
+        return scaled(B1.rows().multiply(w), w);
+      },
+      [&](const std::vector<double> &s) {
+        return contact_matrix.multiply_transposed(
+          block_product(compliance,
+                        0,
+                        0,
+                        first_normal(),
+                        scaled(B1.rows().multiply_transposed(s), s)));
+      });
+  }
+} // namespace RollingContact

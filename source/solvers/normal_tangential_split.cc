@@ -1,0 +1,165 @@
+#include <rolling_contact/solvers/anderson.h>
+#include <rolling_contact/solvers/normal_tangential_split.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace RollingContact
+{
+  NormalTangentialSplit::NormalTangentialSplit(
+    std::unique_ptr<NormalSolver>                  normal,
+    std::vector<std::unique_ptr<TangentialSolver>> tangential,
+    const SolverControls                          &controls)
+    : normal(std::move(normal))
+    , tangential(std::move(tangential))
+    , controls(controls)
+  {}
+
+
+
+  bool
+  NormalTangentialSplit::solve_with_any(const TangentialProblem &problem,
+                                        ContactState            &state,
+                                        SolverReport            &report) const
+  {
+    for (std::size_t k = 0; k < tangential.size(); ++k)
+      {
+        const NodalField   start    = state.traction;
+        const SolverReport friction = tangential[k]->solve(problem, state);
+        report.iterations += friction.iterations;
+        report.tangential_solves += friction.tangential_solves;
+        if (friction.converged)
+          {
+            if (k > 0 && !report.used_fallback)
+              report.solver += ", fallback " + friction.solver;
+            report.used_fallback = report.used_fallback || k > 0;
+            report.reason.clear();
+            return true;
+          }
+        report.reason = friction.reason;
+        if (k + 1 < tangential.size())
+          state.traction = start;
+      }
+    return false;
+  }
+
+
+
+  namespace
+  {
+    /**
+     * Rounds with new edge extrapolations. They tend to alternate between two
+     * sets: the first take the whole step, later ones a part of it, which is
+     * less than 1 and settles them. Empirical; calls for more than a few rounds
+     * are rare.
+     */
+    const unsigned int full_rounds = 2, max_rounds = 16;
+    const double       part_of_step = 0.7;
+
+    /**
+     * Change of the coefficients of the extrapolations at which they are
+     * settled: changes the force by less than discretisation by far.
+     */
+    const double settled = 1e-5;
+
+    /**
+     * Passes of a normal and a tangential solve: so many without acceleration,
+     * which weak coupling does not need, then with the last @p depth changes;
+     * given up after @p patience passes that have not halved the residual.
+     * Empirical, larger numbers only cost time where there is no solution.
+     */
+    const unsigned int plain_passes = 10, depth = 5, patience = 40,
+                       max_passes = 200;
+  } // namespace
+
+
+
+  SolverReport
+  NormalTangentialSplit::solve(const ContactProblem &problem,
+                               ContactState         &state) const
+  {
+    SolverReport report;
+    report.solver = "active set";
+    complete(problem, state);
+    EdgeExtrapolations asked = alternate(problem, state, report);
+    if (!report.converged && !state.edges.empty())
+      {
+        // those of another state
+        state.edges.clear();
+        asked = alternate(problem, state, report);
+      }
+    for (unsigned int round = 0;
+         report.converged && difference(asked, state.edges) > settled &&
+         round < max_rounds;
+         ++round)
+      {
+        const ContactState solved = state;
+        state.edges               = round < full_rounds ? asked
+                                    : round + 1 < max_rounds
+                                      ? moved(state.edges, asked, part_of_step)
+                                      : common(state.edges, asked);
+        asked                     = alternate(problem, state, report);
+        if (report.converged)
+          continue;
+        // a node that barely touches may come and go with what is asked of the
+        // next one: go back to a law that had a solution
+        state = solved;
+        alternate(problem, state, report);
+        report.solver += ", edges of an earlier round";
+        return report;
+      }
+    if (report.converged && difference(asked, state.edges) > settled)
+      report.solver += ", edges unsettled";
+    return report;
+  }
+
+
+
+  EdgeExtrapolations
+  NormalTangentialSplit::alternate(const ContactProblem &problem,
+                                   ContactState         &state,
+                                   SolverReport         &report) const
+  {
+    double       lowest    = std::numeric_limits<double>::infinity();
+    unsigned int n_stalled = 0;
+    Anderson     anderson(depth);
+    report.converged = false;
+    report.reason.clear();
+    for (unsigned int pass = 1; pass <= max_passes && n_stalled < patience;
+         ++pass)
+      {
+        ++report.passes;
+        const SolverReport pressure = normal->solve(problem, state);
+        report.iterations += pressure.iterations;
+        report.normal_solves += pressure.normal_solves;
+        const NodalField        start    = state.traction;
+        const TangentialProblem friction = tangential_problem(problem, state);
+        const bool              solved =
+          pressure.converged && (problem.n_tangential() == 0 ||
+                                 solve_with_any(friction, state, report));
+        if (!pressure.converged)
+          report.reason = pressure.reason;
+        const bool ended =
+          report.ends_with(natural_residual(problem, friction, state),
+                           controls.tolerance);
+        report.converged = report.converged && solved;
+        if (report.converged)
+          return extrapolate_edges(friction, state.traction);
+        if (ended || !solved)
+          return {};
+        if (!problem.operators.coupling().exists)
+          {
+            report.reason = "rounding keeps the residual above the tolerance";
+            return {};
+          }
+        const double residual = report.residual.worst();
+        n_stalled             = residual < 0.5 * lowest ? 0 : n_stalled + 1;
+        lowest                = std::min(lowest, residual);
+        if (pass >= plain_passes)
+          state.traction = anderson.next(start, state.traction);
+      }
+    report.reason = "alternating normal and tangential solves did not settle";
+    return {};
+  }
+} // namespace RollingContact
