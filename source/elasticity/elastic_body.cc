@@ -83,6 +83,11 @@ namespace RollingContact
   {
     using Combination = std::vector<std::pair<types::global_dof_index, double>>;
 
+    /// of the zone: nodes closer than this along x are of one x
+    const double same_coordinate = 1e-9;
+
+
+
     template <int dim>
     Point<dim - 1>
     without_depth(const Point<dim> &chart_point)
@@ -105,7 +110,7 @@ namespace RollingContact
                  const std::array<double, 2> &scale)
     {
       for (int d = 0; d < dim; ++d)
-        if (std::abs(p[d] - q[d]) > 1e-9 * scale[d])
+        if (std::abs(p[d] - q[d]) > same_coordinate * scale[d])
           return p[d] < q[d];
       return false;
     }

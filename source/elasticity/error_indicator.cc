@@ -12,6 +12,11 @@ namespace RollingContact
 
   namespace
   {
+    const double equal_indicators = 1e-3; ///< relative difference
+    const double size_margin      = 0.01; ///< of an element, for rounding
+
+
+
     /**
      * The indicators of all ranks with their boxes, in an order that does not
      * depend on their number.
@@ -75,7 +80,7 @@ namespace RollingContact
           if (left <= 0. && entry.first < threshold)
             break;
           if (left > 0.)
-            threshold = (1 - 1e-3) * entry.first;
+            threshold = (1 - equal_indicators) * entry.first;
           left -= entry.first * entry.first;
           boxes.push_back(entry.second);
         }
@@ -102,12 +107,12 @@ namespace RollingContact
       {
         if (!cell->is_locally_owned())
           continue;
-        const auto   box  = body.mesh().chart_box(cell);
-        const double half = grading.size_in_x(box.first, box.second) / 2;
-        const double zone = grading.element_size_x;
-        const bool   outside =
-          grading.allowed_size(box.first, box.second) > 1.01 * zone;
-        if (outside && 2 * half > 0.99 * zone)
+        const auto   box     = body.mesh().chart_box(cell);
+        const double half    = grading.size_in_x(box.first, box.second) / 2;
+        const double zone    = grading.element_size_x;
+        const bool   outside = grading.allowed_size(box.first, box.second) >
+                             (1 + size_margin) * zone;
+        if (outside && 2 * half > (1 - size_margin) * zone)
           weighted.push_back({indicators[cell->active_cell_index()],
                               {box.first, box.second, half}});
       }

@@ -18,6 +18,7 @@ namespace RollingContact
   namespace
   {
     const double on_boundary = 1e-6; ///< of the thickness, a vertex may be off
+    const double cell_rounding = 1e-6; ///< of a count of cells
 
     const std::string generated_remedy =
       "take fewer Mesh/Elements across patch, a larger Mesh/Growth or a "
@@ -252,7 +253,7 @@ namespace RollingContact
       breaks[dim - 1] =
         equal_parts(-thickness,
                     0.,
-                    std::max(1., std::ceil(thickness / size - 1e-6)));
+                    std::max(1., std::ceil(thickness / size - cell_rounding)));
       if (dim == 3)
         breaks[1] =
           break_points(-shape.reach_y(),

@@ -10,6 +10,9 @@ namespace RollingContact
 
   namespace
   {
+    /// of a cell, so that rounding decides neither on a node nor on a halving
+    const double zone_margin = 0.01, size_rounding = 1e-6;
+
     /**
      * Distance of the interval [lower, upper] from [begin, end].
      */
@@ -36,7 +39,7 @@ namespace RollingContact
     for (int d = 0; d < dim - 1; ++d)
       {
         const double middle = std::abs((lower[d] + upper[d]) / 2 - centre[d]),
-                     margin = 0.01 * (upper[d] - lower[d]);
+                     margin = zone_margin * (upper[d] - lower[d]);
         sum += std::pow(std::max(0., middle - margin) / semi_axes[d], 2);
       }
     return sum <= 1.;
@@ -120,7 +123,7 @@ namespace RollingContact
   {
     // a cell at the surface counts as flat: how deep it is differs from body
     // to body, the surface nodes must not
-    const double tolerance = 1e-6 * size;
+    const double tolerance = size_rounding * size;
     const bool   flat      = upper[dim - 1] > -tolerance;
     Point<dim>   bottom    = lower;
     if (flat)
@@ -160,7 +163,7 @@ namespace RollingContact
   bool
   Grading<dim>::refine(const Point<dim> &lower, const Point<dim> &upper) const
   {
-    const double size = size_in_x(lower, upper) / (1. + 1e-6);
+    const double size = size_in_x(lower, upper) / (1. + size_rounding);
     return size > allowed_size(lower, upper) ||
            exceeds_rim(size, lower, upper) || exceeds_boxes(size, lower, upper);
   }

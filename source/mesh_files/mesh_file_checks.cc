@@ -26,6 +26,11 @@ namespace RollingContact
 
 
 
+    const double flat_cell = 1e-9; ///< of its diameter to the power of dim
+    const double on_a_side = 1e-9; ///< of a face's area, by rounding
+
+
+
     /**
      * True if the map from the reference cell keeps its orientation at all
      * corners.
@@ -43,7 +48,7 @@ namespace RollingContact
       return std::all_of(std::begin(determinants),
                          std::end(determinants),
                          [&](const double determinant) {
-                           return determinant > 1e-9 * size;
+                           return determinant > flat_cell * size;
                          });
     }
 
@@ -173,7 +178,7 @@ namespace RollingContact
       for (const double side : sides)
         sum += side;
       return std::all_of(std::begin(sides), std::end(sides), [&](double side) {
-        return side / sum >= -1e-9;
+        return side / sum >= -on_a_side;
       });
     }
 
