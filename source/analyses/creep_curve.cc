@@ -5,7 +5,7 @@
 #include <rolling_contact/base/stopwatch.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/parallel/interrupt.h>
-#include <rolling_contact/plot/svg_plot.h>
+#include <rolling_contact/plot/figure.h>
 #include <rolling_contact/report/bodies_report.h>
 #include <rolling_contact/report/result_row.h>
 #include <rolling_contact/report/state_report.h>
@@ -199,9 +199,9 @@ namespace RollingContact
     const std::string label = y   ? "lateral creepage (%)"
                               : x ? "longitudinal creepage (%)"
                                   : "spin (1/m)";
-    SvgPlot           figure("Creep curve",
-                   label,
-                   "|T| / (" + scale_of_friction(scene) + "N)");
+    Figure            figure("Creep curve",
+                  label,
+                  "|T| / (" + scale_of_friction(scene) + "N)");
     figure.add_curve("finite elements",
                      abscissa,
                      force,
@@ -224,7 +224,7 @@ namespace RollingContact
               }
           figure.add_curve(reference.label, shown_x, shown, CurveStyle::dashed);
         }
-    figure.write(context.folder, "creep_curve.svg");
+    figure.draw(context, "creep_curve");
   }
 
 

@@ -4,7 +4,7 @@
 #include <rolling_contact/base/stopwatch.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/parallel/interrupt.h>
-#include <rolling_contact/plot/svg_plot.h>
+#include <rolling_contact/plot/figure.h>
 #include <rolling_contact/report/bodies_report.h>
 #include <rolling_contact/report/result_row.h>
 #include <rolling_contact/report/state_report.h>
@@ -125,7 +125,7 @@ namespace RollingContact
         value *= factor;
       return values;
     };
-    SvgPlot figure("Load curve", "approach (\u00b5m)", "load (kN)");
+    Figure figure("Load curve", "approach (\u00b5m)", "load (kN)");
     figure.add_curve("finite elements",
                      scaled(approaches, 1e6),
                      scaled(loads, 1e-3),
@@ -135,7 +135,7 @@ namespace RollingContact
                        scaled(hertz, 1e6),
                        scaled(loads, 1e-3),
                        CurveStyle::reference);
-    figure.write(context.folder, "load_curve.svg");
+    figure.draw(context, "load_curve");
   }
 
 

@@ -98,7 +98,7 @@ namespace RollingContact
                 "bodies.pvd");
     if constexpr (dim == 2)
       if (scene.output.plot && steady.result.normal_force > 0.)
-        plot_line_tractions(scene, steady, folder);
+        plot_line_tractions(scene, steady, context);
   }
 
 

@@ -2,6 +2,7 @@
 #include <boost/version.hpp>
 
 #include <dlfcn.h>
+#include <fmt/ranges.h>
 #include <gnu/libc-version.h>
 #include <unistd.h>
 
@@ -101,9 +102,7 @@ namespace RollingContact
         int numbers[3] = {};
         suitesparse_version(numbers);
         versions.emplace_back("SuiteSparse",
-                              std::to_string(numbers[0]) + '.' +
-                                std::to_string(numbers[1]) + '.' +
-                                std::to_string(numbers[2]));
+                              fmt::format("{}", fmt::join(numbers, ".")));
       }
     versions.emplace_back("BLAS", loaded_blas().name);
     return versions;

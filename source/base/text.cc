@@ -1,8 +1,9 @@
+#include <fmt/format.h>
+
 #include <rolling_contact/base/text.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <sstream>
 
@@ -10,21 +11,6 @@ namespace RollingContact
 {
   namespace
   {
-    std::string
-    formatted(const double            value,
-              const std::chars_format format,
-              const int               precision)
-    {
-      std::array<char, 64> buffer;
-      const double         without_negative_zero = value + 0.;
-      const auto           result                = std::to_chars(buffer.data(),
-                                        buffer.data() + buffer.size(),
-                                        without_negative_zero,
-                                        format,
-                                        precision);
-      return std::string(buffer.data(), result.ptr);
-    }
-
     /** Number of bytes of the UTF-8 character at `position`; 0 if malformed. */
     std::size_t
     character_length(const std::string &text, const std::size_t position)
@@ -91,9 +77,10 @@ namespace RollingContact
   std::string
   significant(const double value, const unsigned int digits)
   {
-    return formatted(value,
-                     std::chars_format::general,
-                     static_cast<int>(std::min(digits, 17u)));
+    const double without_negative_zero = value + 0.;
+    return fmt::format("{:.{}g}",
+                       without_negative_zero,
+                       std::clamp(digits, 1u, 17u));
   }
 
 
@@ -101,10 +88,10 @@ namespace RollingContact
   std::string
   scientific(const double value, const unsigned int digits)
   {
-    const unsigned int decimals = std::clamp(digits, 1u, 17u) - 1;
-    return formatted(value,
-                     std::chars_format::scientific,
-                     static_cast<int>(decimals));
+    const double without_negative_zero = value + 0.;
+    return fmt::format("{:.{}e}",
+                       without_negative_zero,
+                       std::clamp(digits, 1u, 17u) - 1);
   }
 
 
@@ -134,16 +121,11 @@ namespace RollingContact
     if (!(seconds >= 59.95))
       return significant(seconds, 3) + " s";
 
-    const auto two_digits = [](const long long value) {
-      return (value < 10 ? "0" : "") + std::to_string(value);
-    };
     const long long whole = std::llround(seconds);
     if (whole < 3600)
-      return std::to_string(whole / 60) + " min " + two_digits(whole % 60) +
-             " s";
+      return fmt::format("{} min {:02} s", whole / 60, whole % 60);
     const long long minutes = std::llround(seconds / 60.);
-    return std::to_string(minutes / 60) + " h " + two_digits(minutes % 60) +
-           " min";
+    return fmt::format("{} h {:02} min", minutes / 60, minutes % 60);
   }
 
 

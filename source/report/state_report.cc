@@ -2,7 +2,7 @@
 #include <rolling_contact/assessment/reference_2d.h>
 #include <rolling_contact/assessment/result_error.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/plot/svg_plot.h>
+#include <rolling_contact/plot/figure.h>
 #include <rolling_contact/report/state_report.h>
 #include <rolling_contact/run/log.h>
 
@@ -177,17 +177,16 @@ namespace RollingContact
   void
   plot_line_tractions(const SceneParameters &scene,
                       const SteadyState<2>  &steady,
-                      RunFolder             &folder)
+                      RunContext            &context)
   {
     const Reference2D reference = reference_2d(scene, steady);
     const Lines       found     = computed_lines(scene, steady, reference),
                 exact           = reference_lines(scene, reference);
-    SvgPlot plot(title(scene, steady),
-                 "x / a, material flows " + std::string(scene.contact.flow() > 0
-                                                          ? "to the right"
-                                                          : "to the left"),
-                 "p / p\u2080,   q / (" + scale_of_friction(scene) +
-                   "p\u2080)");
+    Figure plot(title(scene, steady),
+                "x / a, material flows " + std::string(scene.contact.flow() > 0
+                                                         ? "to the right"
+                                                         : "to the left"),
+                "p / p\u2080,   q / (" + scale_of_friction(scene) + "p\u2080)");
     if (reference.carter)
       {
         const double a     = reference.hertz.half_width;
@@ -207,7 +206,7 @@ namespace RollingContact
                        CurveStyle::points);
         plot.add_curve("bound \u03bcp", found.x, found.bound, CurveStyle::line);
       }
-    plot.write(folder, "tractions.svg");
+    plot.draw(context, "tractions");
   }
 
 

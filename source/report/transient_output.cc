@@ -3,7 +3,7 @@
 #include <rolling_contact/assessment/uniqueness_warning.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/parallel/ranks.h>
-#include <rolling_contact/plot/svg_plot.h>
+#include <rolling_contact/plot/figure.h>
 #include <rolling_contact/report/body_fields.h>
 #include <rolling_contact/report/interface_fields.h>
 #include <rolling_contact/report/result_row.h>
@@ -300,10 +300,9 @@ namespace RollingContact
         force_y.push_back(values[2][i] > 0. ? values[4][i] / (mu * values[2][i])
                                             : 0.);
       }
-    SvgPlot figure(rolls ? "Forces on the wheel" : "Load",
-                   rolls ? "rolled distance (mm)" : "time (ms)",
-                   rolls ? "T / (" + scale_of_friction(scene) + "N)"
-                         : "N (kN)");
+    Figure figure(rolls ? "Forces on the wheel" : "Load",
+                  rolls ? "rolled distance (mm)" : "time (ms)",
+                  rolls ? "T / (" + scale_of_friction(scene) + "N)" : "N (kN)");
     const auto moves = [](const std::vector<double> &force) {
       return std::any_of(force.begin(), force.end(), [](const double f) {
         return std::abs(f) > 1e-6;
@@ -317,7 +316,7 @@ namespace RollingContact
         if (dim == 3 && moves(force_y))
           figure.add_curve("lateral", abscissa, force_y);
       }
-    figure.write(context.folder, "history.svg");
+    figure.draw(context, "history");
   }
 
 

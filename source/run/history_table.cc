@@ -1,4 +1,5 @@
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <rolling_contact/base/exceptions.h>
@@ -116,10 +117,11 @@ namespace RollingContact
     if (!Ranks::is_root())
       return;
     if (values.size() != n_columns || descriptor < 0)
-      throw std::logic_error("A row of " + std::to_string(values.size()) +
-                             " values for " + file_name + " of " +
-                             std::to_string(n_columns) +
-                             " columns, or after its end.");
+      throw std::logic_error(fmt::format(
+        "A row of {} values for {} of {} columns, or after its end.",
+        values.size(),
+        file_name,
+        n_columns));
     const std::size_t begin = buffer.size();
     for (std::size_t i = 0; i < n_columns; ++i)
       buffer += (i == 0 ? "" : ",") + significant(values[i], 9);

@@ -1,10 +1,9 @@
+#include <fmt/format.h>
 #include <time.h>
 
-#include <rolling_contact/base/text.h>
 #include <rolling_contact/run/phase_timer.h>
 
 #include <algorithm>
-#include <cstdio>
 
 namespace RollingContact
 {
@@ -21,30 +20,18 @@ namespace RollingContact
 
 
     std::string
-    fixed(const double value, const int decimals)
-    {
-      char buffer[64];
-      std::snprintf(buffer, sizeof(buffer), "%.*f", decimals, value);
-      return buffer;
-    }
-
-
-
-    std::string
     table_line(const std::string     &name,
                const PhaseTimer::Row &row,
                const double           total_wall)
     {
-      constexpr std::size_t name_width = 37;
-
       const double share =
         total_wall > 0. ? 100. * row.wall_seconds / total_wall : 0.;
-      const std::string calls =
-        row.n_calls > 0 ? std::to_string(row.n_calls) : "";
-      return left_aligned(name, name_width) + right_aligned(calls, 9) +
-             right_aligned(fixed(row.wall_seconds, 3), 13) +
-             right_aligned(fixed(row.cpu_seconds, 3), 13) +
-             right_aligned(fixed(share, 1), 8) + '\n';
+      return fmt::format("{:<37}{:>9}{:13.3f}{:13.3f}{:8.1f}\n",
+                         name,
+                         row.n_calls > 0 ? std::to_string(row.n_calls) : "",
+                         row.wall_seconds,
+                         row.cpu_seconds,
+                         share);
     }
   } // namespace
 
@@ -182,10 +169,13 @@ namespace RollingContact
     const Row              sum      = total(all_rows);
     const std::string      rule     = std::string(80, '-') + '\n';
 
-    std::string table = left_aligned("Phase", 37) + right_aligned("calls", 9) +
-                        right_aligned("wall [s]", 13) +
-                        right_aligned("CPU [s]", 13) +
-                        right_aligned("wall %", 8) + '\n' + rule;
+    std::string table = fmt::format("{:<37}{:>9}{:>13}{:>13}{:>8}\n{}",
+                                    "Phase",
+                                    "calls",
+                                    "wall [s]",
+                                    "CPU [s]",
+                                    "wall %",
+                                    rule);
     for (const Row &row : all_rows)
       table += table_line(name_of(row.phase), row, sum.wall_seconds);
     return table + rule + table_line("total", sum, sum.wall_seconds);

@@ -1,35 +1,45 @@
-#define BOOST_BIND_GLOBAL_PLACEHOLDERS
-#include <boost/property_tree/json_parser.hpp>
-#include <boost/property_tree/ptree.hpp>
+#include <nlohmann/json.hpp>
 
 #include <rolling_contact/base/files.h>
 #include <rolling_contact/run/previous_run.h>
 
 #include <algorithm>
-#include <sstream>
 
 namespace RollingContact
 {
   namespace fs = std::filesystem;
 
+  using Json = nlohmann::ordered_json;
+
   namespace
   {
-    /** How deep the brackets of a JSON text nest, outside its strings. */
-    std::size_t
-    depth_of(const std::string &json)
+    /** In one line, with a blank after ',' and ':'. */
+    std::string
+    line_of(const Json &value)
     {
-      std::size_t depth = 0, deepest = 0;
-      bool        in_string = false;
-      for (std::size_t i = 0; i < json.size(); ++i)
-        if (in_string && json[i] == '\\')
-          ++i;
-        else if (json[i] == '"')
-          in_string = !in_string;
-        else if (!in_string && (json[i] == '[' || json[i] == '{'))
-          deepest = std::max(deepest, ++depth);
-        else if (!in_string && (json[i] == ']' || json[i] == '}') && depth > 0)
-          --depth;
-      return deepest;
+      const std::string lines =
+        value.dump(0, ' ', false, Json::error_handler_t::replace);
+      std::string line;
+      for (const char character : lines) // those within strings are escaped
+        if (character != '\n')
+          line += character;
+        else if (line.back() == ',')
+          line += ' ';
+      return line;
+    }
+
+
+
+    /** An array with one element a line, to be read with grep and diff. */
+    std::string
+    lines_of(const Json &value)
+    {
+      if (!value.is_array() || value.empty())
+        return line_of(value);
+      std::string text;
+      for (const Json &element : value)
+        text += (text.empty() ? "[\n    " : ",\n    ") + line_of(element);
+      return text + "\n  ]";
     }
   } // namespace
 
@@ -46,33 +56,43 @@ namespace RollingContact
 
 
 
-  PreviousRun
-  read_old_run(const fs::path &folder)
+  std::string
+  record_text(const std::string &members, const std::set<std::string> &files)
   {
-    namespace property_tree = boost::property_tree;
+    Json record;
+    record["program"] = program_name;
+    record.update(Json::parse('{' + members + '}'));
+    record["files"] = files;
 
-    const std::size_t max_depth = 10;
-    const std::string json      = read_bytes(folder / record_name);
-    PreviousRun       previous_run;
-    if (depth_of(json) > max_depth) // Boost's reader recurses
+    std::string text;
+    for (const auto &[key, value] : record.items())
+      text += (text.empty() ? "{\n  " : ",\n  ") + line_of(key) + ": " +
+              lines_of(value);
+    return text + "\n}\n";
+  }
+
+
+
+  PreviousRun
+  read_previous_run(const fs::path &folder)
+  {
+    const int  max_depth = 10;
+    bool       too_deep  = false;
+    const auto guard     = [&](const int depth, auto, const Json &) {
+      too_deep = too_deep || depth > max_depth;
+      return !too_deep;
+    };
+    const Json record =
+      Json::parse(read_bytes(folder / record_name), guard, false);
+
+    PreviousRun previous_run;
+    if (too_deep || !record.is_object() || record.empty())
       return previous_run;
-    try
-      {
-        property_tree::ptree record;
-        std::istringstream   stream(json);
-        property_tree::read_json(stream, record);
-        previous_run.made_by_this_program =
-          !record.empty() && record.front().first == "program" &&
-          record.front().second.data() == program_name;
-        if (const auto files = record.get_child_optional("files"))
-          for (const auto &entry : *files)
-            if (is_plain_name(entry.second.data()))
-              previous_run.files.insert(entry.second.data());
-      }
-    catch (const property_tree::ptree_error &)
-      {
-        previous_run.made_by_this_program = false;
-      }
+    previous_run.made_by_this_program =
+      record.begin().key() == "program" && *record.begin() == program_name;
+    for (const Json &file : record.value("files", Json::array()))
+      if (file.is_string() && is_plain_name(file.get<std::string>()))
+        previous_run.files.insert(file.get<std::string>());
     return previous_run;
   }
 

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/run/progress.h>
 
@@ -28,8 +30,10 @@ namespace RollingContact
 
     const double n_left = static_cast<double>(n_total - n_done),
                  n_made = static_cast<double>(n_done - n_done_before);
-    log.message(name_of_one + ' ' + std::to_string(n_done) + " of " +
-                std::to_string(n_total) + ", about " +
-                human_seconds(seconds / n_made * n_left) + " left");
+    log.message(fmt::format("{} {} of {}, about {} left",
+                            name_of_one,
+                            n_done,
+                            n_total,
+                            human_seconds(seconds / n_made * n_left)));
   }
 } // namespace RollingContact

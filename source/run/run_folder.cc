@@ -1,4 +1,5 @@
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/file.h>
 #include <unistd.h>
 
@@ -30,9 +31,11 @@ namespace RollingContact
     [[noreturn]] void
     refuse(const fs::path &folder, const std::string &reason)
     {
-      throw InputError("Cannot use \"" + folder.string() +
-                       "\" as run folder: " + reason +
-                       " Name another folder with --output.");
+      throw InputError(
+        fmt::format("Cannot use \"{}\" as run folder: {} Name another folder "
+                    "with --output.",
+                    folder.string(),
+                    reason));
     }
 
 
@@ -40,8 +43,10 @@ namespace RollingContact
     [[noreturn]] void
     refuse_to_resume(const fs::path &folder, const std::string &reason)
     {
-      throw InputError("Cannot resume the run in \"" + folder.string() +
-                       "\": " + reason + " Start it without --resume.");
+      throw InputError(fmt::format(
+        "Cannot resume the run in \"{}\": {} Start it without --resume.",
+        folder.string(),
+        reason));
     }
   } // namespace
 
@@ -98,7 +103,7 @@ namespace RollingContact
       refuse(folder,
              "no permission to write in \"" + existing.string() + "\".");
     if (existing == absolute && !is_empty_folder(folder) &&
-        !read_old_run(folder).made_by_this_program)
+        !read_previous_run(folder).made_by_this_program)
       refuse(folder,
              "it holds files that this program did not write (no " +
                record_name + " of a former run), and they stay untouched.");
@@ -120,7 +125,7 @@ namespace RollingContact
 
       // The mark comes first, with the old list: after a crash anywhere below
       // the next run knows what is left to remove.
-      claimed_files = read_old_run(folder).files;
+      claimed_files = read_previous_run(folder).files;
       claimed_files.insert(fixed_names.begin(), fixed_names.end());
       write_run_json();
       remove_old_files();
@@ -150,7 +155,7 @@ namespace RollingContact
                              prm_entries(used_prm),
                              resumption.may_differ);
 
-      claimed_files = read_old_run(folder).files;
+      claimed_files = read_previous_run(folder).files;
       adopt_old_files(resumption.growing_file);
       write_run_json();
       write_atomically("original.prm", original_prm);
@@ -185,10 +190,12 @@ namespace RollingContact
     if (size_of(growing) < n_bytes)
       {
         if (size_of(whole) < n_bytes)
-          refuse_to_resume(folder,
-                           name + " has less than the " +
-                             std::to_string(n_bytes) +
-                             " bytes it had at the checkpoint.");
+          refuse_to_resume(
+            folder,
+            fmt::format("{} has less than the {} bytes it had at "
+                        "the checkpoint.",
+                        name,
+                        n_bytes));
         fs::copy_file(whole,
                       growing,
                       fs::copy_options::overwrite_existing,
@@ -335,13 +342,8 @@ namespace RollingContact
   void
   RunFolder::write_run_json() const
   {
-    std::string list;
-    for (const std::string &name : claimed_files)
-      list += (list.empty() ? "\n    \"" : ",\n    \"") + name + '"';
-
     write_file(final_path(record_name),
-               "{\n  \"program\": \"" + program_name + "\",\n  " + record +
-                 ",\n  \"files\": [" + list + "\n  ]\n}\n",
+               record_text(record, claimed_files),
                temporary_path(record_name));
   }
 

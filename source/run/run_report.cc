@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
 #include <rolling_contact/base/memory.h>
 #include <rolling_contact/base/percentages.h>
 #include <rolling_contact/base/platform.h>
@@ -5,104 +8,33 @@
 #include <rolling_contact/parallel/ranks.h>
 #include <rolling_contact/run/run_report.h>
 
-#include <cctype>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <stdexcept>
 
 namespace RollingContact
 {
   namespace
   {
-    /** Members of a JSON object: keys, and values already in JSON. */
-    using JsonMembers = std::vector<std::pair<std::string, std::string>>;
+    using Json = nlohmann::ordered_json;
 
-    std::string
-    json_string(const std::string &text)
-    {
-      std::string result = "\"";
-      for (const char character : valid_utf8(text))
-        {
-          const auto byte = static_cast<unsigned char>(character);
-          if (character == '"' || character == '\\')
-            result += std::string("\\") + character;
-          else if (character == '\n')
-            result += "\\n";
-          else if (byte < 0x20 || byte == 0x7F)
-            {
-              char code[8];
-              std::snprintf(code, sizeof(code), "\\u%04x", byte);
-              result += code;
-            }
-          else
-            result += character;
-        }
-      return result + '"';
-    }
-
-
-
-    std::string
+    /** With 9 significant digits; null if it is not finite. */
+    Json
     json_number(const double value)
     {
-      return std::isfinite(value) ? significant(value, 9) : "null";
+      return std::isfinite(value) ? Json::parse(significant(value, 9)) : Json();
     }
 
 
 
-    std::string
-    json_bool(const bool value)
-    {
-      return value ? "true" : "false";
-    }
-
-
-
-    /** Members in one line. */
-    std::string
-    json_object(const JsonMembers &members)
-    {
-      std::string text;
-      for (const auto &[key, value] : members)
-        text += (text.empty() ? "" : ", ") + json_string(key) + ": " + value;
-      return '{' + text + '}';
-    }
-
-
-
-    /** One value per line, within an object that is itself indented by 2. */
-    std::string
-    json_array(const std::vector<std::string> &values)
-    {
-      std::string text;
-      for (const std::string &value : values)
-        text += (text.empty() ? "\n    " : ",\n    ") + value;
-      return text.empty() ? "[]" : '[' + text + "\n  ]";
-    }
-
-
-
-    std::string
-    json_strings(const std::vector<std::string> &texts)
-    {
-      std::vector<std::string> values;
-      for (const std::string &text : texts)
-        values.push_back(json_string(text));
-      return json_array(values);
-    }
-
-
-
-    std::string
+    Json
     json_libraries(
       const std::vector<std::pair<std::string, std::string>> &libraries)
     {
-      std::vector<std::string> values;
+      Json values = Json::array();
       for (const auto &[name, version] : libraries)
-        values.push_back(json_object(
-          {{"name", json_string(name)}, {"version", json_string(version)}}));
-      return json_array(values);
+        values.push_back({{"name", name}, {"version", version}});
+      return values;
     }
 
 
@@ -118,66 +50,62 @@ namespace RollingContact
 
 
 
-    std::string
+    Json
     json_phases(const std::vector<PhaseTimer::Row> &phases)
     {
-      const std::vector<int>   percent = cpu_percentages(phases);
-      std::vector<std::string> values;
+      const std::vector<int> percent = cpu_percentages(phases);
+      Json                   values  = Json::array();
       for (std::size_t k = 0; k < phases.size(); ++k)
-        values.push_back(
-          json_object({{"phase", json_string(name_of(phases[k].phase))},
-                       {"calls", std::to_string(phases[k].n_calls)},
-                       {"wall_seconds", json_number(phases[k].wall_seconds)},
-                       {"cpu_seconds", json_number(phases[k].cpu_seconds)},
-                       {"cpu_percent", std::to_string(percent[k])}}));
-      return json_array(values);
+        values.push_back({{"phase", name_of(phases[k].phase)},
+                          {"calls", phases[k].n_calls},
+                          {"wall_seconds", json_number(phases[k].wall_seconds)},
+                          {"cpu_seconds", json_number(phases[k].cpu_seconds)},
+                          {"cpu_percent", percent[k]}});
+      return values;
     }
 
 
 
-    std::string
+    Json
     json_errors(const std::vector<ErrorStatement> &errors)
     {
-      std::vector<std::string> values;
+      Json values = Json::array();
       for (const ErrorStatement &error : errors)
-        values.push_back(
-          json_object({{"quantity", json_string(error.quantity)},
-                       {"value", json_number(error.value)},
-                       {"scale", json_string(error.scale)},
-                       {"reference", json_string(error.reference)},
-                       {"estimated", json_bool(error.estimated)},
-                       {"remark", json_string(error.remark)}}));
-      return json_array(values);
+        values.push_back({{"quantity", error.quantity},
+                          {"value", json_number(error.value)},
+                          {"scale", error.scale},
+                          {"reference", error.reference},
+                          {"estimated", error.estimated},
+                          {"remark", error.remark}});
+      return values;
     }
 
 
 
-    std::string
+    Json
     json_objects(const std::vector<BuiltItem> &objects)
     {
-      std::vector<std::string> values;
+      Json values = Json::array();
       for (const BuiltItem &object : objects)
-        values.push_back(json_object({{"object", json_string(object.object)},
-                                      {"built", json_bool(object.built)},
-                                      {"bytes", std::to_string(object.bytes)},
-                                      {"seconds", json_number(object.seconds)},
-                                      {"reason", json_string(object.reason)}}));
-      return json_array(values);
+        values.push_back({{"object", object.object},
+                          {"built", object.built},
+                          {"bytes", object.bytes},
+                          {"seconds", json_number(object.seconds)},
+                          {"reason", object.reason}});
+      return values;
     }
 
 
 
-    std::string
+    Json
     json_totals(const RankTotals &totals)
     {
-      const auto bytes = [](const double value) {
-        return std::to_string(static_cast<std::uint64_t>(value));
-      };
-      return json_object(
-        {{"cpu_seconds", json_number(totals.cpu_seconds)},
-         {"largest_cpu_seconds", json_number(totals.largest_cpu_seconds)},
-         {"peak_memory_bytes", bytes(totals.peak_memory)},
-         {"largest_peak_memory_bytes", bytes(totals.largest_peak_memory)}});
+      return {{"cpu_seconds", json_number(totals.cpu_seconds)},
+              {"largest_cpu_seconds", json_number(totals.largest_cpu_seconds)},
+              {"peak_memory_bytes",
+               static_cast<std::uint64_t>(totals.peak_memory)},
+              {"largest_peak_memory_bytes",
+               static_cast<std::uint64_t>(totals.largest_peak_memory)}};
     }
 
 
@@ -208,10 +136,9 @@ namespace RollingContact
     {
       std::string line = "  " + object.object;
       if (object.built && (object.bytes > 0 || object.seconds != 0.))
-        {
-          line += ": " + human_bytes(static_cast<double>(object.bytes));
-          line += ", " + human_seconds(object.seconds);
-        }
+        line += fmt::format(": {}, {}",
+                            human_bytes(static_cast<double>(object.bytes)),
+                            human_seconds(object.seconds));
       if (!object.reason.empty())
         line += " (" + object.reason + ')';
       return line + '\n';
@@ -241,28 +168,26 @@ namespace RollingContact
     const std::vector<PhaseTimer::Row> phases = timer.rows();
     const PhaseTimer::Row              total  = PhaseTimer::total(phases);
 
-    JsonMembers members{{"version", json_string(version)},
-                        {"git_revision", json_string(git_revision)},
-                        {"status", json_string(status_name(status))},
-                        {"command_line", json_strings(command_line)},
-                        {"libraries", json_libraries(libraries)},
-                        {"host_cpus", std::to_string(n_host_cpus())},
-                        {"threads", std::to_string(n_threads)},
-                        {"ranks", std::to_string(n_ranks)},
-                        {"wall_seconds", json_number(total.wall_seconds)},
-                        {"cpu_seconds", json_number(total.cpu_seconds)},
-                        {"phases", json_phases(phases)},
-                        {"peak_memory_bytes", std::to_string(peak_memory())},
-                        {"objects", json_objects(objects)},
-                        {"errors", json_errors(errors)},
-                        {"warnings", json_strings(warnings)}};
+    Json record{{"version", version},
+                {"git_revision", git_revision},
+                {"status", status_name(status)},
+                {"command_line", command_line},
+                {"libraries", json_libraries(libraries)},
+                {"host_cpus", n_host_cpus()},
+                {"threads", n_threads},
+                {"ranks", n_ranks},
+                {"wall_seconds", json_number(total.wall_seconds)},
+                {"cpu_seconds", json_number(total.cpu_seconds)},
+                {"phases", json_phases(phases)},
+                {"peak_memory_bytes", peak_memory()},
+                {"objects", json_objects(objects)},
+                {"errors", json_errors(errors)},
+                {"warnings", warnings}};
     if (rank_totals)
-      members.emplace_back("all_ranks", json_totals(*rank_totals));
-
-    std::string text;
-    for (const auto &[key, value] : members)
-      text += (text.empty() ? "" : ",\n  ") + json_string(key) + ": " + value;
-    folder.write_record(text);
+      record["all_ranks"] = json_totals(*rank_totals);
+    const std::string object =
+      record.dump(-1, ' ', false, Json::error_handler_t::replace);
+    folder.write_record(object.substr(1, object.size() - 2)); // no braces
   }
 
 
@@ -328,18 +253,21 @@ namespace RollingContact
 
     std::string text = human_seconds(total.wall_seconds);
     if (rank_totals)
-      text += " on " + std::to_string(n_ranks) + " ranks, " +
-              human_bytes(rank_totals->peak_memory) + " (at most " +
-              human_bytes(rank_totals->largest_peak_memory) + " of one), " +
-              human_seconds(rank_totals->cpu_seconds) + " CPU (at most " +
-              human_seconds(rank_totals->largest_cpu_seconds) +
-              " of one); of rank 0 ";
+      text += fmt::format(" on {} ranks, {} (at most {} of one), "
+                          "{} CPU (at most {} of one); of rank 0 ",
+                          n_ranks,
+                          human_bytes(rank_totals->peak_memory),
+                          human_bytes(rank_totals->largest_peak_memory),
+                          human_seconds(rank_totals->cpu_seconds),
+                          human_seconds(rank_totals->largest_cpu_seconds));
     else
       text += ", " + human_bytes(static_cast<double>(peak_memory())) + "; ";
     text += human_seconds(total.cpu_seconds) + " CPU: ";
     for (std::size_t k = 0; k < phases.size(); ++k)
-      text += (k == 0 ? "" : ", ") + name_of(phases[k].phase) + ' ' +
-              std::to_string(percent[k]) + " %";
+      text += fmt::format("{}{} {} %",
+                          k == 0 ? "" : ", ",
+                          name_of(phases[k].phase),
+                          percent[k]);
     return text;
   }
 

@@ -1,5 +1,5 @@
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/plot/svg_plot.h>
+#include <rolling_contact/plot/figure.h>
 #include <rolling_contact/studies/error_cost_report.h>
 
 #include <algorithm>
@@ -16,11 +16,9 @@ namespace RollingContact
     plot(const std::vector<CostedError> &points,
          const std::string              &error,
          const std::string              &cost,
-         RunFolder                      &folder)
+         RunContext                     &context)
     {
-      SvgPlot figure("Error against run time",
-                     "CPU seconds per " + cost,
-                     error);
+      Figure figure("Error against run time", "CPU seconds per " + cost, error);
       figure.set_scales(AxisScale::logarithmic, AxisScale::logarithmic);
       for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end)
         {
@@ -44,7 +42,7 @@ namespace RollingContact
           y.push_back(points[i].error);
         }
       figure.add_curve("Pareto front", x, y, CurveStyle::reference);
-      figure.write(folder, "error_cpu.svg");
+      figure.draw(context, "error_cpu");
     }
   } // namespace
 
@@ -77,7 +75,7 @@ namespace RollingContact
                           const std::string               &cost,
                           RunContext                      &context)
   {
-    plot(sets.front().points, error, cost, context.folder);
+    plot(sets.front().points, error, cost, context);
     ResultsTable                          table(context.folder, "best.csv");
     std::vector<std::vector<std::string>> rows{
       {"", "at most", "error", "CPU s", "cheapest", "with"}};

@@ -14,7 +14,7 @@ LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_t size)
 {
   const auto parts = input_parts(data, size);
   write_part(record_name, parts, 0);
-  for (const std::string &name : read_old_run("").files)
+  for (const std::string &name : read_previous_run("").files)
     if (!is_plain_name(name))
       throw std::logic_error("A file outside the folder: " + name);
   try

@@ -114,7 +114,7 @@ BOOST_AUTO_TEST_CASE(records_of_runs)
   const ScratchFolder scratch;
   const auto          ours = [&](const std::string &text) {
     write(scratch.scratch / record_name, text);
-    return read_old_run(scratch.scratch).made_by_this_program;
+    return read_previous_run(scratch.scratch).made_by_this_program;
   };
   const std::string begin = "{\"program\": \"" + program_name + "\"";
   BOOST_TEST(ours(begin + "}"));

@@ -1,7 +1,6 @@
 #define BOOST_BIND_GLOBAL_PLACEHOLDERS
 #include <boost/property_tree/json_parser.hpp>
 #include <boost/property_tree/ptree.hpp>
-#include <boost/property_tree/xml_parser.hpp>
 #include <boost/test/unit_test.hpp>
 
 #include "scratch_folder.h"
@@ -13,7 +12,6 @@
 #include <rolling_contact/base/platform.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/parallel/interrupt.h>
-#include <rolling_contact/plot/svg_plot.h>
 #include <rolling_contact/run/log.h>
 #include <rolling_contact/run/phase_timer.h>
 #include <rolling_contact/run/results_table.h>
@@ -38,17 +36,6 @@ namespace
   {
     ptree tree;
     boost::property_tree::read_json(file.string(), tree);
-    return tree;
-  }
-
-
-
-  ptree
-  read_xml(const std::string &text)
-  {
-    std::istringstream stream(text);
-    ptree              tree;
-    boost::property_tree::read_xml(stream, tree);
     return tree;
   }
 
@@ -519,86 +506,6 @@ BOOST_FIXTURE_TEST_CASE(run_report, ScratchFolder)
                                          "  rail: 0 B, nan s\n"
                                          "Left out:\n"
                                          "  mass matrix (no dynamics)\n");
-}
-
-
-
-BOOST_AUTO_TEST_CASE(plot_is_valid_and_escaped)
-{
-  const double gap = std::nan("");
-  SvgPlot      plot("p < q & r", "x \x01 (m)", "p (Pa) \xB5");
-  plot.add_band("stick zone", -1., 0.5);
-  plot.add_curve("first", {0., 1., 2., 3., 4.}, {1., 2., gap, 2., 1.});
-  plot.add_curve("second", {0., 4.}, {0., 2e6}, CurveStyle::line_and_points);
-  plot.add_curve("reference", {0., 4.}, {1., 1.}, CurveStyle::reference);
-  plot.add_curve("another", {0., 4.}, {2., 2.}, CurveStyle::reference);
-
-  const std::string svg = plot.svg();
-  BOOST_TEST(read_xml(svg).get<std::string>("svg.title") == "p < q & r");
-  BOOST_TEST(count(svg, "<polyline") == 5u);
-  BOOST_TEST(count(svg, "stroke-dasharray=\"6 4\"") == 2u);
-  BOOST_TEST(count(svg, "stroke-dasharray=\"2 2.5\"") == 2u);
-  BOOST_TEST(count(svg, "<polygon") == 3u);
-  BOOST_TEST(count(svg, ">stick zone<") == 1u);
-  BOOST_TEST(count(svg, "nan") == 0u);
-  BOOST_TEST(count(svg, "\u00D710<tspan") == 1u);
-}
-
-
-
-BOOST_AUTO_TEST_CASE(plot_of_degenerate_data)
-{
-  const double infinity   = std::numeric_limits<double>::infinity();
-  const double not_number = std::nan("");
-  using Values            = std::vector<double>;
-  const std::vector<std::pair<Values, Values>> cases{
-    {{}, {}},
-    {{3.}, {5.}},
-    {{0.}, {0.}},
-    {{0., 1.}, {7., 7.}},
-    {{not_number, 1.}, {1., infinity}},
-    {{-1e299, 1e299}, {1e-310, 3e-310}},
-    {{1e9, 1e9 + 1e-6}, {1e-20, 1e20}}};
-
-  for (const auto scale : {AxisScale::linear, AxisScale::logarithmic})
-    for (const auto &[x, y] : cases)
-      for (const auto style : {CurveStyle::line, CurveStyle::points})
-        {
-          SvgPlot plot("", "x", "y");
-          plot.set_scales(scale, scale);
-          plot.add_band("band", -infinity, infinity);
-          plot.add_band("", not_number, 0.);
-          plot.add_curve("curve", x, y, style);
-          const std::string svg = plot.svg();
-          BOOST_CHECK_NO_THROW(read_xml(svg));
-          BOOST_TEST(count(svg, "nan") + count(svg, "inf") == 0u);
-          BOOST_TEST(svg.size() < 20000u);
-          if (x.size() == 1 && x[0] == 3.)
-            BOOST_TEST(count(svg, "<circle") ==
-                       (style == CurveStyle::points ? 2u : 1u));
-        }
-
-  SvgPlot plot("", "x", "y");
-  BOOST_CHECK_THROW(plot.add_curve("", {1.}, {}), std::invalid_argument);
-}
-
-
-
-BOOST_AUTO_TEST_CASE(plot_legend_keeps_clear_of_data)
-{
-  const auto legend_left = [](const std::vector<double> &y) {
-    SvgPlot plot("", "x", "y");
-    plot.add_curve("a longer label", {0., 1., 2., 3., 4., 5.}, y);
-    const std::string svg      = plot.svg();
-    const std::size_t legend   = svg.find("fill-opacity=\"0.9\"");
-    const std::size_t position = svg.rfind("x=\"", legend);
-    return std::stod(svg.substr(position + 3));
-  };
-  // Empty corners: top right, top left, none of the four.
-  BOOST_TEST(legend_left({5., 4., 3., 2., 1., 0.}) > 400.);
-  BOOST_TEST(legend_left({5., 4., 3., 2., 1., 0.}) < 600.);
-  BOOST_TEST(legend_left({0., 1., 2., 3., 4., 5.}) < 100.);
-  BOOST_TEST(legend_left({5., 0., 5., 0., 5., 0.}) > 618.);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

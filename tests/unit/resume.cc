@@ -105,7 +105,7 @@ namespace
     for (const auto &entry : fs::directory_iterator(folder))
       if (entry.path().filename() != record_name)
         files[entry.path().filename()] = read(entry.path());
-    for (const std::string &name : read_old_run(folder).files)
+    for (const std::string &name : read_previous_run(folder).files)
       files["listed"] += name + ' ';
     return files;
   }

@@ -33,7 +33,7 @@ namespace RollingContact
   void
   plot_line_tractions(const SceneParameters &scene,
                       const SteadyState<2>  &steady,
-                      RunFolder             &folder);
+                      RunContext            &context);
 
   /**
    * What must be said of the states of an analysis: the largest error of all of

@@ -22,8 +22,15 @@ namespace RollingContact
     std::set<std::string> files; ///< plain names only
   };
 
+  /** Never throws for what the file holds: text that is not JSON, or nested
+   * too deeply, is no record of this program. */
   PreviousRun
-  read_old_run(const std::filesystem::path &folder);
+  read_previous_run(const std::filesystem::path &folder);
+
+  /** The text of run.json: the program's name, further members as
+   * JSON without the outer braces, the files. */
+  std::string
+  record_text(const std::string &members, const std::set<std::string> &files);
 
   /** Whether a first run died before it could leave its mark, or nothing was
    * ever there. */

@@ -1,0 +1,188 @@
+#include "drawing_run.h"
+#include "time_run.h"
+
+#include <rolling_contact/analyses/creep_curve.h>
+#include <rolling_contact/analyses/load_curve.h>
+#include <rolling_contact/analyses/transient.h>
+#include <rolling_contact/report/state_report.h>
+#include <rolling_contact/studies/error_cost_report.h>
+
+#include <cmath>
+
+namespace
+{
+  using namespace RollingContact;
+  using Values = std::vector<double>;
+
+  void
+  check_equal(const Values &found, const Values &expected, const double factor)
+  {
+    BOOST_REQUIRE_EQUAL(found.size(), expected.size());
+    BOOST_TEST(!found.empty());
+    for (std::size_t i = 0; i < found.size(); ++i)
+      BOOST_TEST(std::abs(found[i] - factor * expected[i]) <=
+                 1e-7 * std::abs(factor * expected[i]));
+  }
+} // namespace
+
+
+
+BOOST_AUTO_TEST_SUITE(pictures)
+
+BOOST_FIXTURE_TEST_CASE(load_curve_in_kilonewton_and_micrometres, DrawingRun)
+{
+  standard<3>(scene);
+  scene.analysis          = "load curve";
+  scene.load_curve.shares = "0.5, 1";
+  scene.check();
+  LoadCurve<3>(scene, drawing).run();
+  table.flush();
+  BOOST_TEST(is_drawn("load_curve"));
+  BOOST_TEST(contains(script("load_curve"), "set xlabel 'approach (\u00b5m)'"));
+  BOOST_TEST(contains(script("load_curve"), "set ylabel 'load (kN)'"));
+  const auto computed = block("load_curve", "finite elements"),
+             hertz    = block("load_curve", "Hertz, without bulk");
+  const Values loads  = column("results.csv", "normal_force_N");
+  check_equal(computed[0], column("results.csv", "approach_m"), 1e6);
+  check_equal(computed[1], loads, 1e-3);
+  check_equal(hertz[0], column("results.csv", "reference_approach_m"), 1e6);
+  check_equal(hertz[1], loads, 1e-3);
+}
+
+
+
+BOOST_FIXTURE_TEST_CASE(creep_curve_in_percent_of_creepage, DrawingRun)
+{
+  standard<3>(scene);
+  scene.analysis               = "creep curve";
+  scene.creep_curve.creepage_y = "0.001, 0.004, 0.02";
+  scene.check();
+  CreepCurve<3>(scene, drawing).run();
+  table.flush();
+  BOOST_TEST(is_drawn("creep_curve"));
+  BOOST_TEST(
+    contains(script("creep_curve"), "set xlabel 'lateral creepage (%)'"));
+  BOOST_TEST(contains(script("creep_curve"), "set ylabel '|T| / (\u03bcN)'"));
+  const auto computed = block("creep_curve", "finite elements");
+  check_equal(computed[0], {0.1, 0.4, 2.}, 1.);
+  check_equal(computed[1],
+              column("results.csv", "traction_coefficient"),
+              1. / scene.contact.friction_coefficient);
+  for (const char *reference : {"Shen, Hedrick, Elkins", "FASTSIM"})
+    {
+      const auto theory = block("creep_curve", reference);
+      BOOST_TEST(theory[0] == computed[0], boost::test_tools::per_element());
+      for (std::size_t i = 0; i < theory[1].size(); ++i)
+        BOOST_TEST(std::abs(theory[1][i] - computed[1][i]) < 0.1);
+    }
+  const auto linear = block("creep_curve", "Kalker, linear");
+  BOOST_TEST(linear[0].front() == 0.1);
+  BOOST_TEST(linear[1].front() > computed[1].front());
+  BOOST_TEST(linear[1].back() <= 1.2);
+}
+
+
+
+BOOST_FIXTURE_TEST_CASE(tractions_over_the_patch, DrawingRun)
+{
+  standard<2>(scene);
+  scene.contact.creepages.x = 0.001;
+  scene.check();
+  const auto steady = solve_steady_state<2>(scene, drawing);
+  plot_line_tractions(scene, steady, drawing);
+  BOOST_TEST(is_drawn("tractions"));
+  BOOST_TEST(contains(script("tractions"),
+                      "set ylabel 'p / p\u2080,   q / (\u03bcp\u2080)'"));
+  const auto largest = [](const Values &values) {
+    return *std::max_element(values.begin(), values.end());
+  };
+  const auto pressure = block("tractions", "pressure p"),
+             traction = block("tractions", "traction q on the wheel"),
+             hertz    = block("tractions", "Hertz"),
+             carter   = block("tractions", "Carter"),
+             bound    = block("tractions", "bound \u03bcp");
+  BOOST_TEST(std::abs(largest(pressure[1]) - 1.) < 0.02);
+  BOOST_TEST(std::abs(largest(hertz[1]) - 1.) < 1e-4);
+  BOOST_TEST(std::abs(largest(hertz[0]) - 1.15) < 1e-9);
+  BOOST_TEST(largest(traction[1]) < 1e-9);
+  BOOST_TEST(largest(carter[1]) <= 0.);
+  for (std::size_t i = 0; i < pressure[1].size(); ++i)
+    BOOST_TEST(std::abs(bound[1][i] + pressure[1][i]) < 1e-8);
+  // a bound mu p0 of the tractions, a force mu N
+  double sum = 0., total = 0.;
+  for (std::size_t i = 0; i < pressure[1].size(); ++i)
+    {
+      sum += traction[1][i];
+      total += pressure[1][i];
+    }
+  const double ratio =
+    steady.result.force_x /
+    (scene.contact.friction_coefficient * steady.result.normal_force);
+  BOOST_TEST(std::abs(sum / total - ratio) < 0.02);
+}
+
+
+
+BOOST_FIXTURE_TEST_CASE(history_in_millimetres_and_milliseconds, DrawingRun)
+{
+  standard<2>(scene);
+  scene.analysis            = "transient";
+  scene.contact.creepages.x = 0.001;
+  scene.time.end_time       = 5e-4;
+  scene.check();
+  Transient<2>(scene, drawing).run();
+  BOOST_TEST(is_drawn("history"));
+  BOOST_TEST(contains(script("history"), "set xlabel 'rolled distance (mm)'"));
+  BOOST_TEST(contains(script("history"), "set ylabel 'T / (\u03bcN)'"));
+  const auto   forces = block("history", "longitudinal");
+  const Values force  = column("history.csv", "force_x_N"),
+               load   = column("history.csv", "normal_force_N");
+  check_equal(forces[0], column("history.csv", "rolled_m"), 1e3);
+  BOOST_REQUIRE_EQUAL(forces[1].size(), 5u);
+  for (std::size_t i = 0; i < 5; ++i)
+    BOOST_TEST(
+      std::abs(forces[1][i] * scene.contact.friction_coefficient * load[i] -
+               force[i]) < 1e-6 * load[i]);
+}
+
+
+
+BOOST_FIXTURE_TEST_CASE(load_in_time, DrawingRun)
+{
+  standard<2>(scene);
+  scene.analysis                     = "transient";
+  scene.contact.friction_coefficient = 0.;
+  scene.time.end_time                = 3e-4;
+  scene.check();
+  Transient<2>(scene, drawing).run();
+  BOOST_TEST(contains(script("history"), "set xlabel 'time (ms)'"));
+  BOOST_TEST(contains(script("history"), "set ylabel 'N (kN)'"));
+  const auto loads = block("history", "");
+  check_equal(loads[0], column("history.csv", "time_s"), 1e3);
+  check_equal(loads[1], column("history.csv", "normal_force_N"), 1e-3);
+}
+
+
+
+BOOST_FIXTURE_TEST_CASE(error_against_seconds, DrawingRun)
+{
+  const std::vector<CostedError> points{{"coarse", "8", 0.1, 1e-2},
+                                        {"coarse", "16", 0.4, 3e-3},
+                                        {"fine", "8", 0.3, 2e-2},
+                                        {"fine", "16", 0.9, 1e-4}};
+  report_errors_and_costs({{"all", points}}, "error of T", "state", drawing);
+  BOOST_TEST(is_drawn("error_cpu"));
+  for (const char *line : {"set xlabel 'CPU seconds per state'",
+                           "set ylabel 'error of T'",
+                           "set logscale x\n",
+                           "set logscale y\n"})
+    BOOST_TEST(contains(script("error_cpu"), line), line);
+  const auto fine  = block("error_cpu", "fine"),
+             front = block("error_cpu", "Pareto front");
+  check_equal(fine[0], {0.3, 0.9}, 1.);
+  check_equal(fine[1], {2e-2, 1e-4}, 1.);
+  check_equal(front[0], {0.1, 0.4, 0.9}, 1.);
+  check_equal(front[1], {1e-2, 3e-3, 1e-4}, 1.);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
