@@ -27,7 +27,7 @@ namespace RollingContact
 
   private:
     /**
-     * A row of results for each point.
+     * Solve each point and add its row of results.
      */
     void
     march(const std::vector<Creepages> &points, SteadyState<dim> &steady);

@@ -33,9 +33,9 @@ namespace RollingContact
     solve_at(const double load, SteadyState<dim> &steady) const;
 
     /**
-     * From the approaches under 10 % less and 10 % more load, which is 0.07 %
-     * off for a Hertz contact; nodes that join and leave the patch make
-     * smaller differences rough. Units: N/m.
+     * Contact stiffness from the approaches under 10 % less and 10 % more load,
+     * which is 0.07 % off for a Hertz contact; nodes that join and leave the
+     * patch make smaller differences rough. Units: N/m.
      */
     double
     stiffness(SteadyState<dim> &steady) const;

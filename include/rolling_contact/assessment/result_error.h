@@ -40,8 +40,9 @@ namespace RollingContact
              RunReport              &report);
 
   /**
-   * The same for a transient run: the estimate for a steady state on its mesh,
-   * as its time step is not estimated; without friction nothing is.
+   * Note in the report how far a transient run is off: the estimate for a
+   * steady state on its mesh, as its time step is not estimated; without
+   * friction nothing is.
    */
   template <int dim>
   void

@@ -10,7 +10,10 @@ namespace RollingContact
   /** The BLAS that answers calls of this process, found at run time. */
   struct BlasLibrary
   {
-    /** "OpenBLAS 0.3.21 ...", "reference BLAS", the file's name, or "none". */
+    /**
+     * Name of the library: "OpenBLAS 0.3.21 ...", "reference BLAS", the file's
+     * name, or "none".
+     */
     std::string name;
     /** The shared library that holds dgemm; empty if there is none. */
     std::string file;

@@ -29,18 +29,18 @@ namespace RollingContact
   };
 
   /**
-   * K of the unknowns: linear elements with B-bar, in 2D plane strain. Units:
-   * N/m.
+   * Stiffness K of the unknowns: linear elements with B-bar, in 2D plane
+   * strain. Units: N/m.
    */
   template <int dim>
   SymmetricSparseMatrix
   assemble_stiffness(const Discretisation<dim> &body);
 
   /**
-   * M of the unknowns. Consistent: the integral of rho phi_i phi_j. Lumped: its
-   * row sums, the integral of rho phi_i, a diagonal matrix; a hanging node's
-   * mass goes to the nodes it hangs between by their weights, which keeps the
-   * total mass and the centre of mass. Units: kg.
+   * Mass M of the unknowns. Consistent: the integral of rho phi_i phi_j.
+   * Lumped: its row sums, the integral of rho phi_i, a diagonal matrix; a
+   * hanging node's mass goes to the nodes it hangs between by their weights,
+   * which keeps the total mass and the centre of mass. Units: kg.
    */
   template <int dim>
   SymmetricSparseMatrix

@@ -77,13 +77,13 @@ namespace RollingContact
     solver_seconds() const override;
 
     /**
-     * K of the unknowns, assembled anew. Units: N/m.
+     * Stiffness K of the unknowns, assembled anew. Units: N/m.
      */
     SymmetricSparseMatrix
     stiffness() const;
 
     /**
-     * M of the unknowns. Units: kg.
+     * Mass M of the unknowns. Units: kg.
      */
     SymmetricSparseMatrix
     mass(const MassKind kind = MassKind::lumped) const;
@@ -106,8 +106,8 @@ namespace RollingContact
              const std::vector<unsigned int> &components) const;
 
     /**
-     * The unknowns of a field that is @p value in one component and zero in the
-     * others, away from a clamped hub.
+     * Values at the unknowns of a field that is @p value in one component and
+     * zero in the others, away from a clamped hub.
      */
     std::vector<double>
     uniform(const unsigned int component, const double value) const;

@@ -12,11 +12,11 @@ struct cholmod_factor_struct;
 namespace RollingContact
 {
   /**
-   * Y = L^-1 E for the unit columns E of the contact unknowns, kept as one
-   * dense block for each supernode on the elimination-tree paths of these
-   * columns. Columns are sorted by elimination order, so that the columns alive
-   * in a supernode, those of its subtree, are the contiguous range
-   * [first_column, first_column + n_columns).
+   * Condensed columns Y = L^-1 E for the unit columns E of the contact
+   * unknowns, kept as one dense block for each supernode on the
+   * elimination-tree paths of these columns. Columns are sorted by elimination
+   * order, so that the columns alive in a supernode, those of its subtree, are
+   * the contiguous range [first_column, first_column + n_columns).
    */
   struct CondensedColumns
   {
@@ -33,7 +33,7 @@ namespace RollingContact
     std::vector<std::int64_t> column_order;
 
     /**
-     * z += scale Y r, z in elimination order.
+     * Add a product with Y, z += scale Y r, with z in elimination order.
      */
     void
     add_product(const double               scale,
@@ -41,7 +41,7 @@ namespace RollingContact
                 std::vector<double>       &z) const;
 
     /**
-     * Y^T z, z in elimination order.
+     * Product Y^T z, with z in elimination order.
      */
     std::vector<double>
     transposed_product(const std::vector<double> &z) const;
@@ -51,9 +51,9 @@ namespace RollingContact
   };
 
   /**
-   * W = E^T K^-1 E = Y^T Y from CHOLMOD's supernodal factor of K, for the given
-   * unknowns in their order; see Factorisation::condense(). Supernode by
-   * supernode on the elimination paths, with BLAS-3.
+   * Compliance W = E^T K^-1 E = Y^T Y from CHOLMOD's supernodal factor of K,
+   * for the given unknowns in their order; see Factorisation::condense().
+   * Supernode by supernode on the elimination paths, with BLAS-3.
    */
   DenseMatrix
   condensed_compliance(const cholmod_factor_struct    &L,

@@ -60,8 +60,9 @@ namespace RollingContact
     mirror_lower_triangle();
 
     /**
-     * result = M(rows, columns) x for the block that starts at (@p first_row,
-     * @p first_column) and has the sizes of @p result and @p x.
+     * Product with a block, result = M(rows, columns) x for the block that
+     * starts at (@p first_row, @p first_column) and has the sizes of @p result
+     * and @p x.
      */
     void
     multiply_block(const std::size_t          first_row,

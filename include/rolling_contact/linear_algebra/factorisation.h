@@ -12,9 +12,10 @@
 namespace RollingContact
 {
   /**
-   * K = P^T L L^T P by CHOLMOD's supernodal factorisation, ordered by METIS on
-   * the graph of the nodes. Owns L. Serves K of the quasi-static and
-   * M + theta dt C + theta^2 dt^2 K of the dynamic problem alike.
+   * Factorisation K = P^T L L^T P by CHOLMOD's supernodal factorisation,
+   * ordered by METIS on the graph of the nodes. Owns L. Serves K of the
+   * quasi-static and M + theta dt C + theta^2 dt^2 K of the dynamic problem
+   * alike.
    */
   class Factorisation
   {
@@ -84,22 +85,23 @@ namespace RollingContact
     solve(const std::vector<double> &right_hand_side) const;
 
     /**
-     * z = L^-1 P b, in elimination order. Allocates nothing when @p z has its
-     * size. One half-solve at a time: they share a workspace.
+     * Forward solve z = L^-1 P b, with z in elimination order. Allocates
+     * nothing when @p z has its size. One half-solve at a time: they share a
+     * workspace.
      */
     void
     solve_forward(const std::vector<double> &b, std::vector<double> &z) const;
 
     /**
-     * x = P^T L^-T z, overwriting @p z.
+     * Backward solve x = P^T L^-T z, overwriting @p z.
      */
     void
     solve_backward(std::vector<double> &z, std::vector<double> &x) const;
 
     /**
-     * W = E^T K^-1 E = Y^T Y for the given unknowns, in their order. Y is
-     * computed supernode by supernode with BLAS-3; kept in @p columns if that
-     * is given, released on the way otherwise.
+     * Compliance W = E^T K^-1 E = Y^T Y for the given unknowns, in their order.
+     * Y is computed supernode by supernode with BLAS-3; kept in @p columns if
+     * that is given, released on the way otherwise.
      */
     DenseMatrix
     condense(const std::vector<std::size_t> &unknowns,

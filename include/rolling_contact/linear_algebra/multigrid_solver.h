@@ -11,8 +11,8 @@
 namespace RollingContact
 {
   /**
-   * A x = b for a symmetric positive definite A with the unknowns of a mesh
-   * node consecutive: conjugate gradients preconditioned by one cycle of
+   * Solver of A x = b for a symmetric positive definite A with the unknowns of
+   * a mesh node consecutive: conjugate gradients preconditioned by one cycle of
    * smoothed aggregation (Trilinos' ML; Vanek, Mandel and Brezina 1996),
    * smoothed by Chebyshev polynomials, which do not depend on the number of
    * ranks. Owns the hierarchy; the matrix is the caller's. All functions are
@@ -49,7 +49,7 @@ namespace RollingContact
                     const unsigned int                            n_components);
 
     /**
-     * x of A x = b for all right-hand sides, from the initial guesses in @p x
+     * Solve A x = b for all right-hand sides, from the initial guesses in @p x
      * to |b - A x| <= tolerance |b|, or to 10 eps |A| |x| where that is larger,
      * and at most 1e-9 |b|: nearly incompressible bodies reach no more. Vectors
      * have no ghost entries. Throws ConvergenceError with iterations, residual

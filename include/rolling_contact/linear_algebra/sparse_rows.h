@@ -46,13 +46,15 @@ namespace RollingContact
     add(const unsigned int i, const unsigned int j, const double value);
 
     /**
-     * y_c = M x_c for each of the consecutive blocks x_c of length size().
+     * Product y_c = M x_c for each of the consecutive blocks x_c of length
+     * size().
      */
     std::vector<double>
     multiply(const std::vector<double> &x) const;
 
     /**
-     * y_c = M^T x_c for each of the consecutive blocks x_c of length size().
+     * Product y_c = M^T x_c for each of the consecutive blocks x_c of length
+     * size().
      */
     std::vector<double>
     multiply_transposed(const std::vector<double> &x) const;
@@ -61,7 +63,7 @@ namespace RollingContact
     transposed() const;
 
     /**
-     * M as a dense matrix.
+     * The matrix M in dense form.
      */
     DenseMatrix
     dense() const;

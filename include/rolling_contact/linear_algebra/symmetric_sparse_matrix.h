@@ -24,7 +24,7 @@ namespace RollingContact
     }
 
     /**
-     * result = S x, for @p result of the size of @p x.
+     * Product result = S x, for @p result of the size of @p x.
      */
     void
     multiply(const std::vector<double> &x, std::vector<double> &result) const;
@@ -42,7 +42,7 @@ namespace RollingContact
   diagonal_matrix(const std::vector<double> &entries);
 
   /**
-   * a A + b B on the union of both patterns, for matrices of the same size.
+   * Sum a A + b B on the union of both patterns, for matrices of the same size.
    */
   SymmetricSparseMatrix
   linear_combination(const double                 a,

@@ -11,8 +11,8 @@
 namespace RollingContact
 {
   /**
-   * "active set, 4 normal and 7 tangential solves in 3 passes; natural residual
-   * 1e-16 normal, 4e-16 tangential".
+   * The work of a solver as "active set, 4 normal and 7 tangential solves in 3
+   * passes; natural residual 1e-16 normal, 4e-16 tangential".
    */
   std::string
   work_of_solver(const SolverReport &solver);

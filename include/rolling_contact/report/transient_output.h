@@ -26,7 +26,7 @@ namespace RollingContact
                     const Checkpoint      &checkpoint);
 
     /**
-     * The row of the step just taken; @p progress includes it.
+     * Add the row of the step just taken; @p progress includes it.
      */
     void
     add_row(const ContactStepper<dim> &stepper,
@@ -34,7 +34,8 @@ namespace RollingContact
             const TransientProgress   &progress);
 
     /**
-     * Fields of the state, if this step is to have any, or if it is the last.
+     * Write the fields of the state, if this step is to have any, or if it is
+     * the last.
      */
     void
     write_fields(const ContactStepper<dim> &stepper,
@@ -51,8 +52,8 @@ namespace RollingContact
                      const PrmEntries          &files);
 
     /**
-     * history.csv under its final name, results.csv, the largest load, the
-     * plot.
+     * End the output: history.csv under its final name, results.csv, the
+     * largest load, the plot.
      */
     void
     finish(const ContactStepper<dim> &stepper,
@@ -60,7 +61,7 @@ namespace RollingContact
 
   private:
     /**
-     * Of the whole history, as a finding of the run.
+     * Note the largest load of the whole history as a finding of the run.
      */
     void
     note_largest_load() const;

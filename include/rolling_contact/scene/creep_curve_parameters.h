@@ -33,7 +33,10 @@ namespace RollingContact
       points();
     }
 
-    /** A single number holds for all points. Units: 1, 1, 1/m. */
+    /**
+     * Creepages of the points; a single number holds for all of them. Units: 1,
+     * 1, 1/m.
+     */
     std::vector<double> creepage_x{0.}, creepage_y{0.}, spin{0.};
   };
 } // namespace RollingContact

@@ -61,7 +61,9 @@ namespace RollingContact
     std::string  analysis     = "quasi-static";
     BodySolver   body_solver  = BodySolver::automatic;
     unsigned int body_threads = 2;
-    /** Of the .prm file: where the files it names are. */
+    /**
+     * Folder of the .prm file, where the files it names are.
+     */
     std::filesystem::path prm_folder;
 
     BodyParameters       wheel{"Wheel"};

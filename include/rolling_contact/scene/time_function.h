@@ -33,9 +33,9 @@ namespace RollingContact
     explicit TimeFunction(const double constant);
 
     /**
-     * What the user wrote for an entry (Section/Entry, for messages). Files
-     * are relative to a folder. Throws InputError naming the entry, its text
-     * and what is allowed.
+     * A function from what the user wrote for an entry (Section/Entry, for
+     * messages). Files are relative to a folder. Throws InputError naming the
+     * entry, its text and what is allowed.
      */
     TimeFunction(const std::string           &entry,
                  const std::string           &text,
@@ -58,7 +58,7 @@ namespace RollingContact
     }
 
     /**
-     * Differs if the table differs: its size, ends and CRC-32.
+     * Text that differs if the table differs: its size, ends and CRC-32.
      */
     std::string
     table_fingerprint() const;
@@ -70,7 +70,10 @@ namespace RollingContact
     read_table(std::filesystem::path file, const std::string &column);
 
     std::string entry, text;
-    /** Time and value; a single one for a number. Empty for an expression. */
+    /**
+     * Times and values of a table; a single one for a number. Empty for an
+     * expression.
+     */
     std::vector<std::pair<double, double>>     points;
     std::shared_ptr<dealii::FunctionParser<1>> expression;
     bool                                       depends_on_time = false;

@@ -78,9 +78,9 @@ namespace RollingContact
     declare(dealii::ParameterHandler &prm);
 
     /**
-     * Rules across entries, for Analysis = transient; table files are relative
-     * to the folder of the .prm file. The histories are tried at up to 1000
-     * times. Throws InputError.
+     * Check rules across entries, for Analysis = transient; table files are
+     * relative to the folder of the .prm file. The histories are tried at up to
+     * 1000 times. Throws InputError.
      */
     void
     check(const ContactParameters     &contact,

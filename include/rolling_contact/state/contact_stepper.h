@@ -38,7 +38,7 @@ namespace RollingContact
   {
   public:
     /**
-     * Mesh, matrices and the initial state. Throws InputError,
+     * Set up mesh, matrices and the initial state. Throws InputError,
      * ConvergenceError.
      */
     ContactStepper(const SceneParameters &scene,
@@ -87,7 +87,7 @@ namespace RollingContact
     save(Checkpoint &checkpoint) const;
 
     /**
-     * The state of a checkpoint, under what drove it.
+     * Take the state of a checkpoint, under what drove it.
      */
     void
     restore(const Checkpoint &checkpoint);
@@ -103,7 +103,8 @@ namespace RollingContact
     hub_acceleration(const double time, const double h) const;
 
     /**
-     * One part; false, with the state as before, if the solver fails.
+     * Take one part of a step; false, with the state as before, if the solver
+     * fails.
      */
     bool
     take_part(const double time, const double h, StepOutcome &outcome);

@@ -38,7 +38,7 @@ namespace RollingContact
     list_cases();
 
     /**
-     * The reference mesh and those it is extrapolated from.
+     * Solve the reference mesh and those it is extrapolated from.
      */
     void
     solve_reference();
@@ -59,15 +59,15 @@ namespace RollingContact
     with_case(SceneParameters scene, const std::size_t index) const;
 
     /**
-     * Bodies and compliance on the grading of @p steady, its zone enlarged
-     * until it holds the patch without friction.
+     * Set up bodies and compliance on the grading of @p steady, its zone
+     * enlarged until it holds the patch without friction.
      */
     void
     set_up_pair(const SceneParameters &scene, SteadyState<dim> &steady);
 
     /**
-     * All positions of a uniform or graded mesh; its set-up is made once for
-     * all methods and cases.
+     * Solve all positions of a uniform or graded mesh; its set-up is made once
+     * for all methods and cases.
      */
     void
     solve_mesh(const std::string              &mesh,
@@ -81,7 +81,8 @@ namespace RollingContact
                SteadyState<dim>      &steady);
 
     /**
-     * All positions of an adaptive mesh, whose levels belong to one state.
+     * Solve all positions of an adaptive mesh, whose levels belong to one
+     * state.
      */
     void
     solve_levels(const unsigned int start, const std::size_t method);

@@ -38,7 +38,7 @@ namespace RollingContact
   };
 
   /**
-   * For each of the falling @p levels that is reached.
+   * The cheapest point for each of the falling @p levels that is reached.
    */
   std::vector<BestOfLevel>
   best_of_levels(const std::vector<CostedError> &points,

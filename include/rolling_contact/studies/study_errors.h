@@ -68,9 +68,9 @@ namespace RollingContact
   };
 
   /**
-   * Over the positions of a key, those that were solved. The error of the force
-   * is positive if the force is too large; with all creepages combined it is
-   * the length of a vector, also of the mean one.
+   * Errors and costs over the positions of a key that were solved. The error of
+   * the force is positive if the force is too large; with all creepages
+   * combined it is the length of a vector, also of the mean one.
    */
   struct StudyErrors
   {
@@ -106,7 +106,7 @@ namespace RollingContact
                const std::vector<StudySample> &samples);
 
   /**
-   * Of all cases: largest errors and memory, mean seconds.
+   * The worst of all cases: largest errors and memory, mean seconds.
    */
   StudyErrors
   worst_case(const std::vector<StudyErrors> &cases);

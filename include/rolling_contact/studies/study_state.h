@@ -19,8 +19,8 @@ namespace RollingContact
     std::string solver;
 
     /**
-     * "upwind 2, graded": the operator, and mesh and solver where they are not
-     * those of the standard.
+     * Name of the method as "upwind 2, graded": the operator, and mesh and
+     * solver where they are not those of the standard.
      */
     std::string
     name(const StudyMethod &standard) const;

@@ -46,7 +46,7 @@ namespace RollingContact
     name_of(const std::size_t method) const;
 
     /**
-     * Smallest first.
+     * Meshes of a method, the smallest first.
      */
     std::vector<unsigned int>
     meshes_of(const std::size_t method) const;
@@ -58,7 +58,7 @@ namespace RollingContact
     say_methods(const std::vector<StudyErrors> &rows) const;
 
     /**
-     * Of one direction of creepage, of all if it is empty.
+     * Errors and costs for one direction of creepage, for all if it is empty.
      */
     ErrorCostSet
     points_of(const std::string &direction) const;
