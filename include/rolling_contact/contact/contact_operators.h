@@ -208,57 +208,60 @@ namespace RollingContact
     }
 
     /**
-     * W_nn H p. Units: Pa to m.
+     * Normal displacement W_nn H p under a pressure. Units: Pa to m.
      */
     std::vector<double>
     normal_displacement(const std::vector<double> &pressure) const;
 
     /**
-     * W_nt H q, zero when uncoupled. Units: Pa to m.
+     * Normal displacement W_nt H q under a traction, zero when uncoupled.
+     * Units: Pa to m.
      */
     std::vector<double>
     normal_displacement_of_traction(const NodalField &traction) const;
 
     /**
-     * W_tt H q. Units: Pa to m.
+     * Tangential displacement W_tt H q under a traction. Units: Pa to m.
      */
     NodalField
     tangential_displacement(const NodalField &traction) const;
 
     /**
-     * W_tn H p, zero when uncoupled. Units: Pa to m.
+     * Tangential displacement W_tn H p under a pressure, zero when uncoupled.
+     * Units: Pa to m.
      */
     NodalField
     tangential_displacement_of_pressure(
       const std::vector<double> &pressure) const;
 
     /**
-     * W_tt H q + W_tn H p. Units: Pa to m.
+     * Tangential displacement W_tt H q + W_tn H p under traction and pressure.
+     * Units: Pa to m.
      */
     NodalField
     tangential_displacement(const NodalField          &traction,
                             const std::vector<double> &pressure) const;
 
     /**
-     * W_cc H f, the displacement in the direction of component @p c under a
-     * scalar @p field used as the traction in that direction. Units: Pa to m.
+     * Displacement W_cc H f in the direction of component @p c under a scalar
+     * @p field used as the traction in that direction. Units: Pa to m.
      */
     std::vector<double>
     displacement_along(const unsigned int         c,
                        const std::vector<double> &field) const;
 
     /**
-     * W_tt H q as the slip needs it: in steady rolling every component without
-     * the displacement of one node. That of a rigid motion, which B1 does not
-     * see, may be many orders of magnitude larger than what is left, and is
-     * never added up. With a rate B2 sees rigid motions, and nothing is left
-     * out. Units: Pa to m.
+     * Displacement W_tt H q as the slip needs it: in steady rolling every
+     * component without the displacement of one node. The displacement of a
+     * rigid motion, which B1 does not see, may be many orders of magnitude
+     * larger than what is left, and is never added up. With a rate B2 sees
+     * rigid motions, and nothing is left out. Units: Pa to m.
      */
     NodalField
     distortion_of_traction(const NodalField &traction) const;
 
     /**
-     * W_tn H p as distortion_of_traction() gives W_tt H q.
+     * Displacement W_tn H p as the slip needs it, see distortion_of_traction().
      */
     NodalField
     distortion_of_pressure(const std::vector<double> &pressure) const;

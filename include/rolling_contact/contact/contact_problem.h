@@ -74,7 +74,7 @@ namespace RollingContact
   };
 
   /**
-   * No pressure, no traction.
+   * A state without pressure and traction.
    */
   ContactState
   open_state(const ContactProblem &problem);

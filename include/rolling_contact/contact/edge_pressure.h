@@ -71,7 +71,8 @@ namespace RollingContact
     }
 
     /**
-     * (W_tt H)_kj of two nodes of the run, in this component. Units: m/Pa.
+     * Compliance (W_tt H)_kj between two nodes of the run, in this component.
+     * Units: m/Pa.
      */
     double
     compliance(const std::size_t k, const std::size_t j) const;
@@ -93,10 +94,11 @@ namespace RollingContact
                const std::vector<double> &displacement) const;
 
     /**
-     * q_n on the run, the traction that answers the tangential displacement of
-     * the pressure near the edge: beta/pi p ln((x - x_l)/(x_r - x)) + its
-     * correction, beta Dundurs'. Zero without coupling, on lines of less than
-     * ten nodes or that end inside the contact, and across the flow. Units: Pa.
+     * Coupling traction q_n on the run, the traction that answers the
+     * tangential displacement of the pressure near the edge: beta/pi p ln((x -
+     * x_l)/(x_r - x)) + its correction, beta Dundurs'. Zero without coupling,
+     * on lines of less than ten nodes or that end inside the contact, and
+     * across the flow. Units: Pa.
      */
     std::vector<double>
     coupling_traction(const std::vector<double> &pressure) const;

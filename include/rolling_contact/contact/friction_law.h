@@ -19,7 +19,8 @@ namespace RollingContact
     virtual ~FrictionLaw() = default;
 
     /**
-     * 1 - mu(v) / mu_s. Units: m/s to 1.
+     * Drop of the friction coefficient at a sliding speed v, 1 - mu(v) / mu_s.
+     * Units: m/s to 1.
      */
     virtual double
     drop(const double speed) const = 0;

@@ -28,7 +28,7 @@ namespace RollingContact
     double elastic_energy = 0.; ///< r . W r < 0, over the sum of its terms
 
     /**
-     * Names and values, in the order above.
+     * Names and values of all members, in their order.
      */
     std::vector<std::pair<std::string, double>>
     named() const;

@@ -40,7 +40,8 @@ namespace RollingContact
     double dissipation = 0.; ///< see dissipation(), J per m rolled
 
     /**
-     * |creep work - dissipation| over the larger of them; 0 at rest.
+     * Energy error, |creep work - dissipation| over the larger of them; 0 at
+     * rest.
      */
     double
     energy_error() const;

@@ -23,7 +23,7 @@ namespace RollingContact
                       const bool                 edge_law = true);
 
     /**
-     * s(q), what the friction law acts on. Units: Pa to 1.
+     * Slip s(q) that the friction law acts on. Units: Pa to 1.
      */
     NodalField
     slip(const NodalField &traction) const;
@@ -35,8 +35,8 @@ namespace RollingContact
     material_slip(const NodalField &traction) const;
 
     /**
-     * ds/dq of some of the T N @p unknowns in both directions, a dense matrix
-     * for solvers that factorise parts of it. Units: 1/Pa.
+     * Derivative ds/dq of some of the T N @p unknowns in both directions, a
+     * dense matrix for solvers that factorise parts of it. Units: 1/Pa.
      */
     DenseMatrix
     slip_compliance(const std::vector<NodalIndex> &unknowns) const;
@@ -49,7 +49,7 @@ namespace RollingContact
     sliding_speeds(const NodalField &slip) const;
 
     /**
-     * mu of the friction law at this slip; without a law the present mu.
+     * Nodal mu of the friction law at a slip; without a law the present mu.
      */
     std::vector<double>
     friction_at(const NodalField &slip) const;
@@ -67,7 +67,7 @@ namespace RollingContact
     project(NodalField &traction) const;
 
     /**
-     * q - rho_t s, rho_t one over tangential_norm. Units: Pa.
+     * Trial traction q - rho_t s, rho_t one over tangential_norm. Units: Pa.
      */
     NodalField
     trial(const NodalField &traction, const NodalField &slip) const;
@@ -87,7 +87,7 @@ namespace RollingContact
     slip_of(const NodalField &w) const;
 
     /**
-     * slip_of() in one component at one node. Units: m to 1.
+     * Slip by slip_of() in one component at one node. Units: m to 1.
      */
     double
     slip_of(const NodalField &w, const NodalIndex &at) const;
@@ -121,7 +121,7 @@ namespace RollingContact
     double tangential = 0.;
 
     /**
-     * The larger of them, infinite if either is not a number.
+     * The larger of both residuals, infinite if either is not a number.
      */
     double
     worst() const;

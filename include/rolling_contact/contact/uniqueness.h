@@ -29,7 +29,7 @@ namespace RollingContact
     unsigned int node  = 0; ///< that has most part in it
 
     /**
-     * Where other solutions must be expected.
+     * Ratio from which other solutions must be expected.
      */
     static constexpr double limit = 0.8;
 

@@ -17,8 +17,9 @@ namespace RollingContact
   };
 
   /**
-   * P = (1 + D^-1 L) D^-1 M, which takes nodal values on a surface to nodal
-   * values on the interface, and its transpose nodal forces back:
+   * Mortar projection P = (1 + D^-1 L) D^-1 M, which takes nodal values on a
+   * surface to nodal values on the interface, and its transpose nodal forces
+   * back:
    *
    *   D_i = integral N_i,  M_ij = integral psi_i N_j,
    *

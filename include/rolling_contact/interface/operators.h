@@ -44,11 +44,11 @@ namespace RollingContact
   name_of(const SlipOperatorKind kind);
 
   /**
-   * H: nodal forces from nodal values of pressure or traction, eq. (12) of Lai
-   * et al. 2017, integral of N^T N, or its row sums when lumped; balanced row
-   * sums stay exact on linear fields where element sizes change, and are no
-   * longer symmetric there. @p thickness multiplies the length in 2D. Units:
-   * m^2.
+   * Contact matrix H: nodal forces from nodal values of pressure or traction,
+   * eq. (12) of Lai et al. 2017, integral of N^T N, or its row sums when
+   * lumped; balanced row sums stay exact on linear fields where element sizes
+   * change, and are no longer symmetric there. @p thickness multiplies the
+   * length in 2D. Units: m^2.
    */
   SparseRows
   contact_matrix(const Trace          &trace,

@@ -16,7 +16,7 @@ namespace RollingContact
     SlipOperator() = default;
 
     /**
-     * Without rows, for contact without friction.
+     * An operator without rows, for contact without friction.
      */
     explicit SlipOperator(const SlipOperatorKind kind)
       : operator_kind(kind)

@@ -10,7 +10,7 @@
 namespace RollingContact
 {
   /**
-   * Where a run writes, logs and counts its time; owned by the driver.
+   * What a run writes to, logs to and counts its time by; owned by the driver.
    */
   struct RunContext
   {

@@ -27,7 +27,9 @@ namespace RollingContact
   class RunFolder
   {
   public:
-    /** output/carter for prm/carter.prm. */
+    /**
+     * Default folder of a scene: output/carter for prm/carter.prm.
+     */
     static std::filesystem::path
     default_path(const std::filesystem::path &prm_file);
 
@@ -81,9 +83,11 @@ namespace RollingContact
     const std::filesystem::path &
     get_path() const;
 
-    /** Where to write the file `name`; a temporary name in the same folder.
+    /**
+     * Path to write the file `name` to; a temporary name in the same folder.
      * Names are plain: letters, digits, '.', '_', '-', no leading '.'. Only for
-     * the root. */
+     * the root.
+     */
     std::filesystem::path
     temporary(const std::string &name);
 
@@ -101,11 +105,15 @@ namespace RollingContact
     std::filesystem::path
     continued(const std::string &name, const std::uintmax_t n_bytes);
 
-    /** publish(), and the file and its name outlive a loss of power. */
+    /**
+     * As publish(), and the file and its name outlive a loss of power.
+     */
     void
     publish_durably(const std::string &name);
 
-    /** temporary() and publish() for a text; InputError if the disk is full. */
+    /**
+     * As temporary() and publish() for a text; InputError if the disk is full.
+     */
     void
     write_atomically(const std::string &name, const std::string &text);
 

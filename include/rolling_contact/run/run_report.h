@@ -48,7 +48,9 @@ namespace RollingContact
     text() const;
   };
 
-  /** Of all MPI ranks together, and of the one that has most. */
+  /**
+   * Totals of all MPI ranks together, and of the one that has most.
+   */
   struct RankTotals
   {
     double cpu_seconds         = 0.;
@@ -57,7 +59,9 @@ namespace RollingContact
     double largest_peak_memory = 0.; ///< bytes
   };
 
-  /** Of the ranks so far. Collective. */
+  /**
+   * Totals of the ranks so far. Collective.
+   */
   RankTotals
   totals_of_ranks(const PhaseTimer &timer);
 
@@ -74,7 +78,9 @@ namespace RollingContact
     std::vector<std::pair<std::string, std::string>> libraries;
     unsigned int                                     n_threads = 1;
     unsigned int                                     n_ranks   = 1;
-    /** Of several ranks, once all are done. */
+    /**
+     * Totals of several ranks, once all are done.
+     */
     std::optional<RankTotals>   rank_totals;
     std::vector<std::string>    command_line;
     std::vector<BuiltItem>      objects;

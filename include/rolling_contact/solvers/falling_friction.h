@@ -55,8 +55,8 @@ namespace RollingContact
                SolverReport              &report) const;
 
     /**
-     * Newton's step for mu from @p iterate, which stays as it was, with false
-     * returned, unless the residual halves.
+     * Try Newton's step for mu from @p iterate, which stays as it was, with
+     * false returned, unless the residual halves.
      */
     bool
     try_newton(const ContactProblem &problem,

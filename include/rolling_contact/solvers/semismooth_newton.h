@@ -24,7 +24,8 @@ namespace RollingContact
 
   private:
     /**
-     * That many extragradient steps; how many were taken.
+     * Take that many extragradient steps, or fewer; returns how many were
+     * taken.
      */
     unsigned int
     rescue(const TangentialProblem &problem,
