@@ -32,8 +32,8 @@ BOOST_AUTO_TEST_SUITE(pictures)
 BOOST_FIXTURE_TEST_CASE(load_curve_in_kilonewton_and_micrometres, DrawingRun)
 {
   standard<3>(scene);
-  scene.analysis          = "load curve";
-  scene.load_curve.shares = "0.5, 1";
+  scene.analysis                  = "load curve";
+  scene.load_curve.load_fractions = {0.5, 1.};
   scene.check();
   LoadCurve<3>(scene, drawing).run();
   table.flush();
@@ -55,7 +55,7 @@ BOOST_FIXTURE_TEST_CASE(creep_curve_in_percent_of_creepage, DrawingRun)
 {
   standard<3>(scene);
   scene.analysis               = "creep curve";
-  scene.creep_curve.creepage_y = "0.001, 0.004, 0.02";
+  scene.creep_curve.creepage_y = {0.001, 0.004, 0.02};
   scene.check();
   CreepCurve<3>(scene, drawing).run();
   table.flush();
@@ -88,7 +88,7 @@ BOOST_FIXTURE_TEST_CASE(tractions_over_the_patch, DrawingRun)
   standard<2>(scene);
   scene.contact.creepages.x = 0.001;
   scene.check();
-  const auto steady = solve_steady_state<2>(scene, drawing);
+  const auto steady = solve_steady_state<2>(scene, {}, drawing);
   plot_line_tractions(scene, steady, drawing);
   BOOST_TEST(is_drawn("tractions"));
   BOOST_TEST(contains(script("tractions"),
