@@ -284,7 +284,7 @@ namespace RollingContact
                                       dim == 2 ? this->scene.thickness() : 1.),
                        std::move(W),
                        friction ? SlipOperator(this->trace(),
-                                               slip_operator,
+                                               contact.slip_operator,
                                                contact.contact_matrices,
                                                contact.flow())
                                 : SlipOperator(contact.slip_operator),

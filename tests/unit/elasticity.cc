@@ -252,7 +252,7 @@ BOOST_AUTO_TEST_CASE(twins)
   BOOST_TEST(two("disc", [](auto &it) { it.block_depth = 1.; }));
   BOOST_TEST(two("block", [](auto &it) { it.hub_radius = 0.1; }));
   BOOST_TEST(!two("disc", [](auto &it) { it.hub_radius = 0.1; }));
-  BOOST_TEST(!two("disc", [](auto &it) { it.hub = "free"; }));
+  BOOST_TEST(!two("disc", [](auto &it) { it.hub = Hub::free; }));
   BOOST_TEST(!two("block", [](auto &it) { it.block_depth = 1.; }));
   BOOST_TEST(!two("block", [](auto &it) { it.block_length = 2.; }));
   for (const std::string name : {"disc", "block"})
