@@ -15,7 +15,7 @@ namespace dealii
 namespace RollingContact
 {
   /**
-   * Where the undeformed surface of a body from a mesh file lies.
+   * What gives the undeformed surface of a body from a mesh file.
    */
   enum class SurfaceSource
   {
