@@ -53,13 +53,15 @@ namespace RollingContact
     ContactProblem &problem = contact.problem;
     const double    end     = time + h;
     problem.loads.creepages = histories.creepages(end);
-    const bool ahead =
-      scene.time.inertia && scene.time.contact_law == ContactLaw::shifted;
-    const double at = end + (ahead ? (1 - scene.time.theta) * h : 0.);
+    // reactions act at t + theta h, the shifted law holds beyond the end
+    const double theta = scene.time.inertia ? scene.time.theta : 1.;
+    const bool   ahead = scene.time.contact_law == ContactLaw::shifted;
     if (histories.normal_load)
-      problem.loads.normal_load = histories.normal_load->value(at);
+      problem.loads.normal_load =
+        histories.normal_load->value(time + theta * h);
     else
-      problem.loads.approach = histories.approach->value(at);
+      problem.loads.approach =
+        histories.approach->value(end + (ahead ? (1 - theta) * h : 0.));
   }
 
 

@@ -5,7 +5,9 @@
 #include "time_run.h"
 
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/text.h>
 
+#include <array>
 #include <cmath>
 
 using namespace RollingContact;
@@ -114,6 +116,133 @@ BOOST_AUTO_TEST_CASE(energy_balances_under_oscillating_creepage)
   BOOST_TEST(run.worst_balance < 1e-12 * run.largest_energy);
   BOOST_TEST(run.least_friction > -1e-12 * run.largest_energy);
   BOOST_TEST(run.last.energy.numerical_dissipation == 0.);
+}
+
+
+
+/**
+ * Without inertia the bodies store what pressing them together takes, the
+ * integral of the load over the approach. Implicit: each step takes the load at
+ * its end, and what that is too much is numerical dissipation.
+ */
+BOOST_AUTO_TEST_CASE(massless_bodies_store_the_work_of_the_load)
+{
+  TimeRun<2> run([](SceneParameters &scene) {
+    scene.contact.friction_coefficient = 0.;
+    scene.time.initial_state           = InitialState::steady;
+    scene.time.approach                = "0.15e-3 * (1 + 100 * t)";
+    scene.time.time_step               = 1e-4;
+  });
+  run.march(1);
+  for (unsigned int k = 0; k < 5; ++k)
+    {
+      const double load     = run.stepper->current().result.normal_force,
+                   approach = run.stepper->current().state.approach,
+                   stored   = run.stepper->bodies().stored_energy();
+      run.march(1);
+      const double closer = run.stepper->current().state.approach - approach,
+                   larger = run.stepper->current().result.normal_force;
+      BOOST_TEST(closer == 0.15e-5, boost::test_tools::tolerance(1e-9));
+      BOOST_TEST(run.stepper->bodies().stored_energy() - stored ==
+                   (load + larger) / 2 * closer,
+                 boost::test_tools::tolerance(1e-4));
+      BOOST_TEST(run.last.energy.contact_work == larger * closer,
+                 boost::test_tools::tolerance(1e-4));
+      BOOST_TEST(run.last.energy.numerical_dissipation ==
+                   (larger - load) / 2 * closer,
+                 boost::test_tools::tolerance(1e-2));
+    }
+  BOOST_TEST(run.worst_balance < 1e-12 * run.largest_energy);
+}
+
+
+
+/**
+ * Steady rolling without inertia: what the creepage supplies becomes heat.
+ */
+BOOST_AUTO_TEST_CASE(massless_rolling_heats_by_its_creepage)
+{
+  TimeRun<2> run([](SceneParameters &scene) {
+    scene.contact.creepages.x = 0.001;
+    scene.time.initial_state  = InitialState::steady;
+  });
+  run.march(5);
+  const Resultants &result = run.stepper->current().result;
+  BOOST_TEST(run.last.friction == std::abs(result.force_x) * 0.001 * 10 * 1e-4,
+             boost::test_tools::tolerance(0.06));
+  BOOST_TEST(std::abs(run.last.energy.contact_work) < 1e-6 * run.last.friction);
+  BOOST_TEST(run.worst_balance < 1e-12 * run.largest_energy);
+}
+
+
+
+/**
+ * Bodies so light that they are in equilibrium all the time. Reactions act at
+ * t + theta h: there an approach that grows has the load of a static contact.
+ * The contact law holds at t + (2 - theta) h, or without the shift at t + h:
+ * there the approach is found back when the load is given as it was.
+ */
+BOOST_AUTO_TEST_CASE(loads_and_approaches_given_in_time_are_inverse)
+{
+  const double theta = 0.75, h = 1e-4;
+  const auto   approach_at = [](const double t) {
+    return 0.15e-3 * (1 + 50 * t);
+  };
+  const auto frictionless = [=](SceneParameters &scene) {
+    scene.contact.friction_coefficient = 0.;
+    scene.time.initial_state           = InitialState::steady;
+    scene.time.time_step               = h;
+    scene.time.theta                   = theta;
+  };
+  for (const ContactLaw law : {ContactLaw::shifted, ContactLaw::gap})
+    {
+      const auto light = [&](SceneParameters &scene) {
+        frictionless(scene);
+        scene.time.inertia     = true;
+        scene.time.contact_law = law;
+        for (BodyParameters *body : {&scene.wheel, &scene.rail})
+          body->material.density = 1e-3;
+      };
+      TimeRun<2> pressed([&](SceneParameters &scene) {
+        light(scene);
+        scene.time.approach = "0.15e-3 * (1 + 50 * t)";
+      });
+      // parabola through the loads of three steps, to 1e-6
+      std::array<double, 3> time{}, load{};
+      for (unsigned int k = 0; k < 3; ++k)
+        {
+          pressed.march(10);
+          time[k] = pressed.time - h + theta * h;
+          load[k] = pressed.stepper->current().result.normal_force;
+        }
+      TimeRun<2> still([&](SceneParameters &scene) {
+        frictionless(scene);
+        scene.time.inertia  = false;
+        scene.time.approach = significant(approach_at(time[2]), 17);
+      });
+      still.march(1);
+      BOOST_TEST(load[2] == still.stepper->current().result.normal_force,
+                 boost::test_tools::tolerance(1e-5));
+
+      const double slope_1 = (load[1] - load[0]) / (time[1] - time[0]),
+                   slope_2 = (load[2] - load[1]) / (time[2] - time[1]),
+                   bend    = (slope_2 - slope_1) / (time[2] - time[0]);
+      TimeRun<2> loaded([&](SceneParameters &scene) {
+        light(scene);
+        // of the same patch, so that the meshes are the same
+        scene.contact.approach    = {};
+        scene.contact.normal_load = estimate_patch(pressed.scene).normal_force;
+        scene.time.normal_load =
+          significant(load[0], 17) + " + (t - " + significant(time[0], 17) +
+          ") * (" + significant(slope_1, 17) + " + (t - " +
+          significant(time[1], 17) + ") * " + significant(bend, 17) + ")";
+      });
+      loaded.march(25);
+      const double ahead = law == ContactLaw::shifted ? (1 - theta) * h : 0.;
+      BOOST_TEST(loaded.stepper->current().state.approach ==
+                   approach_at(loaded.time + ahead),
+                 boost::test_tools::tolerance(2e-4));
+    }
 }
 
 
