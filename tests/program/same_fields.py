@@ -5,42 +5,19 @@ Usage: same_fields.py ONE.pvd PIECES.pvd NUMBER_OF_PIECES, fields of deal.II
 to a unit in the last place of their single precision, 2^-23 of the largest
 value, and means to 1e-8 of it.
 """
-import base64
 import os
-import struct
 import sys
 import xml.etree.ElementTree as Xml
-import zlib
+
+import vtu
 
 
-def values(array):
-    """Numbers of a compressed DataArray."""
-    text = array.text.strip()
-    n_blocks = struct.unpack("<I", base64.b64decode(text[:8])[:4])[0]
-    n_header = 4 * ((4 * (3 + n_blocks) + 2) // 3)
-    sizes = struct.unpack(
-        f"<{3 + n_blocks}I", base64.b64decode(text[:n_header])[: 4 * (3 + n_blocks)]
-    )[3:]
-    data, raw, at = base64.b64decode(text[n_header:]), b"", 0
-    for size in sizes:
-        raw += zlib.decompress(data[at : at + size])
-        at += size
-    letter = {"Float32": "f", "Float64": "d"}[array.get("type")]
-    return struct.unpack(f"<{len(raw) // struct.calcsize(letter)}{letter}", raw)
-
-
-def read(vtu, fields):
+def read(path, fields):
     """Number of cells; adds least, largest, sum and number of values."""
-    root, cells = Xml.parse(vtu).getroot(), 0
+    root, cells = Xml.parse(path).getroot(), 0
     for piece in root.iter("Piece"):
         cells += int(piece.get("NumberOfCells"))
-        for array in piece.iter("DataArray"):
-            name, n = array.get("Name") or "points", int(
-                array.get("NumberOfComponents") or 1
-            )
-            if name in ("connectivity", "offsets", "types"):
-                continue
-            numbers = values(array)
+        for name, n, _, numbers in vtu.arrays(piece):
             for d in range(n):
                 part = numbers[d::n]
                 low, high, total, count = fields.get(

@@ -1,9 +1,12 @@
+#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/lac/vector.h>
+#include <deal.II/numerics/error_estimator.h>
 
 #include <boost/test/unit_test.hpp>
 
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/elasticity/direct_body.h>
+#include <rolling_contact/elasticity/error_indicator.h>
 #include <rolling_contact/references/clamped_annulus.h>
 
 #include <algorithm>
@@ -265,6 +268,63 @@ BOOST_AUTO_TEST_CASE(twins)
   BOOST_TEST(!make_body_shape("disc", usual)
                 ->is_twin_of(*make_body_shape("block", usual)));
   BOOST_CHECK_THROW(make_body_shape("cone", usual), InputError);
+}
+
+/**
+ * The fewest cells that carry a share of the squared indicators, with those
+ * that weigh as much as the last of them.
+ */
+BOOST_AUTO_TEST_CASE(bulk_refinement_marks_the_cells_of_the_largest_jumps)
+{
+  const Grading<2>    zone = grading(24, 0.5);
+  const DirectBody<2> body(disc(0.46, 0.08), {210e9, 0.3}, 1., zone);
+  const auto         &dofs = body.dof_handler();
+  BodyField           displacement(dofs.n_dofs());
+  for (const auto &cell : dofs.active_cell_iterators())
+    for (const unsigned int v : cell->vertex_indices())
+      for (unsigned int d = 0; d < 2; ++d)
+        displacement[cell->vertex_dof_index(v, d)] =
+          std::log(cell->vertex(v).distance({0.01, 0.47}));
+  dealii::Vector<float> indicators(dofs.get_triangulation().n_active_cells());
+  dealii::KellyErrorEstimator<2>::estimate(
+    dofs, dealii::QGauss<1>(2), {}, displacement, indicators);
+
+  // squared indicators of the cells marked, ascending
+  const auto marked = [&](const double fraction) {
+    const auto          boxes = bulk_boxes(body, displacement, zone, fraction);
+    std::vector<double> squares;
+    for (const auto &cell : dofs.active_cell_iterators())
+      {
+        const auto corners = body.mesh().chart_box(cell);
+        for (const auto &box : boxes)
+          if (corners.first.distance(box.lower) +
+                corners.second.distance(box.upper) ==
+              0.)
+            squares.push_back(
+              std::pow(indicators[cell->active_cell_index()], 2));
+      }
+    BOOST_TEST(squares.size() == boxes.size());
+    std::sort(squares.begin(), squares.end());
+    return squares;
+  };
+  const auto sum_above = [](const std::vector<double> &squares,
+                            const double               limit) {
+    double sum = 0.;
+    for (const double square : squares)
+      sum += square > limit ? square : 0.;
+    return sum;
+  };
+  const auto   all   = marked(1.);
+  const double total = sum_above(all, 0.);
+  for (const double fraction : {0.3, 0.6, 0.9})
+    {
+      const auto squares = marked(fraction);
+      BOOST_TEST(squares.size() > 2u);
+      BOOST_TEST(sum_above(squares, 0.) >= fraction * total);
+      BOOST_TEST(sum_above(squares, 1.01 * squares.front()) < fraction * total);
+      BOOST_TEST(sum_above(all, 1.01 * squares.front()) ==
+                 sum_above(squares, 1.01 * squares.front()));
+    }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

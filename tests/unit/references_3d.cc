@@ -7,6 +7,9 @@
 #include <rolling_contact/references/kalker.h>
 #include <rolling_contact/references/shen_hedrick_elkins.h>
 
+#include <fstream>
+#include <sstream>
+
 using namespace RollingContact;
 using namespace RollingContact::References;
 using boost::test_tools::tolerance;
@@ -183,6 +186,34 @@ BOOST_AUTO_TEST_CASE(table_entries)
   check_coefficients(1, 0.25, 4.12, 3.67, 1.47, 1.19, 1e-12);
   check_coefficients(1 / 0.6, 0.5, 5.80, 5.04, 2.50, 0.751, 1e-12);
   check_coefficients(10, 0.25, 11.7, 12.8, 14.6, 0.526, 1e-12);
+}
+
+// all 240 numbers, from a transcription of its own
+BOOST_AUTO_TEST_CASE(the_whole_table)
+{
+  std::ifstream file(TEST_DATA "/kalker_table_e3.csv");
+  unsigned int  n_numbers = 0;
+  for (std::string line; std::getline(file, line);)
+    {
+      if (line.empty() || line[0] == '#' || line[0] == 'a')
+        continue;
+      std::istringstream  row(line);
+      std::vector<double> cells;
+      for (std::string cell; std::getline(row, cell, ',');)
+        cells.push_back(cell.empty() ? 0. : std::stod(cell));
+      BOOST_REQUIRE_EQUAL(cells.size(), 7u);
+      std::vector<double> ratios = {cells[0] > 0. ? cells[0] : 1 / cells[1]};
+      if (ratios[0] == 1.) // where both halves of the table end
+        ratios.push_back(1 + 1e-12);
+      for (const double ratio : ratios)
+        {
+          BOOST_TEST_CONTEXT("a/b = " << ratio << ", nu = " << cells[2])
+          check_coefficients(
+            ratio, cells[2], cells[3], cells[4], cells[5], cells[6], 1e-11);
+          n_numbers += 4;
+        }
+    }
+  BOOST_TEST(n_numbers == 240u);
 }
 
 // independent computation

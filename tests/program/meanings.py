@@ -1,0 +1,388 @@
+"""Columns, summaries and fields of runs against formulas written here again.
+
+Usage: meanings.py RUN_FOLDER..., those of the script beside this file. Every
+column of results.csv and history.csv must have been looked at by name once.
+"""
+import csv
+import math
+import os
+import re
+import sys
+
+import vtu
+
+MU, STEEL, NU, RADIUS, CROWN, WIDTH = 0.3, 210e9, 0.3, 0.46, 0.3, 0.02
+MODULUS, SHEAR = STEEL / 2 / (1 - NU**2), STEEL / 2 / (1 + NU)
+UNITS = {"traction": "Pa", "pressure": "Pa", "traction_size": "Pa", "traction_bound": "Pa",
+         "slip": None, "gap": "m", "area": "m^2", "state": None,
+         "friction_coefficient": None, "sliding_speed": "m/s"}
+OPEN, STICK = 0, 2
+known, looked_at, failures = set(), set(), []
+
+
+class Row(dict):
+    """A row of a table that notes which of its columns are read."""
+
+    def __getitem__(self, name):
+        looked_at.add(name)
+        text = super().__getitem__(name)
+        try:
+            return float(text)
+        except ValueError:
+            return text
+
+
+def rows(path):
+    with open(path, newline="", encoding="utf-8") as file:
+        result = [Row(row) for row in csv.DictReader(file)]
+    known.update(result[0])
+    return result
+
+
+def check(what, good):
+    if not good:
+        failures.append(what)
+        print(what)
+
+
+def near(what, value, expected, relative, absolute=0.0):
+    check(f"{what}: {value:.9g}, expected {expected:.9g}",
+          abs(value - expected) <= relative * abs(expected) + absolute)
+
+
+def line_contact(load):
+    """Half-width, pressure and creepage at saturation of two equal discs."""
+    a = math.sqrt(4 * load / WIDTH * RADIUS / 2 / math.pi / MODULUS)
+    return a, 2 * load / WIDTH / math.pi / a, MU * a / (RADIUS / 2)
+
+
+def elliptic(m):
+    """Complete elliptic integrals K and E by the arithmetic-geometric mean."""
+    a, g, c, total, power = 1.0, math.sqrt(1 - m), math.sqrt(m), m / 2, 0.5
+    while c > 1e-16:
+        a, g, c, power = (a + g) / 2, math.sqrt(a * g), (a - g) / 2, 2 * power
+        total += power * c * c
+    return math.pi / 2 / a, math.pi / 2 / a * (1 - total)
+
+
+def point_contact(load):
+    """Semi-axes a > b, pressure and approach; gap A x^2 + B y^2."""
+    A, B, low, high = 1 / RADIUS, 1 / CROWN, 1.0, 10.0
+    for _ in range(200):
+        ratio = (low + high) / 2
+        K, E = elliptic(1 - 1 / ratio**2)
+        if (ratio**2 * E - K) / (K - E) < B / A:
+            low = ratio
+        else:
+            high = ratio
+    b = (3 * load * E / (2 * math.pi * ratio * MODULUS * (A + B))) ** (1 / 3)
+    pressure = 1.5 * load / math.pi / (ratio * b * b)
+    return ratio * b, b, pressure, pressure / MODULUS * b * K
+
+
+def kalker(a_over_b):
+    """C11, C22, C23, C33 at nu = 0.3 and a > b from the published table."""
+    path = os.path.join(os.path.dirname(__file__), "..", "data", "kalker_table_e3.csv")
+    with open(path, encoding="utf-8") as file:
+        table = list(csv.DictReader(line for line in file if line[0] != "#"))
+    at = {(float(r["b_over_a"] or r["a_over_b"]), float(r["poisson_ratio"])): r
+          for r in table if r["b_over_a"] or r["a_over_b"] == "1"}
+    low = math.floor(10 / a_over_b) / 10
+    weight, result = 10 * (1 / a_over_b - low), []
+    for name in ("C11", "C22", "C23", "C33"):
+        zero, quarter, half = (
+            (1 - weight) * float(at[low, nu][name])
+            + weight * float(at[round(low + 0.1, 1), nu][name]) for nu in (0.0, 0.25, 0.5))
+        result.append(1 / (8 * (NU - 0.25) * (NU - 0.5) / zero
+                           - 16 * NU * (NU - 0.5) / quarter + 8 * NU * (NU - 0.25) / half))
+    return result
+
+
+def check_summary(folder, row, two_forces):
+    """The lines on the screen against the row: millimetres, MPa, percent."""
+    with open(os.path.join(folder, "out"), encoding="utf-8") as file:
+        text = " ".join(file.read().split())
+    number = r"(-?[\d.]+(?:e[-+]\d+)?)"
+    load = re.search(f"N = {number} N at an approach of {number} mm; peak pressure {number} "
+                     f"MPa, half-width {number} mm, {number} nodes", text)
+    forces = (f"\\({number}, {number}\\)" if two_forces else f"{number}()")
+    force = re.search(f"T = {forces} N, \\|T\\|/N = {number}, \\|T\\|/\\(mu N\\) = {number}; "
+                      f"stick on {number} %", text)
+    check(f"{folder}: summary: {text}", load and force)
+    if not (load and force):
+        return
+    said = [float(group) if group else 0.0 for group in load.groups() + force.groups()]
+    expected = [row["normal_force_N"], 1e3 * row["approach_m"], 1e-6 * row["max_pressure_Pa"],
+                1e3 * row["half_width_x_m"], row["nodes_in_contact"], row["force_x_N"],
+                row["force_y_N"], row["traction_coefficient"], row["traction_coefficient"] / MU,
+                100 * row["stick_area_m2"] / row["contact_area_m2"]]
+    for i, pair in enumerate(zip(said, expected)):
+        near(f"{folder}: number {i} of the summary", *pair, 5e-3 if i == 9 else 1e-4, 1e-9)
+
+
+def check_fields(path, row):
+    """Fields at the nodes against the row: units, extremes and sums."""
+    field, units = vtu.nodes(path)
+    for name, unit in units.items():
+        if name != "points":
+            check(f"{path}: unit of {name}: {unit}", unit == UNITS[name])
+    area, state = field["area"], field["state"]
+    p, q = field["pressure"], field["traction"]
+
+    def total(values):
+        return sum(a * value for a, value in zip(area, values))
+
+    load = row["normal_force_N"]
+    near(f"{path}: peak", max(p), row["max_pressure_Pa"], 1e-6)
+    near(f"{path}: load", total(p), load, 1e-5)
+    near(f"{path}: force x", total(t[0] for t in q), row["force_x_N"], 0, 1e-5 * load)
+    near(f"{path}: force y", total(t[1] for t in q), row["force_y_N"], 0, 1e-5 * load)
+    moment = total(x[0] * t[1] - x[1] * t[0] for x, t in zip(field["points"], q))
+    if "spin_moment_Nm" in row and "half_width_y_m" in row and row["half_width_y_m"] > 0:
+        near(f"{path}: moment", moment, row["spin_moment_Nm"], 1e-4, 1e-8 * load)
+    near(f"{path}: traction", max(field["traction_size"]),
+         max(math.hypot(*t) for t in q), 1e-6)
+    bound = field["traction_bound"]
+    check(f"{path}: bound", all(b <= MU * (1 + 1e-6) * s for b, s in zip(bound, p)))
+    near(f"{path}: sum of bounds", total(bound), MU * load, 0.05)
+    open_gaps = [g for g, s in zip(field["gap"], state) if s == OPEN]
+    check(f"{path}: open gaps", not open_gaps or 0 < min(open_gaps) and max(open_gaps) < 1e-3)
+    touching = [s != OPEN for s in state]
+    near(f"{path}: nodes", sum(touching), row["nodes_in_contact"], 0)
+    if "contact_area_m2" in row:
+        near(f"{path}: area", total(touching), row["contact_area_m2"], 1e-5)
+        near(f"{path}: stick", total(s == STICK for s in state), row["stick_area_m2"], 1e-5)
+        near(f"{path}: contact nodes", len(state), row["contact_nodes"], 0)
+    else:
+        near(f"{path}: sticking", state.count(STICK), row["nodes_sticking"], 0)
+    return field
+
+
+def check_solution(folder, row):
+    """What every solved state has."""
+    check(f"{folder}: converged", row["converged"] == "true" and row["solver"] != "")
+    for name in ("residual_normal", "residual_tangential"):
+        check(f"{folder}: {name}", 0 <= row[name] < 1e-9)
+    near(f"{folder}: iterations", row["iterations"],
+         row["normal_solves"] + row["tangential_solves"], 0)
+    check(f"{folder}: passes", 1 <= row["passes"] <= row["iterations"])
+    check(f"{folder}: corrections", row["corrections"] == 0)
+    check(f"{folder}: wall time", 0 < row["wall_s"] < 600)
+    for name in row:
+        if name.startswith("invariant_"):
+            check(f"{folder}: {name}", abs(row[name]) < 1e-8)
+    load, force = row["normal_force_N"], math.hypot(row["force_x_N"], row["force_y_N"])
+    near(f"{folder}: T/N", row["traction_coefficient"], force / load, 1e-8)
+    work, heat = row["creep_work_J/m"], row["dissipation_J/m"]
+    near(f"{folder}: creep work", work,
+         -(row["force_x_N"] * row["creepage_x"] + row["force_y_N"] * row["creepage_y"]
+           + row["spin_moment_Nm"] * row["spin_1/m"]), 1e-7)
+    near(f"{folder}: dissipation", heat, work, 0.05)
+    near(f"{folder}: energy error", row["energy_error"],
+         abs(work - heat) / max(work, heat), 1e-4, 1e-8)
+
+
+def check_line_contact(folder, row, elements):
+    a, pressure, saturation = line_contact(row["normal_force_N"])
+    z = row["creepage_x"] / saturation
+    near(f"{folder}: creepages", row["creepage_x"], 0.0017, 0)
+    check(f"{folder}: none of 3D", row["creepage_y"] == row["spin_1/m"] == 0
+          and row["half_width_y_m"] == row["force_y_N"] == row["spin_moment_Nm"] == 0)
+    near(f"{folder}: approach", row["approach_m"], 0.22e-3, 1e-8)
+    near(f"{folder}: half-width", row["half_width_x_m"], a, 0.02)
+    near(f"{folder}: peak", row["max_pressure_Pa"], pressure, 0.01)
+    size = 2 * a / elements * WIDTH
+    near(f"{folder}: area", row["contact_area_m2"], 2 * a * WIDTH, 0, 2 * size)
+    near(f"{folder}: stick", row["stick_area_m2"], 2 * a * (1 - z) * WIDTH, 0, 2 * size)
+    near(f"{folder}: nodes", row["nodes_in_contact"], elements, 0, 2)
+    near(f"{folder}: Hertz's a", row["reference_half_width_x_m"], a, 1e-6)
+    near(f"{folder}: Hertz's p0", row["reference_max_pressure_Pa"], pressure, 1e-6)
+    check(f"{folder}: pressure", 0 < row["error_pressure_l2"] < 0.05)
+    near(f"{folder}: load of clamped discs", row["reference_normal_force_N"], 140760, 1e-4)
+    near(f"{folder}: error of the load", row["error_normal_force"],
+         row["normal_force_N"] / row["reference_normal_force_N"] - 1, 1e-5, 1e-8)
+    near(f"{folder}: Carter", row["reference_force_x/muN"], z * z - 2 * z, 1e-6)
+    near(f"{folder}: error of the force", row["error_force_x/muN"],
+         row["force_x_N"] / (MU * row["normal_force_N"]) - row["reference_force_x/muN"],
+         1e-4, 1e-8)
+    check(f"{folder}: traction", 0 < row["error_traction_l2"] < 0.05)
+    check(f"{folder}: sawtooth", 0 <= row["error_sawtooth"] < 0.035)
+    check(f"{folder}: stick border", abs(row["error_stick_boundary_elements"]) <= 1)
+
+
+def state_2d(folder):
+    (row,) = rows(os.path.join(folder, "results.csv"))
+    check_solution(folder, row)
+    check_line_contact(folder, row, 48)
+    check(f"{folder}: mesh", row["level"] == 0 and row["elements_across"] == 48
+          and row["patch_offset"] == 0.25 and row["slip_operator"] == "calibrated")
+    points = vtu.nodes(os.path.join(folder, "wheel.vtu"))[0]["points"]
+    # of one of the twins; nodes of the hub have none
+    near(f"{folder}: unknowns", row["dofs"], 2 * len(points), 0.07)
+    check_summary(folder, row, False)
+    check_fields(os.path.join(folder, "interface.vtu"), row)
+
+
+def levels_2d(folder):
+    levels = rows(os.path.join(folder, "results.csv"))
+    near(f"{folder}: levels", len(levels), 3, 0)
+    for number, row in enumerate(levels):
+        near(f"{folder}: level", row["level"], number, 0)
+        near(f"{folder}: elements of the first", row["elements_across"], 24, 0)
+    before, row = levels[-2:]
+    load = row["normal_force_N"]
+    near(f"{folder}: change", row["change"],
+         abs(row["force_x_N"] - before["force_x_N"]) / (MU * load), 0.5, 1e-4)
+    near(f"{folder}: extrapolated load", row["extrapolated_normal_force_N"], load, 1e-3)
+    near(f"{folder}: extrapolated force", row["extrapolated_force_x_N"],
+         row["reference_force_x/muN"] * MU * load, 5e-3)
+    near(f"{folder}: extrapolated force y", row["extrapolated_force_y_N"], 0, 0)
+    near(f"{folder}: extrapolated approach", row["extrapolated_approach_m"], 0.22e-3, 1e-8)
+    near(f"{folder}: estimated error", row["estimated_error"], 0, 0, 5e-3)
+    near(f"{folder}: error of the limit", row["extrapolation_error"], 0, 0, 5e-3)
+
+
+def state_3d(folder):
+    (row,) = rows(os.path.join(folder, "results.csv"))
+    check_solution(folder, row)
+    load = row["normal_force_N"]
+    a, b, pressure, approach = point_contact(load)
+    near(f"{folder}: a", row["half_width_x_m"], a, 0.04)
+    near(f"{folder}: b", row["half_width_y_m"], b, 0.08)
+    near(f"{folder}: area", row["contact_area_m2"], math.pi * a * b, 0.15)
+    near(f"{folder}: peak", row["max_pressure_Pa"], pressure, 0.01)
+    near(f"{folder}: Hertz's a", row["reference_half_width_x_m"], a, 1e-6)
+    near(f"{folder}: Hertz's b", row["reference_half_width_y_m"], b, 1e-6)
+    near(f"{folder}: Hertz's p0", row["reference_max_pressure_Pa"], pressure, 1e-6)
+    near(f"{folder}: Hertz's approach", row["reference_approach_m"], approach, 1e-6)
+    near(f"{folder}: approach", row["approach_m"], 7e-5, 1e-8)
+    x, y, spin = row["creepage_x"], row["creepage_y"], row["spin_1/m"]
+    check(f"{folder}: creepages", (x, y, spin) == (0.001, -0.0015, 0.4))
+    c11, c22, c23, c33 = kalker(a / b)
+    c = math.sqrt(a * b)
+    linear = (-SHEAR * c * c * c11 * x, -SHEAR * c * c * (c22 * y - c * c23 * spin))
+    near(f"{folder}: linear x", row["kalker_force_x_N"], linear[0], 1e-6)
+    near(f"{folder}: linear y", row["kalker_force_y_N"], linear[1], 1e-6)
+    near(f"{folder}: linear moment", row["kalker_spin_moment_Nm"],
+         -SHEAR * c**3 * (c23 * y + c * c33 * spin), 1e-6)
+    share = math.hypot(*linear) / (MU * load)
+    saturated = (1 - share / 3 + share**2 / 27) if share < 3 else 1 / share
+    for axis, value in zip("xy", linear):
+        near(f"{folder}: saturated {axis}", row[f"shen_force_{axis}_N"], value * saturated, 1e-6)
+        near(f"{folder}: force {axis}", row[f"force_{axis}_N"], value * saturated, 0.1)
+        near(f"{folder}: brush {axis}", row[f"fastsim_force_{axis}_N"],
+             row[f"force_{axis}_N"], 0.05)
+    check_summary(folder, row, True)
+    check_fields(os.path.join(folder, "interface.vtu"), row)
+
+
+def loads(folder):
+    (row,) = rows(os.path.join(folder, "results.csv"))
+    # dN/d(approach) of a line contact that grows as N^1.1
+    stiffness = row["normal_force_N"] / row["approach_m"]
+    near(f"{folder}: stiffness", row["contact_stiffness_N/m"], 1.11 * stiffness, 0.03)
+
+
+def check_energy(folder, history):
+    """What was supplied is stored or gone; one column each."""
+    first = history[0]
+    for row in history[1:]:
+        gain = sum(row[name] - first[name] for name in ("kinetic_J", "strain_J"))
+        given = row["supplied_J"] - first["supplied_J"]
+        for name in ("friction_J", "damping_J", "numerical_J"):
+            given -= row[name] - first[name]
+            check(f"{folder}: {name}", row[name] >= first[name] >= 0)
+        near(f"{folder}: balance", gain, given, 1e-5, 1e-7 * (row["kinetic_J"] + row["strain_J"]))
+        check(f"{folder}: balance error", abs(row["energy_balance_error"]) < 1e-10)
+
+
+def vibration(folder, smooth=True):
+    """Discs at 10 m/s, the creepage oscillates at 1 kHz."""
+    history = rows(os.path.join(folder, "history.csv"))
+    near(f"{folder}: steps", len(history), 40, 0)
+    heat = 0.0
+    for number, row in enumerate(history, 1):
+        time, where = number * 2e-6, f"{folder}, step {number}"
+        near(f"{where}: number", row["step"], number, 0)
+        near(f"{where}: time", row["time_s"], time, 1e-8)
+        near(f"{where}: distance", row["rolled_m"], 10 * time, 1e-8)
+        near(f"{where}: speed", row["speed_m/s"], 10, 0)
+        near(f"{where}: approach", row["approach_m"], 0.22e-3, 1e-8)
+        near(f"{where}: creepage", row["creepage_x"],
+             0.0017 + 0.001 * math.sin(2000 * math.pi * time), 1e-8)
+        load, force = row["normal_force_N"], abs(row["force_x_N"])
+        near(f"{where}: load", load, 140760, 5e-3)
+        near(f"{where}: peak", row["max_pressure_Pa"], line_contact(load)[1], 0.01)
+        near(f"{where}: T/N", row["traction_coefficient"], force / load, 1e-8)
+        near(f"{where}: nodes", row["nodes_in_contact"], 24, 0, 2)
+        check(f"{where}: solver", row["iterations"] >= 1 and row["parts"] == 1)
+        check(f"{where}: impacts", row["impacts"] <= 1)
+        # a contact softer than linear stores a little less than half
+        near(f"{where}: strain", row["strain_J"], load * 0.22e-3 / 2, 0.08)
+        if smooth:
+            check(f"{where}: sticking", 0 < row["nodes_sticking"] < row["nodes_in_contact"])
+            check(f"{where}: kinetic", 0 < row["kinetic_J"] < 1e-3 * row["strain_J"])
+            near(f"{where}: friction", row["friction_J"] - heat,
+                 force * row["creepage_x"] * 20e-6, 0.25)
+        heat = row["friction_J"]
+    check_energy(folder, history)
+    last, (row,) = history[-1], rows(os.path.join(folder, "results.csv"))
+    for name in ("time_s", "rolled_m", "approach_m", "creepage_x", "normal_force_N", "force_x_N",
+                 "max_pressure_Pa", "nodes_in_contact", "traction_coefficient"):
+        near(f"{folder}: {name} at the end", row[name], last[name], 1e-8)
+    if smooth:
+        check_fields(os.path.join(folder, "interface-0000040.vtu"), last)
+    return history
+
+
+def damped(folder):
+    last = vibration(folder)[-1]
+    check(f"{folder}: damping", last["damping_J"] > 0)
+    near(f"{folder}: no numerical dissipation", last["numerical_J"], 0, 0)
+
+
+def numerical(folder):
+    last = vibration(folder)[-1]
+    check(f"{folder}: numerical dissipation", last["numerical_J"] > 0)
+    near(f"{folder}: no damping", last["damping_J"], 0, 0)
+
+
+def falling(folder):
+    """Friction that falls makes the discs jerk: a ratio, rounds of the law."""
+    last = vibration(folder, smooth=False)[-1]
+    check(f"{folder}: ratio", last["several_solutions_ratio"] > 0)
+    (row,) = rows(os.path.join(folder, "results.csv"))
+    check(f"{folder}: rounds", 1 <= row["friction_rounds"] < 100)
+
+
+def impact(folder):
+    """A ring of 40 mm dropped with 1 m/s, its hub free, on a block."""
+    history = rows(os.path.join(folder, "history.csv"))
+    energy = 0.5 * 7800 * math.pi * (0.05**2 - 0.01**2) * 0.01
+    near(f"{folder}: kinetic energy", history[0]["kinetic_J"], energy, 0.02)
+    near(f"{folder}: energy kept", sum(history[-1][n] for n in ("kinetic_J", "strain_J")),
+         energy, 0.02)
+    check(f"{folder}: falls into strain", history[-1]["strain_J"] > 1e-3)
+    check(f"{folder}: nodes close", sum(row["impacts"] for row in history)
+          >= history[-1]["nodes_in_contact"] > 0)
+    check_energy(folder, history)
+
+
+def rolling_3d(folder):
+    history = rows(os.path.join(folder, "history.csv"))
+    last, (row,) = history[-1], rows(os.path.join(folder, "results.csv"))
+    near(f"{folder}: distance", last["rolled_m"], 8e-3, 1e-8)
+    check(f"{folder}: creepages", (last["creepage_y"], last["spin_1/m"]) == (0.003, 0.4))
+    for name in ("force_y_N", "spin_moment_Nm", "creepage_y", "spin_1/m"):
+        near(f"{folder}: {name} at the end", row[name], last[name], 1e-8)
+    check_fields(os.path.join(folder, "interface-0000010.vtu"), row)
+    near(f"{folder}: side force / mu N", last["force_y_N"] / MU / last["normal_force_N"], -0.35, 0, 0.3)
+    near(f"{folder}: supplied", last["supplied_J"], last["strain_J"] + last["friction_J"]
+         + last["numerical_J"], 1e-6)
+
+
+for run_folder in sys.argv[1:]:
+    globals()[run_folder](run_folder)
+for column in sorted(known - looked_at):
+    check(f"nothing checks the column {column}", False)
+sys.exit(len(failures) > 0)
