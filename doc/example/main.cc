@@ -9,7 +9,7 @@ main()
 {
   using namespace RollingContact;
   SceneParameters scene;
-  scene.contact.approach_entry     = "0.22e-3";
+  scene.contact.approach           = 0.22e-3;
   scene.contact.creepages.x        = 0.0017;
   scene.mesh.elements_across_patch = 48;
   scene.check();
@@ -21,8 +21,9 @@ main()
   Log          log(Verbosity::normal);
   RunContext   context{folder, results, report, timer, log};
 
-  const SteadyState<2> steady = solve_steady_state<2>(scene, context);
-  const Resultants    &result = steady.result;
+  const SteadyState<2> steady =
+    solve_steady_state<2>(scene, StateDemands(), context);
+  const Resultants &result = steady.result;
   std::printf("N = %.1f N, T = %.1f N, half-width %.4f mm, converged %d\n",
               result.normal_force,
               result.force_x,
