@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include <rolling_contact/base/files.h>
+#include <rolling_contact/base/text.h>
 #include <rolling_contact/run/previous_run.h>
 
 #include <algorithm>
@@ -13,19 +14,20 @@ namespace RollingContact
 
   namespace
   {
-    /** In one line, with a blank after ',' and ':'. */
+    /** In one line; numbers that are no integers with 9 significant digits. */
     std::string
     line_of(const Json &value)
     {
-      const std::string lines =
-        value.dump(0, ' ', false, Json::error_handler_t::replace);
-      std::string line;
-      for (const char character : lines) // those within strings are escaped
-        if (character != '\n')
-          line += character;
-        else if (line.back() == ',')
-          line += ' ';
-      return line;
+      if (value.is_number_float())
+        return significant(value.get<double>(), 9);
+      if (!value.is_structured())
+        return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+      std::string text;
+      for (const auto &[key, element] : value.items())
+        text += (text.empty() ? "" : ", ") +
+                (value.is_object() ? line_of(key) + ": " : std::string()) +
+                line_of(element);
+      return value.is_object() ? '{' + text + '}' : '[' + text + ']';
     }
 
 
