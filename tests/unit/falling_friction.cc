@@ -273,9 +273,9 @@ BOOST_AUTO_TEST_CASE(the_residual_judges_mu_at_the_own_slip)
   // another mu held does not matter once it is let go
   std::fill(state.friction.begin(), state.friction.end(), mu);
   BOOST_TEST(residual(state) <= 1e-10);
-  ContactProblem constant    = problem;
-  constant.friction_law      = nullptr;
-  const ContactState coulomb = solve(constant).state;
+  ContactProblem constant     = problem;
+  constant.loads.friction_law = nullptr;
+  const ContactState coulomb  = solve(constant).state;
   BOOST_TEST(residual(coulomb) > 1e-2);
   BOOST_TEST(invariants(problem, coulomb).cone > 1e-2);
 }
