@@ -4,9 +4,7 @@
 #include <rolling_contact/pair/body_pair.h>
 #include <rolling_contact/pair/interface_mesh.h>
 #include <rolling_contact/pair/mesh_file_coupling.h>
-#include <rolling_contact/pair/packed_surface.h>
 #include <rolling_contact/pair/parallel_bodies.h>
-#include <rolling_contact/parallel/ranks.h>
 
 #include <cmath>
 
@@ -233,6 +231,34 @@ namespace RollingContact
 
 
 
+  namespace
+  {
+    template <int dim>
+    std::array<double, 2>
+    xy(const Point<dim> &point)
+    {
+      return {{point[0], dim == 2 ? point[dim - 1] : 0.}};
+    }
+
+
+
+    template <int dim>
+    Trace
+    trace_of(const std::vector<typename ElasticBody<dim>::SurfaceNode> &nodes,
+             const std::vector<typename ElasticBody<dim>::SurfaceFace> &faces)
+    {
+      Trace trace;
+      trace.n_dimensions = dim - 1;
+      for (const auto &node : nodes)
+        trace.nodes.push_back(xy(node.position));
+      for (const auto &face : faces)
+        trace.cells.push_back({xy(face.lower), xy(face.upper), face.corners});
+      return trace;
+    }
+  } // namespace
+
+
+
   template <int dim>
   void
   BodyPair<dim>::pair_surfaces(const Grading<dim> &zone)
@@ -241,16 +267,14 @@ namespace RollingContact
     for (const Side side : {Side::wheel, Side::rail})
       if (is_elastic(side) && !parameters(side).is_from_file())
         {
-          std::vector<double> numbers;
+          Trace trace;
           if (body(side))
             {
               std::vector<typename ElasticBody<dim>::SurfaceFace> faces;
               body(side)->surface(zone, part(side).nodes, faces);
-              numbers = packed<dim>(part(side).nodes, faces);
+              trace = trace_of<dim>(part(side).nodes, faces);
             }
-          if (solver == BodySolver::direct)
-            Ranks::broadcast(numbers, rank_of(side));
-          traces.push_back(unpacked<dim>(numbers));
+          traces.push_back(on_all_ranks(side, std::move(trace)));
         }
     contact_trace = traces.empty() ? interface_mesh(zone) : traces[0];
     if (traces.size() == 2)
@@ -284,73 +308,6 @@ namespace RollingContact
       if (part.body)
         part.body->release_solver();
     release_free_memory();
-  }
-
-
-
-  template <int dim>
-  StepEnergy
-  BodyPair<dim>::summed(const StepEnergy &here) const
-  {
-    if (solver == BodySolver::distributed || Ranks::count() == 1)
-      return here;
-    std::vector<double> terms{here.kinetic,
-                              here.strain,
-                              here.contact_work,
-                              here.load_work,
-                              here.damping,
-                              here.numerical_dissipation,
-                              here.balance_error};
-    Ranks::sum(terms);
-    return {
-      terms[0], terms[1], terms[2], terms[3], terms[4], terms[5], terms[6]};
-  }
-
-
-
-  template <int dim>
-  BodyMotion
-  BodyPair<dim>::shared(const Side side, BodyMotion motion) const
-  {
-    if (solver == BodySolver::direct && is_elastic(side))
-      {
-        Ranks::broadcast(motion.displacement, rank_of(side));
-        Ranks::broadcast(motion.velocity, rank_of(side));
-      }
-    return motion;
-  }
-
-
-
-  template <int dim>
-  void
-  BodyPair<dim>::share(const Side                    side,
-                       std::vector<RefinedBox<dim>> &boxes) const
-  {
-    if (solver != BodySolver::direct || Ranks::count() == 1)
-      return;
-    std::vector<double> numbers;
-    for (const auto &box : boxes)
-      {
-        numbers.push_back(box.size);
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            numbers.push_back(box.lower[d]);
-            numbers.push_back(box.upper[d]);
-          }
-      }
-    Ranks::broadcast(numbers, rank_of(side));
-    boxes.resize(numbers.size() / (1 + 2 * dim));
-    auto number = numbers.begin();
-    for (auto &box : boxes)
-      {
-        box.size = *number++;
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            box.lower[d] = *number++;
-            box.upper[d] = *number++;
-          }
-      }
   }
 
 

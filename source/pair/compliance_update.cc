@@ -1,5 +1,5 @@
 #include <rolling_contact/pair/compliance_update.h>
-#include <rolling_contact/parallel/ranks.h>
+#include <rolling_contact/parallel/broadcast.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,48 +18,8 @@ namespace RollingContact
     {
       SolverReport report;
       Ranks::on_root([&]() { report = solver.solve(problem, state); });
-      if (Ranks::count() == 1)
-        return report;
-      std::vector<double> numbers{double(report.converged),
-                                  double(report.used_fallback),
-                                  double(report.iterations),
-                                  double(report.normal_solves),
-                                  double(report.tangential_solves),
-                                  double(report.passes),
-                                  double(report.friction_rounds),
-                                  report.residual.normal,
-                                  report.residual.tangential,
-                                  state.approach,
-                                  double(state.edge_law)};
-      for (const EdgeExtrapolation &edge : state.edges)
-        numbers.insert(
-          numbers.end(),
-          {double(edge.first), edge.a, edge.b, edge.c[0], edge.c[1]});
-      Ranks::broadcast(numbers);
-      Ranks::broadcast(state.pressure);
-      std::vector<double> traction = state.traction.values();
-      Ranks::broadcast(traction);
-      state.traction = NodalField(problem.n_nodes(), traction);
-      Ranks::broadcast(state.friction);
-      Ranks::broadcast(report.solver);
-      Ranks::broadcast(report.reason);
-      auto number              = numbers.begin();
-      report.converged         = *number++ != 0.;
-      report.used_fallback     = *number++ != 0.;
-      report.iterations        = *number++;
-      report.normal_solves     = *number++;
-      report.tangential_solves = *number++;
-      report.passes            = *number++;
-      report.friction_rounds   = *number++;
-      report.residual          = {number[0], number[1]};
-      state.approach           = number[2];
-      state.edge_law           = number[3] != 0.;
-      state.edges.clear();
-      for (number += 4; number != numbers.end(); number += 5)
-        state.edges.push_back({static_cast<unsigned int>(number[0]),
-                               number[1],
-                               number[2],
-                               {{number[3], number[4]}}});
+      Ranks::broadcast(report);
+      Ranks::broadcast(state);
       return report;
     }
 

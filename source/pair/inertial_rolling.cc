@@ -113,15 +113,7 @@ namespace RollingContact
         for_each([&](BodyDynamics &body, const Side side) {
           body.end_step(pair.on_body(side, nodal_forces(problem, state)));
         });
-        StepEnergy sum;
-        for (const auto &body : bodies)
-          if (body)
-            {
-              sum.kinetic += body->energy().kinetic;
-              sum.strain += body->energy().strain;
-              sum.add_changes(body->energy());
-            }
-        return pair.summed(sum);
+        return energy();
       }
 
       void
@@ -136,11 +128,8 @@ namespace RollingContact
       double
       stored_energy() const override
       {
-        StepEnergy sum;
-        for (const auto &body : bodies)
-          if (body)
-            sum.kinetic += body->energy().kinetic + body->energy().strain;
-        return pair.summed(sum).kinetic;
+        const StepEnergy sum = energy();
+        return sum.kinetic + sum.strain;
       }
 
       BodyDynamics::Memory
@@ -199,7 +188,7 @@ namespace RollingContact
       {
         const auto motion = [&](const Side side) {
           const auto &body = bodies[static_cast<int>(side)];
-          return pair.shared(side, body ? body->save() : BodyMotion());
+          return pair.on_all_ranks(side, body ? body->save() : BodyMotion());
         };
         PairMotion saved;
         saved.wheel = motion(Side::wheel);
@@ -218,6 +207,25 @@ namespace RollingContact
       }
 
     private:
+      /**
+       * Energies of both bodies, on all ranks. Collective.
+       */
+      StepEnergy
+      energy() const
+      {
+        StepEnergy sum;
+        for (const Side side : {Side::wheel, Side::rail})
+          {
+            const auto      &body = bodies[static_cast<int>(side)];
+            const StepEnergy part =
+              pair.on_all_ranks(side, body ? body->energy() : StepEnergy());
+            sum.kinetic += part.kinetic;
+            sum.strain += part.strain;
+            sum.add_changes(part);
+          }
+        return sum;
+      }
+
       template <typename Action>
       void
       for_each(const Action &action)

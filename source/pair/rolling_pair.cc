@@ -5,7 +5,6 @@
 #include <rolling_contact/pair/parallel_bodies.h>
 #include <rolling_contact/pair/patch_estimate.h>
 #include <rolling_contact/pair/rolling_pair.h>
-#include <rolling_contact/parallel/ranks.h>
 
 #include <algorithm>
 #include <cmath>
@@ -108,39 +107,15 @@ namespace RollingContact
 
 
 
-  namespace
-  {
-    /**
-     * From one rank to all.
-     */
-    void
-    share_matrix(const unsigned int rank, DenseMatrix &matrix)
-    {
-      if (Ranks::count() == 1)
-        return;
-      std::vector<double> size{double(matrix.n_rows())};
-      Ranks::broadcast(size, rank);
-      const std::size_t   n = size[0];
-      std::vector<double> values(matrix.data(),
-                                 matrix.data() +
-                                   matrix.n_rows() * matrix.n_columns());
-      Ranks::broadcast(values, rank);
-      matrix = DenseMatrix(n, n);
-      std::copy(values.begin(), values.end(), matrix.data());
-    }
-  } // namespace
-
-
-
   template <int dim>
   DenseMatrix
   RollingPair<dim>::combined(DenseMatrix wheel, DenseMatrix rail) const
   {
     const std::size_t n_nodes = this->trace().nodes.size();
     if (this->is_elastic(Side::wheel))
-      share_matrix(this->rank_of(Side::wheel), wheel);
+      Ranks::broadcast(wheel, this->rank_of(Side::wheel));
     if (this->is_elastic(Side::rail) && !this->twins())
-      share_matrix(this->rank_of(Side::rail), rail);
+      Ranks::broadcast(rail, this->rank_of(Side::rail));
     wheel = this->coupling(Side::wheel).to_interface(std::move(wheel));
     rail  = this->coupling(Side::rail).to_interface(std::move(rail));
     DenseMatrix W(components.size() * n_nodes, components.size() * n_nodes);
@@ -161,13 +136,10 @@ namespace RollingContact
   {
     const std::size_t n_nodes  = this->trace().nodes.size(),
                       n_values = components.size() * n_nodes;
-    const bool spread          = this->body_solver() == BodySolver::distributed;
-    for (const Side side : {Side::wheel, Side::rail})
-      if (this->is_elastic(side) && !spread)
-        Ranks::broadcast(side == Side::wheel ? wheel : rail,
-                         this->rank_of(side));
-    wheel = this->coupling(Side::wheel).to_interface(std::move(wheel));
-    rail  = this->coupling(Side::rail).to_interface(std::move(rail));
+    wheel                      = this->coupling(Side::wheel)
+              .to_interface(this->on_all_ranks(Side::wheel, std::move(wheel)));
+    rail = this->coupling(Side::rail)
+             .to_interface(this->on_all_ranks(Side::rail, std::move(rail)));
     std::vector<double> result(n_values, 0.);
     for (std::size_t i = 0; i < wheel.size(); ++i)
       result[i] += i + n_nodes >= n_values ? -wheel[i] : wheel[i];

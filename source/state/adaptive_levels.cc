@@ -326,7 +326,7 @@ namespace RollingContact
                          pair.displacement(side, steady.problem, steady.state),
                          steady.grading,
                          bulk_fraction);
-          pair.share(side, boxes);
+          boxes = pair.on_all_ranks(side, std::move(boxes));
           grading.boxes.insert(grading.boxes.end(), boxes.begin(), boxes.end());
         }
   }

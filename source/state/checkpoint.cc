@@ -34,17 +34,6 @@ namespace boost
     template <typename Archive>
     void
     serialize(Archive                      &archive,
-              RollingContact::BodyMotion   &motion,
-              [[maybe_unused]] unsigned int version)
-    {
-      archive &motion.displacement &motion.velocity;
-    }
-
-
-
-    template <typename Archive>
-    void
-    serialize(Archive                      &archive,
               RollingContact::Checkpoint   &checkpoint,
               [[maybe_unused]] unsigned int version)
     {

@@ -5,15 +5,20 @@
 #include "scratch_folder.h"
 #include <signal.h>
 
+#include <rolling_contact/dynamics/theta_scheme.h>
+#include <rolling_contact/interface/trace.h>
+#include <rolling_contact/parallel/broadcast.h>
 #include <rolling_contact/parallel/collective_failure.h>
 #include <rolling_contact/parallel/interrupt.h>
 #include <rolling_contact/parallel/ranks.h>
 #include <rolling_contact/run/log.h>
 #include <rolling_contact/run/run_report.h>
+#include <rolling_contact/solvers/contact_solver.h>
 #include <rolling_contact/state/checkpoint.h>
 
 #include <cmath>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <new>
 #include <thread>
@@ -125,6 +130,117 @@ BOOST_AUTO_TEST_CASE(texts_of_any_length)
       Ranks::broadcast(sent);
       BOOST_TEST((sent == text));
     }
+}
+
+
+
+// each member is compared by name: serialize() may have lost one
+BOOST_AUTO_TEST_CASE(a_solver_report_arrives_whole)
+{
+  SolverReport sent;
+  if (Ranks::rank() == last())
+    sent = {"fall-back",
+            true,
+            true,
+            "none",
+            1,
+            2,
+            3,
+            4,
+            5,
+            6,
+            {0.25, std::numeric_limits<double>::infinity()},
+            {{1., 2.}, {3., 4.}}};
+  Ranks::broadcast(sent, last());
+  BOOST_TEST(sent.solver == "fall-back");
+  BOOST_TEST(sent.used_fallback);
+  BOOST_TEST(sent.converged);
+  BOOST_TEST(sent.reason == "none");
+  BOOST_TEST(sent.iterations == 1u);
+  BOOST_TEST(sent.normal_solves == 2u);
+  BOOST_TEST(sent.tangential_solves == 3u);
+  BOOST_TEST(sent.passes == 4u);
+  BOOST_TEST(sent.corrections == 5u);
+  BOOST_TEST(sent.friction_rounds == 6u);
+  BOOST_TEST(sent.residual.normal == 0.25);
+  BOOST_TEST(std::isinf(sent.residual.tangential));
+  BOOST_REQUIRE_EQUAL(sent.history.size(), 2u);
+  BOOST_TEST(sent.history[1].normal == 3.);
+  BOOST_TEST(sent.history[1].tangential == 4.);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(a_contact_state_arrives_whole)
+{
+  ContactState sent; // what other ranks hold is replaced, not kept
+  sent.pressure       = {7., 7., 7.};
+  sent.edges          = {{}, {}};
+  sent.edge_law       = true;
+  sent.holds_friction = Ranks::rank() != last();
+  if (Ranks::rank() == last())
+    sent = {{1., 0., 3.},
+            NodalField(1, std::vector<double>{-0.5, 0.5}),
+            2e-4,
+            {{17, 1.5, 0.25, {{0.125, -2.}}}},
+            false,
+            {0.3, 0.2},
+            false};
+  Ranks::broadcast(sent, last());
+  BOOST_TEST((sent.pressure == std::vector<double>{1., 0., 3.}));
+  BOOST_TEST((sent.traction.values() == std::vector<double>{-0.5, 0.5}));
+  BOOST_TEST(sent.traction.n_components() == 2u);
+  BOOST_TEST(sent.approach == 2e-4);
+  BOOST_REQUIRE_EQUAL(sent.edges.size(), 1u);
+  BOOST_TEST(sent.edges[0].first == 17u);
+  BOOST_TEST(sent.edges[0].a == 1.5);
+  BOOST_TEST(sent.edges[0].b == 0.25);
+  BOOST_TEST((sent.edges[0].c == std::array<double, 2>{{0.125, -2.}}));
+  BOOST_TEST(!sent.edge_law);
+  BOOST_TEST((sent.friction == std::vector<double>{0.3, 0.2}));
+  BOOST_TEST(!sent.holds_friction);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(parts_of_bodies_arrive_whole)
+{
+  DenseMatrix W = Ranks::rank() == last() ? DenseMatrix(2, 3) : DenseMatrix();
+  if (Ranks::rank() == last())
+    for (unsigned int i = 0; i < 6; ++i)
+      W.data()[i] = i;
+  Ranks::broadcast(W, last());
+  BOOST_TEST(W.n_rows() == 2u);
+  BOOST_TEST(W.n_columns() == 3u);
+  BOOST_TEST(W(1, 2) == 5.);
+
+  StepEnergy energy;
+  if (Ranks::rank() == last())
+    energy = {1., 2., 3., 4., 5., 6., 7.};
+  Ranks::broadcast(energy, last());
+  BOOST_TEST(energy.kinetic == 1.);
+  BOOST_TEST(energy.strain == 2.);
+  BOOST_TEST(energy.contact_work == 3.);
+  BOOST_TEST(energy.load_work == 4.);
+  BOOST_TEST(energy.damping == 5.);
+  BOOST_TEST(energy.numerical_dissipation == 6.);
+  BOOST_TEST(energy.balance_error == 7.);
+
+  Trace trace;
+  if (Ranks::rank() == last())
+    trace = {2,
+             {{{0., 1.}}, {{2., 3.}}},
+             {{{{4., 5.}}, {{6., 7.}}, {{{0, 1.}}, {{0, 0.5}, {1, 0.5}}}}}};
+  Ranks::broadcast(trace, last());
+  BOOST_TEST(trace.n_dimensions == 2u);
+  BOOST_REQUIRE_EQUAL(trace.nodes.size(), 2u);
+  BOOST_TEST(trace.nodes[1][1] == 3.);
+  BOOST_REQUIRE_EQUAL(trace.cells.size(), 1u);
+  BOOST_TEST(trace.cells[0].lower[1] == 5.);
+  BOOST_TEST(trace.cells[0].upper[0] == 6.);
+  BOOST_REQUIRE_EQUAL(trace.cells[0].corners.size(), 2u);
+  BOOST_TEST(trace.cells[0].corners[1][1].first == 1u);
+  BOOST_TEST(trace.cells[0].corners[1][1].second == 0.5);
 }
 
 

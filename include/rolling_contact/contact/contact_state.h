@@ -18,6 +18,22 @@ namespace RollingContact
     bool                edge_law = true;        ///< if B1 has one
     std::vector<double> friction;               ///< mu it was solved with
     bool                holds_friction = false; ///< mu stays, whatever the slip
+
+    /** For Boost.Serialization. A member not listed here does not compile. */
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      auto &[pressure,
+             traction,
+             approach,
+             edges,
+             edge_law,
+             friction,
+             holds_friction] = *this;
+      archive &pressure &traction &approach &edges &edge_law &friction
+        &holds_friction;
+    }
   };
 } // namespace RollingContact
 

@@ -22,13 +22,12 @@ namespace RollingContact
     double                b     = 0.;
     std::array<double, 2> c{{0., 0.}}; ///< for each tangential component
 
-    /**
-     * For Boost.Serialization.
-     */
+    /** For Boost.Serialization. A member not listed here does not compile. */
     template <typename Archive>
     void
-    serialize(Archive &archive, const unsigned int /*version*/)
+    serialize(Archive &archive, const unsigned int)
     {
+      auto &[first, a, b, c] = *this;
       archive &first &a &b &c;
     }
   };

@@ -125,6 +125,15 @@ namespace RollingContact
      */
     double
     worst() const;
+
+    /** For Boost.Serialization. A member not listed here does not compile. */
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      auto &[normal, tangential] = *this;
+      archive &normal &tangential;
+    }
   };
 
   NaturalResidual

@@ -17,6 +17,15 @@ namespace RollingContact
   {
     std::vector<double> displacement;
     std::vector<double> velocity;
+
+    /** For Boost.Serialization. A member not listed here does not compile. */
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      auto &[displacement, velocity] = *this;
+      archive &displacement &velocity;
+    }
   };
 
   /**

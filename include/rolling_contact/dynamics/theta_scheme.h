@@ -66,6 +66,22 @@ namespace RollingContact
     double numerical_dissipation = 0.; ///< (theta - 1/2)(|dv|_M^2 + |du|_K^2)
     double balance_error         = 0.;
 
+    /** For Boost.Serialization. A member not listed here does not compile. */
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      auto &[kinetic,
+             strain,
+             contact_work,
+             load_work,
+             damping,
+             numerical_dissipation,
+             balance_error] = *this;
+      archive &kinetic &strain &contact_work &load_work &damping
+        &numerical_dissipation &balance_error;
+    }
+
     /**
      * Add the energies that K takes part in, from u1^T K u1 and v_th^T K du.
      */

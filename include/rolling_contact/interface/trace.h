@@ -20,6 +20,15 @@ namespace RollingContact
     {
       std::array<double, 2>        lower{}, upper{};
       std::vector<SparseRows::Row> corners; ///< x fastest
+
+      /** For Boost.Serialization. A member not listed here does not compile. */
+      template <typename Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        auto &[lower, upper, corners] = *this;
+        archive &lower &upper &corners;
+      }
     };
 
     unsigned int                       n_dimensions = 1;
@@ -44,6 +53,15 @@ namespace RollingContact
      */
     std::vector<bool>
     border_nodes() const;
+
+    /** For Boost.Serialization. A member not listed here does not compile. */
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      auto &[n_dimensions, nodes, cells] = *this;
+      archive &n_dimensions &nodes &cells;
+    }
   };
 } // namespace RollingContact
 

@@ -76,6 +76,14 @@ namespace RollingContact
       return values.capacity() * sizeof(double);
     }
 
+    /** For Boost.Serialization. */
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &rows &columns &values;
+    }
+
   private:
     std::size_t         rows    = 0;
     std::size_t         columns = 0;

@@ -199,6 +199,14 @@ namespace RollingContact
       archive &nodes &all;
     }
 
+    /** For Boost.Serialization. */
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &nodes &all;
+    }
+
   private:
     std::size_t         nodes = 0;
     std::vector<double> all;

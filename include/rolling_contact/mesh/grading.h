@@ -19,6 +19,15 @@ namespace RollingContact
   {
     dealii::Point<dim> lower, upper;
     double             size;
+
+    /** For Boost.Serialization. A member not listed here does not compile. */
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      auto &[lower, upper, size] = *this;
+      archive &lower &upper &size;
+    }
   };
 
   /**

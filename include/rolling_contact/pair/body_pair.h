@@ -5,6 +5,7 @@
 #include <rolling_contact/interface/surface_coupling.h>
 #include <rolling_contact/interface/trace.h>
 #include <rolling_contact/pair/mesh_file_coupling.h>
+#include <rolling_contact/parallel/broadcast.h>
 #include <rolling_contact/scene/scene_parameters.h>
 
 #include <memory>
@@ -64,22 +65,18 @@ namespace RollingContact
     release_statics();
 
     /**
-     * Of energies of the bodies on this rank, those of the pair, on all.
+     * Give all ranks the @p object of the rank of a body, such as its motion.
+     * Distributed and rigid bodies have it on all ranks already, and nothing is
+     * sent. Collective.
      */
-    StepEnergy
-    summed(const StepEnergy &here) const;
-
-    /**
-     * A motion from the ranks that hold the body, on all.
-     */
-    BodyMotion
-    shared(const Side side, BodyMotion motion) const;
-
-    /**
-     * The same for boxes found on the body.
-     */
-    void
-    share(const Side side, std::vector<RefinedBox<dim>> &boxes) const;
+    template <typename Object>
+    Object
+    on_all_ranks(const Side side, Object object) const
+    {
+      if (solver == BodySolver::direct && is_elastic(side))
+        Ranks::broadcast(object, rank_of(side));
+      return object;
+    }
 
     /**
      * False for a rigid body.

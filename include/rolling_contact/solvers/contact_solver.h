@@ -41,6 +41,28 @@ namespace RollingContact
      */
     void
     add_work(const SolverReport &part);
+
+    /** For Boost.Serialization. A member not listed here does not compile. */
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      auto &[solver,
+             used_fallback,
+             converged,
+             reason,
+             iterations,
+             normal_solves,
+             tangential_solves,
+             passes,
+             corrections,
+             friction_rounds,
+             residual,
+             history] = *this;
+      archive &solver &used_fallback &converged &reason &iterations
+        &normal_solves &tangential_solves &passes &corrections &friction_rounds
+          &residual &history;
+    }
   };
 
   /**
