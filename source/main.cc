@@ -193,7 +193,7 @@ namespace RollingContact
       catch (...)
         {
           const Failure failure = current_failure();
-          Ranks::all_failed(failure.code);
+          Ranks::all_ranks_failed(failure.code);
           finish(failure.status);
           throw;
         }
@@ -263,7 +263,7 @@ main(int argc, char *argv[])
   int code = static_cast<int>(ExitCode::converged);
   try
     {
-      Ranks::end_all_on_terminate();
+      Ranks::abort_all_ranks_on_terminate();
       // In a process that was not launched MPI_Init_thread and MPI_Finalize
       // take 0.35 s, 0.05 s of it CPU, as does deal.II's MPI_InitFinalize;
       // --version without them takes 0.2 s.

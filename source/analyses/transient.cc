@@ -48,13 +48,13 @@ namespace RollingContact
       }
     catch (const Interrupted &)
       {
-        if (Ranks::all_failed(ExitCode::not_converged))
+        if (Ranks::all_ranks_failed(ExitCode::not_converged))
           output.write_checkpoint(stepper, progress, files);
         throw;
       }
     catch (const ConvergenceError &)
       {
-        if (Ranks::all_failed(ExitCode::not_converged))
+        if (Ranks::all_ranks_failed(ExitCode::not_converged))
           {
             output.write_fields(stepper, progress, true);
             output.write_checkpoint(stepper, progress, files);

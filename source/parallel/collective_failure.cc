@@ -15,29 +15,29 @@ namespace RollingContact
   {
     namespace
     {
-      /** For the others to fail too, and to come back from their last files. */
+      /** Time for other ranks to fail too, and to write their last files. */
       constexpr double seconds_to_fail  = 3.;
       constexpr double seconds_to_close = 300.;
 
-      enum class Meeting
+      enum class Consensus
       {
-        not_held,
-        all_alike,
-        all_different, ///< all failed, each for its own reason
-        not_all
+        not_sought,
+        same_failure,
+        different_failures, ///< all ranks failed, not all with the same code
+        single_failure      ///< some ranks did not fail
       };
 
-      MPI_Comm meeting_place = MPI_COMM_NULL;
-      Meeting  meeting       = Meeting::not_held;
+      MPI_Comm  consensus_communicator = MPI_COMM_NULL;
+      Consensus consensus              = Consensus::not_sought;
 
 
 
-      /** Whether all ranks come here within that time. */
+      /** Whether all ranks reach this barrier within that time. */
       bool
-      all_come(const double seconds)
+      all_ranks_arrive(const double seconds)
       {
         MPI_Request request;
-        MPI_Ibarrier(meeting_place, &request);
+        MPI_Ibarrier(consensus_communicator, &request);
         const Stopwatch watch;
         for (int done = 0; watch.seconds() < seconds;)
           {
@@ -51,23 +51,25 @@ namespace RollingContact
 
 
 
-      Meeting
-      meet(const ExitCode code)
+      Consensus
+      seek_consensus(const ExitCode code)
       {
-        // one after the other: the first one speaks for all that failed
-        const double own_turn = 2. * rank() / count();
-        if (!all_come(seconds_to_fail + own_turn))
-          return Meeting::not_all;
+        // staggered by rank, so that the first to give up can report for all
+        // that failed
+        const double stagger = 2. * rank() / count();
+        if (!all_ranks_arrive(seconds_to_fail + stagger))
+          return Consensus::single_failure;
         int codes[2] = {static_cast<int>(code), -static_cast<int>(code)};
-        MPI_Allreduce(MPI_IN_PLACE, codes, 2, MPI_INT, MPI_MAX, meeting_place);
-        return codes[0] == -codes[1] ? Meeting::all_alike
-                                     : Meeting::all_different;
+        MPI_Allreduce(
+          MPI_IN_PLACE, codes, 2, MPI_INT, MPI_MAX, consensus_communicator);
+        return codes[0] == -codes[1] ? Consensus::same_failure
+                                     : Consensus::different_failures;
       }
 
 
 
       std::string
-      own_name()
+      name_of_this_rank()
       {
         return "rank " + std::to_string(rank()) + " of " +
                std::to_string(count()) + ": ";
@@ -76,21 +78,22 @@ namespace RollingContact
 
 
       void
-      say(const std::string &message)
+      print_failure(const std::string &message)
       {
         std::cerr << wrapped("rolling-contact: " + message) << std::endl;
       }
 
 
 
-      /** To the other ranks that failed: one message is enough. */
+      /** Tell the other ranks that failed that this one prints the message. */
       void
-      take_the_word()
+      claim_report()
       {
         for (unsigned int other = 0; other < count(); ++other)
           {
             MPI_Request request;
-            MPI_Isend(nullptr, 0, MPI_INT, other, 0, meeting_place, &request);
+            MPI_Isend(
+              nullptr, 0, MPI_INT, other, 0, consensus_communicator, &request);
             MPI_Request_free(&request);
           }
       }
@@ -98,29 +101,34 @@ namespace RollingContact
 
 
       bool
-      another_has_the_word()
+      another_rank_reports()
       {
-        int has = 0;
-        MPI_Iprobe(MPI_ANY_SOURCE, 0, meeting_place, &has, MPI_STATUS_IGNORE);
-        return has != 0;
+        int claimed = 0;
+        MPI_Iprobe(MPI_ANY_SOURCE,
+                   0,
+                   consensus_communicator,
+                   &claimed,
+                   MPI_STATUS_IGNORE);
+        return claimed != 0;
       }
 
 
 
-      /** This rank failed and others did not, or not in time. */
+      /** End all ranks if this one failed and others did not, or not in time.
+       */
       void
-      end_all(const ExitCode code, const std::string &message)
+      abort_all_ranks(const ExitCode code, const std::string &message)
       {
-        if (another_has_the_word())
-          std::this_thread::sleep_for(std::chrono::seconds(10)); // it ends us
-        take_the_word();
-        say(own_name() + message);
+        if (another_rank_reports()) // and ends this one meanwhile
+          std::this_thread::sleep_for(std::chrono::seconds(10));
+        claim_report();
+        print_failure(name_of_this_rank() + message);
         MPI_Abort(communicator(), static_cast<int>(code));
       }
 
 
 
-      /** Of the exception that is being handled, if any. */
+      /** Message of the exception that is being handled. */
       std::string
       current_message()
       {
@@ -145,7 +153,7 @@ namespace RollingContact
       {
         const std::string message = "internal error: " + current_message();
         const int         code    = static_cast<int>(ExitCode::internal_error);
-        say(count() > 1 ? own_name() + message : message);
+        print_failure(count() > 1 ? name_of_this_rank() + message : message);
         if (count() > 1)
           MPI_Abort(communicator(), code);
         std::_Exit(code);
@@ -155,21 +163,21 @@ namespace RollingContact
 
 
     void
-    prepare_common_end()
+    set_up_failure_consensus()
     {
-      MPI_Comm_dup(communicator(), &meeting_place);
+      MPI_Comm_dup(communicator(), &consensus_communicator);
     }
 
 
 
     bool
-    all_failed(const ExitCode code)
+    all_ranks_failed(const ExitCode code)
     {
-      if (meeting_place == MPI_COMM_NULL)
+      if (consensus_communicator == MPI_COMM_NULL)
         return true;
-      if (meeting == Meeting::not_held)
-        meeting = meet(code);
-      return meeting == Meeting::all_alike;
+      if (consensus == Consensus::not_sought)
+        consensus = seek_consensus(code);
+      return consensus == Consensus::same_failure;
     }
 
 
@@ -177,25 +185,26 @@ namespace RollingContact
     int
     end_failed_run(const ExitCode code, const std::string &message)
     {
-      bool alike = true;
-      if (meeting_place != MPI_COMM_NULL)
+      bool same_failure = true;
+      if (consensus_communicator != MPI_COMM_NULL)
         {
-          alike = all_failed(code);
-          if (meeting == Meeting::not_all || !all_come(seconds_to_close))
-            end_all(code, message);
+          same_failure = all_ranks_failed(code);
+          if (consensus == Consensus::single_failure ||
+              !all_ranks_arrive(seconds_to_close))
+            abort_all_ranks(code, message);
         }
       if (is_root())
-        say(alike ? message : own_name() + message);
+        print_failure(same_failure ? message : name_of_this_rank() + message);
       int exit_code = static_cast<int>(code);
-      if (meeting_place != MPI_COMM_NULL)
-        MPI_Bcast(&exit_code, 1, MPI_INT, 0, meeting_place);
+      if (consensus_communicator != MPI_COMM_NULL)
+        MPI_Bcast(&exit_code, 1, MPI_INT, 0, consensus_communicator);
       return exit_code;
     }
 
 
 
     void
-    end_all_on_terminate()
+    abort_all_ranks_on_terminate()
     {
       std::set_terminate(&end_terminated_run);
     }

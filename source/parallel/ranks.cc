@@ -164,7 +164,7 @@ namespace RollingContact
       int provided = 0;
       MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided);
       started_here = true;
-      prepare_common_end();
+      set_up_failure_consensus();
       const unsigned int expected = launched_size();
       if (expected > 0 && expected != count())
         throw InputError(

@@ -456,7 +456,7 @@ BOOST_AUTO_TEST_SUITE(terminated_rank)
 
 BOOST_AUTO_TEST_CASE(the_others_do_not_wait)
 {
-  Ranks::end_all_on_terminate();
+  Ranks::abort_all_ranks_on_terminate();
   if (Ranks::rank() == last())
     std::thread([]() { throw std::runtime_error("lost in a thread"); }).join();
   Ranks::sum(1.);
@@ -469,7 +469,7 @@ BOOST_AUTO_TEST_SUITE(alike_failures)
 
 BOOST_AUTO_TEST_CASE(one_code_one_message)
 {
-  BOOST_TEST(Ranks::all_failed(ExitCode::not_converged));
+  BOOST_TEST(Ranks::all_ranks_failed(ExitCode::not_converged));
   std::ostringstream    errors;
   std::streambuf *const old = std::cerr.rdbuf(errors.rdbuf());
   const int code = Ranks::end_failed_run(ExitCode::not_converged, "diverged");
@@ -488,7 +488,7 @@ BOOST_AUTO_TEST_CASE(the_root_speaks_for_itself)
   const bool     several = Ranks::count() > 1;
   const ExitCode own =
     Ranks::is_root() ? ExitCode::input_error : ExitCode::internal_error;
-  BOOST_TEST(Ranks::all_failed(own) == !several);
+  BOOST_TEST(Ranks::all_ranks_failed(own) == !several);
   std::ostringstream    errors;
   std::streambuf *const old = std::cerr.rdbuf(errors.rdbuf());
   const int code = Ranks::end_failed_run(own, std::to_string(Ranks::rank()));

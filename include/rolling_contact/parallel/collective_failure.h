@@ -9,38 +9,41 @@ namespace RollingContact
 {
   /**
    * How a run of several ranks ends when something is thrown: with one message
-   * and one exit code, never waiting for a rank that does not come. A failure
-   * all ranks have (a wrong entry, a solve that does not converge) is told
-   * apart from that of a single one (its memory, its disk) by meeting: the
-   * ranks that failed wait a few seconds for the others.
+   * and one exit code, and no rank left waiting for another. Ranks that fail
+   * reach a consensus: they wait a few seconds for each other to find out
+   * whether all failed (a wrong entry, a solve that does not converge) or only
+   * some (out of memory, a full disk).
    */
   namespace Ranks
   {
-    /** By start(): the meeting has its own communicator. Collective. */
+    /** Make the communicator of the consensus, which other messages must not
+     * disturb. Called by start(). Collective. */
     void
-    prepare_common_end();
+    set_up_failure_consensus();
 
     /**
-     * Whether all ranks failed, with the same exit code. Waits at most about 3
-     * s for the others, once: the answer stays. To be asked where an exception
-     * is caught and before anything that takes long or needs the other ranks.
+     * Whether all ranks failed, with the same exit code. The first call waits
+     * for the other ranks, about 3 s at most; later calls return the same
+     * result at once. Call it where an exception is caught, before anything
+     * that takes long or is collective.
      */
     bool
-    all_failed(const ExitCode code);
+    all_ranks_failed(const ExitCode code);
 
     /**
-     * Says what went wrong, on std::cerr, once: by the root if all failed,
-     * after it wrote what is worth keeping. Returns the exit code, the same on
-     * all ranks. If only some failed, one of them names itself and ends the
-     * others with MPI_Abort.
+     * End a failed run after all_ranks_failed(), which is called if need be.
+     * If all ranks failed, the root prints its @p message on std::cerr once the
+     * others have come here too, and all ranks return the root's exit code. If
+     * only some failed, one of them prints its message with its rank and ends
+     * all ranks by MPI_Abort.
      */
     int
     end_failed_run(const ExitCode code, const std::string &message);
 
-    /** From here on std::terminate() says why and ends all ranks, exit code 3:
-     * an exception in a thread or a destructor must not leave them waiting. */
+    /** From here on std::terminate(), after an exception in a thread or a
+     * destructor, prints the reason and ends all ranks with exit code 3. */
     void
-    end_all_on_terminate();
+    abort_all_ranks_on_terminate();
   } // namespace Ranks
 } // namespace RollingContact
 
