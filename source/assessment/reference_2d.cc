@@ -107,7 +107,7 @@ namespace RollingContact
                                                  constants.relative_radius,
                                                  constants.contact_modulus),
                           {},
-                          steady.pair->twins(),
+                          steady.pair->bodies().twins(),
                           {}};
     if (std::abs(constants.dundurs_beta) < 1e-12 &&
         steady.problem.n_tangential() > 0 && !steady.problem.loads.friction_law)

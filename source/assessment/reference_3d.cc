@@ -1,9 +1,6 @@
 #include <rolling_contact/assessment/reference_3d.h>
-#include <rolling_contact/references/contact_modulus.h>
 #include <rolling_contact/references/fastsim.h>
 #include <rolling_contact/state/steady_state.h>
-
-#include <limits>
 
 namespace RollingContact
 {
@@ -79,20 +76,13 @@ namespace RollingContact
                const Creepages       &creepages)
   {
     const PairConstants constants = pair_constants(scene);
-    const auto          modulus   = [](const BodyParameters &body) {
-      return body.rigid ? std::numeric_limits<double>::infinity()
-                                   : body.material.young_modulus;
-    };
-    const Conditions conditions{
+    const Conditions    conditions{
       creepages,
       References::hertz_ellipse(normal_force,
                                 0.5 / constants.relative_radius,
                                 0.5 / constants.lateral_relative_radius,
                                 constants.contact_modulus),
-      References::combined_elasticity(modulus(scene.wheel),
-                                      scene.wheel.material.poisson_ratio,
-                                      modulus(scene.rail),
-                                      scene.rail.material.poisson_ratio),
+      constants.elasticity,
       scene.contact.friction_coefficient,
       scene.contact.flow()};
     const bool is_constant = scene.contact.friction_coefficient > 0. &&

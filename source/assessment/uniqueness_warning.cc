@@ -27,9 +27,6 @@ namespace RollingContact
   {
     if (worst.n_above == 0)
       return;
-    const auto millimetres = [](const double length) {
-      return significant(1e3 * length, 3) + " mm";
-    };
     const std::string what =
       in_time
         ? "Steps of which friction and sliding speed may have several "

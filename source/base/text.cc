@@ -97,6 +97,14 @@ namespace RollingContact
 
 
   std::string
+  millimetres(const double length, const unsigned int digits)
+  {
+    return significant(1e3 * length, digits) + " mm";
+  }
+
+
+
+  std::string
   human_bytes(const double bytes)
   {
     const std::array<const char *, 6> units{"B", "kB", "MB", "GB", "TB", "PB"};

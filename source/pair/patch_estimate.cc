@@ -1,5 +1,4 @@
 #include <rolling_contact/pair/patch_estimate.h>
-#include <rolling_contact/references/contact_modulus.h>
 #include <rolling_contact/references/hertz_ellipse.h>
 #include <rolling_contact/references/hertz_line.h>
 #include <rolling_contact/references/line_contact_approach.h>
@@ -11,6 +10,9 @@ namespace RollingContact
 {
   namespace
   {
+    /**
+     * E in Pa, infinite for a rigid body.
+     */
     double
     young_modulus(const BodyParameters &body)
     {
@@ -45,8 +47,8 @@ namespace RollingContact
 
 
     /**
-     * What an estimate may reach: the relative radius and the size of the
-     * bodies.
+     * Largest half-width of the patch to look for: no larger than the relative
+     * radius and the bodies. Units: m.
      */
     double
     largest_half_width(const SceneParameters &scene,
@@ -66,12 +68,16 @@ namespace RollingContact
   pair_constants(const SceneParameters &scene)
   {
     const BodyParameters &wheel = scene.wheel, &rail = scene.rail;
-    PairConstants         constants;
+    const double E_wheel = young_modulus(wheel), E_rail = young_modulus(rail),
+                 nu_wheel = wheel.material.poisson_ratio,
+                 nu_rail  = rail.material.poisson_ratio;
+    PairConstants constants;
     constants.contact_modulus =
-      References::contact_modulus(young_modulus(wheel),
-                                  wheel.material.poisson_ratio,
-                                  young_modulus(rail),
-                                  rail.material.poisson_ratio);
+      References::contact_modulus(E_wheel, nu_wheel, E_rail, nu_rail);
+    constants.elasticity =
+      References::combined_elasticity(E_wheel, nu_wheel, E_rail, nu_rail);
+    constants.dundurs_beta =
+      References::dundurs_beta(E_wheel, nu_wheel, E_rail, nu_rail);
     constants.relative_radius =
       References::relative_radius(finite_or_flat(wheel.radius),
                                   finite_or_flat(rail.radius));
@@ -79,14 +85,6 @@ namespace RollingContact
       constants.lateral_relative_radius =
         References::relative_radius(finite_or_flat(wheel.lateral_radius),
                                     finite_or_flat(rail.lateral_radius));
-    const auto share = [](const BodyParameters &body, const double factor) {
-      return body.rigid ? 0. : factor / body.material.shear_modulus();
-    };
-    const double nu_w = wheel.material.poisson_ratio,
-                 nu_r = rail.material.poisson_ratio;
-    constants.dundurs_beta =
-      0.5 * (share(wheel, 1 - 2 * nu_w) - share(rail, 1 - 2 * nu_r)) /
-      (share(wheel, 1 - nu_w) + share(rail, 1 - nu_r));
     return constants;
   }
 

@@ -37,6 +37,23 @@ namespace RollingContact::References
   }
 
   double
+  dundurs_beta(const double young_modulus_1,
+               const double poisson_ratio_1,
+               const double young_modulus_2,
+               const double poisson_ratio_2)
+  {
+    check_pair(young_modulus_1,
+               poisson_ratio_1,
+               young_modulus_2,
+               poisson_ratio_2);
+    const double G1 = young_modulus_1 / (2 * (1 + poisson_ratio_1)),
+                 G2 = young_modulus_2 / (2 * (1 + poisson_ratio_2));
+    return 0.5 *
+           ((1 - 2 * poisson_ratio_1) / G1 - (1 - 2 * poisson_ratio_2) / G2) /
+           ((1 - poisson_ratio_1) / G1 + (1 - poisson_ratio_2) / G2);
+  }
+
+  double
   relative_radius(const double radius_1, const double radius_2)
   {
     for (const double radius : {radius_1, radius_2})

@@ -32,17 +32,6 @@ namespace RollingContact
 
 
 
-  namespace
-  {
-    std::string
-    millimetres(const double length)
-    {
-      return significant(1e3 * length, 5) + " mm";
-    }
-  } // namespace
-
-
-
   template <int dim>
   void
   note_state(const SceneParameters  &scene,
@@ -54,16 +43,16 @@ namespace RollingContact
       {
         report.set_finding("load",
                            "N = 0 at an approach of " +
-                             millimetres(steady.state.approach) +
+                             millimetres(steady.state.approach, 5) +
                              ": the bodies do not touch");
         return;
       }
     report.set_finding(
       "load",
       "N = " + significant(result.normal_force, 6) + " N at an approach of " +
-        millimetres(steady.state.approach) + "; peak pressure " +
+        millimetres(steady.state.approach, 5) + "; peak pressure " +
         significant(1e-6 * result.max_pressure, 5) + " MPa, half-width " +
-        millimetres(result.half_width_x) + ", " +
+        millimetres(result.half_width_x, 5) + ", " +
         std::to_string(result.n_touching) + " nodes touch");
     if (result.friction_force <= 0.)
       return;

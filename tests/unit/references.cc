@@ -25,6 +25,17 @@ BOOST_AUTO_TEST_SUITE(references)
 
 BOOST_AUTO_TEST_SUITE(moduli)
 
+// body 1 is drawn towards the middle of the patch more: positive
+BOOST_AUTO_TEST_CASE(sign_of_dundurs_constant)
+{
+  BOOST_TEST(dundurs_beta(steel, 0.3, steel, 0.3) == 0);
+  BOOST_TEST(dundurs_beta(steel, 0.3, infinity, 0.3) == 0.4 / 1.4,
+             tolerance(1e-14));
+  const double beta = dundurs_beta(70e9, 0.33, 210e9, 0.3);
+  BOOST_TEST(beta == 0.1167359696, tolerance(1e-9));
+  BOOST_TEST(dundurs_beta(210e9, 0.3, 70e9, 0.33) == -beta);
+}
+
 BOOST_AUTO_TEST_CASE(equal_rigid_and_flat)
 {
   BOOST_TEST(contact_modulus(steel, 0.3, steel, 0.3) == steel / (2 * 0.91),

@@ -18,6 +18,12 @@ namespace RollingContact
   scientific(double value, unsigned int digits);
 
   /**
+   * A length in m as text in mm: "0.123 mm".
+   */
+  std::string
+  millimetres(double length, unsigned int digits = 3);
+
+  /**
    * A number of bytes as 3.1 GB, with powers of 1000.
    */
   std::string

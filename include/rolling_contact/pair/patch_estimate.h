@@ -1,14 +1,15 @@
 #ifndef rolling_contact_pair_patch_estimate_h
 #define rolling_contact_pair_patch_estimate_h
 
+#include <rolling_contact/references/contact_modulus.h>
 #include <rolling_contact/scene/scene_parameters.h>
 
 namespace RollingContact
 {
   /**
-   * Size of the patch from Hertz and approximate compressions of the bodies:
-   * what the mesh is graded for before anything is solved. Zero without
-   * contact. Units: m, N.
+   * Size of the patch by Hertz, for a given approach with approximate
+   * compressions of the bodies: what the mesh is graded for before anything is
+   * solved. All members are zero if the bodies do not touch. Units: m, N.
    */
   struct PatchEstimate
   {
@@ -17,18 +18,29 @@ namespace RollingContact
     double normal_force = 0.;
   };
 
+  /**
+   * Throws InputError if the approach is more than the bodies allow.
+   */
   PatchEstimate
   estimate_patch(const SceneParameters &scene);
 
   /**
-   * Contact modulus E* and relative radius R of the pair. Units: Pa, m.
+   * Constants of Hertzian and tangential contact of wheel and rail, a rigid one
+   * with infinite moduli. Units: Pa, m.
    */
   struct PairConstants
   {
-    double contact_modulus         = 0.;
+    double contact_modulus         = 0.; ///< E*
     double relative_radius         = 0.; ///< in the rolling direction
     double lateral_relative_radius = 0.; ///< 3D
-    double dundurs_beta = 0.; ///< 0 if normal and tangential problem uncouple
+    References::CombinedElasticity elasticity{0., 0.};
+
+    /**
+     * References::dundurs_beta() with the wheel as body 1: positive if the
+     * wheel has the larger (1 - 2 nu)/G, zero if normal and tangential problem
+     * are uncoupled.
+     */
+    double dundurs_beta = 0.;
   };
 
   PairConstants
