@@ -12,7 +12,7 @@ namespace RollingContact
       InertialRolling(const SceneParameters  &scene,
                       const RollingPair<dim> &pair)
         : pair(pair)
-        , n_threads(pair.n_threads())
+        , n_threads(pair.bodies().n_threads())
         , theta(scene.time.theta)
         , shifted(scene.time.contact_law == ContactLaw::shifted)
       {
@@ -22,16 +22,16 @@ namespace RollingContact
         const MassKind    mass = scene.time.mass;
         for_both_bodies(
           n_threads,
-          [&]() { bodies[0] = pair.in_time(Side::wheel, scheme, mass); },
+          [&]() { bodies.wheel = pair.in_time(Side::wheel, scheme, mass); },
           [&]() {
-            if (!pair.twins())
-              bodies[1] = pair.in_time(Side::rail, scheme, mass);
+            if (!pair.bodies().twins())
+              bodies.rail = pair.in_time(Side::rail, scheme, mass);
           });
-        if (pair.twins())
-          bodies[1] = bodies[0]->clone_state();
+        if (pair.bodies().twins())
+          bodies.rail = bodies.wheel->clone_state();
         // the initial velocity of a free wheel
-        if (bodies[0])
-          bodies[0]->set_flight_velocity(-scene.time.initial_velocity);
+        if (bodies.wheel)
+          bodies.wheel->set_flight_velocity(-scene.time.initial_velocity);
       }
 
       void
@@ -50,11 +50,11 @@ namespace RollingContact
       DenseMatrix
       compliance() const override
       {
-        const auto of = [&](const std::unique_ptr<BodyDynamics> &body) {
-          return body ? body->contact_compliance() : DenseMatrix();
-        };
-        return pair.combined(of(bodies[0]),
-                             pair.twins() ? DenseMatrix() : of(bodies[1]));
+        PerSide<DenseMatrix> W;
+        for (const Side side : both_sides)
+          if (bodies[side] && pair.bodies().has_own_body(side))
+            W[side] = bodies[side]->contact_compliance();
+        return pair.pair_compliance(std::move(W));
       }
 
       double
@@ -96,12 +96,11 @@ namespace RollingContact
         std::vector<std::vector<double>> result;
         for (const std::vector<double> &load : forces)
           {
-            std::vector<double> answers[2];
+            PerSide<std::vector<double>> motion;
             for_each([&](BodyDynamics &body, const Side side) {
-              answers[static_cast<int>(side)] =
-                body.response(pair.on_body(side, load));
+              motion[side] = body.response(pair.forces_on_body(side, load));
             });
-            result.push_back(pair.relative(answers[0], answers[1]));
+            result.push_back(pair.relative_motion(std::move(motion)));
           }
         return result;
       }
@@ -111,7 +110,8 @@ namespace RollingContact
                const ContactState   &state) override
       {
         for_each([&](BodyDynamics &body, const Side side) {
-          body.end_step(pair.on_body(side, nodal_forces(problem, state)));
+          body.end_step(
+            pair.forces_on_body(side, nodal_forces(problem, state)));
         });
         return energy();
       }
@@ -120,9 +120,10 @@ namespace RollingContact
       start_from(const ContactProblem &problem,
                  const ContactState   &state) override
       {
-        for (const Side side : {Side::wheel, Side::rail})
-          if (auto &body = bodies[static_cast<int>(side)])
-            body->set_static_state(pair.displacement(side, problem, state));
+        for (const Side side : both_sides)
+          if (bodies[side])
+            bodies[side]->set_static_state(
+              pair.displacement(side, problem, state));
       }
 
       double
@@ -136,8 +137,8 @@ namespace RollingContact
       memory_consumption() const override
       {
         BodyDynamics::Memory sum;
-        for (unsigned int side = 0; side < (pair.twins() ? 1 : 2); ++side)
-          if (bodies[side])
+        for (const Side side : both_sides)
+          if (bodies[side] && pair.bodies().has_own_body(side))
             {
               const BodyDynamics::Memory part =
                 bodies[side]->memory_consumption();
@@ -152,9 +153,9 @@ namespace RollingContact
       description() const override
       {
         std::string text;
-        for (const Side side : {Side::wheel, Side::rail})
+        for (const Side side : both_sides)
           {
-            const auto &body = bodies[static_cast<int>(side)];
+            const auto &body = bodies[side];
             if (body && !body->description().empty())
               text += (text.empty() ? "" : "; ") + name_of(side) + ": " +
                       body->description();
@@ -167,7 +168,7 @@ namespace RollingContact
                    const ContactProblem &,
                    const ContactState &) const override
       {
-        const auto &body = bodies[static_cast<int>(side)];
+        const auto &body = bodies[side];
         return body ? body->displacement() : BodyField();
       }
 
@@ -187,8 +188,9 @@ namespace RollingContact
       save() const override
       {
         const auto motion = [&](const Side side) {
-          const auto &body = bodies[static_cast<int>(side)];
-          return pair.on_all_ranks(side, body ? body->save() : BodyMotion());
+          const auto &body = bodies[side];
+          return pair.bodies().on_all_ranks(side,
+                                            body ? body->save() : BodyMotion());
         };
         PairMotion saved;
         saved.wheel = motion(Side::wheel);
@@ -214,11 +216,12 @@ namespace RollingContact
       energy() const
       {
         StepEnergy sum;
-        for (const Side side : {Side::wheel, Side::rail})
+        for (const Side side : both_sides)
           {
-            const auto      &body = bodies[static_cast<int>(side)];
+            const auto      &body = bodies[side];
             const StepEnergy part =
-              pair.on_all_ranks(side, body ? body->energy() : StepEnergy());
+              pair.bodies().on_all_ranks(side,
+                                         body ? body->energy() : StepEnergy());
             sum.kinetic += part.kinetic;
             sum.strain += part.strain;
             sum.add_changes(part);
@@ -233,12 +236,12 @@ namespace RollingContact
         for_both_bodies(
           n_threads,
           [&]() {
-            if (bodies[0])
-              action(*bodies[0], Side::wheel);
+            if (bodies.wheel)
+              action(*bodies.wheel, Side::wheel);
           },
           [&]() {
-            if (bodies[1])
-              action(*bodies[1], Side::rail);
+            if (bodies.rail)
+              action(*bodies.rail, Side::rail);
           });
       }
 
@@ -246,18 +249,19 @@ namespace RollingContact
       std::vector<double>
       relative(const Quantity &quantity) const
       {
-        const auto of = [&](const std::unique_ptr<BodyDynamics> &body) {
-          return body ? quantity(*body) : std::vector<double>();
-        };
-        return pair.relative(of(bodies[0]), of(bodies[1]));
+        PerSide<std::vector<double>> motion;
+        for (const Side side : both_sides)
+          if (bodies[side])
+            motion[side] = quantity(*bodies[side]);
+        return pair.relative_motion(std::move(motion));
       }
 
-      const RollingPair<dim>       &pair;
-      const unsigned int            n_threads;
-      const double                  theta;
-      const bool                    shifted;
-      std::unique_ptr<BodyDynamics> bodies[2];
-      double                        h = 0.;
+      const RollingPair<dim>                &pair;
+      const unsigned int                     n_threads;
+      const double                           theta;
+      const bool                             shifted;
+      PerSide<std::unique_ptr<BodyDynamics>> bodies;
+      double                                 h = 0.;
     };
   } // namespace
 

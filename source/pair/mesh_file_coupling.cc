@@ -30,14 +30,6 @@ namespace RollingContact
 
 
     std::string
-    millimetres(const double length)
-    {
-      return significant(1e3 * length, 3) + " mm";
-    }
-
-
-
-    std::string
     place(const double x, const double y)
     {
       return "x = " + millimetres(x) + ", y = " + millimetres(y);
@@ -329,10 +321,10 @@ namespace RollingContact
 
   FileSurface
   couple_to_interface(const SceneParameters &scene,
-                      const bool             is_wheel,
+                      const Side             side,
                       const Trace           &interface)
   {
-    const BodyParameters &body = is_wheel ? scene.wheel : scene.rail;
+    const BodyParameters &body = scene.body(side);
     const auto            mesh = body.mesh;
     const Box             zone = box_of(interface);
     FileSurface           result;
@@ -365,12 +357,12 @@ namespace RollingContact
 
   void
   check_resolution(const SceneParameters &scene,
-                   const bool             is_wheel,
+                   const Side             side,
                    const FileSurface     &surface,
                    const double           element_size_x,
                    const double           element_size_y)
   {
-    const BodyParameters &body = is_wheel ? scene.wheel : scene.rail;
+    const BodyParameters &body = scene.body(side);
     const auto            check =
       [&](const double element, const double face, const std::string &entry) {
         if (element < least_element * face)

@@ -18,7 +18,9 @@ namespace RollingContact
                                 const Grading<dim>    &grading,
                                 const PairDemands     &demands,
                                 const bool             statics)
-    : BodyPair<dim>(scene, grading, demands, statics)
+    : scene(scene)
+    , body_pair(scene, grading, demands, statics)
+    , pair_interface(scene, grading, body_pair)
   {
     if (scene.contact.friction_coefficient > 0.)
       for (unsigned int d = 0; d < dim - 1; ++d)
@@ -83,47 +85,23 @@ namespace RollingContact
 
   template <int dim>
   DenseMatrix
-  RollingPair<dim>::pair_compliance()
+  RollingPair<dim>::pair_compliance(PerSide<DenseMatrix> bodies) const
   {
-    check_contact_memory(std::max({this->trace().nodes.size(),
-                                   this->nodes(Side::wheel).size(),
-                                   this->nodes(Side::rail).size()}),
-                         components.size());
-    DenseMatrix wheel, rail;
-    for_both_bodies(
-      this->n_threads(),
-      [&]() {
-        if (this->body(Side::wheel))
-          wheel = this->body(Side::wheel)
-                    ->compliance(this->nodes(Side::wheel), components);
-      },
-      [&]() {
-        if (this->body(Side::rail) && !this->twins())
-          rail = this->body(Side::rail)
-                   ->compliance(this->nodes(Side::rail), components);
-      });
-    return combined(std::move(wheel), std::move(rail));
-  }
-
-
-
-  template <int dim>
-  DenseMatrix
-  RollingPair<dim>::combined(DenseMatrix wheel, DenseMatrix rail) const
-  {
-    const std::size_t n_nodes = this->trace().nodes.size();
-    if (this->is_elastic(Side::wheel))
-      Ranks::broadcast(wheel, this->rank_of(Side::wheel));
-    if (this->is_elastic(Side::rail) && !this->twins())
-      Ranks::broadcast(rail, this->rank_of(Side::rail));
-    wheel = this->coupling(Side::wheel).to_interface(std::move(wheel));
-    rail  = this->coupling(Side::rail).to_interface(std::move(rail));
+    const std::size_t n_nodes = trace().nodes.size();
     DenseMatrix W(components.size() * n_nodes, components.size() * n_nodes);
-    if (wheel.n_rows() > 0)
-      add_compliance(wheel, true, n_nodes, W);
-    if (this->is_elastic(Side::rail) &&
-        (this->twins() ? wheel : rail).n_rows() > 0)
-      add_compliance(this->twins() ? wheel : rail, false, n_nodes, W);
+    for (const Side side : both_sides)
+      if (body_pair.has_own_body(side))
+        {
+          Ranks::broadcast(bodies[side], body_pair.rank_of(side));
+          bodies[side] =
+            pair_interface.coupling[side].to_interface(std::move(bodies[side]));
+        }
+    for (const Side side : both_sides)
+      if (body_pair.is_elastic(side))
+        add_compliance(body_pair.twins() ? bodies.wheel : bodies[side],
+                       side == Side::wheel,
+                       n_nodes,
+                       W);
     return W;
   }
 
@@ -131,20 +109,23 @@ namespace RollingContact
 
   template <int dim>
   std::vector<double>
-  RollingPair<dim>::relative(std::vector<double> wheel,
-                             std::vector<double> rail) const
+  RollingPair<dim>::relative_motion(PerSide<std::vector<double>> bodies) const
   {
-    const std::size_t n_nodes  = this->trace().nodes.size(),
+    const std::size_t n_nodes  = trace().nodes.size(),
                       n_values = components.size() * n_nodes;
-    wheel                      = this->coupling(Side::wheel)
-              .to_interface(this->on_all_ranks(Side::wheel, std::move(wheel)));
-    rail = this->coupling(Side::rail)
-             .to_interface(this->on_all_ranks(Side::rail, std::move(rail)));
     std::vector<double> result(n_values, 0.);
-    for (std::size_t i = 0; i < wheel.size(); ++i)
-      result[i] += i + n_nodes >= n_values ? -wheel[i] : wheel[i];
-    for (std::size_t i = 0; i < rail.size(); ++i)
-      result[i] -= rail[i];
+    for (const Side side : both_sides)
+      {
+        const std::vector<double> motion =
+          pair_interface.coupling[side].to_interface(
+            body_pair.on_all_ranks(side, std::move(bodies[side])));
+        for (std::size_t i = 0; i < motion.size(); ++i)
+          {
+            const bool tangential = i + n_nodes < n_values;
+            result[i] +=
+              side == Side::wheel && tangential ? motion[i] : -motion[i];
+          }
+      }
     return result;
   }
 
@@ -154,7 +135,7 @@ namespace RollingContact
   bool
   RollingPair<dim>::compliance_is_exact() const
   {
-    return this->body_solver() != BodySolver::distributed;
+    return body_pair.body_solver() != BodySolver::distributed;
   }
 
 
@@ -164,12 +145,12 @@ namespace RollingContact
     using Loads = std::vector<std::vector<double>>;
 
     /**
-     * Twins answer tangential forces with opposite, normal ones with equal
-     * motions: of each set of forces the tangential and the normal part, where
-     * there are any.
+     * The tangential and the normal part of each set of forces, one after the
+     * other: twins answer tangential forces with opposite motions, normal ones
+     * with equal motions.
      */
     Loads
-    parts_of(const Loads &forces, const std::size_t n_nodes)
+    split(const Loads &forces, const std::size_t n_nodes)
     {
       Loads parts;
       for (const std::vector<double> &load : forces)
@@ -194,39 +175,41 @@ namespace RollingContact
   std::vector<std::vector<double>>
   RollingPair<dim>::response(const Loads &forces, const bool roughly) const
   {
-    const std::size_t n_nodes = this->trace().nodes.size();
-    const auto        answers = [&](const Side side, const Loads &of) {
+    const auto displacements = [&](const Side side, const Loads &pair_forces) {
       Loads loads;
-      for (const std::vector<double> &load : of)
-        loads.push_back(on_body(side, load));
-      return this->body(side)->response(this->nodes(side),
-                                        components,
-                                        loads,
-                                        roughly);
+      for (const std::vector<double> &load : pair_forces)
+        loads.push_back(forces_on_body(side, load));
+      return body_pair.body(side)->response(pair_interface.nodes[side],
+                                            components,
+                                            loads,
+                                            roughly);
     };
     Loads result;
-    if (this->twins())
+    if (body_pair.twins())
       {
-        const Loads own = answers(Side::rail, parts_of(forces, n_nodes));
+        const Loads parts =
+          displacements(Side::rail, split(forces, trace().nodes.size()));
         for (std::size_t k = 0; k < forces.size(); ++k)
           {
             // under mirrored forces the wheel moves by -(tangential) + normal
-            std::vector<double> wheel = own[2 * k + 1], rail = wheel;
-            for (std::size_t i = 0; i < wheel.size(); ++i)
+            const std::vector<double> &tangential = parts[2 * k],
+                                      &normal     = parts[2 * k + 1];
+            PerSide<std::vector<double>> motion{normal, normal};
+            for (std::size_t i = 0; i < normal.size(); ++i)
               {
-                wheel[i] -= own[2 * k][i];
-                rail[i] += own[2 * k][i];
+                motion.wheel[i] -= tangential[i];
+                motion.rail[i] += tangential[i];
               }
-            result.push_back(relative(wheel, rail));
+            result.push_back(relative_motion(std::move(motion)));
           }
         return result;
       }
-    Loads bodies[2];
-    for (const Side side : {Side::wheel, Side::rail})
-      bodies[static_cast<int>(side)] =
-        this->body(side) ? answers(side, forces) : Loads(forces.size());
+    PerSide<Loads> motions;
+    for (const Side side : both_sides)
+      motions[side] = body_pair.body(side) ? displacements(side, forces)
+                                           : Loads(forces.size());
     for (std::size_t k = 0; k < forces.size(); ++k)
-      result.push_back(relative(bodies[0][k], bodies[1][k]));
+      result.push_back(relative_motion({motions.wheel[k], motions.rail[k]}));
     return result;
   }
 
@@ -236,7 +219,21 @@ namespace RollingContact
   ContactProblem
   RollingPair<dim>::contact_problem(const ContactParameters &contact)
   {
-    return contact_problem(contact, pair_compliance());
+    check_contact_memory(std::max({trace().nodes.size(),
+                                   pair_interface.nodes.wheel.size(),
+                                   pair_interface.nodes.rail.size()}),
+                         components.size());
+    PerSide<DenseMatrix> W;
+    const auto           condense = [&](const Side side) {
+      if (body_pair.body(side) && body_pair.has_own_body(side))
+        W[side] = body_pair.body(side)->compliance(pair_interface.nodes[side],
+                                                   components);
+    };
+    for_both_bodies(
+      body_pair.n_threads(),
+      [&]() { condense(Side::wheel); },
+      [&]() { condense(Side::rail); });
+    return contact_problem(contact, pair_compliance(std::move(W)));
   }
 
 
@@ -247,27 +244,26 @@ namespace RollingContact
                                     DenseMatrix              W) const
   {
     const bool     friction = components.size() > 1;
-    const auto    &at       = this->trace().nodes;
+    const auto    &at       = trace().nodes;
     ContactProblem problem;
     problem.operators =
       ContactOperators(at,
-                       contact_matrix(this->trace(),
+                       contact_matrix(trace(),
                                       contact.contact_matrices,
-                                      dim == 2 ? this->scene.thickness() : 1.),
+                                      dim == 2 ? scene.thickness() : 1.),
                        std::move(W),
-                       friction ? SlipOperator(this->trace(),
+                       friction ? SlipOperator(trace(),
                                                contact.slip_operator,
                                                contact.contact_matrices,
                                                contact.flow())
                                 : SlipOperator(contact.slip_operator),
-                       {!this->twins() && friction,
-                        pair_constants(this->scene).dundurs_beta});
-    const auto wheel = this->scene.wheel.body_shape(),
-               rail  = this->scene.rail.body_shape();
+                       {!body_pair.twins() && friction,
+                        pair_constants(scene).dundurs_beta});
+    const auto wheel = scene.wheel.body_shape(), rail = scene.rail.body_shape();
     const Roughness roughness(contact.roughness);
     const auto      height =
       [&](const Side side, const BodyShape &shape, const std::size_t i) {
-        const std::vector<double> &given = this->heights(side);
+        const std::vector<double> &given = pair_interface.heights[side];
         return given.empty() ? shape.surface_height(at[i][0], at[i][1])
                              : given[i];
       };
@@ -289,13 +285,14 @@ namespace RollingContact
 
   template <int dim>
   std::vector<double>
-  RollingPair<dim>::on_body(const Side side, std::vector<double> forces) const
+  RollingPair<dim>::forces_on_body(const Side          side,
+                                   std::vector<double> forces) const
   {
-    const std::size_t n_tangential = forces.size() - this->trace().nodes.size();
+    const std::size_t n_tangential = forces.size() - trace().nodes.size();
     for (std::size_t i = 0; i < forces.size(); ++i)
       if (side == Side::rail || i >= n_tangential)
         forces[i] = -forces[i];
-    return this->coupling(side).to_body(std::move(forces));
+    return pair_interface.coupling[side].to_body(std::move(forces));
   }
 
 
@@ -306,12 +303,12 @@ namespace RollingContact
                                  const ContactProblem &problem,
                                  const ContactState   &state) const
   {
-    if (!this->body(side))
+    if (!body_pair.body(side))
       return {};
-    return this->body(side)->recover(this->nodes(side),
-                                     components,
-                                     on_body(side,
-                                             nodal_forces(problem, state)));
+    return body_pair.body(side)->recover(
+      pair_interface.nodes[side],
+      components,
+      forces_on_body(side, nodal_forces(problem, state)));
   }
 
 
@@ -322,12 +319,12 @@ namespace RollingContact
                             const ThetaScheme &scheme,
                             const MassKind     mass) const
   {
-    if (!this->body(side))
+    if (!body_pair.body(side))
       return nullptr;
-    return this->body(side)->in_time(scheme,
-                                     mass,
-                                     this->nodes(side),
-                                     components);
+    return body_pair.body(side)->in_time(scheme,
+                                         mass,
+                                         pair_interface.nodes[side],
+                                         components);
   }
 
 

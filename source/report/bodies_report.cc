@@ -8,15 +8,17 @@ namespace RollingContact
   describe_factors(const SteadyState<dim> &steady, RunContext &context)
   {
     auto &objects = context.report.objects;
-    for (const Side side : {Side::wheel, Side::rail})
+    for (const Side side : both_sides)
       {
-        const bool is_twin = side == Side::rail && steady.pair->twins();
-        BuiltItem  object;
+        const bool is_twin =
+          side == Side::rail && steady.pair->bodies().twins();
+        BuiltItem object;
         object.object = name_of(side) + ": mesh, stiffness, solver";
-        object.built  = steady.pair->is_elastic(side) && !is_twin;
+        object.built  = steady.pair->bodies().is_elastic(side) && !is_twin;
         if (!object.built)
           object.reason = is_twin ? "mirror image of the wheel" : "rigid";
-        else if (const ElasticBody<dim> *body = steady.pair->body(side))
+        else if (const ElasticBody<dim> *body =
+                   steady.pair->bodies().body(side))
           {
             object.bytes   = body->solver_memory();
             object.seconds = body->assembly_seconds() + body->solver_seconds();
@@ -32,9 +34,9 @@ namespace RollingContact
   void
   describe_surfaces(const RollingPair<dim> &pair, RunContext &context)
   {
-    for (const Side side : {Side::wheel, Side::rail})
+    for (const Side side : both_sides)
       {
-        const SurfaceNote &note = pair.note_on_surface(side);
+        const SurfaceNote &note = pair.interface().note[side];
         if (!note.text.empty())
           context.log.message(note.text);
         if (!note.warning.empty())
@@ -48,13 +50,14 @@ namespace RollingContact
   void
   describe_bodies(const SteadyState<dim> &steady, RunContext &context)
   {
-    if (!steady.pair->reason_for_solver().empty())
+    if (!steady.pair->bodies().reason_for_solver().empty())
       {
-        const bool direct = steady.pair->body_solver() == BodySolver::direct;
+        const bool direct =
+          steady.pair->bodies().body_solver() == BodySolver::direct;
         const std::string choice =
           "Body solver = automatic takes " +
           std::string(direct ? "direct" : "distributed") + ": " +
-          steady.pair->reason_for_solver() + ".";
+          steady.pair->bodies().reason_for_solver() + ".";
         direct ? context.log.detail(choice) : context.log.message(choice);
       }
     describe_surfaces(*steady.pair, context);

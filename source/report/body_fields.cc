@@ -248,13 +248,13 @@ namespace RollingContact
   {
     std::vector<PvdBlock> blocks;
     unsigned int          part = 0;
-    for (const Side side : {Side::wheel, Side::rail})
-      if (steady.pair->is_elastic(side))
+    for (const Side side : both_sides)
+      if (steady.pair->bodies().is_elastic(side))
         {
           const bool        is_wheel = side == Side::wheel;
           const std::string file =
-            write_body_fields<dim>(steady.pair->body(side),
-                                   steady.pair->rank_of(side),
+            write_body_fields<dim>(steady.pair->bodies().body(side),
+                                   steady.pair->bodies().rank_of(side),
                                    displacement(side),
                                    {is_wheel,
                                     is_wheel ? -steady.state.approach : 0.},

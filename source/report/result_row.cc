@@ -170,7 +170,7 @@ namespace RollingContact
   {
     ResultsTable &table = context.results;
     table.set("level", steady.level);
-    table.set("dofs", steady.pair->n_unknowns());
+    table.set("dofs", steady.pair->bodies().n_unknowns());
     table.set("contact_nodes", steady.problem.n_nodes());
     table.set("elements_across", steady.grading.elements_across());
     table.set("patch_offset", steady.grading.offset);

@@ -316,17 +316,17 @@ namespace RollingContact
                                       Grading<dim>           &grading)
   {
     const RollingPair<dim> &pair = *steady.pair;
-    for (const Side side : {Side::wheel, Side::rail})
-      if (pair.is_elastic(side) && !(side == Side::rail && pair.twins()))
+    for (const Side side : both_sides)
+      if (pair.bodies().has_own_body(side))
         {
           std::vector<RefinedBox<dim>> boxes;
-          if (pair.body(side))
+          if (pair.bodies().body(side))
             boxes =
-              bulk_boxes(*pair.body(side),
+              bulk_boxes(*pair.bodies().body(side),
                          pair.displacement(side, steady.problem, steady.state),
                          steady.grading,
                          bulk_fraction);
-          boxes = pair.on_all_ranks(side, std::move(boxes));
+          boxes = pair.bodies().on_all_ranks(side, std::move(boxes));
           grading.boxes.insert(grading.boxes.end(), boxes.begin(), boxes.end());
         }
   }

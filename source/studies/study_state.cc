@@ -71,7 +71,7 @@ namespace RollingContact
     if (sample.converged && result.friction_force > 0.)
       sample.force = {{result.force_x / result.friction_force,
                        result.force_y / result.friction_force}};
-    sample.n_unknowns      = steady.pair->n_unknowns();
+    sample.n_unknowns      = steady.pair->bodies().n_unknowns();
     sample.n_contact_nodes = steady.problem.n_nodes();
     return sample;
   }

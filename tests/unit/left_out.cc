@@ -94,7 +94,7 @@ BOOST_AUTO_TEST_CASE(a_rigid_rail_is_neither_factorised_nor_condensed)
   const Run run([](SceneParameters &scene) { scene.rail.rigid = true; });
   BOOST_TEST(run.n_factorisations() == 1u);
   BOOST_TEST(run.n_columns() == 2 * run.steady.problem.n_nodes());
-  BOOST_TEST((run.steady.pair->body(Side::rail) == nullptr));
+  BOOST_TEST((run.steady.pair->bodies().body(Side::rail) == nullptr));
 }
 
 BOOST_AUTO_TEST_CASE(a_factor_lives_only_for_displacements)
@@ -113,7 +113,8 @@ BOOST_AUTO_TEST_CASE(a_factor_lives_only_for_displacements)
   BOOST_CHECK_THROW(displacement(none), std::logic_error);
   BOOST_TEST(none.steady.result.normal_force ==
              fields.steady.result.normal_force);
-  BOOST_TEST(none.steady.pair->body(Side::wheel)->solver_memory() > 0u);
+  BOOST_TEST(none.steady.pair->bodies().body(Side::wheel)->solver_memory() >
+             0u);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -370,8 +370,8 @@ namespace
                                scene.read_meshes();
                              });
     const auto         &pair = *read.steady.pair;
-    BOOST_TEST(!pair.coupling(Side::rail).is_identity());
-    BOOST_TEST(pair.coupling(Side::wheel).is_identity());
+    BOOST_TEST(!pair.interface().coupling[Side::rail].is_identity());
+    BOOST_TEST(pair.interface().coupling[Side::wheel].is_identity());
     const double force = generated.friction_force();
     BOOST_TEST(std::abs(generated.steady.result.force_x) > 0.1 * force);
     BOOST_TEST(std::abs(read.steady.result.force_x -
@@ -442,7 +442,7 @@ BOOST_AUTO_TEST_CASE(carter_is_met_as_well_as_by_matching_meshes)
           scene.read_meshes();
         });
         const double      error = std::abs(carter_error(run));
-        const auto       &note = run.steady.pair->note_on_surface(Side::rail);
+        const auto       &note = run.steady.pair->interface().note[Side::rail];
         BOOST_TEST(note.text.empty() == (n_faces == 0));
         BOOST_TEST(note.warning.empty() == (n_faces == 0 || n_faces > 20));
         sum += error / 4;
@@ -525,7 +525,7 @@ BOOST_AUTO_TEST_CASE(two_read_bodies_that_mirror_each_other)
     });
   };
   const SceneRun<2> rolling = run(0., "radii");
-  BOOST_TEST(!rolling.steady.pair->twins());
+  BOOST_TEST(!rolling.steady.pair->bodies().twins());
   for (const double traction : rolling.steady.state.traction)
     BOOST_TEST(std::abs(traction) < 1e-9 * rolling.steady.result.max_pressure);
   const SceneRun<2> creeping = run(0.0017, "radii");

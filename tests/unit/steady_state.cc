@@ -172,12 +172,12 @@ BOOST_AUTO_TEST_CASE(twins_equal_two_separate_bodies)
 {
   const Run twins(
     [](SceneParameters &scene) { scene.contact.creepages.x = 0.002; });
-  BOOST_TEST(twins.steady.pair->twins());
+  BOOST_TEST(twins.steady.pair->bodies().twins());
   const Run separate([](SceneParameters &scene) {
     scene.contact.creepages.x         = 0.002;
     scene.rail.material.young_modulus = std::nextafter(210e9, 1.);
   });
-  BOOST_TEST(!separate.steady.pair->twins());
+  BOOST_TEST(!separate.steady.pair->bodies().twins());
   BOOST_TEST(std::abs(twins.force() - separate.force()) < 1e-9);
   BOOST_TEST(difference(twins.steady.state.pressure,
                         separate.steady.state.pressure) < 1e-9);
@@ -248,7 +248,7 @@ BOOST_AUTO_TEST_CASE(a_rigid_rail_is_never_meshed)
     scene.contact.approach.reset();
     scene.contact.normal_load = 100e3;
   });
-  BOOST_TEST(run.steady.pair->body(Side::rail) == nullptr);
+  BOOST_TEST(run.steady.pair->bodies().body(Side::rail) == nullptr);
   BOOST_TEST(std::abs(run.steady.result.half_width_x /
                         reference_2d(run.scene, run.steady).hertz.half_width -
                       1) < 0.01);

@@ -1,31 +1,16 @@
 #ifndef rolling_contact_pair_body_pair_h
 #define rolling_contact_pair_body_pair_h
 
+#include <rolling_contact/base/side.h>
 #include <rolling_contact/distributed/make_body.h>
-#include <rolling_contact/interface/surface_coupling.h>
-#include <rolling_contact/interface/trace.h>
-#include <rolling_contact/pair/mesh_file_coupling.h>
 #include <rolling_contact/parallel/broadcast.h>
 #include <rolling_contact/scene/scene_parameters.h>
 
 #include <memory>
 #include <string>
-#include <vector>
 
 namespace RollingContact
 {
-  enum class Side
-  {
-    wheel,
-    rail
-  };
-
-  inline std::string
-  name_of(const Side side)
-  {
-    return side == Side::wheel ? "wheel" : "rail";
-  }
-
   /**
    * What an analysis demands of the bodies, beyond what the scene says.
    */
@@ -38,20 +23,22 @@ namespace RollingContact
   };
 
   /**
-   * The elastic bodies of a scene, the interface between them, and the ranks
-   * they live on: spread over all (distributed) or on one each (direct). Bodies
-   * that the program meshes carry the interface's nodes, one from a file is
-   * coupled to them. Builds only what the scene needs: a rigid body has none,
-   * mirror-identical bodies share one. The same on every rank.
+   * The elastic bodies of a scene and the ranks they live on: spread over all
+   * ranks (distributed) or each on one (direct). Only what the scene needs is
+   * built: nothing for a rigid body, and one body for two that are mirror
+   * images of each other (twins). What is said about the bodies is known on all
+   * ranks; the bodies themselves are only where body() says so.
    */
   template <int dim>
   class BodyPair
   {
   public:
     /**
-     * Mesh; assemble K and prepare its solution as well if @p statics are
-     * wanted. Throws InputError, before meshing, if the zone does not fit
-     * on the bodies.
+     * Mesh the bodies, and assemble and prepare the solution of K as well if
+     * @p statics are wanted. Throws InputError, before meshing, if the zone of
+     * contact nodes does not fit on the bodies, or if there are more ranks than
+     * direct bodies. Collective; @p scene and @p grading are the same on all
+     * ranks.
      */
     BodyPair(const SceneParameters &scene,
              const Grading<dim>    &grading,
@@ -59,15 +46,16 @@ namespace RollingContact
              const bool             statics);
 
     /**
-     * Give back what only static solutions need.
+     * Free the memory of the factors or preconditioners of K, which only static
+     * solutions need.
      */
     void
     release_statics();
 
     /**
-     * Give all ranks the @p object of the rank of a body, such as its motion.
-     * Distributed and rigid bodies have it on all ranks already, and nothing is
-     * sent. Collective.
+     * Give all ranks the @p object of the rank of a direct body, such as its
+     * motion. Distributed and rigid bodies are taken to have it on all ranks
+     * already, and nothing is sent for them. Collective.
      */
     template <typename Object>
     Object
@@ -84,28 +72,42 @@ namespace RollingContact
     bool
     is_elastic(const Side side) const
     {
-      return parts[static_cast<int>(side)].elastic;
+      return elastic[side];
     }
 
     /**
-     * nullptr for a rigid body, and on ranks that hold nothing of the body;
-     * the same pointer for both sides of twins.
+     * True for an elastic body but the rail of twins, which is the body of the
+     * wheel.
+     */
+    bool
+    has_own_body(const Side side) const
+    {
+      return is_elastic(side) && !(side == Side::rail && are_twins);
+    }
+
+    /**
+     * The body, and for both sides of twins the same one; nullptr for a rigid
+     * body and on ranks that hold nothing of it.
      */
     ElasticBody<dim> *
     body(const Side side) const
     {
-      return parts[static_cast<int>(side)].body.get();
+      return bodies[side].get();
     }
 
     /**
-     * The rank that speaks for a body.
+     * The rank that holds a direct body, or the model of a distributed one.
      */
     unsigned int
     rank_of(const Side side) const
     {
-      return parts[static_cast<int>(side)].rank;
+      return ranks[side];
     }
 
+    /**
+     * True if both bodies are meshed by the program with the same geometry and
+     * material.
+     */
     bool
     twins() const
     {
@@ -113,16 +115,17 @@ namespace RollingContact
     }
 
     /**
-     * For work on both bodies: distributed ones use MPI, from one thread only.
+     * Number of threads, 1 or 2, for work on both bodies: MPI may be used by
+     * one thread only, which rules out a second one for distributed bodies.
      */
     unsigned int
     n_threads() const
     {
-      return twins() || solver != BodySolver::direct ? 1 : scene.body_threads;
+      return are_twins || solver != BodySolver::direct ? 1 : body_threads;
     }
 
     /**
-     * Of all bodies, one of twins.
+     * Sum over the bodies on all ranks; twins count once.
      */
     std::size_t
     n_unknowns() const
@@ -131,7 +134,7 @@ namespace RollingContact
     }
 
     /**
-     * How K is solved.
+     * How K is solved: direct or distributed.
      */
     BodySolver
     body_solver() const
@@ -140,7 +143,8 @@ namespace RollingContact
     }
 
     /**
-     * Why, if the scene left it open; else empty.
+     * Why the program took this body solver, a part of a sentence; empty if the
+     * scene or the number of ranks decided.
      */
     const std::string &
     reason_for_solver() const
@@ -148,120 +152,42 @@ namespace RollingContact
       return reason;
     }
 
-    /**
-     * The interface: the surface nodes of the generated bodies, or a grid of
-     * its own if all are read from files.
-     */
-    const Trace &
-    trace() const
-    {
-      return contact_trace;
-    }
-
-    /**
-     * From a body's contact nodes to the interface and back.
-     */
-    const SurfaceCoupling &
-    coupling(const Side side) const
-    {
-      return part(side).coupling;
-    }
-
-    /**
-     * How a body from a file hangs together with the interface, for the log;
-     * empty for others.
-     */
-    const SurfaceNote &
-    note_on_surface(const Side side) const
-    {
-      return part(side).note;
-    }
-
-  protected:
-    using Nodes = std::vector<typename ElasticBody<dim>::SurfaceNode>;
-
-    const Nodes &
-    nodes(const Side side) const
-    {
-      return part(side).nodes;
-    }
-
-    const BodyParameters &
-    parameters(const Side side) const
-    {
-      return side == Side::wheel ? scene.wheel : scene.rail;
-    }
-
-    /**
-     * Height of the undeformed surface at the interface's nodes, in the body's
-     * frame, where it is not given by radii; else empty. Units: m.
-     */
-    const std::vector<double> &
-    heights(const Side side) const
-    {
-      return part(side).heights;
-    }
-
-    const SceneParameters scene;
-
   private:
-    struct Part
-    {
-      bool                              elastic = false;
-      unsigned int                      rank    = 0;
-      std::shared_ptr<ElasticBody<dim>> body;
-      Nodes                             nodes;
-      SurfaceCoupling                   coupling;
-      std::vector<double>               heights;
-      SurfaceNote                       note;
-    };
-
-    Part &
-    part(const Side side)
-    {
-      return parts[static_cast<int>(side)];
-    }
-
-    const Part &
-    part(const Side side) const
-    {
-      return parts[static_cast<int>(side)];
-    }
-
     /**
-     * Mesh the bodies and prepare K.
+     * Build the bodies with the solver the scene asks for. Where that is
+     * `automatic`, on one rank, direct bodies are built, and replaced by
+     * distributed ones if their factors do not fit into the memory.
      */
     void
-    build(const Grading<dim> &grading, const bool statics);
+    choose_and_build(const SceneParameters &scene,
+                     const Grading<dim>    &grading,
+                     const PairDemands     &demands,
+                     const bool             statics);
 
     /**
-     * `automatic`: direct on one rank if the bodies fit.
+     * Mesh the bodies of this rank and prepare K for the given solver.
      */
     void
-    choose_and_build(const Grading<dim> &grading, const bool statics);
+    build(const SceneParameters &scene,
+          const Grading<dim>    &grading,
+          const PairDemands     &demands,
+          const bool             statics);
 
     /**
-     * Bytes of the factors, known from their analysis or predicted.
+     * Bytes of the factors of direct bodies, known if K was @p analysed, else
+     * predicted.
      */
     double
     factor_memory(const bool analysed) const;
 
-    void
-    pair_surfaces(const Grading<dim> &zone);
-
-    /**
-     * True if no other way than a factorisation will do.
-     */
-    bool
-    needs_factors() const;
-
-    PairDemands demands;
-    BodySolver  solver;
-    std::string reason;
-    bool        are_twins;
-    std::size_t total_unknowns = 0;
-    Part        parts[2];
-    Trace       contact_trace;
+    BodySolver                                 solver;
+    std::string                                reason;
+    unsigned int                               body_threads;
+    bool                                       are_twins;
+    std::size_t                                total_unknowns = 0;
+    PerSide<bool>                              elastic;
+    PerSide<unsigned int>                      ranks;
+    PerSide<std::shared_ptr<ElasticBody<dim>>> bodies;
   };
 } // namespace RollingContact
 

@@ -36,7 +36,7 @@ namespace RollingContact
    */
   FileSurface
   couple_to_interface(const SceneParameters &scene,
-                      const bool             is_wheel,
+                      const Side             side,
                       const Trace           &interface);
 
   /**
@@ -46,7 +46,7 @@ namespace RollingContact
    */
   void
   check_resolution(const SceneParameters &scene,
-                   const bool             is_wheel,
+                   const Side             side,
                    const FileSurface     &surface,
                    const double           element_size_x,
                    const double           element_size_y);

@@ -3,6 +3,7 @@
 
 #include <rolling_contact/contact/contact_problem.h>
 #include <rolling_contact/pair/body_pair.h>
+#include <rolling_contact/pair/pair_interface.h>
 
 #include <memory>
 #include <vector>
@@ -10,77 +11,115 @@
 namespace RollingContact
 {
   /**
-   * Wheel and rail and the contact problem between them, which is the same on
-   * every rank; a frictionless contact has only normal compliance.
+   * Wheel and rail, the interface between them, and the contact problem there,
+   * which is the same on every rank. Quantities of a body are in its own frame
+   * (z out of the body) and on its contact nodes; quantities of the pair are in
+   * the rail's frame and on the nodes of the interface: forces act on the
+   * wheel, displacements are those of the wheel relative to the rail, and what
+   * opens the gap is positive. Values are given component by component, the
+   * tangential ones first; a frictionless pair has the normal one only.
    */
   template <int dim>
-  class RollingPair : public BodyPair<dim>
+  class RollingPair
   {
   public:
     /**
-     * See BodyPair.
+     * Build the bodies, with what solves K if @p statics are wanted, and the
+     * interface between them. Throws InputError if they do not suit the zone of
+     * contact nodes. Keeps a copy of the scene. Collective.
      */
     RollingPair(const SceneParameters &scene,
                 const Grading<dim>    &grading,
                 const PairDemands     &demands,
                 const bool             statics = true);
 
+    const BodyPair<dim> &
+    bodies() const
+    {
+      return body_pair;
+    }
+
+    const PairInterface<dim> &
+    interface() const
+    {
+      return pair_interface;
+    }
+
     /**
-     * The contact problem for a load, creepages and operators. Condenses the
-     * bodies: once, take W of the problem for the next.
+     * Nodes and elements of the interface.
+     */
+    const Trace &
+    trace() const
+    {
+      return pair_interface.trace;
+    }
+
+    /**
+     * Free what only static solutions need, see BodyPair.
+     */
+    void
+    release_statics()
+    {
+      body_pair.release_statics();
+    }
+
+    /**
+     * The contact problem for a load, creepages and operators, on all ranks. The
+     * first overload condenses the bodies to the compliance W of the pair,
+     * which takes long: later problems of the same pair should be made from the
+     * W of the first one by the second overload. Units of W: m/N. The first
+     * overload is collective.
      */
     ContactProblem
     contact_problem(const ContactParameters &contact);
 
-    /**
-     * The same with a given compliance of the pair. Units: m/N.
-     */
     ContactProblem
     contact_problem(const ContactParameters &contact, DenseMatrix W) const;
 
     /**
-     * Of compliances of the bodies in their own frames, on the ranks that have
-     * them, that of the pair on all, for the gap and the displacement of the
-     * wheel over the rail; an empty matrix for a rigid body, and for the rail
-     * of twins. Units: m/N.
+     * Compliance W of the pair from those of the bodies. Inputs: for each body
+     * on the rank of BodyPair::rank_of(), empty elsewhere, for a rigid body and
+     * for the rail of twins. Result: on all ranks. Units: m/N. Collective.
      */
     DenseMatrix
-    combined(DenseMatrix wheel, DenseMatrix rail) const;
+    pair_compliance(PerSide<DenseMatrix> body_compliances) const;
 
     /**
-     * Of motions of the contact nodes of the bodies in their own frames, on the
-     * ranks that have them, that of the wheel over the rail at the interface's
-     * nodes on all: tangential components, and what opens the gap. Empty for a
-     * rigid body.
+     * Motion of the wheel relative to the rail from the motions of the bodies.
+     * Inputs: of a direct body on its rank, of a distributed one on all ranks;
+     * empty for a rigid body. Result: on all ranks, in the units of the inputs.
+     * Collective.
      */
     std::vector<double>
-    relative(std::vector<double> wheel, std::vector<double> rail) const;
+    relative_motion(PerSide<std::vector<double>> body_motions) const;
 
     /**
-     * False if W of a problem is an approximation that response() corrects.
+     * False if the W of contact_problem() is an approximation that the
+     * response() of the bodies corrects.
      */
     bool
     compliance_is_exact() const;
 
     /**
-     * W r of the bodies for nodal forces r of the pair, tangential components
-     * first, for each of the given sets; see ElasticBody::response(). Units: N
-     * to m.
+     * Static displacement W r of the pair for each of several sets of nodal
+     * forces r, which are the same on all ranks; to all digits, or @p roughly,
+     * see ElasticBody::response(). Result: on all ranks. Units: N to m.
+     * Collective.
      */
     std::vector<std::vector<double>>
     response(const std::vector<std::vector<double>> &forces,
              const bool                              roughly) const;
 
     /**
-     * Nodal forces of the pair (see nodal_forces()) as those on a body's
-     * contact nodes in its own frame, component by component. Units: N.
+     * Forces on the contact nodes of a body from the nodal forces of the pair,
+     * see nodal_forces(). Units: N.
      */
     std::vector<double>
-    on_body(const Side side, std::vector<double> forces) const;
+    forces_on_body(const Side side, std::vector<double> forces) const;
 
     /**
-     * A body in time, with the pair's contact nodes; nullptr where the body is
-     * not.
+     * A body in time, with the pair's contact nodes; nullptr for a rigid body
+     * and on ranks that hold nothing of it. Collective for distributed bodies.
      */
     std::unique_ptr<BodyDynamics>
     in_time(const Side         side,
@@ -88,9 +127,9 @@ namespace RollingContact
             const MassKind     mass) const;
 
     /**
-     * Displacement of a body in its own frame (z out of the body) under the
-     * reactions of a state; without the wheel's rigid approach. Empty on ranks
-     * that hold nothing of the body.
+     * Static displacement of a body under the reactions of a contact state,
+     * without the rigid approach of the wheel. Empty on ranks that hold nothing
+     * of the body. Units: m. Collective for distributed bodies.
      */
     BodyField
     displacement(const Side            side,
@@ -98,12 +137,9 @@ namespace RollingContact
                  const ContactState   &state) const;
 
   private:
-    /**
-     * W = W_W + W_R. Units: m/N.
-     */
-    DenseMatrix
-    pair_compliance();
-
+    const SceneParameters     scene;
+    BodyPair<dim>             body_pair;
+    PairInterface<dim>        pair_interface;
     std::vector<unsigned int> components;
   };
 } // namespace RollingContact

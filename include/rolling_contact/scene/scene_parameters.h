@@ -2,6 +2,7 @@
 #define rolling_contact_scene_scene_parameters_h
 
 #include <rolling_contact/base/choices.h>
+#include <rolling_contact/base/side.h>
 #include <rolling_contact/distributed/body_solver.h>
 #include <rolling_contact/scene/body_parameters.h>
 #include <rolling_contact/scene/contact_parameters.h>
@@ -55,6 +56,12 @@ namespace RollingContact
     thickness() const
     {
       return wheel.rigid ? rail.thickness : wheel.thickness;
+    }
+
+    const BodyParameters &
+    body(const Side side) const
+    {
+      return side == Side::wheel ? wheel : rail;
     }
 
     unsigned int dimension    = 2;

@@ -1,0 +1,111 @@
+#include <deal.II/base/exceptions.h>
+
+#include <rolling_contact/pair/interface_mesh.h>
+#include <rolling_contact/pair/pair_interface.h>
+
+#include <cmath>
+
+namespace RollingContact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /**
+     * The bodies that the program meshes carry the same surface nodes.
+     */
+    void
+    check_matching_nodes(const Trace &wheel,
+                         const Trace &rail,
+                         const double tolerance)
+    {
+      AssertThrow(wheel.nodes.size() == rail.nodes.size(),
+                  ExcMessage("The surfaces of wheel and rail carry different "
+                             "numbers of nodes."));
+      for (std::size_t i = 0; i < rail.nodes.size(); ++i)
+        AssertThrow(std::hypot(wheel.nodes[i][0] - rail.nodes[i][0],
+                               wheel.nodes[i][1] - rail.nodes[i][1]) <
+                      tolerance,
+                    ExcMessage("The surface nodes of wheel and rail do not "
+                               "match."));
+    }
+
+
+
+    template <int dim>
+    std::array<double, 2>
+    xy(const Point<dim> &point)
+    {
+      return {{point[0], dim == 2 ? point[dim - 1] : 0.}};
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  PairInterface<dim>::PairInterface(const SceneParameters &scene,
+                                    const Grading<dim>    &grading,
+                                    const BodyPair<dim>   &bodies)
+  {
+    const auto is_generated = [&](const Side side) {
+      return bodies.is_elastic(side) && !scene.body(side).is_from_file();
+    };
+    for (const Side side : both_sides)
+      if (is_generated(side))
+        {
+          const Trace surface = surface_of(side, grading, bodies);
+          if (trace.nodes.empty())
+            trace = surface;
+          else
+            check_matching_nodes(trace, surface, 1e-9 * grading.zone_x);
+        }
+    const bool has_own_mesh =
+      !is_generated(Side::wheel) && !is_generated(Side::rail);
+    if (has_own_mesh)
+      trace = interface_mesh(grading);
+    for (const Side side : both_sides)
+      if (scene.body(side).is_from_file())
+        {
+          const FileSurface surface = couple_to_interface(scene, side, trace);
+          if (has_own_mesh)
+            check_resolution(scene,
+                             side,
+                             surface,
+                             grading.element_size_x,
+                             grading.element_size_y);
+          coupling[side] = surface.coupling;
+          heights[side]  = surface.heights;
+          note[side]     = surface.note;
+          if (bodies.body(side))
+            nodes[side] = bodies.body(side)->nodes_at(surface.vertices);
+        }
+  }
+
+
+
+  template <int dim>
+  Trace
+  PairInterface<dim>::surface_of(const Side           side,
+                                 const Grading<dim>  &grading,
+                                 const BodyPair<dim> &bodies)
+  {
+    Trace surface;
+    if (bodies.body(side))
+      {
+        std::vector<typename ElasticBody<dim>::SurfaceFace> faces;
+        bodies.body(side)->surface(grading, nodes[side], faces);
+        surface.n_dimensions = dim - 1;
+        for (const auto &node : nodes[side])
+          surface.nodes.push_back(xy(node.position));
+        for (const auto &face : faces)
+          surface.cells.push_back(
+            {xy(face.lower), xy(face.upper), face.corners});
+      }
+    return bodies.on_all_ranks(side, std::move(surface));
+  }
+
+
+
+  template struct PairInterface<2>;
+  template struct PairInterface<3>;
+} // namespace RollingContact
