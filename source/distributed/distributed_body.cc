@@ -12,11 +12,11 @@ namespace RollingContact
 
   namespace
   {
-    /** Of the residual of a body solve; contact laws hold to 1e-10. */
+    /** Relative residuals of body solves; contact laws hold to 1e-10. */
     const double solve_tolerance = 1e-11, rough_tolerance = 1e-8;
 
-    /** Growth of the model's elements near the contact and away from it, if
-     * the body's do not grow faster. */
+    /** Least growth of the model's elements near the contact and away from it.
+     */
     const double near_growth = 0.08, far_growth = 0.5;
   } // namespace
 

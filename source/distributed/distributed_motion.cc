@@ -312,7 +312,7 @@ namespace RollingContact
   void
   DistributedMotion<dim>::go_back()
   {
-    // alone: the other ranks may have other things to do
+    // not collective: other ranks may not have failed
     u           = kept.u;
     v           = kept.v;
     Ku          = kept.Ku;
@@ -326,7 +326,8 @@ namespace RollingContact
   namespace
   {
     /**
-     * Values of @p dofs of all ranks in the given order, on the first.
+     * Values at the @p dofs of all ranks in the given order, on the first rank.
+     * Collective.
      */
     std::vector<double>
     gathered(const DistributedVector                    &field,

@@ -6,7 +6,7 @@ namespace RollingContact
 
   namespace
   {
-    /** Of the residual of a solve in a time step. */
+    /** Relative residual of a solve in a time step. */
     const double step_tolerance = 1e-11;
   } // namespace
 

@@ -116,7 +116,8 @@ namespace RollingContact
                                   const PairDemands     &demands,
                                   const bool             statics)
   {
-    const bool open = solver == BodySolver::automatic && !needs_factors(scene, demands);
+    const bool open =
+      solver == BodySolver::automatic && !needs_factors(scene, demands);
     if (!open || Ranks::count() > 1)
       {
         if (solver == BodySolver::automatic)
@@ -185,7 +186,7 @@ namespace RollingContact
       if (!has_own_body(side) || (direct && ranks[side] != Ranks::rank()))
         return;
       const BodyParameters &parameters = scene.body(side);
-      bodies[side] = make_body<dim>(solver,
+      bodies[side]                     = make_body<dim>(solver,
                                     parameters.body_shape(),
                                     parameters.material,
                                     parameters.thickness,

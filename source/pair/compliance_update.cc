@@ -9,7 +9,8 @@ namespace RollingContact
   namespace
   {
     /**
-     * Solve on the first rank; state and report on all.
+     * Solve the contact laws on the root and give state and report to all
+     * ranks. Collective.
      */
     SolverReport
     solve_on_root(const ContactSolver  &solver,
@@ -26,9 +27,10 @@ namespace RollingContact
 
 
     /**
-     * Smooth loads on the patch, p, p x/a and p y/a in each component, a half
-     * its size: the edge law needs W as an operator, not only for the forces of
-     * the state, and an approximate W is wrong in what is smooth.
+     * Nodal forces that vary smoothly on the patch: p, p x/a and p y/a in each
+     * component, with a half the size of the patch. The edge law needs W as an
+     * operator, not only for the forces of the state, and the error of an
+     * approximate W is smooth. Units: N.
      */
     std::vector<std::vector<double>>
     smooth_loads(const ContactProblem &problem, const ContactState &state)
@@ -60,24 +62,24 @@ namespace RollingContact
 
 
     /**
-     * Correct W by the response to the forces of a state and, the first time
-     * that an edge law is in use, to smooth loads.
+     * Update W by the response to the forces of a state and, the first time
+     * that an edge law is in use, to smooth loads. Collective.
      */
     void
     secant_update(const PairResponse &response,
                   const ContactState &state,
                   ContactProblem     &problem)
     {
-      const auto correct = [&](const auto &loads, const bool roughly) {
+      const auto update = [&](const auto &loads, const bool roughly) {
         const auto displacements = response(loads, roughly);
         for (std::size_t k = 0; k < loads.size(); ++k)
           problem.operators.correct(loads[k], displacements[k]);
       };
       if (!problem.operators.is_corrected() && problem.n_tangential() > 0 &&
           problem.operators.slip_operator().has_edge_law())
-        correct(smooth_loads(problem, state), true);
-      correct(std::vector<std::vector<double>>{nodal_forces(problem, state)},
-              false);
+        update(smooth_loads(problem, state), true);
+      update(std::vector<std::vector<double>>{nodal_forces(problem, state)},
+             false);
     }
   } // namespace
 

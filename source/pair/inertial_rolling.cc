@@ -184,27 +184,23 @@ namespace RollingContact
         for_each([](BodyDynamics &body, Side) { body.go_back(); });
       }
 
-      PairMotion
+      PerSide<BodyMotion>
       save() const override
       {
-        const auto motion = [&](const Side side) {
-          const auto &body = bodies[side];
-          return pair.bodies().on_all_ranks(side,
-                                            body ? body->save() : BodyMotion());
-        };
-        PairMotion saved;
-        saved.wheel = motion(Side::wheel);
-        saved.rail  = motion(Side::rail);
-        return saved;
+        PerSide<BodyMotion> motion;
+        for (const Side side : both_sides)
+          motion[side] = pair.bodies().on_all_ranks(
+            side, bodies[side] ? bodies[side]->save() : BodyMotion());
+        return motion;
       }
 
       void
-      restore(const PairMotion &saved,
+      restore(const PerSide<BodyMotion> &motion,
               const ContactProblem &,
               const ContactState &) override
       {
         for_each([&](BodyDynamics &body, const Side side) {
-          body.restore(side == Side::wheel ? saved.wheel : saved.rail);
+          body.restore(motion[side]);
         });
       }
 

@@ -13,8 +13,8 @@ namespace RollingContact
     using Index = std::array<int, 2>; ///< of a grid point, in x and y
 
     /**
-     * Points a multiple of the element sizes away from the one that Patch
-     * offset shifts.
+     * The grid point of an index. Points lie multiples of the element sizes
+     * away from the point that Patch offset shifts. Units: m.
      */
     template <int dim>
     Point<dim - 1>

@@ -70,7 +70,8 @@ namespace RollingContact
 
 
     /**
-     * The contact faces over the box of the zone; the largest of them.
+     * The contact faces that overlap the box of the zone; @p face_size becomes
+     * the size of the largest of them in x and y. Units: m.
      */
     SurfaceMesh
     surface_over(const Box             &zone,
@@ -100,7 +101,8 @@ namespace RollingContact
 
 
     /**
-     * The largest of the faces that the interface reaches.
+     * Size in x and y of the largest face whose corners are all contact nodes.
+     * Units: m.
      */
     std::array<double, 2>
     size_of_used_faces(const SurfaceMesh               &surface,
@@ -225,7 +227,9 @@ namespace RollingContact
 
 
     /**
-     * Largest distance of the contact nodes from the radii. Units: m.
+     * Largest distance of the contact nodes from the surface given by the
+     * radii. Throws InputError if it is more than allowed for this largest @p
+     * gap. Units: m.
      */
     double
     check_heights(const BodyParameters            &body,

@@ -34,7 +34,8 @@ namespace RollingContact
 
 
     /**
-     * Along axis @p d, x or y.
+     * Throw InputError if the contact boundary does not suit the estimated
+     * patch along axis @p d, x or y.
      */
     void
     check(const BodyParameters &body,
@@ -67,7 +68,7 @@ namespace RollingContact
 
 
     /**
-     * Throws InputError too if the approach is more than the body allows.
+     * estimate_patch(), whose error also names the mesh unit of @p body.
      */
     PatchEstimate
     estimate(const SceneParameters &scene, const BodyParameters &body)

@@ -12,7 +12,8 @@ namespace RollingContact
   namespace
   {
     /**
-     * The bodies that the program meshes carry the same surface nodes.
+     * Throw an exception unless the surfaces of two generated bodies have the
+     * same nodes to within @p tolerance. Units: m.
      */
     void
     check_matching_nodes(const Trace &wheel,

@@ -5,26 +5,26 @@ namespace RollingContact
   namespace
   {
     /**
-     * Sum of nodal forces times displacements of the pair, r . W r'.
+     * r . W r' with the nodal forces r of a state and r' of @p other. Units: J.
      */
     double
     work(const ContactProblem &problem,
-         const ContactState   &of,
-         const ContactState   &along)
+         const ContactState   &state,
+         const ContactState   &other)
     {
       const std::vector<double> normal =
-        problem.operators.normal_displacement(along.pressure);
+        problem.operators.normal_displacement(other.pressure);
       const std::vector<double> coupling =
-        problem.operators.normal_displacement_of_traction(along.traction);
+        problem.operators.normal_displacement_of_traction(other.traction);
       const std::vector<double> forces =
-        problem.operators.H().multiply(of.pressure);
+        problem.operators.H().multiply(state.pressure);
       double sum = 0.;
       for (std::size_t i = 0; i < normal.size(); ++i)
         sum += forces[i] * (normal[i] + coupling[i]);
       if (problem.n_tangential() > 0)
-        sum += dot(problem.operators.H() * of.traction,
-                   problem.operators.tangential_displacement(along.traction,
-                                                             along.pressure));
+        sum += dot(problem.operators.H() * state.traction,
+                   problem.operators.tangential_displacement(other.traction,
+                                                             other.pressure));
       return sum;
     }
 
@@ -142,14 +142,14 @@ namespace RollingContact
         strain   = kept_strain;
       }
 
-      PairMotion
+      PerSide<BodyMotion>
       save() const override
       {
         return {};
       }
 
       void
-      restore(const PairMotion &,
+      restore(const PerSide<BodyMotion> &,
               const ContactProblem &problem,
               const ContactState   &state) override
       {

@@ -45,7 +45,8 @@ namespace RollingContact
 
 
 
-      /** Of the launchers that give every process its size; 0 if unknown. */
+      /** Number of processes that the launcher started; 0 if it does not tell.
+       */
       unsigned int
       launched_size()
       {
@@ -55,7 +56,7 @@ namespace RollingContact
 
 
 
-      /** Whether there are others to talk to, and talking is allowed. */
+      /** Whether there are other ranks. Throws inside on(). */
       bool
       has_others()
       {
@@ -129,18 +130,18 @@ namespace RollingContact
 
 
 
-      /** Throws on all ranks what `rank` threw. */
+      /** Throw the exception of one rank on all. Collective. */
       void
-      share(RelayedException &thrown, const unsigned int rank)
+      rethrow_on_all_ranks(RelayedException &relayed, const unsigned int rank)
       {
-        int         kind = static_cast<int>(thrown.kind);
+        int         kind = static_cast<int>(relayed.kind);
         MPI_Request request;
         MPI_Ibcast(&kind, 1, MPI_INT, rank, communicator(), &request);
         sleep_until_done(request);
-        thrown.kind = static_cast<RelayedException::Kind>(kind);
-        if (thrown.kind != RelayedException::Kind::nothing)
-          broadcast(thrown.message, rank);
-        rethrow(thrown);
+        relayed.kind = static_cast<RelayedException::Kind>(kind);
+        if (relayed.kind != RelayedException::Kind::nothing)
+          broadcast(relayed.message, rank);
+        rethrow(relayed);
       }
     } // namespace
 
@@ -198,10 +199,10 @@ namespace RollingContact
     unsigned int
     rank()
     {
-      int own = 0;
+      int number = 0;
       if (is_on())
-        MPI_Comm_rank(MPI_COMM_WORLD, &own);
-      return own;
+        MPI_Comm_rank(MPI_COMM_WORLD, &number);
+      return number;
     }
 
 
@@ -282,14 +283,14 @@ namespace RollingContact
           action();
           return;
         }
-      RelayedException thrown;
+      RelayedException relayed;
       if (Ranks::rank() == rank)
         {
           inside_on = true;
-          thrown    = caught_from(action);
+          relayed   = caught_from(action);
           inside_on = false;
         }
-      share(thrown, rank);
+      rethrow_on_all_ranks(relayed, rank);
     }
 
 
@@ -310,13 +311,13 @@ namespace RollingContact
           action();
           return;
         }
-      RelayedException thrown = caught_from(action);
-      const bool       failed = thrown.kind != RelayedException::Kind::nothing;
+      RelayedException relayed = caught_from(action);
+      const bool       failed = relayed.kind != RelayedException::Kind::nothing;
       const double     first  = minimum(failed ? rank() : count());
       if (first != rank())
-        thrown = {};
+        relayed = {};
       if (first < count())
-        share(thrown, static_cast<unsigned int>(first));
+        rethrow_on_all_ranks(relayed, static_cast<unsigned int>(first));
     }
 
 

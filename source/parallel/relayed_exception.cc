@@ -58,26 +58,26 @@ namespace RollingContact
 
 
   void
-  rethrow(const RelayedException &thrown)
+  rethrow(const RelayedException &relayed)
   {
-    if (thrown.exception)
-      std::rethrow_exception(thrown.exception);
-    switch (thrown.kind)
+    if (relayed.exception)
+      std::rethrow_exception(relayed.exception);
+    switch (relayed.kind)
       {
         case RelayedException::Kind::nothing:
           return;
         case RelayedException::Kind::input_error:
-          throw InputError(thrown.message);
+          throw InputError(relayed.message);
         case RelayedException::Kind::not_converged:
-          throw ConvergenceError(thrown.message);
+          throw ConvergenceError(relayed.message);
         case RelayedException::Kind::interrupted:
-          throw Interrupted(thrown.message);
+          throw Interrupted(relayed.message);
         case RelayedException::Kind::no_memory:
           throw std::bad_alloc();
         case RelayedException::Kind::logic_error:
-          throw std::logic_error(thrown.message);
+          throw std::logic_error(relayed.message);
         case RelayedException::Kind::other:
-          throw std::runtime_error(thrown.message);
+          throw std::runtime_error(relayed.message);
       }
   }
 } // namespace RollingContact

@@ -228,7 +228,7 @@ namespace
   }
 } // namespace
 
-BOOST_AUTO_TEST_CASE(a_corrected_compliance_keeps_what_it_learned)
+BOOST_AUTO_TEST_CASE(a_secant_update_keeps_earlier_ones)
 {
   // W0 a part of W: the change is positive, and of low rank here
   const unsigned int n = 6;

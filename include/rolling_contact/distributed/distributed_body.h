@@ -10,9 +10,11 @@ namespace RollingContact
 {
   /**
    * A body spread over all ranks: a mesh by p4est, K solved by conjugate
-   * gradients with algebraic multigrid. Its compliance is that of a model on
-   * one rank: the same body with the same elements at the contact, growing
-   * faster away from it, whose K is factorised.
+   * gradients with algebraic multigrid. Its compliance() is approximated by
+   * that of a model on one rank: a DirectBody with the same elements at the
+   * contact, which grow faster away from it. Forces and displacements of
+   * contact nodes are the same on all ranks, and functions are collective
+   * unless they say otherwise.
    */
   template <int dim>
   class DistributedBody : public ElasticBody<dim>
@@ -22,7 +24,8 @@ namespace RollingContact
     using typename ElasticBody<dim>::SurfaceFace;
 
     /**
-     * Mesh over all ranks; the model of the compliance lives on @p model_rank.
+     * Mesh the body; @p model_rank will hold its model. Thickness in 2D. Units:
+     * m.
      */
     DistributedBody(const std::shared_ptr<const BodyShape> &shape,
                     const Material                         &material,
@@ -72,6 +75,9 @@ namespace RollingContact
     double
     solver_seconds() const override;
 
+    /**
+     * What matrices of the body are assembled from. Not collective.
+     */
     DistributedDiscretisation<dim>
     discretisation() const
     {
@@ -83,7 +89,7 @@ namespace RollingContact
     }
 
     /**
-     * A vector of the degrees of freedom of this rank, without ghosts.
+     * A zero vector of the degrees of freedom of this rank, without ghosts.
      */
     DistributedVector
     vector() const
@@ -92,11 +98,16 @@ namespace RollingContact
                                this->dofs.get_communicator());
     }
 
+    /**
+     * The rigid motions of the body, see rigid_motions(), about the contact
+     * point and scaled by the thickness of the body.
+     */
     std::vector<DistributedVector>
     rigid_modes() const;
 
     /**
-     * Add nodal forces to @p b at the contact nodes of this rank. Units: N.
+     * Add nodal forces on the degrees of freedom of @p contact to @p b; each
+     * rank adds those it owns. Units: N. Not collective.
      */
     void
     add_forces(const std::vector<dealii::types::global_dof_index> &contact,
@@ -104,35 +115,35 @@ namespace RollingContact
                DistributedVector                                  &b) const;
 
     /**
-     * Values at the contact nodes, on all ranks.
+     * Values at the degrees of freedom of @p contact, on all ranks.
      */
     std::vector<double>
     on_contact(const std::vector<dealii::types::global_dof_index> &contact,
                const DistributedVector &values) const;
 
     /**
-     * Degrees of freedom of contact: that of component @p components[i] at node
-     * n of N is entry i * N + n.
+     * Degrees of freedom of contact nodes: that of component @p components[i]
+     * at node n stands at i * N + n. Not collective.
      */
     static std::vector<dealii::types::global_dof_index>
     contact_dofs(const std::vector<SurfaceNode>  &nodes,
                  const std::vector<unsigned int> &components);
 
     /**
-     * The field of a solution, with hanging nodes and ghosts.
+     * The field of a solution: with values at hanging nodes and ghosts.
      */
     BodyField
     field(const DistributedVector &solution) const;
 
     /**
-     * The model of the compliance on its rank; nullptr on others.
+     * Mesh the model on its rank; nullptr on others. Not collective.
      */
     std::unique_ptr<DirectBody<dim>>
     make_model() const;
 
     /**
-     * The nodes of the model that lie where @p nodes of the body do, in their
-     * order. Throws if there are others.
+     * The contact nodes of the model, which lie at @p nodes of the body. Not
+     * collective.
      */
     std::vector<SurfaceNode>
     model_nodes(const DirectBody<dim>          &model,
@@ -140,8 +151,9 @@ namespace RollingContact
 
   private:
     /**
-     * Solutions for loads by conjugate gradients, from the guesses in @p x as
-     * far as there are any.
+     * Solve K x = b for several sets of forces on the degrees of freedom of
+     * @p contact, to a relative residual of @p tolerance. As many solutions
+     * begin with the vectors in @p x as there are, the others with zero.
      */
     void
     solve(const std::vector<dealii::types::global_dof_index> &contact,
@@ -156,7 +168,7 @@ namespace RollingContact
 
     dealii::TrilinosWrappers::SparseMatrix K;
     std::unique_ptr<MultigridSolver>       multigrid;
-    /** The last loads that were solved for, to all digits. */
+    /** The last loads that were solved for to all digits. */
     std::vector<std::vector<double>> loads;
     std::vector<DistributedVector>   solutions;
     unsigned int                     n_solves        = 0;

@@ -9,15 +9,18 @@
 namespace RollingContact
 {
   /**
-   * The degrees of freedom of this rank that are unknowns.
+   * Degrees of freedom that this rank owns and that are not constrained. Not
+   * collective.
    */
   template <int dim>
   std::vector<dealii::types::global_dof_index>
   unknowns_here(const DistributedDiscretisation<dim> &body);
 
   /**
-   * The unknowns of all ranks, numbered rank by rank, in the order of
-   * BodyMotion: on the first rank or on all. Collective.
+   * The order of BodyMotion, which does not depend on the number of ranks: with
+   * the unknowns_here() of all ranks counted rank by rank, entry k is the
+   * number of the unknown that stands at place k. Result: on all ranks, or only
+   * on the first one and empty on others. Collective.
    */
   template <int dim>
   std::vector<std::size_t>

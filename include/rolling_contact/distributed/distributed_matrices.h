@@ -14,9 +14,9 @@ namespace RollingContact
 {
   /**
    * What the matrices of a distributed body are assembled from: linear elements
-   * on a mesh by p4est, hanging and clamped nodes constrained. Unlike in
+   * on a mesh by p4est, with hanging and clamped nodes constrained. Unlike in
    * Discretisation all degrees of freedom keep their row; a constrained one has
-   * a diagonal entry only. @p thickness is used in 2D. Units: m.
+   * a diagonal entry only. The thickness is used in 2D. Units: m.
    */
   template <int dim>
   struct DistributedDiscretisation
@@ -31,7 +31,8 @@ namespace RollingContact
   using DistributedVector = dealii::LinearAlgebra::distributed::Vector<double>;
 
   /**
-   * Assemble K, see cell_stiffness(). Collective. Units: N/m.
+   * Assemble the stiffness matrix K with B-bar, see cell_stiffness(). Units:
+   * N/m. Collective.
    */
   template <int dim>
   void
@@ -39,7 +40,7 @@ namespace RollingContact
                      dealii::TrilinosWrappers::SparseMatrix &K);
 
   /**
-   * Assemble the consistent M, see cell_mass(). Collective. Units: kg.
+   * Assemble the consistent mass matrix M. Units: kg. Collective.
    */
   template <int dim>
   void
@@ -47,8 +48,8 @@ namespace RollingContact
                 dealii::TrilinosWrappers::SparseMatrix &M);
 
   /**
-   * Diagonal of the lumped M, zero at constrained nodes; see
-   * cell_lumped_mass(). Collective. Units: kg.
+   * Diagonal of the lumped mass matrix M; zero at constrained nodes. Units: kg.
+   * Collective.
    */
   template <int dim>
   DistributedVector
@@ -56,8 +57,9 @@ namespace RollingContact
 
   /**
    * Rigid motions of the body, zero at constrained nodes: dim translations,
-   * then the rotation in 2D or three of them in 3D, about @p centre. Lengths
-   * are counted in @p length, so that all are of one size. Units: 1.
+   * then one rotation in 2D or three in 3D about @p centre. Distances from it
+   * are divided by @p length, so that all motions are of similar size. Units:
+   * m for centre and length, 1 for the motions. Collective.
    */
   template <int dim>
   std::vector<DistributedVector>

@@ -7,9 +7,10 @@
 namespace RollingContact
 {
   /**
-   * A DistributedBody in time, the scheme of ThetaStepper with solves by
-   * conjugate gradients: in begin_step() one for the motion without reactions,
-   * in response() one for what given reactions add.
+   * A DistributedBody in time: the scheme of ThetaStepper with solves by
+   * conjugate gradients. begin_step() solves for the motion without reactions,
+   * response() for what given reactions add. Functions are collective but for
+   * remember(), go_back() and what only returns a value.
    */
   template <int dim>
   class DistributedMotion : public BodyDynamics
@@ -86,7 +87,7 @@ namespace RollingContact
 
   private:
     /**
-     * What a failed step goes back to, without asking the other ranks.
+     * The state that go_back() returns to.
      */
     struct Kept
     {
@@ -94,30 +95,40 @@ namespace RollingContact
       StepEnergy        energy;
     };
 
+    /**
+     * Take a displacement and a velocity as the state. Units: m, m/s.
+     */
     void
     set_state(const DistributedVector &displacement,
               const DistributedVector &velocity);
 
     /**
-     * Forget the step that has begun and what was extrapolated to it.
+     * Forget the step that has begun and the guesses for the next one.
      */
     void
     start_anew();
 
+    /**
+     * Throws std::logic_error unless a step of the present length has begun.
+     */
     void
     require_begun() const;
 
+    /**
+     * Values at the contact nodes, on all ranks.
+     */
     std::vector<double>
     on_contact(const DistributedVector &values) const;
 
     /**
-     * u, K u and their energies at the end of the step from v_th in `work`.
+     * Advance u, K u and the energies they take part in from v_th in `work`.
      */
     void
     move_displacement();
 
     /**
-     * v, M v and their energies from v_th in `work`.
+     * Advance v, M v and the energies they take part in from v_th in `work`,
+     * which is overwritten.
      */
     void
     change_velocity();

@@ -7,11 +7,12 @@
 namespace RollingContact
 {
   /**
-   * What ThetaSystem is, for a distributed body: K, M and, for a time step h,
+   * Matrices of the theta-scheme for a distributed body: K, M and, for a time
+   * step h,
    *   A = M + theta h C + theta^2 h^2 K
-   * with conjugate gradients to solve with it; and on one rank the ThetaSystem
-   * of the body's model, for its contact compliance. Shared by all states of
-   * the body.
+   * with conjugate gradients to solve with A; and on one rank the ThetaSystem
+   * of the body's model, for the contact compliance. Shared by all states of
+   * the body. Functions are collective unless they only return a value.
    */
   template <int dim>
   class DistributedThetaSystem
@@ -26,13 +27,13 @@ namespace RollingContact
                            const std::vector<unsigned int> &components);
 
     /**
-     * Units: s.
+     * Assemble A for steps of this length, unless it is there. Units: s.
      */
     void
     set_time_step(const double h);
 
     /**
-     * 0 before set_time_step().
+     * Length of the step that A belongs to; 0 before set_time_step(). Units: s.
      */
     double
     time_step() const
@@ -47,11 +48,15 @@ namespace RollingContact
     }
 
     /**
-     * h^2 E^T A^-1 E of the model, on its rank. Units: m/N.
+     * Contact compliance h^2 E^T A^-1 E of the model; on its rank, empty on
+     * others. Units: m/N.
      */
     const DenseMatrix &
     contact_compliance() const;
 
+    /**
+     * Degrees of freedom of the contact nodes, component by component.
+     */
     const std::vector<dealii::types::global_dof_index> &
     contact_dofs() const
     {
@@ -66,13 +71,14 @@ namespace RollingContact
     multiply_mass(const DistributedVector &x, DistributedVector &result) const;
 
     /**
-     * A x = b, from the guess in @p x; the number of iterations.
+     * Solve A x = b, from the guess in @p x, and return the number of
+     * iterations.
      */
     unsigned int
     solve(DistributedVector &x, const DistributedVector &b) const;
 
     /**
-     * The rigid motion e_z, zero where the body is held.
+     * The rigid motion e_z, zero at clamped nodes. Units: 1.
      */
     const DistributedVector &
     rise() const
@@ -81,12 +87,15 @@ namespace RollingContact
     }
 
     /**
-     * Bytes on this rank.
+     * Memory of this rank in bytes.
      */
     BodyDynamics::Memory
     memory_consumption() const;
 
   private:
+    /**
+     * A += factor M.
+     */
     void
     add_mass(const double factor);
 

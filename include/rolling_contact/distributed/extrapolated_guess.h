@@ -6,8 +6,8 @@
 namespace RollingContact
 {
   /**
-   * A solution that changes little from step to step: the next one is guessed
-   * on the line through the last two.
+   * Initial guess for a solution that changes little from step to step: linear
+   * extrapolation of the last two, the last one, or zero. Not collective.
    */
   struct ExtrapolatedGuess
   {
@@ -15,7 +15,7 @@ namespace RollingContact
     unsigned int      n_known = 0;
 
     /**
-     * The guess becomes `now`.
+     * Replace `now`, the last solution, by the guess for the next one.
      */
     void
     extrapolate()
@@ -29,6 +29,9 @@ namespace RollingContact
       n_known = n_known == 0 ? 1 : 2;
     }
 
+    /**
+     * Take the next guess as zero.
+     */
     void
     forget()
     {

@@ -7,9 +7,10 @@
 namespace RollingContact
 {
   /**
-   * A body whose K is solved as asked for, direct or distributed. @p recovers:
-   * displacements away from the contact will be asked for. @p model_rank has
-   * the approximate compliance of a distributed body.
+   * Mesh a body whose K is solved as @p solver says, direct or distributed. A
+   * direct body keeps its factors if it @p recovers displacements away from the
+   * contact. @p model_rank will hold the model of a distributed body.
+   * Collective for a distributed body.
    */
   template <int dim>
   std::shared_ptr<ElasticBody<dim>>
@@ -22,8 +23,8 @@ namespace RollingContact
             const unsigned int                      model_rank);
 
   /**
-   * Bytes that factor and condensation of a body of this many unknowns need,
-   * from runs of bodies in 2D and 3D; for bodies not analysed yet.
+   * Estimated memory in bytes for factor and condensation of a direct body that
+   * was not analysed, fitted to runs of bodies in 2D and 3D.
    */
   template <int dim>
   double

@@ -29,15 +29,6 @@ namespace RollingContact
   };
 
   /**
-   * State of the motion of both bodies, empty for bodies without inertia. The
-   * state of mirror-identical bodies is kept for each.
-   */
-  struct PairMotion
-  {
-    BodyMotion wheel, rail;
-  };
-
-  /**
    * Throws InputError unless it is the motion of this many unknowns.
    */
   inline void

@@ -8,21 +8,25 @@
 namespace RollingContact
 {
   /**
-   * W r of the bodies for several sets of nodal forces, tangential components
-   * first; to all digits, or roughly. Units: N to m.
+   * Displacement W r of the bodies for each of several sets of nodal forces r,
+   * tangential components first; to all digits, or @p roughly. Units: N to m.
+   * Collective.
    */
   using PairResponse = std::function<std::vector<std::vector<double>>(
     const std::vector<std::vector<double>> &forces,
     const bool                              roughly)>;
 
   /**
-   * Solve a contact problem between bodies whose compliance is known
-   * approximately, and whose true response W r to the nodal forces r of the
-   * state can be had at a price. Corrections from outside: solve with the
-   * approximate W, ask for the response, let W give it from now on (see
-   * ContactOperators::correct()), until the contact laws hold with the true
-   * response to the tolerance of @p controls. W keeps what it learned. The
-   * contact laws are solved on one rank and the state is given to all.
+   * Solve a contact problem between bodies whose compliance W is known
+   * approximately, and whose true @p response to the nodal forces r of a state
+   * costs body solves. This is a quasi-Newton method for W: solve the contact
+   * laws with the approximate W, compute the response, update W by the secant
+   * condition W r = response (see ContactOperators::correct()), and repeat
+   * until the contact laws hold with the true response to the tolerance of @p
+   * controls; once, without updates, if W is @p exact. The updates stay in the
+   * W of
+   * @p problem. The contact laws are solved on the root. Problem and state are
+   * the same on all ranks, before and after, and so is the report. Collective.
    */
   SolverReport
   solve_updating_compliance(const ContactSolver  &solver,

@@ -7,9 +7,9 @@
 namespace RollingContact
 {
   /**
-   * The interface of bodies that are all read from files: equal boxes in the
-   * zone of contact nodes, the surface elements that generated bodies would
-   * have there.
+   * The interface of bodies that are all read from mesh files: equal boxes in
+   * the zone of contact nodes, which are the surface elements that generated
+   * bodies would have there.
    */
   template <int dim>
   Trace

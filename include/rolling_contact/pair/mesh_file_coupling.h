@@ -8,31 +8,33 @@
 namespace RollingContact
 {
   /**
-   * What the log tells of it.
+   * Text for the log about the coupling of a body from a mesh file.
    */
   struct SurfaceNote
   {
     std::string text;
-    std::string warning; ///< if its faces are longer than the interface's
+    std::string warning; ///< empty unless faces are longer than the elements
   };
 
   /**
-   * The contact surface of a body from a file as the interface sees it.
+   * The contact surface of a body from a mesh file and its coupling to the
+   * interface. Units: m.
    */
   struct FileSurface
   {
     SurfaceCoupling           coupling;
-    std::vector<unsigned int> vertices; ///< of the mesh: the contact nodes
-    std::vector<double>       heights;  ///< at the interface's nodes, or empty
-    std::array<double, 2>     face_size{{0., 0.}}; ///< the largest, in x and y
-    SurfaceNote               note;
+    std::vector<unsigned int> vertices; ///< of the file's mesh: contact nodes
+    std::vector<double>   heights; ///< at the interface's nodes; empty by radii
+    std::array<double, 2> face_size{{0., 0.}}; ///< of the largest face, x and y
+    SurfaceNote           note;
   };
 
   /**
-   * Couple the wheel or the rail, read from a file, to the interface. Throws
-   * InputError if its contact boundary ends in the zone, is too coarse, folded
-   * or clamped there, or does not lie on its radii: within 1 % of the largest
-   * gap in the zone, or half of it if the nodes themselves are the surface.
+   * Couple the body of a side, read from a mesh file, to the interface. Throws
+   * InputError if its contact boundary ends in the zone of contact nodes, is
+   * too coarse, folded or clamped there, or is farther from the surface given
+   * by its radii than 1 % of the largest gap in the zone (half of that gap if
+   * the nodes themselves give the surface). Needs no other rank.
    */
   FileSurface
   couple_to_interface(const SceneParameters &scene,
@@ -40,9 +42,10 @@ namespace RollingContact
                       const Trace           &interface);
 
   /**
-   * Throws InputError if the interface's elements are less than 1.2 times as
-   * long as the faces of the surface. Where no generated body carries its
-   * nodes, pressures that alternate from node to node would deform nothing.
+   * Throw InputError if the elements of an interface whose nodes no generated
+   * body has on its surface are less than 1.2 times as long as the faces of
+   * @p surface: pressures that alternate from node to node would deform
+   * nothing. Units: m.
    */
   void
   check_resolution(const SceneParameters &scene,

@@ -6,10 +6,10 @@
 namespace RollingContact
 {
   /**
-   * Throws InputError if the contact boundary of a mesh that was read is no
-   * larger than the estimated patch, or its faces are so much larger that its
-   * unit must be wrong. A flat one shows this by nothing else before the pair
-   * of bodies is built.
+   * Throw InputError if the contact boundary of a mesh that was read is no
+   * larger than the estimated patch, or its faces are so much larger than the
+   * patch that Mesh unit must be wrong. Nothing else shows this for a flat
+   * boundary before the pair of bodies is built.
    */
   void
   check_mesh_units(const SceneParameters &scene);

@@ -9,23 +9,24 @@
 namespace RollingContact
 {
   /**
-   * What a time step leads to on the contact nodes without reactions: the
-   * displacement u1 of the wheel over the rail that B1 acts on, and its
-   * velocity v1, of the tangential components; and what is added to the gap in
-   * the contact law. Empty where it is zero. Units: m, m/s.
+   * Motion of the wheel relative to the rail at the nodes of the interface at
+   * the end of a time step without reactions. A member is empty where it is
+   * zero. Units: m, m/s.
    */
   struct FreeMotion
   {
-    std::vector<double> displacement;
-    std::vector<double> velocity;
-    std::vector<double> gap;
+    std::vector<double> displacement; ///< tangential u1, which B1 acts on
+    std::vector<double> velocity;     ///< tangential v1
+    std::vector<double> gap;          ///< what the contact law adds to the gap
   };
 
   /**
-   * How the surfaces of a pair answer their reactions over a time step h: with
-   * W = compliance(), the gap changes by W r, the displacement by
-   * displacement_factor() W r and the velocity by W r / h. A step is
-   * begin_step(), the contact solve by the caller, end_step().
+   * Motion of the bodies of a pair in time. Over a time step h nodal forces r
+   * of the pair change, with W = compliance(), the gap by W r, the displacement
+   * by displacement_factor() W r and the velocity by W r / h. A step is
+   * begin_step(), the contact solve by the caller, end_step(). What concerns
+   * the pair is the same on all ranks. Functions are collective unless they say
+   * otherwise.
    */
   template <int dim>
   class PairIntegrator
@@ -34,67 +35,75 @@ namespace RollingContact
     virtual ~PairIntegrator() = default;
 
     /**
-     * Units: s.
+     * Prepare steps of this length. Units: s.
      */
     virtual void
     set_time_step(const double h) = 0;
 
     /**
-     * False if W is the static compliance, whatever the step.
+     * False if W is the static compliance, whatever the step. Not collective.
      */
     virtual bool
     compliance_depends_on_step() const = 0;
 
     /**
-     * Of the pair, as in ContactProblem, if it depends on the step. Units: m/N.
+     * Compliance W of the pair over a step, as in ContactProblem; empty if it
+     * does not depend on the step. Units: m/N.
      */
     virtual DenseMatrix
     compliance() const = 0;
 
     /**
-     * W r of the bodies for nodal forces r, as RollingPair::response(), in the
-     * step that has begun.
+     * W r in the step that has begun for each of several sets of nodal forces
+     * r, see RollingPair::response(). Units: N to m.
      */
     virtual std::vector<std::vector<double>>
     response(const std::vector<std::vector<double>> &forces) = 0;
 
+    /**
+     * Ratio of the change of the displacement that B1 acts on to that of the
+     * gap: theta of the theta-scheme, or 1. Not collective.
+     */
     virtual double
     displacement_factor() const = 0;
 
     /**
-     * Motion without reactions; a step that has begun before is forgotten. @p
-     * hub_acceleration is that of the wheel's hub towards the rail. Units:
-     * m/s^2.
+     * Begin a step, in place of one that was begun and not ended, and return
+     * the motion without reactions. @p hub_acceleration is that of the wheel's
+     * hub towards the rail. Units: m/s^2.
      */
     virtual FreeMotion
     begin_step(const double hub_acceleration) = 0;
 
     /**
-     * Take the step with the reactions of a state; energies of both bodies.
+     * End the step with the reactions of a contact state, and return the sum of
+     * the energies of both bodies. Units: J.
      */
     virtual StepEnergy
     end_step(const ContactProblem &problem, const ContactState &state) = 0;
 
     /**
-     * The bodies' state in static equilibrium with a contact state, at rest.
+     * Set the bodies to rest in static equilibrium with a contact state.
      */
     virtual void
     start_from(const ContactProblem &problem, const ContactState &state) = 0;
 
     /**
-     * Kinetic and strain energy of the state. Units: J.
+     * Sum of the kinetic and strain energy of both bodies. Units: J.
      */
     virtual double
     stored_energy() const = 0;
 
     /**
-     * What the time step keeps for all bodies, in bytes.
+     * Memory in bytes on this rank of what the time steps keep for both bodies.
+     * Not collective.
      */
     virtual BodyDynamics::Memory
     memory_consumption() const = 0;
 
     /**
-     * What the steps of the bodies took, for the log; may be empty.
+     * Number of solves and iterations in a step, for the log; may be empty. Not
+     * collective.
      */
     virtual std::string
     description() const
@@ -103,7 +112,8 @@ namespace RollingContact
     }
 
     /**
-     * For fields, in the body's own frame. Units: m.
+     * Displacement of a body in its own frame, on the ranks that hold a part of
+     * it, empty on others. Units: m.
      */
     virtual BodyField
     displacement(const Side            side,
@@ -111,33 +121,41 @@ namespace RollingContact
                  const ContactState   &state) const = 0;
 
     /**
-     * Keep the bodies' state now for go_back().
+     * Keep the state of the bodies for go_back(), in place of one kept before.
      */
     virtual void
     remember() = 0;
 
+    /**
+     * Return to the state that remember() kept.
+     */
     virtual void
     go_back() = 0;
 
     /**
-     * The bodies' state at the end of the last step. Collective.
+     * The motion of each body for a checkpoint: on all ranks for a direct body,
+     * on the first rank for a distributed one. Empty for rigid bodies and
+     * without inertia.
      */
-    virtual PairMotion
+    virtual PerSide<BodyMotion>
     save() const = 0;
 
     /**
-     * Go on from a saved state; @p problem and @p state are those of the step
-     * it was saved after.
+     * Go on from @p motion, which save() returned and all ranks have, and from
+     * the problem and the contact state of the last step. Throws InputError if
+     * it is the motion of other meshes.
      */
     virtual void
-    restore(const PairMotion     &saved,
-            const ContactProblem &problem,
-            const ContactState   &state) = 0;
+    restore(const PerSide<BodyMotion> &motion,
+            const ContactProblem      &problem,
+            const ContactState        &state) = 0;
   };
 
   /**
-   * Bodies with mass, by the theta-scheme. @p shifted takes the gap of Jean's
-   * shifted configuration, u0 + h (1 - theta) v0 + h v1, else u0 + h v1.
+   * Bodies with mass, by the theta-scheme, at rest but for the scene's initial
+   * velocity of a free wheel. The gap of the contact law is u0 + h v1, or that
+   * of Jean's shifted configuration, u0 + h (1 - theta) v0 + h v1, as the scene
+   * asks for. Collective.
    */
   template <int dim>
   std::unique_ptr<PairIntegrator<dim>>
@@ -145,7 +163,8 @@ namespace RollingContact
                         const RollingPair<dim> &pair);
 
   /**
-   * Bodies without mass: u1 = W r with the static W and v1 = (u1 - u0)/h.
+   * Bodies without mass, with the static W: u1 = W r and v1 = (u1 - u0)/h.
+   * Keeps a reference to the pair.
    */
   template <int dim>
   std::unique_ptr<PairIntegrator<dim>>

@@ -8,9 +8,9 @@
 namespace RollingContact
 {
   /**
-   * Run one action for each body, with two threads at the same time, each with
-   * one thread for its linear algebra. An exception of either reaches the
-   * caller.
+   * Run one action for each body: one after the other on one thread, or at the
+   * same time on two, then with one thread each for linear algebra. An
+   * exception of either reaches the caller.
    */
   template <typename First, typename Second>
   void

@@ -64,8 +64,8 @@ namespace RollingContact
     }
 
     /**
-     * The contact problem for a load, creepages and operators, on all ranks. The
-     * first overload condenses the bodies to the compliance W of the pair,
+     * The contact problem for a load, creepages and operators, on all ranks.
+     * The first overload condenses the bodies to the compliance W of the pair,
      * which takes long: later problems of the same pair should be made from the
      * W of the first one by the second overload. Units of W: m/N. The first
      * overload is collective.

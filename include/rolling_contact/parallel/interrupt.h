@@ -4,23 +4,24 @@
 namespace RollingContact
 {
   /**
-   * From here on the first SIGINT or SIGTERM only sets a flag, and a second one
-   * of the same kind ends the program at once. Clears the flag. A process on
-   * its own answers the first with a message; mpirun, which also ends ranks
-   * this way when another one failed, waits for one second: see
-   * doc/distributed.md.
+   * Clear the flag of interrupted() and install handlers by which the first
+   * SIGINT or SIGTERM only sets it, and a second one of the same kind ends the
+   * program at once. A process on its own answers the first with a message; one
+   * of several ranks has a second until mpirun kills it, which ends ranks this
+   * way also when another one failed: see doc/distributed.md.
    */
   void
   install_interrupt_handlers();
 
-  /** Whether this process got one of the signals; other MPI ranks may not. */
+  /** Whether this process received one of the signals; other ranks may not
+   * have. */
   bool
   interrupted();
 
   /**
-   * Throws Interrupted if any rank is interrupted(), on all of them; to be
-   * called between two states and in solvers that may take minutes. Collective,
-   * but inside Ranks::on() only the own rank counts.
+   * Throw Interrupted on all ranks if any of them is interrupted(). To be
+   * called between two states and in solvers that may take minutes. Collective;
+   * inside Ranks::on() only the calling rank counts.
    */
   void
   throw_if_interrupted();

@@ -10,26 +10,27 @@
 namespace RollingContact
 {
   /**
-   * The processes of a run under mpirun. All follow the same flow: what is
-   * called collective here is called by every rank, in the same order, and
-   * never inside on(), where it throws std::logic_error. Before start() a
-   * process is the only rank. To be used by one thread.
+   * The processes of a run under mpirun. All ranks follow the same flow:
+   * functions called *collective*, here and elsewhere, are called by every rank
+   * in the same order, and never inside on(), where they throw
+   * std::logic_error. Before start() a process is the only rank. To be used by
+   * one thread only.
    */
   namespace Ranks
   {
-    /** Whether mpirun, srun or their like started this process. */
+    /** Whether a launcher such as mpirun or srun started this process. */
     bool
     launched();
 
     /**
-     * Starts MPI unless it is on; collective. Takes 0.3 s in a process that was
-     * not launched, so that runs that need no MPI leave it out. Throws
-     * InputError if the launcher belongs to another MPI.
+     * Start MPI unless it is on. Takes 0.3 s in a process that was not
+     * launched, so that runs that need no MPI leave it out. Throws InputError
+     * if the launcher belongs to another MPI. Collective.
      */
     void
     start();
 
-    /** Ends what start() began, once all ranks are here; no MPI after it. */
+    /** Finalize MPI if start() started it; no MPI after that. Collective. */
     void
     finish();
 
@@ -37,55 +38,63 @@ namespace RollingContact
     unsigned int
     count();
 
-    /** That of this process, below count(). */
+    /** Number of this process, from 0 to count() - 1. */
     unsigned int
     rank();
 
-    /** Rank 0: it writes the files and talks to the user. */
+    /** Whether this is rank 0, which writes the files and the log. */
     bool
     is_root();
 
-    /** All ranks; this process alone if MPI is off. */
+    /** The communicator of all ranks; MPI_COMM_SELF if MPI is off. */
     MPI_Comm
     communicator();
 
-    /** Over all ranks, the result on all; collective. */
+    /** Sum of the values of all ranks, on all ranks. Collective. */
     double
     sum(const double value);
+
+    /** Smallest and largest of the values of all ranks, on all ranks.
+     * Collective. */
     double
     minimum(const double value);
     double
     maximum(const double value);
 
-    /** Entry by entry; as many of them on all ranks. Collective. */
+    /** Replace each entry by its sum over all ranks, which must have equally
+     * many entries. Collective. */
     void
     sum(std::vector<double> &values);
 
-    /** The values of one rank, their number included, on all; collective. */
+    /** Replace the values or the text of all ranks, size included, by those of
+     * rank @p from. For structures see broadcast.h. Collective. */
     void
     broadcast(std::vector<double> &values, const unsigned int from = 0);
     void
     broadcast(std::string &text, const unsigned int from = 0);
 
     /**
-     * That rank runs the action, the others wait for it, asleep. What it throws
-     * is thrown on all: InputError, ConvergenceError, Interrupted,
-     * std::bad_alloc and std::logic_error with their type, anything else as
-     * std::runtime_error on the others, all with its message. Collective;
-     * inside another on() it just calls the action.
+     * Run the action on one rank while the others sleep until it is done. An
+     * exception of the action is thrown on all ranks with its message:
+     * InputError, ConvergenceError, Interrupted, std::bad_alloc and
+     * std::logic_error with their type, any other as std::runtime_error on the
+     * ranks that did not run the action. Collective; inside another on() the
+     * action is just called.
      */
     void
     on(const unsigned int rank, const std::function<void()> &action);
 
+    /** Run the action on rank 0 by on(). Collective. */
     void
     on_root(const std::function<void()> &action);
 
-    /** Every rank runs the action; what the lowest failing one throws is thrown
-     * on all, as by on(). Collective. */
+    /** Run the action on every rank. If some throw, the exception of the lowest
+     * of them is thrown on all ranks, as by on(). Collective. */
     void
     on_all(const std::function<void()> &action);
 
-    /** Whether this is the action of an on(), with other ranks waiting. */
+    /** Whether this call is made inside the action of an on(), while the other
+     * ranks wait. */
     bool
     others_wait();
   } // namespace Ranks

@@ -8,8 +8,8 @@
 namespace RollingContact
 {
   /**
-   * What an action threw, in a form that can be sent to another process and
-   * thrown there.
+   * An exception in a form that can be sent to another process and thrown
+   * there.
    */
   struct RelayedException
   {
@@ -26,17 +26,19 @@ namespace RollingContact
 
     Kind        kind = Kind::nothing;
     std::string message;
-    /** The exception itself; null in another process. */
+    /** The exception itself in the process that caught it, else null. */
     std::exception_ptr exception;
   };
 
+  /** Run the action and return what it throws; Kind::nothing if it returns. */
   RelayedException
   caught_from(const std::function<void()> &action);
 
-  /** Throws it as it was where it is known, else with type and message of its
-   * kind (std::runtime_error for Kind::other). */
+  /** Throw the exception itself where it was caught, in other processes one of
+   * the same kind with its message (std::runtime_error for Kind::other). Does
+   * nothing for Kind::nothing. */
   void
-  rethrow(const RelayedException &thrown);
+  rethrow(const RelayedException &relayed);
 } // namespace RollingContact
 
 #endif

@@ -1,6 +1,7 @@
 #ifndef rolling_contact_state_checkpoint_h
 #define rolling_contact_state_checkpoint_h
 
+#include <rolling_contact/base/side.h>
 #include <rolling_contact/contact/contact_problem.h>
 #include <rolling_contact/dynamics/body_motion.h>
 #include <rolling_contact/input/prm_entries.h>
@@ -47,7 +48,7 @@ namespace RollingContact
 
     TransientProgress progress;
 
-    PairMotion                     bodies;
+    PerSide<BodyMotion>            bodies; ///< each of twins has its own motion
     std::vector<double>            pressure, traction;
     double                         approach = 0.; ///< m
     std::vector<EdgeExtrapolation> edges;         ///< see edge_law.h
