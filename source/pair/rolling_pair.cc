@@ -88,7 +88,6 @@ namespace RollingContact
   RollingPair<dim>::pair_compliance(PerSide<DenseMatrix> bodies) const
   {
     const std::size_t n_nodes = trace().nodes.size();
-    DenseMatrix W(components.size() * n_nodes, components.size() * n_nodes);
     for (const Side side : both_sides)
       if (body_pair.has_own_body(side))
         {
@@ -96,6 +95,7 @@ namespace RollingContact
           bodies[side] =
             pair_interface.coupling[side].to_interface(std::move(bodies[side]));
         }
+    DenseMatrix W(components.size() * n_nodes, components.size() * n_nodes);
     for (const Side side : both_sides)
       if (body_pair.is_elastic(side))
         add_compliance(body_pair.twins() ? bodies.wheel : bodies[side],
