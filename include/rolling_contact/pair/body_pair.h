@@ -67,7 +67,7 @@ namespace RollingContact
     }
 
     /**
-     * False for a rigid body.
+     * True for an elastic body, false for a rigid one.
      */
     bool
     is_elastic(const Side side) const
