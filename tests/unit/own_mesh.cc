@@ -470,7 +470,7 @@ BOOST_AUTO_TEST_CASE(lateral_creepage_is_met_as_well_as_by_matching_meshes)
   const Files files;
   files.save("rail.msh", crowned_block(0.7e-3, 0.5e-3, 0.3).gmsh());
   const auto force =
-    [&](const unsigned int n, const std::string &offset, const bool from_file) {
+    [&](const unsigned int n, const double offset, const bool from_file) {
       return SceneRun<3>(
                [&](SceneParameters &scene) {
                  scene.dimension                  = 3;
@@ -493,9 +493,9 @@ BOOST_AUTO_TEST_CASE(lateral_creepage_is_met_as_well_as_by_matching_meshes)
                })
         .force_y();
     };
-  const double limit    = force(20, "0", false);
+  const double limit    = force(20, 0., false);
   double       matching = 0., coupled = 0.;
-  for (const char *offset : {"0", "0.5"})
+  for (const double offset : {0., 0.5})
     {
       matching += std::abs(force(10, offset, false) - limit);
       coupled += std::abs(force(10, offset, true) - limit);
