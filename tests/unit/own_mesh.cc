@@ -515,7 +515,7 @@ BOOST_AUTO_TEST_CASE(two_read_bodies_that_mirror_each_other)
   files.save("rail.msh", mesh.gmsh());
   mesh.mirrored = true;
   files.save("wheel.msh", mesh.gmsh());
-  const auto run = [&](const double creepage, const std::string &surface) {
+  const auto run = [&](const double creepage, const SurfaceSource surface) {
     return SceneRun<2>(two_discs, [&](SceneParameters &scene) {
       scene.contact.creepages.x = creepage;
       files.take(scene.rail, "rail.msh");
@@ -524,14 +524,14 @@ BOOST_AUTO_TEST_CASE(two_read_bodies_that_mirror_each_other)
       scene.read_meshes();
     });
   };
-  const SceneRun<2> rolling = run(0., "radii");
+  const SceneRun<2> rolling = run(0., SurfaceSource::radii);
   BOOST_TEST(!rolling.steady.pair->bodies().twins());
   for (const double traction : rolling.steady.state.traction)
     BOOST_TEST(std::abs(traction) < 1e-9 * rolling.steady.result.max_pressure);
-  const SceneRun<2> creeping = run(0.0017, "radii");
+  const SceneRun<2> creeping = run(0.0017, SurfaceSource::radii);
   BOOST_TEST(std::abs(carter_error(creeping)) < 1e-3);
   // facets of 0.28 mm fall by 0.02 um; the gap at the edge is 39 um
-  const SceneRun<2> nodes = run(0.0017, "nodes");
+  const SceneRun<2> nodes = run(0.0017, SurfaceSource::nodes);
   BOOST_TEST(nodes.steady.result.normal_force ==
                creeping.steady.result.normal_force,
              boost::test_tools::tolerance(1e-3));

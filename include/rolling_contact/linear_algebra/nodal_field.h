@@ -189,16 +189,6 @@ namespace RollingContact
       return a.nodes == b.nodes && a.all == b.all;
     }
 
-    /**
-     * For Boost.Serialization.
-     */
-    template <typename Archive>
-    void
-    serialize(Archive &archive, const unsigned int /*version*/)
-    {
-      archive &nodes &all;
-    }
-
     /** For Boost.Serialization. */
     template <typename Archive>
     void
