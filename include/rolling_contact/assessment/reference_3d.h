@@ -21,7 +21,7 @@ namespace RollingContact
     std::string           label;  ///< "Shen, Hedrick, Elkins", in plots
     bool                  saturates = true; ///< at mu N, mu constant
     double                x = 0., y = 0.;
-    std::optional<double> spin_moment; ///< if the theory has one
+    std::optional<double> spin_moment{}; ///< if the theory has one
   };
 
   /**
