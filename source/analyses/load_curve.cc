@@ -73,7 +73,7 @@ namespace RollingContact
                                                       "contact_stiffness_N/m",
                                                       "half_width_x_m",
                                                       "max_pressure_Pa"}));
-    note_state(scene, steady, context.report);
+    note_state(steady, context.report);
     context.report.set_finding("spring",
                                "k = " +
                                  significant(*steady.contact_stiffness, 5) +

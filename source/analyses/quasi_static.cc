@@ -113,7 +113,7 @@ namespace RollingContact
     StateReview<dim> review(scene, context);
     review.add(steady);
     review.warn(steady);
-    note_state(scene, steady, context.report);
+    note_state(steady, context.report);
   }
 
 

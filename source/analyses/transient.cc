@@ -194,7 +194,7 @@ namespace RollingContact
       "t = " + significant(progress.time, 6) + " s, rolled " +
         significant(1e3 * progress.rolled_distance, 6) + " mm, " +
         std::to_string(progress.n_impacts) + " impacts of nodes");
-    note_state(scene, stepper.current(), context.report);
+    note_state(stepper.current(), context.report);
     context.report.set_finding(
       "energy",
       "stored " + significant(stepper.bodies().stored_energy(), 5) +

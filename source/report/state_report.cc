@@ -34,9 +34,7 @@ namespace RollingContact
 
   template <int dim>
   void
-  note_state(const SceneParameters  &scene,
-             const SteadyState<dim> &steady,
-             RunReport              &report)
+  note_state(const SteadyState<dim> &steady, RunReport &report)
   {
     const Resultants &result = steady.result;
     if (result.n_touching == 0)
@@ -228,9 +226,9 @@ namespace RollingContact
 
 
   template void
-  note_state(const SceneParameters &, const SteadyState<2> &, RunReport &);
+  note_state(const SteadyState<2> &, RunReport &);
   template void
-  note_state(const SceneParameters &, const SteadyState<3> &, RunReport &);
+  note_state(const SteadyState<3> &, RunReport &);
   template class StateReview<2>;
   template class StateReview<3>;
 } // namespace RollingContact

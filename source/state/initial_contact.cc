@@ -116,7 +116,7 @@ namespace RollingContact
       contact.problem           = contact.pair->contact_problem(
         in_time,
         steady ? std::move(contact.problem.operators).W()
-                         : contact.pair->combined({}, {}));
+                         : contact.pair->pair_compliance({}));
       if (steady)
         {
           start_steadily(scene, demands, histories, context, initial);

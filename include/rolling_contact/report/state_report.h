@@ -22,9 +22,7 @@ namespace RollingContact
    */
   template <int dim>
   void
-  note_state(const SceneParameters  &scene,
-             const SteadyState<dim> &steady,
-             RunReport              &report);
+  note_state(const SteadyState<dim> &steady, RunReport &report);
 
   /**
    * Write tractions.svg: p/p0 and q/(mu p0) along the patch of a 2D state, with
