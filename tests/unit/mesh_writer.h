@@ -247,7 +247,7 @@ namespace RollingContact
   /** Both signs, shifted by @p shift steps in the middle and not at the ends.
    */
   inline std::vector<double>
-  both_sides(const std::vector<double> &points, const double shift)
+  mirrored_points(const std::vector<double> &points, const double shift)
   {
     std::vector<double> result;
     const double        end = points.back(), step = points[1];

@@ -3,7 +3,6 @@
 #include "complaint.h"
 
 #include <rolling_contact/input/number_list.h>
-#include <rolling_contact/scene/load_curve_parameters.h>
 
 using namespace RollingContact;
 
@@ -44,9 +43,6 @@ BOOST_AUTO_TEST_CASE(a_range_ends_at_its_ends)
         BOOST_TEST(list.front() == std::stod(first));
         BOOST_TEST(list.back() == std::stod(last));
       }
-  LoadCurveParameters curve;
-  curve.shares = "0.2 : 1 : 4";
-  BOOST_TEST(curve.load_fractions().back() == 1.);
 }
 
 
@@ -59,9 +55,6 @@ BOOST_AUTO_TEST_CASE(ranges_that_are_none)
   // no point of these is a number
   for (const char *text : {"-1e308 : 1e308 : 3", "0 : 1e308 : 100"})
     BOOST_TEST(contains(said_of(text), "too far apart"), text);
-  LoadCurveParameters curve;
-  curve.shares = "-1e308 : 1e308 : 3";
-  BOOST_CHECK_THROW(curve.load_fractions(), InputError);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -26,7 +26,7 @@ namespace
   {
     const double pi = 3.14159265358979323846;
     WrittenMesh  mesh;
-    mesh.a = both_sides(graded(step, fine, pi * radius, 1.12), shift);
+    mesh.a = mirrored_points(graded(step, fine, pi * radius, 1.12), shift);
     mesh.a.pop_back();
     mesh.closed = true;
     mesh.c      = graded(step, fine, radius - hub_radius, 1.12);
@@ -44,8 +44,9 @@ namespace
   {
     const double length = 0.03, depth = 0.04;
     WrittenMesh  mesh;
-    mesh.a   = both_sides(graded(step_x, 9 * step_x, length, 1.7), shift);
-    mesh.b   = both_sides(graded(step_y, 9 * step_y, length, 1.7), shift / 2);
+    mesh.a = mirrored_points(graded(step_x, 9 * step_x, length, 1.7), shift);
+    mesh.b =
+      mirrored_points(graded(step_y, 9 * step_y, length, 1.7), shift / 2);
     mesh.c   = graded(step_x, 4 * step_x, depth, 1.7);
     mesh.map = [=](double a, double b, double c) {
       const double height = -crown_depth(0.46, a) - crown_depth(0.3, b);
