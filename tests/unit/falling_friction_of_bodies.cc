@@ -238,6 +238,7 @@ BOOST_AUTO_TEST_CASE(entries_that_contradict_each_other)
   const auto said = [](const std::function<void(SceneParameters &)> &change) {
     SceneParameters scene;
     scene.contact.approach = 1e-4;
+    scene.contact.speed    = 1.;
     fall(scene, 1.);
     scene.check();
     change(scene);

@@ -316,8 +316,8 @@ BOOST_AUTO_TEST_CASE(entries_have_units_and_bounds)
        {"Theta", "Rayleigh alpha", "Checkpoint seconds"})
     BOOST_TEST(contains(all, "set " + entry));
   dealii::ParameterHandler prm;
-  SceneParameters          scene;
-  scene.declare(prm, {});
+  TimeParameters           time;
+  time.declare(prm);
   prm.enter_subsection("Time");
   BOOST_CHECK_THROW(prm.set("Theta", "0.49"), dealii::ExceptionBase);
   BOOST_CHECK_THROW(prm.set("Theta", "1.01"), dealii::ExceptionBase);

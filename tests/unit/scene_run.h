@@ -47,7 +47,7 @@ namespace RollingContact
       change(scene);
       scene.check();
       StateDemands demands;
-      demands.pair.displacements = true;
+      demands.pair.displacements = scene.output.body_fields;
       steady = solve_steady_state<dim>(scene, demands, context);
       BOOST_TEST(steady.solver.converged);
     }
