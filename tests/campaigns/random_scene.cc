@@ -33,9 +33,9 @@ RandomScene::RandomScene(const std::uint64_t seed, const unsigned int dimension)
   if (analysis == "transient")
     choose_time();
   if (analysis == "creep curve")
-    sections["Creep curve"]["Creepage x"] = text_of(-largest_creepage) + " : " +
-                                            text_of(largest_creepage) + " : " +
-                                            std::to_string(random.integer(2, 5));
+    sections["Creep curve"]["Creepage x"] =
+      text_of(-largest_creepage) + " : " + text_of(largest_creepage) + " : " +
+      std::to_string(random.integer(2, 5));
 }
 
 
@@ -133,10 +133,10 @@ RandomScene::choose_block()
   set("Rail", "Block length", 2 * size);
   const double draw = random.between(0., 1.);
   // deep grooves would reach the bottom of the block
-  const double radius =
-    draw < 0.4   ? 0.
-    : draw < 0.7 ? size * random.scale(1.5, 100.)
-                 : -std::max(wheel_radius, 1.5 * size) * random.scale(1.02, 20.);
+  const double radius = draw < 0.4   ? 0.
+                        : draw < 0.7 ? size * random.scale(1.5, 100.)
+                                     : -std::max(wheel_radius, 1.5 * size) *
+                                         random.scale(1.02, 20.);
   set("Rail", "Radius", radius);
   return radius;
 }
@@ -210,7 +210,7 @@ RandomScene::choose_contact()
         half_width * half_width / relative_radius * random.between(0.3, 3.));
   const double mu = random.chance(0.07)   ? 0.
                     : random.chance(0.05) ? 10.
-                                        : random.scale(1e-3, 2.);
+                                          : random.scale(1e-3, 2.);
   set("Contact",
       "Friction coefficient",
       analysis == "creep curve" ? std::max(mu, 0.01) : mu);
@@ -227,7 +227,8 @@ RandomScene::choose_contact()
       if (random.chance(0.5))
         set("Contact",
             "Spin",
-            random.sign() * largest_creepage / half_width * random.scale(0.1, 3.));
+            random.sign() * largest_creepage / half_width *
+              random.scale(0.1, 3.));
     }
   if (analysis == "quasi-static" && random.chance(0.1))
     sections["Contact"]["Roughness"] =
@@ -256,7 +257,9 @@ RandomScene::choose_mesh()
   else
     set("Mesh", "Patch offset", random.between(-1., 1.));
   set("Mesh", "Candidate zone", random.between(1.1, flat ? 3. : 1.5));
-  set("Mesh", "Growth", flat ? random.between(0.2, 1.5) : random.between(0.8, 1.5));
+  set("Mesh",
+      "Growth",
+      flat ? random.between(0.2, 1.5) : random.between(0.8, 1.5));
   set("Mesh", "Zone depth", random.between(0., flat ? 2. : 0.8));
   if (random.chance(0.15))
     {

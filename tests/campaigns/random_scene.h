@@ -52,7 +52,7 @@ private:
   void
   choose_time();
 
-  RandomSource               random;
+  RandomSource       random;
   const unsigned int dimension;
   std::string        analysis, rigid;
   bool               are_twins = false, papers_operators = false;
