@@ -1,6 +1,6 @@
 # Two history.csv: the same steps and counts, every other column to 1e-8 of its
 # largest value. Energies (J), which add up errors, to 1e-6, and
-# several_solutions_ratio, which depends on slopes of the friction law, to 1e-5.
+# several_solutions_ratio, which depends on slopes of the friction law, to `ratio`.
 # What vanishes but for rounding: energies to 1e-12 of the largest one, forces (N)
 # and moments (Nm) to 1e-12 of the load (times 1 m). In the second file an
 # energy_balance_error of at most `balance`.
@@ -41,7 +41,7 @@ END {
   for (i = 1; i <= n; ++i) {
     is_energy = name[i] ~ /_J$/
     floor = is_energy ? 1e-12 * energy : name[i] ~ /_Nm?$/ ? 1e-12 * load : 0
-    near = is_energy ? 1e-6 : name[i] == "several_solutions_ratio" ? 1e-5 : 1e-8
+    near = is_energy ? 1e-6 : name[i] == "several_solutions_ratio" ? ratio : 1e-8
     if (worst[i] > near * largest[i] && worst[i] > floor)
       complain(name[i] " differs by " worst[i])
   }

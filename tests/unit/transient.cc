@@ -247,7 +247,7 @@ BOOST_AUTO_TEST_CASE(loads_and_approaches_given_in_time_are_inverse)
       const double ahead = law == ContactLaw::shifted ? (1 - theta) * h : 0.;
       BOOST_TEST(loaded.stepper->current().state.approach ==
                    approach_at(loaded.time + ahead),
-                 boost::test_tools::tolerance(2e-4));
+                 boost::test_tools::tolerance(1e-4));
     }
 }
 

@@ -56,8 +56,8 @@ namespace RollingContact
      * Step from @p time by @p h; when the contact solve fails, in 2, 4, ...
      * parts up to 2^`Time/Maximum halvings`. Throws ConvergenceError, leaving
      * the last good state, when that fails too, when the patch reaches the
-     * border of the candidate zone, an energy is not a number or friction
-     * creates energy. Units: s.
+     * border of the candidate zone, an energy is not a number or an invariant
+     * of the contact is broken. Units: s.
      */
     StepOutcome
     advance(const double time, const double h);
