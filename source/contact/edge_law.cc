@@ -20,6 +20,28 @@ namespace RollingContact
 
 
     /**
+     * Largest change of the gap's curvature from node to node, over its mean,
+     * and largest irregularity of the pressure, with which the edge law is more
+     * exact than upwind 2. Measured on waves of 3 to 12 elements and on Poisson
+     * ratios from 0.3 to 0.4999.
+     */
+    const double largest_change = 0.75, largest_irregularity = 0.015;
+
+
+
+    /**
+     * Share of the normal displacement of a pressure that the same field as the
+     * traction in component @p c adds by itself: all of it along the flow.
+     */
+    double
+    normal_share(const unsigned int c)
+    {
+      return c == 0 ? 1. : 0.;
+    }
+
+
+
+    /**
      * Replaces rows of the slip operators by those of the edge law, one run of
      * touching nodes after the other.
      */
@@ -35,6 +57,12 @@ namespace RollingContact
       apply_to_all_runs();
 
     private:
+      bool
+      is_resolved(const TouchingRun &run) const;
+
+      void
+      leave_out_unresolved_runs();
+
       bool
       barely_touches(const TouchingRun &run) const;
 
@@ -63,19 +91,21 @@ namespace RollingContact
               const EdgeExtrapolation   &extrapolation);
 
       void
-      find_displacements();
+      find_surplus();
 
       const ContactProblem     &contact;
       const SlipOperator       &slip_operator;
       const EdgeExtrapolations &extrapolations;
       SlipRows                 &rows;
       std::vector<TouchingRun>  runs;
-      std::vector<double>       pressure;   ///< of all nodes
-      std::vector<double>       frictional; ///< without released nodes
+      std::vector<double>       pressure;            ///< of all nodes
+      std::vector<double>       frictional;          ///< without released nodes
+      std::vector<double>       normal_displacement; ///< under the pressure
       std::vector<bool>         inside; ///< touches and is not a first to drop
 
-      /// Of the frictional pressure used as traction in each direction.
-      std::vector<std::vector<double>> displacements;
+      /// What the frictional pressure, as the traction in each direction,
+      /// moves the surface beyond what the pressure moves it along the normal.
+      std::vector<std::vector<double>> surplus;
     };
 
 
@@ -91,21 +121,62 @@ namespace RollingContact
       , runs(touching_runs(slip_operator, pressure))
       , pressure(pressure)
       , frictional(pressure)
+      , normal_displacement(contact.operators.normal_displacement(pressure))
     {
       for (const double p : pressure)
         inside.push_back(p > 0.);
-      find_displacements();
+      find_surplus();
     }
 
 
 
     void
-    EdgeLaw::find_displacements()
+    EdgeLaw::find_surplus()
     {
-      displacements.clear();
+      surplus.clear();
       for (unsigned int c = 0; c < contact.n_tangential(); ++c)
-        displacements.push_back(
-          contact.operators.displacement_along(c, frictional));
+        {
+          surplus.push_back(
+            contact.operators.displacement_along(c, frictional));
+          for (unsigned int i = 0; i < contact.n_nodes(); ++i)
+            surplus[c][i] -= normal_share(c) * normal_displacement[i];
+        }
+    }
+
+
+
+    bool
+    EdgeLaw::is_resolved(const TouchingRun &run) const
+    {
+      if (change_of_curvature(run,
+                              places(run, contact.operators),
+                              contact.loads.gap) > largest_change)
+        return false;
+      for (unsigned int c = 0; c < contact.n_tangential(); ++c)
+        {
+          const EdgePressure line(contact, run, c);
+          if (line.irregularity(line.equivalent(pressure, surplus[c]),
+                                pressure) > largest_irregularity)
+            return false;
+        }
+      return true;
+    }
+
+
+
+    /**
+     * Runs whose gap or pressure is rough at the scale of an element keep the
+     * rows of upwind 2.
+     */
+    void
+    EdgeLaw::leave_out_unresolved_runs()
+    {
+      const auto last =
+        std::remove_if(runs.begin(), runs.end(), [&](const TouchingRun &run) {
+          return run.leading && !is_resolved(run);
+        });
+      rows.n_unresolved = runs.end() - last;
+      runs.erase(last, runs.end());
     }
 
 
@@ -118,8 +189,8 @@ namespace RollingContact
     EdgeLaw::barely_touches(const TouchingRun &run) const
     {
       for (unsigned int c = 0; c < contact.n_tangential(); ++c)
-        if (EdgePressure(contact, run, c)
-              .equivalent(pressure, displacements[c])[0] <= 0.)
+        if (EdgePressure(contact, run, c).equivalent(pressure, surplus[c])[0] <=
+            0.)
           return true;
       return false;
     }
@@ -148,7 +219,7 @@ namespace RollingContact
             run.nodes.erase(run.nodes.begin());
           }
       if (!rows.released.empty())
-        find_displacements();
+        find_surplus();
     }
 
 
@@ -156,6 +227,7 @@ namespace RollingContact
     void
     EdgeLaw::apply_to_all_runs()
     {
+      leave_out_unresolved_runs();
       leave_out_first_nodes();
       for (const TouchingRun &run : runs)
         {
@@ -261,7 +333,7 @@ namespace RollingContact
       for (unsigned int c = 0; c < contact.n_tangential(); ++c)
         {
           const EdgePressure line(contact, run, c);
-          edge.pressure[c] = line.equivalent(frictional, displacements[c]);
+          edge.pressure[c] = line.equivalent(frictional, surplus[c]);
           edge.coupling[c] = line.coupling_traction(frictional);
           add_law(line,
                   given ? edge.pressure[c] : line.on_run(frictional),

@@ -1,6 +1,7 @@
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/contact/edge_pressure.h>
 #include <rolling_contact/interface/patch_edge.h>
+#include <rolling_contact/linear_algebra/polynomial_fit.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,12 +25,16 @@ namespace RollingContact
     const double longest_window = 32.;
 
     /**
-     * Where the bodies are coupled the displacement is less quadratic away from
-     * the edge: the window is shorter by this share from this Dundurs' beta on,
-     * and in proportion below. Empirical: shorter windows follow the
-     * displacement better and average less.
+     * The smooth part of a displacement is fitted from the fourth node on,
+     * without the last two, on the window or at least on so many nodes, by a
+     * polynomial of at most this degree and of at most this share of the nodes;
+     * below the least degree nothing is taken away. Empirical: nearer to the
+     * edges the fit takes what belongs to them, and lower degrees leave too
+     * much of layers as thin as half a patch.
      */
-    const double coupled_narrowing = 0.625, narrowing_beta = 0.05;
+    const std::size_t  first_smooth = 3, last_smooth = 2, least_smooth = 14;
+    const unsigned int smooth_degree = 5, least_degree = 3;
+    const double       smooth_share = 0.6;
 
     /**
      * Share of the first element next to the edges of the patch where the
@@ -37,50 +42,11 @@ namespace RollingContact
      */
     const double edge_margin = 0.02;
 
-
-
     /**
-     * True if the point with these weights is in contact.
+     * Nodes next to the edge that corrections are for.
      */
-    bool
-    touches(const SparseRows::Row &weights, const std::vector<double> &pressure)
-    {
-      return !weights.empty() &&
-             std::all_of(weights.begin(),
-                         weights.end(),
-                         [&](const auto &entry) {
-                           return pressure[entry.first] > 0.;
-                         });
-    }
+    const std::size_t n_disturbed = 4;
   } // namespace
-
-
-
-  std::vector<TouchingRun>
-  touching_runs(const SlipOperator        &slip_operator,
-                const std::vector<double> &pressure)
-  {
-    std::vector<TouchingRun> runs;
-    for (const auto &line : slip_operator.lines())
-      {
-        bool touching = false;
-        for (const unsigned int node : line)
-          {
-            if (pressure[node] > 0. && !touching)
-              {
-                runs.emplace_back();
-                runs.back().leading =
-                  !touches(slip_operator.one_upstream()[node], pressure);
-              }
-            touching = pressure[node] > 0.;
-            if (touching)
-              runs.back().nodes.push_back(node);
-          }
-        if (touching)
-          runs.back().cut = true;
-      }
-    return runs;
-  }
 
 
 
@@ -91,6 +57,7 @@ namespace RollingContact
     , run(run)
     , direction(component)
     , flow(operators.slip_operator().flow_direction())
+    , x(places(run, operators))
   {}
 
 
@@ -126,13 +93,8 @@ namespace RollingContact
     const std::size_t n_run = run.nodes.size(), n_least = run.cut ? 4 : 6;
     if (n_run < n_least)
       return 0;
-    const double narrowing =
-      1 -
-      coupled_narrowing *
-        std::min(1.,
-                 std::abs(operators.coupling().dundurs_beta) / narrowing_beta);
     const double length = along(n_run - 1) - along(0);
-    double       reach  = run.cut ? 2 * length : narrowing * 2. / 3 * length;
+    double       reach  = run.cut ? 2 * length : 2. / 3 * length;
     double       size   = 0.;
     for (std::size_t k = 1; k < n_run && along(k - 1) - along(0) < reach; ++k)
       size = std::max(size, along(k) - along(k - 1));
@@ -217,13 +179,44 @@ namespace RollingContact
 
 
   std::vector<double>
+  EdgePressure::without_smooth_part(std::vector<double> displacement) const
+  {
+    const std::size_t n = run.nodes.size();
+    if (run.cut || n < least_degree + first_smooth + last_smooth)
+      return displacement;
+    const std::size_t end =
+      std::min(n - last_smooth, std::max(window(), least_smooth));
+    const unsigned int degree =
+      std::min<double>(smooth_degree, smooth_share * (end - first_smooth));
+    if (degree < least_degree)
+      return displacement;
+    return without_polynomial(
+      x, std::move(displacement), first_smooth, end, degree);
+  }
+
+
+
+  std::vector<double>
   EdgePressure::equivalent(const std::vector<double> &pressure,
-                           const std::vector<double> &displacement) const
+                           const std::vector<double> &surplus) const
   {
     const std::vector<double> p     = on_run(pressure);
     std::vector<double>       field = p;
-    smooth(on_run(displacement), p, field);
+    smooth(without_smooth_part(on_run(surplus)), p, field);
     return field;
+  }
+
+
+
+  double
+  EdgePressure::irregularity(const std::vector<double> &equivalent,
+                             const std::vector<double> &pressure) const
+  {
+    double largest = 0.;
+    for (std::size_t k = n_disturbed; k < window(); ++k)
+      largest =
+        std::max(largest, std::abs(equivalent[k] / pressure[run.nodes[k]] - 1));
+    return largest;
   }
 
 
@@ -236,13 +229,11 @@ namespace RollingContact
     std::vector<double>       field(n, 0.);
     if (!operators.coupling().exists || n < 10 || run.cut || direction > 0)
       return field;
-    std::vector<double> x(n), x_reversed, p_reversed(p.rbegin(), p.rend());
-    for (std::size_t k = 0; k < n; ++k)
-      x[k] = along(k);
-    x_reversed.assign(x.rbegin(), x.rend());
+    const std::vector<double> x_reversed(x.rbegin(), x.rend()),
+      p_reversed(p.rbegin(), p.rend());
     const double        begin  = patch_edge(x, p);
     const double        end    = patch_edge(x_reversed, p_reversed);
-    const double        margin = edge_margin * (along(1) - along(0));
+    const double        margin = edge_margin * (x[1] - x[0]);
     std::vector<double> nodal(operators.n_nodes(), 0.);
     for (std::size_t k = 0; k < n; ++k)
       {
@@ -256,7 +247,7 @@ namespace RollingContact
       operators.tangential_displacement_of_pressure(pressure);
     for (std::size_t i = 0; i < displacement.size(); ++i)
       displacement[i] += of_pressure(0, i);
-    smooth(on_run(displacement), p, field);
+    smooth(without_smooth_part(on_run(displacement)), p, field);
     return field;
   }
 } // namespace RollingContact

@@ -32,6 +32,7 @@ namespace RollingContact
     NodalField                edge_constants; ///< empty without edge_rows
     std::vector<ContactEdge>  edges;
     std::vector<unsigned int> released; ///< touching nodes without friction
+    std::size_t n_unresolved = 0;       ///< leading edges left to upwind 2
   };
 
   /**

@@ -1,37 +1,25 @@
 #ifndef rolling_contact_contact_edge_pressure_h
 #define rolling_contact_contact_edge_pressure_h
 
-#include <rolling_contact/contact/contact_problem.h>
+#include <rolling_contact/contact/touching_run.h>
 
 namespace RollingContact
 {
   /**
-   * Consecutive touching nodes of a line, in the order of the flow.
-   */
-  struct TouchingRun
-  {
-    std::vector<unsigned int> nodes;
-    bool leading = true;  ///< the point one element upstream is open
-    bool cut     = false; ///< the line ends inside the contact
-  };
-
-  /**
-   * All runs of touching nodes on the lines of the slip operator.
-   */
-  std::vector<TouchingRun>
-  touching_runs(const SlipOperator        &slip_operator,
-                const std::vector<double> &pressure);
-
-  /**
    * The tangentially equivalent pressure in one tangential component on one run
    * of touching nodes, and the traction that answers the coupling: discrete
-   * fields next to the leading edge that move the surface by a smooth amount.
+   * fields next to the leading edge that move the surface by a smooth amount
+   * more than the pressure moves it along the normal.
    *
-   * The compliances of finite elements in the normal and in a tangential
-   * direction differ at the scale of an element, so the discrete pressure, used
-   * as a traction, does not move the surface tangentially by a smooth amount.
-   * The equivalent pressure does: it is the field with the smallest correction
-   * whose displacement is quadratic in x on a window behind the edge.
+   * Half-spaces answer p(x) along the flow as they do along the normal, w_t =
+   * w_n. Bodies of finite size add a smooth amount, and finite elements one at
+   * the scale of an element, as their compliances in both directions differ
+   * there. The smooth amount acts on g = q / p as rigid slip does; that of the
+   * elements would be taken for a traction. The equivalent pressure is free of
+   * it: the field with the smallest correction for which w_t - w_n, less its
+   * smooth part, is quadratic in x on a window behind the edge. The smooth part
+   * is a polynomial through the nodes that the edges do not disturb. As w_n
+   * follows the gap, waves of the surface are in both and leave no correction.
    * Corrections belong next to the edge and to changes of the element size:
    * that of node k is measured in
    *
@@ -67,7 +55,7 @@ namespace RollingContact
     double
     along(const std::size_t k) const
     {
-      return flow * operators.positions()[run.nodes[k]][0];
+      return x[k];
     }
 
     /**
@@ -85,20 +73,31 @@ namespace RollingContact
 
     /**
      * The pressure on the run that is tangentially equivalent to the nodal
-     * @p pressure; @p displacement is that of the pressure used as the traction
-     * of this component, at all nodes. On runs too short for a window and where
-     * the fit is singular, the pressure itself. Units: Pa, m.
+     * @p pressure; @p surplus is what it moves the surface in this component as
+     * the traction beyond what it moves it as a pressure, at all nodes. On runs
+     * too short for a window and where the fit is singular, the pressure
+     * itself. Units: Pa, m.
      */
     std::vector<double>
     equivalent(const std::vector<double> &pressure,
-               const std::vector<double> &displacement) const;
+               const std::vector<double> &surplus) const;
 
     /**
-     * Coupling traction q_n on the run, the traction that answers the
-     * tangential displacement of the pressure near the edge: beta/pi p ln((x -
-     * x_l)/(x_r - x)) + its correction, beta Dundurs'. Zero without coupling,
-     * on lines of less than ten nodes or that end inside the contact, and
-     * across the flow. Units: Pa.
+     * The largest relative correction of an equivalent pressure away from the
+     * edge, where there should be none. Units: 1.
+     */
+    double
+    irregularity(const std::vector<double> &equivalent,
+                 const std::vector<double> &pressure) const;
+
+    /**
+     * Coupling traction q_n on the run, the traction that answers the part of
+     * the tangential displacement of the pressure that is not smooth: beta/pi p
+     * ln((x - x_l)/(x_r - x)) + its correction, beta Dundurs'; without beta
+     * what meshes of unlike bodies differ by at the scale of an element. What
+     * bodies of unlike shape add is smooth, and acts as rigid slip does. Zero
+     * without coupling, on lines of less than ten nodes or that end inside the
+     * contact, and across the flow. Units: Pa.
      */
     std::vector<double>
     coupling_traction(const std::vector<double> &pressure) const;
@@ -118,6 +117,13 @@ namespace RollingContact
                       const std::vector<double> &pressure) const;
 
     /**
+     * A displacement of the run without the smooth part that bodies of finite
+     * size add to it.
+     */
+    std::vector<double>
+    without_smooth_part(std::vector<double> displacement) const;
+
+    /**
      * Correct @p field, whose displacement with all else that moves the surface
      * is @p displacement. All three on the run.
      */
@@ -130,6 +136,7 @@ namespace RollingContact
     const TouchingRun      &run;
     unsigned int            direction;
     int                     flow;
+    std::vector<double>     x; ///< along the flow
   };
 } // namespace RollingContact
 
