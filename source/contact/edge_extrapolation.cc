@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace RollingContact
@@ -128,34 +129,77 @@ namespace RollingContact
 
 
 
+  SlipScheme
+  slip_scheme(const TangentialProblem &problem, const NodalField &traction)
+  {
+    SlipScheme scheme;
+    scheme.edges = extrapolate_edges(problem, traction);
+    if (traction.n_components() < 2 || problem.contact.loads.friction_law)
+      return scheme;
+    const auto slides = [&](const unsigned int node) {
+      return traction.norm_at(node) >= (1 - 1e-9) * problem.bound[node];
+    };
+    for (const InnerNode &inner : problem.rows.inner)
+      if (slides(inner.node) && slides(inner.upstream))
+        scheme.sliding.push_back(inner.node);
+    std::sort(scheme.sliding.begin(), scheme.sliding.end());
+    return scheme;
+  }
+
+
+
   double
-  difference(const EdgeExtrapolations &first, const EdgeExtrapolations &second)
+  difference(const SlipScheme &first, const SlipScheme &second)
   {
     const double infinite = std::numeric_limits<double>::infinity();
-    if (first.size() != second.size())
+    const auto  &a = first.edges, &b = second.edges;
+    if (a.size() != b.size() || first.sliding != second.sliding)
       return infinite;
     double largest = 0.;
-    for (std::size_t k = 0; k < first.size(); ++k)
+    for (std::size_t k = 0; k < a.size(); ++k)
       {
-        if (first[k].first != second[k].first)
+        if (a[k].first != b[k].first)
           return infinite;
-        largest = std::max({largest,
-                            std::abs(first[k].a - second[k].a),
-                            std::abs(first[k].b - second[k].b)});
+        largest = std::max(
+          {largest, std::abs(a[k].a - b[k].a), std::abs(a[k].b - b[k].b)});
       }
     return largest;
   }
 
 
 
-  EdgeExtrapolations
-  moved(const EdgeExtrapolations &now,
-        const EdgeExtrapolations &next,
-        const double              part)
+  namespace
   {
-    EdgeExtrapolations result = next;
-    for (EdgeExtrapolation &edge : result)
-      if (const EdgeExtrapolation *old = find_edge(now, edge.first))
+    std::vector<unsigned int>
+    in_both(const std::vector<unsigned int> &first,
+            const std::vector<unsigned int> &second)
+    {
+      std::vector<unsigned int> nodes;
+      std::set_intersection(first.begin(),
+                            first.end(),
+                            second.begin(),
+                            second.end(),
+                            std::back_inserter(nodes));
+      return nodes;
+    }
+  } // namespace
+
+
+
+  SlipScheme
+  without_new_sliding(const SlipScheme &now, const SlipScheme &next)
+  {
+    return {next.edges, in_both(now.sliding, next.sliding)};
+  }
+
+
+
+  SlipScheme
+  moved(const SlipScheme &now, const SlipScheme &next, const double part)
+  {
+    SlipScheme result = next;
+    for (EdgeExtrapolation &edge : result.edges)
+      if (const EdgeExtrapolation *old = find_edge(now.edges, edge.first))
         {
           edge.a = old->a + part * (edge.a - old->a);
           edge.b = old->b + part * (edge.b - old->b);
@@ -167,13 +211,13 @@ namespace RollingContact
 
 
 
-  EdgeExtrapolations
-  common(const EdgeExtrapolations &now, const EdgeExtrapolations &next)
+  SlipScheme
+  common(const SlipScheme &now, const SlipScheme &next)
   {
-    EdgeExtrapolations result;
-    for (const EdgeExtrapolation &edge : now)
-      if (find_edge(next, edge.first))
-        result.push_back(edge);
+    SlipScheme result{{}, in_both(now.sliding, next.sliding)};
+    for (const EdgeExtrapolation &edge : now.edges)
+      if (find_edge(next.edges, edge.first))
+        result.edges.push_back(edge);
     return result;
   }
 } // namespace RollingContact

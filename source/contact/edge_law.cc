@@ -1,5 +1,6 @@
 #include <rolling_contact/contact/edge_law.h>
 #include <rolling_contact/contact/edge_pressure.h>
+#include <rolling_contact/linear_algebra/polynomial_fit.h>
 
 #include <algorithm>
 #include <cmath>
@@ -50,7 +51,7 @@ namespace RollingContact
     public:
       EdgeLaw(const ContactProblem      &contact,
               const std::vector<double> &pressure,
-              const EdgeExtrapolations  &extrapolations,
+              const SlipScheme          &scheme,
               SlipRows                  &rows);
 
       void
@@ -73,6 +74,9 @@ namespace RollingContact
       replace_slip_rows(const TouchingRun &run);
 
       void
+      take_cubics(const TouchingRun &run);
+
+      void
       take_one_element(const unsigned int node);
 
       void
@@ -93,15 +97,15 @@ namespace RollingContact
       void
       find_surplus();
 
-      const ContactProblem     &contact;
-      const SlipOperator       &slip_operator;
-      const EdgeExtrapolations &extrapolations;
-      SlipRows                 &rows;
-      std::vector<TouchingRun>  runs;
-      std::vector<double>       pressure;            ///< of all nodes
-      std::vector<double>       frictional;          ///< without released nodes
-      std::vector<double>       normal_displacement; ///< under the pressure
-      std::vector<bool>         inside; ///< touches and is not a first to drop
+      const ContactProblem    &contact;
+      const SlipOperator      &slip_operator;
+      const SlipScheme        &scheme;
+      SlipRows                &rows;
+      std::vector<TouchingRun> runs;
+      std::vector<double>      pressure;            ///< of all nodes
+      std::vector<double>      frictional;          ///< without released nodes
+      std::vector<double>      normal_displacement; ///< under the pressure
+      std::vector<bool>        inside; ///< touches and is not a first to drop
 
       /// What the frictional pressure, as the traction in each direction,
       /// moves the surface beyond what the pressure moves it along the normal.
@@ -112,11 +116,11 @@ namespace RollingContact
 
     EdgeLaw::EdgeLaw(const ContactProblem      &contact,
                      const std::vector<double> &pressure,
-                     const EdgeExtrapolations  &extrapolations,
+                     const SlipScheme          &scheme,
                      SlipRows                  &rows)
       : contact(contact)
       , slip_operator(contact.operators.slip_operator())
-      , extrapolations(extrapolations)
+      , scheme(scheme)
       , rows(rows)
       , runs(touching_runs(slip_operator, pressure))
       , pressure(pressure)
@@ -208,7 +212,7 @@ namespace RollingContact
         if (run.leading && run.nodes.size() >= least && barely_touches(run))
           {
             const unsigned int first = run.nodes[0];
-            if (find_edge(extrapolations, run.nodes[1]))
+            if (find_edge(scheme.edges, run.nodes[1]))
               {
                 rows.released.push_back(first);
                 frictional[first] = 0.;
@@ -232,6 +236,7 @@ namespace RollingContact
       for (const TouchingRun &run : runs)
         {
           replace_slip_rows(run);
+          take_cubics(run);
           if (run.leading && run.nodes.size() >= 3)
             add_edge(run);
         }
@@ -253,6 +258,34 @@ namespace RollingContact
                 return !inside[entry.first];
               }))
             take_one_element(run.nodes[k]);
+        }
+    }
+
+
+
+    /**
+     * The derivative of the cubic through its neighbours at inner nodes that
+     * slide.
+     */
+    void
+    EdgeLaw::take_cubics(const TouchingRun &run)
+    {
+      const auto               &nodes = run.nodes;
+      const std::vector<double> x     = places(run, contact.operators);
+      const int                 flow  = slip_operator.flow_direction();
+      for (std::size_t k = 2; k + 1 < nodes.size(); ++k)
+        {
+          rows.inner.push_back({nodes[k], nodes[k - 1]});
+          if (!std::binary_search(scheme.sliding.begin(),
+                                  scheme.sliding.end(),
+                                  nodes[k]))
+            continue;
+          const std::vector<double> weights = derivative_weights(
+            {x[k - 2] - x[k], x[k - 1] - x[k], 0., x[k + 1] - x[k]});
+          rows.B1[nodes[k]].clear();
+          for (std::size_t j = 0; j < 4; ++j)
+            rows.B1[nodes[k]].emplace_back(nodes[k - 2 + j], flow * weights[j]);
+          rows.B2[nodes[k]] = {{nodes[k], 1.}};
         }
     }
 
@@ -327,7 +360,7 @@ namespace RollingContact
     EdgeLaw::add_edge(const TouchingRun &run)
     {
       take_inside_derivative(run);
-      const EdgeExtrapolation *given = find_edge(extrapolations, run.nodes[0]);
+      const EdgeExtrapolation *given = find_edge(scheme.edges, run.nodes[0]);
       ContactEdge              edge;
       edge.nodes = run.nodes;
       for (unsigned int c = 0; c < contact.n_tangential(); ++c)
@@ -382,7 +415,7 @@ namespace RollingContact
   SlipRows
   slip_rows(const ContactProblem      &problem,
             const std::vector<double> &pressure,
-            const EdgeExtrapolations  &extrapolations,
+            const SlipScheme          &scheme,
             const bool                 edge_law)
   {
     const unsigned int n            = problem.n_nodes(),
@@ -396,7 +429,7 @@ namespace RollingContact
       {
         rows.edge_rows.assign(n_components, SparseRows(n));
         rows.edge_constants = NodalField(n, n_components);
-        EdgeLaw(problem, pressure, extrapolations, rows).apply_to_all_runs();
+        EdgeLaw(problem, pressure, scheme, rows).apply_to_all_runs();
       }
     return rows;
   }

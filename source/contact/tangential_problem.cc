@@ -8,10 +8,10 @@ namespace RollingContact
 {
   TangentialProblem::TangentialProblem(const ContactProblem      &contact,
                                        const std::vector<double> &pressure,
-                                       const EdgeExtrapolations &extrapolations,
-                                       const bool                edge_law)
+                                       const SlipScheme          &scheme,
+                                       const bool                 edge_law)
     : contact(contact)
-    , rows(slip_rows(contact, pressure, extrapolations, edge_law))
+    , rows(slip_rows(contact, pressure, scheme, edge_law))
     , friction(contact.loads.friction)
     , bound(contact.n_nodes(), 0.)
     , slip_at_zero(contact.n_nodes(), contact.n_tangential())
@@ -203,7 +203,7 @@ namespace RollingContact
   {
     TangentialProblem problem(contact,
                               state.pressure,
-                              state.edges,
+                              state.scheme,
                               state.edge_law);
     if (contact.loads.friction_law && contact.n_tangential() > 0)
       problem.set_friction(

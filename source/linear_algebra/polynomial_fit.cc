@@ -32,4 +32,25 @@ namespace RollingContact
         values[k] -= coefficients[d] * power(k, d);
     return values;
   }
+
+
+
+  std::vector<double>
+  derivative_weights(const std::vector<double> &x)
+  {
+    // d/dx of the product of (0 - x_m) / (x_j - x_m) over all m but j
+    std::vector<double> weights(x.size(), 0.);
+    for (std::size_t j = 0; j < x.size(); ++j)
+      for (std::size_t left = 0; left < x.size(); ++left)
+        {
+          if (left == j)
+            continue;
+          double term = 1.;
+          for (std::size_t m = 0; m < x.size(); ++m)
+            if (m != j)
+              term *= (m == left ? 1. : -x[m]) / (x[j] - x[m]);
+          weights[j] += term;
+        }
+    return weights;
+  }
 } // namespace RollingContact

@@ -51,8 +51,8 @@ namespace RollingContact
     /**
      * Rounds with new edge extrapolations. They tend to alternate between two
      * sets: the first take the whole step, later ones a part of it, which is
-     * less than 1 and settles them. Empirical; calls for more than a few rounds
-     * are rare.
+     * less than 1 and settles them, and let nodes no more be added to those
+     * that slide. Empirical; calls for more than a few rounds are rare.
      */
     const unsigned int full_rounds = 2, max_rounds = 16;
     const double       part_of_step = 0.7;
@@ -82,23 +82,25 @@ namespace RollingContact
     SolverReport report;
     report.solver = "active set";
     complete(problem, state);
-    EdgeExtrapolations asked = alternate(problem, state, report);
-    if (!report.converged && !state.edges.empty())
+    SlipScheme asked = alternate(problem, state, report);
+    if (!report.converged && !state.scheme.empty())
       {
         // those of another state
-        state.edges.clear();
-        asked = alternate(problem, state, report);
+        state.scheme = {};
+        asked        = alternate(problem, state, report);
       }
-    for (unsigned int round = 0;
-         report.converged && difference(asked, state.edges) > settled &&
-         round < max_rounds;
+    for (unsigned int round = 0; report.converged && round < max_rounds;
          ++round)
       {
+        if (round >= full_rounds)
+          asked = without_new_sliding(state.scheme, asked);
+        if (difference(asked, state.scheme) <= settled)
+          return report;
         const ContactState solved = state;
-        state.edges               = round < full_rounds ? asked
+        state.scheme              = round < full_rounds ? asked
                                     : round + 1 < max_rounds
-                                      ? moved(state.edges, asked, part_of_step)
-                                      : common(state.edges, asked);
+                                      ? moved(state.scheme, asked, part_of_step)
+                                      : common(state.scheme, asked);
         asked                     = alternate(problem, state, report);
         if (report.converged)
           continue;
@@ -109,14 +111,14 @@ namespace RollingContact
         report.solver += ", edges of an earlier round";
         return report;
       }
-    if (report.converged && difference(asked, state.edges) > settled)
+    if (report.converged)
       report.solver += ", edges unsettled";
     return report;
   }
 
 
 
-  EdgeExtrapolations
+  SlipScheme
   NormalTangentialSplit::alternate(const ContactProblem &problem,
                                    ContactState         &state,
                                    SolverReport         &report) const
@@ -145,7 +147,7 @@ namespace RollingContact
                            controls.tolerance);
         report.converged = report.converged && solved;
         if (report.converged)
-          return extrapolate_edges(friction, state.traction);
+          return slip_scheme(friction, state.traction);
         if (ended || !solved)
           return {};
         if (!problem.operators.coupling().exists)

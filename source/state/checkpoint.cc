@@ -42,7 +42,7 @@ namespace boost
       archive &c.tables;
       archive &p.step &p.time &p.rolled_distance &p.time_step;
       archive &c.bodies.wheel &c.bodies.rail;
-      archive &c.pressure &c.traction &c.approach &c.edges &c.friction;
+      archive &c.pressure &c.traction &c.approach &c.scheme &c.friction;
       archive &p.supplied_energy &p.friction_energy &p.damping_energy;
       archive &p.numerical_energy &p.energy_error &p.n_impacts;
       archive &c.history.n_rows &c.history.n_bytes;
@@ -59,7 +59,7 @@ namespace RollingContact
     struct Head
     {
       char          mark[24] = "rolling-contact restart"; ///< with its '\0'
-      std::uint32_t version  = 3; ///< to be raised with every change above
+      std::uint32_t version  = 4; ///< to be raised with every change above
       std::uint32_t checksum = 0; ///< CRC-32 of the archive
       std::uint64_t n_bytes  = 0; ///< of the archive
     };

@@ -263,7 +263,7 @@ namespace RollingContact
     checkpoint.pressure = contact.state.pressure;
     checkpoint.traction = contact.state.traction.values();
     checkpoint.approach = contact.state.approach;
-    checkpoint.edges    = contact.state.edges;
+    checkpoint.scheme   = contact.state.scheme;
     checkpoint.friction = contact.state.friction;
     checkpoint.bodies   = motion->save();
   }
@@ -306,7 +306,7 @@ namespace RollingContact
                      NodalField(checkpoint.pressure.size(),
                                 checkpoint.traction),
                      checkpoint.approach,
-                     checkpoint.edges,
+                     checkpoint.scheme,
                      edge_law,
                      checkpoint.friction,
                      holds_friction};

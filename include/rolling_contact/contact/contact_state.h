@@ -14,7 +14,7 @@ namespace RollingContact
     std::vector<double> pressure;
     NodalField          traction;
     double              approach = 0.;
-    EdgeExtrapolations  edges;                  ///< where not g1 = g2
+    SlipScheme          scheme;                 ///< of the slip rows
     bool                edge_law = true;        ///< if B1 has one
     std::vector<double> friction;               ///< mu it was solved with
     bool                holds_friction = false; ///< mu stays, whatever the slip
@@ -27,11 +27,11 @@ namespace RollingContact
       auto &[pressure,
              traction,
              approach,
-             edges,
+             scheme,
              edge_law,
              friction,
              holds_friction] = *this;
-      archive &pressure &traction &approach &edges &edge_law &friction
+      archive &pressure &traction &approach &scheme &edge_law &friction
         &holds_friction;
     }
   };

@@ -35,6 +35,32 @@ namespace RollingContact
   using EdgeExtrapolations = std::vector<EdgeExtrapolation>;
 
   /**
+   * What the rows of the slip take from the traction of the round before: the
+   * extrapolations at leading edges, and which nodes slide behind a node that
+   * slides. See slip_rows().
+   */
+  struct SlipScheme
+  {
+    EdgeExtrapolations        edges; ///< where not g1 = g2
+    std::vector<unsigned int> sliding;
+
+    bool
+    empty() const
+    {
+      return edges.empty() && sliding.empty();
+    }
+
+    /** For Boost.Serialization. A member not listed here does not compile. */
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      auto &[edges, sliding] = *this;
+      archive &edges &sliding;
+    }
+  };
+
+  /**
    * The extrapolations that a traction asks for. With e the value of g at the
    * first node that slips, rho = g - e vanishes with the square root of the
    * distance to the transition, as in Carter's solution: there rho^2 =
@@ -53,6 +79,16 @@ namespace RollingContact
                     const NodalField        &traction);
 
   /**
+   * The scheme that a traction asks for: extrapolate_edges(), and the nodes of
+   * TangentialProblem::rows.inner that slide behind a node that slides. The
+   * latter with two tangential components only, as with one the traction of a
+   * sliding node does not depend on the size of its slip, and without a
+   * friction law.
+   */
+  SlipScheme
+  slip_scheme(const TangentialProblem &problem, const NodalField &traction);
+
+  /**
    * The extrapolation at the edge that begins with node @p first; nullptr if
    * there is none.
    */
@@ -60,26 +96,31 @@ namespace RollingContact
   find_edge(const EdgeExtrapolations &extrapolations, const unsigned int first);
 
   /**
-   * The largest difference between two sets of extrapolations, in their
-   * coefficients a and b; infinite if they are of different edges.
+   * The largest difference between two schemes, in the coefficients a and b of
+   * their extrapolations; infinite if they are of different edges or nodes.
    */
   double
-  difference(const EdgeExtrapolations &first, const EdgeExtrapolations &second);
+  difference(const SlipScheme &first, const SlipScheme &second);
 
   /**
-   * The extrapolations @p next, where @p now has that edge as well @p part of
-   * the way from those of @p now.
+   * The scheme @p next with no sliding nodes that @p now does not have.
    */
-  EdgeExtrapolations
-  moved(const EdgeExtrapolations &now,
-        const EdgeExtrapolations &next,
-        const double              part);
+  SlipScheme
+  without_new_sliding(const SlipScheme &now, const SlipScheme &next);
 
   /**
-   * The extrapolations of @p now at edges that @p next has as well.
+   * The scheme @p next, where @p now has an edge as well @p part of the way
+   * from those of @p now.
    */
-  EdgeExtrapolations
-  common(const EdgeExtrapolations &now, const EdgeExtrapolations &next);
+  SlipScheme
+  moved(const SlipScheme &now, const SlipScheme &next, const double part);
+
+  /**
+   * The extrapolations of @p now at edges that @p next has as well, and the
+   * sliding nodes of both.
+   */
+  SlipScheme
+  common(const SlipScheme &now, const SlipScheme &next);
 } // namespace RollingContact
 
 #endif

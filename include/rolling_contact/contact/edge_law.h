@@ -19,6 +19,15 @@ namespace RollingContact
   };
 
   /**
+   * A node with two upstream and one downstream neighbour on its run, where the
+   * derivative of the cubic through these four can be taken.
+   */
+  struct InnerNode
+  {
+    unsigned int node, upstream;
+  };
+
+  /**
    * The rows of the slip operators at one pressure, s = s_0 + B1 w + rate B2 w
    * + edge_rows q + edge_constants: those of the SlipOperator but where the
    * edge law takes others.
@@ -32,6 +41,7 @@ namespace RollingContact
     NodalField                edge_constants; ///< empty without edge_rows
     std::vector<ContactEdge>  edges;
     std::vector<unsigned int> released; ///< touching nodes without friction
+    std::vector<InnerNode>    inner;    ///< where a cubic has its nodes
     std::size_t n_unresolved = 0;       ///< leading edges left to upwind 2
   };
 
@@ -49,9 +59,14 @@ namespace RollingContact
    *            kappa = 2 |A_11 - A_21| / h, A = W_tt H;
    *   next nodes whose second upstream point lies outside the contact:
    *            s = s_0 + (u(x) - u(x-d)) / d, all at x - d/2;
+   *   nodes that slide behind a node that slides, inside a run:
+   *            s = s_0 + u'(x) of the cubic through k-2, k-1, k, k+1;
    *   others:  second order upstream.
    *
-   * a, b and c are those of @p extrapolations, or 1, 0, 0. p is the
+   * a, b and c are those of @p scheme, or 1, 0, 0; it also tells which nodes
+   * slide. There traction follows the direction of the slip, and the error of
+   * upwind 2, -h^2/3 u''', would be the largest one under spin; the cubic is of
+   * third order, and like upwind 2 it sees a sawtooth. p is the
    * tangentially equivalent pressure. A first node where that pulls barely
    * touches, and the next one counts as first: it is released from friction
    * where g is extrapolated, and follows the next node (g1 = g2) elsewhere.
@@ -68,7 +83,7 @@ namespace RollingContact
   SlipRows
   slip_rows(const ContactProblem      &problem,
             const std::vector<double> &pressure,
-            const EdgeExtrapolations  &extrapolations,
+            const SlipScheme          &scheme,
             const bool                 edge_law);
 } // namespace RollingContact
 

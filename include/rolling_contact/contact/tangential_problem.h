@@ -19,7 +19,7 @@ namespace RollingContact
   {
     TangentialProblem(const ContactProblem      &contact,
                       const std::vector<double> &pressure,
-                      const EdgeExtrapolations  &extrapolations,
+                      const SlipScheme          &scheme,
                       const bool                 edge_law = true);
 
     /**

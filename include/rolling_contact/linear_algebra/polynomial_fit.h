@@ -17,6 +17,13 @@ namespace RollingContact
                      const std::size_t          first,
                      const std::size_t          end,
                      const unsigned int         degree);
+
+  /**
+   * The weights of values at the places @p x in the derivative at 0 of the
+   * polynomial through them. Units: one over those of x.
+   */
+  std::vector<double>
+  derivative_weights(const std::vector<double> &x);
 } // namespace RollingContact
 
 #endif

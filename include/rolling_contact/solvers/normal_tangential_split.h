@@ -39,7 +39,7 @@ namespace RollingContact
      * Alternate normal and tangential solves, with the edge extrapolations of
      * the state. Returns those the traction asks for, none where it fails.
      */
-    EdgeExtrapolations
+    SlipScheme
     alternate(const ContactProblem &problem,
               ContactState         &state,
               SolverReport         &report) const;

@@ -51,7 +51,7 @@ namespace RollingContact
     PerSide<BodyMotion>            bodies; ///< each of twins has its own motion
     std::vector<double>            pressure, traction;
     double                         approach = 0.; ///< m
-    std::vector<EdgeExtrapolation> edges;         ///< see edge_law.h
+    SlipScheme                     scheme;        ///< see edge_law.h
     std::vector<double>            friction; ///< mu of the nodes, if it falls
 
     HistoryTable::Position history;
