@@ -208,7 +208,7 @@ namespace RollingContact
       {
         result.creep_work =
           -dot(problem.operators.H() * state.traction, problem.rigid_slip());
-        result.dissipation = dissipation(tangential, state.traction);
+        result.dissipation = dissipation(tangential, state);
       }
     add_sizes(problem, node_states(tangential, state), state, result);
     return result;
@@ -217,10 +217,15 @@ namespace RollingContact
 
 
   double
-  dissipation(const TangentialProblem &tangential, const NodalField &traction)
+  dissipation(const TangentialProblem &tangential, const ContactState &state)
   {
-    return -dot(tangential.contact.operators.H() * traction,
-                tangential.material_slip(traction));
+    const std::vector<double> &areas = tangential.contact.operators.areas();
+    const NodalField           slip  = tangential.mean_slip(state);
+    double                     power = 0.;
+    for (unsigned int c = 0; c < slip.n_components(); ++c)
+      for (unsigned int i = 0; i < slip.n_nodes(); ++i)
+        power += areas[i] * state.traction(c, i) * slip(c, i);
+    return -power;
   }
 
 

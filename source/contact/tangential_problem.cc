@@ -69,6 +69,28 @@ namespace RollingContact
 
 
   NodalField
+  TangentialProblem::mean_slip(const ContactState &state) const
+  {
+    const ContactOperators &operators = contact.operators;
+    const ContactLoads     &loads     = contact.loads;
+    const SparseRows &derivative = operators.slip_operator().mean_derivative();
+    NodalField        w = operators.distortion_of_traction(state.traction);
+    w += operators.distortion_of_pressure(state.pressure);
+    NodalField s = derivative * w;
+    s *= operators.flow_convection();
+    s.add(operators.time_scaling().rate, w);
+    s += contact.rigid_slip();
+    if (!loads.free_slip.empty())
+      s += loads.free_slip;
+    if (!loads.free_displacement.empty())
+      s.add(operators.slip_operator().flow_direction(),
+            derivative * loads.free_displacement);
+    return s;
+  }
+
+
+
+  NodalField
   TangentialProblem::slip(const NodalField &traction) const
   {
     NodalField s = material_slip(traction);

@@ -52,6 +52,7 @@ namespace RollingContact
     upstream_defined      = std::move(upstream.defined);
     near_rows             = std::move(upstream.near);
     far_rows              = std::move(upstream.far);
+    mean_rows             = galerkin_rows(trace, ContactMatrices::lumped);
     base_rows =
       kind == SlipOperatorKind::galerkin   ? galerkin_rows(trace, matrices)
       : kind == SlipOperatorKind::upwind_1 ? std::move(upstream.order_1)

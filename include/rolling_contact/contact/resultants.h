@@ -55,7 +55,7 @@ namespace RollingContact
    * slip s of the surfaces (TangentialProblem::material_slip). Units: J/m.
    */
   double
-  dissipation(const TangentialProblem &tangential, const NodalField &traction);
+  dissipation(const TangentialProblem &tangential, const ContactState &state);
 
   /**
    * True if a node touches whose surroundings are not all on the trace: the

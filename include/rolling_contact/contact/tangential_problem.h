@@ -35,6 +35,15 @@ namespace RollingContact
     material_slip(const NodalField &traction) const;
 
     /**
+     * The slip of the surfaces in the mean around each node, with
+     * SlipOperator::mean_derivative() in place of B1: the sum over the nodes of
+     * A_i q_i times it is the power of friction, singular slips at the edges of
+     * the patch and between nodes included. It does not tell stick from slip.
+     */
+    NodalField
+    mean_slip(const ContactState &state) const;
+
+    /**
      * Derivative ds/dq of some of the T N @p unknowns in both directions, a
      * dense matrix for solvers that factorise parts of it. Units: 1/Pa.
      */

@@ -84,6 +84,18 @@ namespace RollingContact
     }
 
     /**
+     * d/dx in the mean around each node, 1/A_i integral of N_i du/dx, A_i the
+     * integral of N_i: what a nodal traction's power is made of. The discrete
+     * integral of q du/dx has the antisymmetry of the continuous one. Units:
+     * 1/m.
+     */
+    const SparseRows &
+    mean_derivative() const
+    {
+      return mean_rows;
+    }
+
+    /**
      * Nodes of the same y, each line in the order of the flow. A line ends
      * where the next point downstream is no node, as at the border of a refined
      * part; another may begin behind it.
@@ -97,7 +109,7 @@ namespace RollingContact
   private:
     SlipOperatorKind  operator_kind = SlipOperatorKind::upwind_2;
     int               flow          = 1;
-    SparseRows        base_rows, near_rows, far_rows;
+    SparseRows        base_rows, near_rows, far_rows, mean_rows;
     std::vector<bool> upstream_defined;
     std::vector<std::vector<unsigned int>> flow_lines;
   };
