@@ -347,7 +347,7 @@ BOOST_FIXTURE_TEST_CASE(histories_continue_byte_for_byte, ScratchFolder)
 
   // A resumed run that fails before it continues the history loses no row.
   march(folder, false, 45);
-  fs::rename(folder / history_name, folder / ".history.csv.part");
+  fs::rename(folder / history_name, folder / "history.csv.part");
   {
     RunFolder run(folder, scene, scene);
     run.reopen(resumption);
@@ -372,7 +372,7 @@ BOOST_FIXTURE_TEST_CASE(history_rows, ScratchFolder)
     history.add_row({999999999., 1. / 3, -1e-7});
     BOOST_TEST(history.flush().n_rows == 1u);
     BOOST_TEST(!fs::exists(folder / history_name));
-    BOOST_TEST(read(folder / ".history.csv.part") ==
+    BOOST_TEST(read(folder / "history.csv.part") ==
                "step,time_s,force_x_N\n999999999,0.333333333,-1e-07\n");
     BOOST_CHECK_THROW(history.add_row({1., 2.}), std::logic_error);
     history.add_row({2., std::nan(""), 0.});
