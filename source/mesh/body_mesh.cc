@@ -1,8 +1,12 @@
 #include <deal.II/distributed/tria.h>
 
 #include <p4est.h>
+#include <p8est.h>
 
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/text.h>
 #include <rolling_contact/mesh/body_mesh.h>
+#include <rolling_contact/mesh/cell_count.h>
 #include <rolling_contact/mesh/file_body_mesh.h>
 #include <rolling_contact/mesh/mesh_memory.h>
 #include <rolling_contact/parallel/ranks.h>
@@ -266,6 +270,31 @@ namespace RollingContact
 
 
 
+  namespace
+  {
+    /**
+     * Throws InputError if p4est cannot halve cells of this @p size often
+     * enough.
+     */
+    template <int dim>
+    void
+    check_levels(const double size, const double element_size)
+    {
+      const int possible = dim == 2 ? P4EST_QMAXLEVEL : P8EST_QMAXLEVEL,
+                needed   = std::lround(std::log2(size / element_size));
+      if (needed > possible)
+        throw InputError(
+          "Body solver = distributed: elements of " +
+          significant(element_size, 2) + " m are cells of " +
+          significant(size, 2) + " m halved " + std::to_string(needed) +
+          " times, and p4est halves them " + std::to_string(possible) +
+          " times: take fewer Mesh/Elements across patch, a greater load or "
+          "approach, or Body solver = direct.");
+    }
+  } // namespace
+
+
+
   template <int dim>
   BodyMesh<dim>
   make_body_mesh(const std::shared_ptr<const BodyShape> &shape,
@@ -274,7 +303,9 @@ namespace RollingContact
   {
     if (shape->mesh())
       return file_body_mesh<dim>(*shape->mesh());
-    const double                        size  = coarse_size(*shape, grading);
+    const double size = coarse_size(*shape, grading);
+    if (kind == MeshKind::distributed)
+      check_levels<dim>(size, grading.element_size_x);
     std::shared_ptr<const SurfaceChart> chart = shape->chart(
       {grading.offset * grading.element_size_x, size, grading.zone_x});
     std::array<std::vector<double>, dim> breaks =
@@ -285,10 +316,10 @@ namespace RollingContact
     mesh.kind          = kind;
     mesh.chart         = std::make_unique<BodyChart<dim>>(shape, chart);
     mesh.triangulation = make_triangulation<dim>(kind);
-    double n_cells     = 1.;
-    for (const auto &points : breaks)
-      n_cells *= points.size() - 1.;
-    check_mesh_memory<dim>(n_cells, kind, generated_remedy);
+    check_mesh_memory<dim>(
+      count_cells<dim>(breaks, *mesh.chart, grading, largest_mesh<dim>(kind)),
+      kind,
+      generated_remedy);
     create_coarse_mesh<dim>(breaks, *mesh.chart, *mesh.triangulation);
     mesh.triangulation->set_all_manifold_ids(0);
     mesh.triangulation->set_manifold(0, *mesh.chart);
