@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace RollingContact
 {
@@ -291,7 +292,49 @@ namespace RollingContact
           " times: take fewer Mesh/Elements across patch, a greater load or "
           "approach, or Body solver = direct.");
     }
+
+
+
+    /**
+     * The coarse cells of a body, as boxes of its chart.
+     */
+    template <int dim>
+    struct CoarseBoxes
+    {
+      double                               size;
+      std::unique_ptr<BodyChart<dim>>      chart;
+      std::array<std::vector<double>, dim> breaks;
+    };
+
+
+
+    template <int dim>
+    CoarseBoxes<dim>
+    coarse_boxes(const std::shared_ptr<const BodyShape> &shape,
+                 const Grading<dim>                     &grading)
+    {
+      const double                        size  = coarse_size(*shape, grading);
+      std::shared_ptr<const SurfaceChart> chart = shape->chart(
+        {grading.offset * grading.element_size_x, size, grading.zone_x});
+      auto breaks = break_points_below<dim>(*shape, grading, size);
+      breaks[0]   = chart->edges_x();
+      return {size, std::make_unique<BodyChart<dim>>(shape, chart), breaks};
+    }
   } // namespace
+
+
+
+  template <int dim>
+  double
+  least_cells(const std::shared_ptr<const BodyShape> &shape,
+              const Grading<dim>                     &grading)
+  {
+    const CoarseBoxes<dim> coarse = coarse_boxes<dim>(shape, grading);
+    return count_cells<dim>(coarse.breaks,
+                            *coarse.chart,
+                            grading,
+                            std::numeric_limits<double>::infinity());
+  }
 
 
 
@@ -303,24 +346,20 @@ namespace RollingContact
   {
     if (shape->mesh())
       return file_body_mesh<dim>(*shape->mesh());
-    const double size = coarse_size(*shape, grading);
+    CoarseBoxes<dim> coarse = coarse_boxes<dim>(shape, grading);
     if (kind == MeshKind::distributed)
-      check_levels<dim>(size, grading.element_size_x);
-    std::shared_ptr<const SurfaceChart> chart = shape->chart(
-      {grading.offset * grading.element_size_x, size, grading.zone_x});
-    std::array<std::vector<double>, dim> breaks =
-      break_points_below<dim>(*shape, grading, size);
-    breaks[0] = chart->edges_x();
-
+      check_levels<dim>(coarse.size, grading.element_size_x);
+    check_mesh_memory<dim>(count_cells<dim>(coarse.breaks,
+                                            *coarse.chart,
+                                            grading,
+                                            largest_mesh<dim>(kind)),
+                           kind,
+                           generated_remedy);
     BodyMesh<dim> mesh;
     mesh.kind          = kind;
-    mesh.chart         = std::make_unique<BodyChart<dim>>(shape, chart);
+    mesh.chart         = std::move(coarse.chart);
     mesh.triangulation = make_triangulation<dim>(kind);
-    check_mesh_memory<dim>(
-      count_cells<dim>(breaks, *mesh.chart, grading, largest_mesh<dim>(kind)),
-      kind,
-      generated_remedy);
-    create_coarse_mesh<dim>(breaks, *mesh.chart, *mesh.triangulation);
+    create_coarse_mesh<dim>(coarse.breaks, *mesh.chart, *mesh.triangulation);
     mesh.triangulation->set_all_manifold_ids(0);
     mesh.triangulation->set_manifold(0, *mesh.chart);
     set_boundary_ids(shape->thickness_below(),
@@ -333,6 +372,10 @@ namespace RollingContact
 
 
 
+  template double
+  least_cells<2>(const std::shared_ptr<const BodyShape> &, const Grading<2> &);
+  template double
+  least_cells<3>(const std::shared_ptr<const BodyShape> &, const Grading<3> &);
   template struct BodyMesh<2>;
   template struct BodyMesh<3>;
   template BodyMesh<2>

@@ -70,7 +70,7 @@ namespace RollingContact
       /** Its temporary form is kept for the new run to continue. */
       std::string growing_file;
       /** Throws InputError if the run cannot be resumed after all. */
-      std::function<void(const std::filesystem::path &folder)> check;
+      std::function<void(const std::filesystem::path &folder)> check = {};
     };
 
     /**
