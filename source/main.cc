@@ -2,7 +2,9 @@
 #include <deal.II/base/multithread_info.h>
 
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/memory.h>
 #include <rolling_contact/base/platform.h>
+#include <rolling_contact/base/text.h>
 #include <rolling_contact/linear_algebra/factorisation.h>
 #include <rolling_contact/parallel/collective_failure.h>
 #include <rolling_contact/parallel/interrupt.h>
@@ -13,6 +15,8 @@
 #include <rolling_contact/run/run_context.h>
 #include <rolling_contact/state/checkpoint.h>
 
+#include <cstdlib>
+#include <functional>
 #include <iostream>
 #include <sstream>
 
@@ -117,6 +121,17 @@ namespace RollingContact
                   RunStatus::interrupted,
                   error.what()};
         }
+      catch (const std::bad_alloc &)
+        {
+          return {ExitCode::input_error,
+                  RunStatus::failed,
+                  "There is not enough memory: " +
+                    human_bytes(static_cast<double>(peak_memory())) +
+                    " were in use, " +
+                    human_bytes(static_cast<double>(available_memory())) +
+                    " are left, within any limit (ulimit -v). Take fewer "
+                    "Mesh/Elements across patch or a larger Mesh/Growth."};
+        }
       catch (const dealii::ExceptionBase &error)
         {
           std::ostringstream reason;
@@ -146,8 +161,12 @@ namespace RollingContact
       if (!command_line.resume)
         folder.open();
       else if (analysis_kind(scene.analysis).resumes)
-        folder.reopen(
-          {TimeParameters::free_on_resume(), checkpoint_name, history_name});
+        folder.reopen({TimeParameters::free_on_resume(),
+                       checkpoint_name,
+                       history_name,
+                       [&](const std::filesystem::path &path) {
+                         check_resumable(scene, path);
+                       }});
       else
         throw InputError("--resume with Analysis = " + scene.analysis +
                          ": only a transient run can be resumed.");
@@ -174,16 +193,30 @@ namespace RollingContact
       RunReport    report = describe_program(command_line);
       RunContext   context{
         folder, results, report, timer, log, command_line.resume};
-      const auto finish = [&](const RunStatus status) {
+      const auto write = [&](const RunStatus status) {
         report.warnings = log.warnings();
         report.objects.push_back(work_done());
-        results.flush();
         report.write(folder, status, timer);
+      };
+      // what cannot be written must not hide why the run failed
+      const auto finish_failed = [&](const RunStatus status) {
+        for (const std::function<void()> &action :
+             {std::function<void()>([&]() { results.flush(); }),
+              std::function<void()>([&]() { write(status); })})
+          try
+            {
+              action();
+            }
+          catch (const std::exception &error)
+            {
+              log.error(error.what());
+            }
       };
       report.write(folder, RunStatus::running, timer);
       warn_about_blas(log);
       try
         {
+          reserve_blas_memory(scene.body_threads);
           const AnalysisKind &kind = analysis_kind(scene.analysis);
           (scene.dimension == 2 ? kind.in_2d : kind.in_3d)(scene, context)
             ->run();
@@ -194,10 +227,12 @@ namespace RollingContact
         {
           const Failure failure = current_failure();
           Ranks::all_ranks_failed(failure.code);
-          finish(failure.status);
+          report.failure = failure.message;
+          finish_failed(failure.status);
           throw;
         }
-      finish(RunStatus::done);
+      results.flush();
+      write(RunStatus::done);
       summarise_run(context);
     }
 
@@ -264,13 +299,13 @@ main(int argc, char *argv[])
   try
     {
       Ranks::abort_all_ranks_on_terminate();
+      install_interrupt_handlers(); // before MPI starts threads
       // In a process that was not launched MPI_Init_thread and MPI_Finalize
       // take 0.35 s, 0.05 s of it CPU, as does deal.II's MPI_InitFinalize;
       // --version without them takes 0.2 s.
       if (Ranks::launched())
         Ranks::start();
       use_one_solver_thread();
-      install_interrupt_handlers();
       dealii::MultithreadInfo::set_thread_limit(1);
       run(argc, argv);
     }
@@ -280,5 +315,10 @@ main(int argc, char *argv[])
       code = Ranks::end_failed_run(failure.code, failure.message);
     }
   Ranks::finish();
+  if (address_space_left() < room_for_threads)
+    {
+      std::cout << std::flush;
+      std::_Exit(code);
+    }
   return code;
 }

@@ -9,6 +9,7 @@
 #include <rolling_contact/report/bodies_report.h>
 #include <rolling_contact/report/state_report.h>
 #include <rolling_contact/run/progress.h>
+#include <rolling_contact/state/checkpoint_schedule.h>
 
 #include <cmath>
 
@@ -30,7 +31,7 @@ namespace RollingContact
     ContactStepper<dim> stepper(scene, demands, context);
     const TimeSteps     steps = scene.time.steps(stepper.drive().speed);
     stepper.set_time_step(steps.length);
-    files = files_read(stepper);
+    files = files_of(scene);
     if (context.resume)
       {
         refuse_changed_entries(start.tables, files, {});
@@ -38,7 +39,10 @@ namespace RollingContact
         progress = start.progress;
         context.log.message("Resumed after step " +
                             std::to_string(progress.step) +
-                            ", t = " + significant(progress.time, 6) + " s.");
+                            ", t = " + significant(progress.time, 6) + " s" +
+                            (progress.step == steps.number
+                               ? ": no step is left, the results stay."
+                               : "."));
       }
     describe(stepper, steps);
     TransientOutput<dim> output(scene, context, start);
@@ -66,19 +70,6 @@ namespace RollingContact
     summarise(stepper);
     output.finish(stepper, progress);
     note_error_of_step(scene, stepper.current(), context.report);
-  }
-
-
-
-  template <int dim>
-  PrmEntries
-  Transient<dim>::files_read(const ContactStepper<dim> &stepper) const
-  {
-    PrmEntries names = stepper.drive().tables;
-    for (const BodyParameters *body : {&scene.wheel, &scene.rail})
-      if (body->is_from_file())
-        names[body->section + "/Mesh file (mesh)"] = body->mesh->fingerprint();
-    return names;
   }
 
 
@@ -133,22 +124,20 @@ namespace RollingContact
   {
     Progress    display(context.log, "step", steps.number, progress.step);
     const auto &time = scene.time;
-    Stopwatch   since_checkpoint;
-    double      last_checkpoint = 0.;
+    CheckpointSchedule schedule(time.checkpoint_interval,
+                                time.checkpoint_seconds);
+    const Stopwatch    watch;
+    const auto         now = [&]() { return Ranks::maximum(watch.seconds()); };
     while (progress.step < steps.number)
       {
         throw_if_interrupted();
         take_step(steps, stepper, output);
         display.report(progress.step);
-        const double elapsed =
-          Ranks::maximum(since_checkpoint.seconds() - last_checkpoint);
-        if ((time.checkpoint_interval > 0 &&
-             progress.step % time.checkpoint_interval == 0) ||
-            (time.checkpoint_seconds > 0. && elapsed > time.checkpoint_seconds))
-          {
-            output.write_checkpoint(stepper, progress, files);
-            last_checkpoint = since_checkpoint.seconds();
-          }
+        const double begin = now();
+        if (!schedule.is_due(progress.step, begin))
+          continue;
+        output.write_checkpoint(stepper, progress, files);
+        schedule.written(begin, now());
       }
   }
 

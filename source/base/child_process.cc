@@ -54,8 +54,16 @@ namespace RollingContact
     posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
-    // a group of its own: to be killed whole, and not by the terminal
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+    // a group of its own: to be killed whole, and not by the terminal; signals
+    // as in a new process, whatever this one blocks or ignores
+    posix_spawnattr_setflags(&attributes,
+                             POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK |
+                               POSIX_SPAWN_SETSIGDEF);
+    sigset_t none, all;
+    sigemptyset(&none);
+    sigfillset(&all);
+    posix_spawnattr_setsigmask(&attributes, &none);
+    posix_spawnattr_setsigdefault(&attributes, &all);
 
     pid_t     child = -1;
     const int error = posix_spawn(

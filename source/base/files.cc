@@ -81,7 +81,12 @@ namespace RollingContact
     stream << text;
     stream.close();
     if (!stream)
-      throw_write_error(file, std::strerror(errno));
+      {
+        const int       reason = errno;
+        std::error_code ignored;
+        fs::remove(temporary, ignored); // its space is needed
+        throw_write_error(file, std::strerror(reason));
+      }
     rename_file(temporary, file);
   }
 

@@ -6,10 +6,14 @@
 #include <gnu/libc-version.h>
 #include <unistd.h>
 
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/memory.h>
 #include <rolling_contact/base/platform.h>
+#include <rolling_contact/base/text.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <mutex>
 
 namespace RollingContact
 {
@@ -75,12 +79,46 @@ namespace RollingContact
   void
   use_one_solver_thread()
   {
-    for (const char *name : {"openblas_set_num_threads", "MKL_Set_Num_Threads"})
-      if (const auto set_threads = loaded_function<void(int)>(name))
-        set_threads(1);
+    static std::once_flag once; // OpenBLAS starts threads when told again
+    std::call_once(once, []() {
+      for (const char *name :
+           {"openblas_set_num_threads", "MKL_Set_Num_Threads"})
+        if (const auto set_threads = loaded_function<void(int)>(name))
+          set_threads(1);
+      if (const auto end_threads =
+            loaded_function<int()>("blas_thread_shutdown_");
+          end_threads != nullptr && address_space_left() > room_for_threads)
+        end_threads();
+    });
     if (const auto set_levels =
           loaded_function<void(int)>("omp_set_max_active_levels"))
       set_levels(0);
+  }
+
+
+
+  void
+  reserve_blas_memory(const unsigned int n_threads)
+  {
+    // of one thread: at most 128 MB in OpenBLAS 0.3 on x86-64
+    constexpr std::size_t buffer_size = std::size_t(128) << 20;
+
+    const auto take = loaded_function<void *(int)>("blas_memory_alloc");
+    const auto give = loaded_function<void(void *)>("blas_memory_free");
+    if (take == nullptr || give == nullptr)
+      return;
+    const std::size_t needed = n_threads * buffer_size + buffer_size / 4;
+    if (address_space_left() < needed)
+      throw MemoryError("OpenBLAS needs " +
+                        human_bytes(static_cast<double>(needed)) +
+                        " of address space, of which " +
+                        human_bytes(static_cast<double>(address_space_left())) +
+                        " are left: raise the limit (ulimit -v).");
+    std::vector<void *> buffers;
+    for (unsigned int k = 0; k < n_threads; ++k)
+      buffers.push_back(take(0));
+    for (void *buffer : buffers)
+      give(buffer);
   }
 
 

@@ -2,6 +2,8 @@
 
 #include <rolling_contact/linear_algebra/dissection.h>
 
+#include <mutex>
+#include <new>
 #include <numeric>
 #include <stdexcept>
 
@@ -48,6 +50,15 @@ namespace RollingContact
             neighbors[next[b]++] = a;
           }
     }
+
+
+
+    /**
+     * METIS draws from std::rand() and seeds it on entry: two bodies ordered at
+     * the same time would take each other's numbers, and no two runs would
+     * eliminate, and round, alike.
+     */
+    std::mutex random_numbers;
   } // namespace
 
 
@@ -63,13 +74,17 @@ namespace RollingContact
     idx_t              options[METIS_NOPTIONS];
     METIS_SetDefaultOptions(options);
     options[METIS_OPTION_NUMBERING] = 0;
-    if (METIS_NodeND(&n_nodes,
-                     starts.data(),
-                     neighbors.data(),
-                     nullptr,
-                     options,
-                     order.data(),
-                     position.data()) != METIS_OK)
+    const std::lock_guard<std::mutex> alone(random_numbers);
+    const int                         outcome = METIS_NodeND(&n_nodes,
+                                     starts.data(),
+                                     neighbors.data(),
+                                     nullptr,
+                                     options,
+                                     order.data(),
+                                     position.data());
+    if (outcome == METIS_ERROR_MEMORY)
+      throw std::bad_alloc();
+    if (outcome != METIS_OK)
       throw std::runtime_error("METIS could not order the mesh nodes.");
 
     std::vector<std::int64_t> first_unknown(n_nodes + 1, matrix.size());

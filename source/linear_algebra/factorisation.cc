@@ -8,6 +8,7 @@
 #include <rolling_contact/linear_algebra/factorisation.h>
 
 #include <atomic>
+#include <new>
 #include <string>
 
 namespace RollingContact
@@ -125,6 +126,8 @@ namespace RollingContact
                                 nullptr,
                                 0,
                                 &own.common);
+    if (own.L == nullptr && own.common.status == CHOLMOD_OUT_OF_MEMORY)
+      throw std::bad_alloc();
     if (own.L == nullptr)
       throw std::runtime_error("CHOLMOD could not analyse the matrix (status " +
                                std::to_string(own.common.status) + ").");
@@ -152,7 +155,7 @@ namespace RollingContact
       throw MemoryError("The factor needs " +
                         std::to_string(size().memory_consumption() >> 20) +
                         " MB, more than this machine has free: take fewer "
-                        "elements.");
+                        "Mesh/Elements across patch or a larger Mesh/Growth.");
     if (own.common.status != CHOLMOD_OK || own.L->minor < own.L->n)
       throw ConvergenceError(
         "The stiffness matrix is not positive definite (column " +

@@ -1,8 +1,12 @@
 #include <deal.II/distributed/tria.h>
 
 #include <p4est.h>
+#include <p8est.h>
 
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/text.h>
 #include <rolling_contact/mesh/body_mesh.h>
+#include <rolling_contact/mesh/cell_count.h>
 #include <rolling_contact/mesh/file_body_mesh.h>
 #include <rolling_contact/mesh/mesh_memory.h>
 #include <rolling_contact/parallel/ranks.h>
@@ -10,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace RollingContact
 {
@@ -266,6 +271,73 @@ namespace RollingContact
 
 
 
+  namespace
+  {
+    /**
+     * Throws InputError if p4est cannot halve cells of this @p size often
+     * enough.
+     */
+    template <int dim>
+    void
+    check_levels(const double size, const double element_size)
+    {
+      const int possible = dim == 2 ? P4EST_QMAXLEVEL : P8EST_QMAXLEVEL,
+                needed   = std::lround(std::log2(size / element_size));
+      if (needed > possible)
+        throw InputError(
+          "Body solver = distributed: elements of " +
+          significant(element_size, 2) + " m are cells of " +
+          significant(size, 2) + " m halved " + std::to_string(needed) +
+          " times, and p4est halves them " + std::to_string(possible) +
+          " times: take fewer Mesh/Elements across patch, a greater load or "
+          "approach, or Body solver = direct.");
+    }
+
+
+
+    /**
+     * The coarse cells of a body, as boxes of its chart.
+     */
+    template <int dim>
+    struct CoarseBoxes
+    {
+      double                               size;
+      std::unique_ptr<BodyChart<dim>>      chart;
+      std::array<std::vector<double>, dim> breaks;
+    };
+
+
+
+    template <int dim>
+    CoarseBoxes<dim>
+    coarse_boxes(const std::shared_ptr<const BodyShape> &shape,
+                 const Grading<dim>                     &grading)
+    {
+      const double                        size  = coarse_size(*shape, grading);
+      std::shared_ptr<const SurfaceChart> chart = shape->chart(
+        {grading.offset * grading.element_size_x, size, grading.zone_x});
+      auto breaks = break_points_below<dim>(*shape, grading, size);
+      breaks[0]   = chart->edges_x();
+      return {size, std::make_unique<BodyChart<dim>>(shape, chart), breaks};
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  double
+  least_cells(const std::shared_ptr<const BodyShape> &shape,
+              const Grading<dim>                     &grading)
+  {
+    const CoarseBoxes<dim> coarse = coarse_boxes<dim>(shape, grading);
+    return count_cells<dim>(coarse.breaks,
+                            *coarse.chart,
+                            grading,
+                            std::numeric_limits<double>::infinity());
+  }
+
+
+
   template <int dim>
   BodyMesh<dim>
   make_body_mesh(const std::shared_ptr<const BodyShape> &shape,
@@ -274,22 +346,20 @@ namespace RollingContact
   {
     if (shape->mesh())
       return file_body_mesh<dim>(*shape->mesh());
-    const double                        size  = coarse_size(*shape, grading);
-    std::shared_ptr<const SurfaceChart> chart = shape->chart(
-      {grading.offset * grading.element_size_x, size, grading.zone_x});
-    std::array<std::vector<double>, dim> breaks =
-      break_points_below<dim>(*shape, grading, size);
-    breaks[0] = chart->edges_x();
-
+    CoarseBoxes<dim> coarse = coarse_boxes<dim>(shape, grading);
+    if (kind == MeshKind::distributed)
+      check_levels<dim>(coarse.size, grading.element_size_x);
+    check_mesh_memory<dim>(count_cells<dim>(coarse.breaks,
+                                            *coarse.chart,
+                                            grading,
+                                            largest_mesh<dim>(kind)),
+                           kind,
+                           generated_remedy);
     BodyMesh<dim> mesh;
     mesh.kind          = kind;
-    mesh.chart         = std::make_unique<BodyChart<dim>>(shape, chart);
+    mesh.chart         = std::move(coarse.chart);
     mesh.triangulation = make_triangulation<dim>(kind);
-    double n_cells     = 1.;
-    for (const auto &points : breaks)
-      n_cells *= points.size() - 1.;
-    check_mesh_memory<dim>(n_cells, kind, generated_remedy);
-    create_coarse_mesh<dim>(breaks, *mesh.chart, *mesh.triangulation);
+    create_coarse_mesh<dim>(coarse.breaks, *mesh.chart, *mesh.triangulation);
     mesh.triangulation->set_all_manifold_ids(0);
     mesh.triangulation->set_manifold(0, *mesh.chart);
     set_boundary_ids(shape->thickness_below(),
@@ -302,6 +372,10 @@ namespace RollingContact
 
 
 
+  template double
+  least_cells<2>(const std::shared_ptr<const BodyShape> &, const Grading<2> &);
+  template double
+  least_cells<3>(const std::shared_ptr<const BodyShape> &, const Grading<3> &);
   template struct BodyMesh<2>;
   template struct BodyMesh<3>;
   template BodyMesh<2>

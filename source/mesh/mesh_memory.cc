@@ -4,6 +4,8 @@
 #include <rolling_contact/mesh/mesh_memory.h>
 #include <rolling_contact/parallel/ranks.h>
 
+#include <limits>
+
 namespace RollingContact
 {
   namespace
@@ -26,16 +28,37 @@ namespace RollingContact
 
 
 
+  namespace
+  {
+    double
+    free_memory(const MeshKind kind)
+    {
+      return kind == MeshKind::serial ? available_memory()
+                                      : Ranks::minimum(available_memory());
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  double
+  largest_mesh(const MeshKind kind)
+  {
+    const double free = free_memory(kind);
+    return free > 0. ? usable_memory * free / bytes_of_cell<dim>(kind)
+                     : std::numeric_limits<double>::infinity();
+  }
+
+
+
   template <int dim>
   void
   check_mesh_memory(const double       n_cells,
                     const MeshKind     kind,
                     const std::string &remedy)
   {
-    const double bytes = n_cells * bytes_of_cell<dim>(kind);
-    const double free  = kind == MeshKind::serial
-                           ? available_memory()
-                           : Ranks::minimum(available_memory());
+    const double bytes = n_cells * bytes_of_cell<dim>(kind),
+                 free  = free_memory(kind);
     if (free > 0. && bytes > usable_memory * free)
       throw MemoryError(
         "The mesh of a body would have " + significant(n_cells, 2) +
@@ -45,6 +68,10 @@ namespace RollingContact
 
 
 
+  template double
+  largest_mesh<2>(const MeshKind);
+  template double
+  largest_mesh<3>(const MeshKind);
   template void
   check_mesh_memory<2>(const double, const MeshKind, const std::string &);
   template void

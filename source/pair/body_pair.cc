@@ -2,6 +2,7 @@
 #include <rolling_contact/base/memory.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/pair/body_pair.h>
+#include <rolling_contact/pair/mesh_limits.h>
 #include <rolling_contact/pair/parallel_bodies.h>
 
 #include <cmath>
@@ -85,6 +86,8 @@ namespace RollingContact
     , elastic{!scene.wheel.rigid, !scene.rail.rigid}
   {
     check_room(scene, grading);
+    check_element_size(scene, grading);
+    check_contact_memory(scene, grading);
     choose_and_build(scene, grading, demands, statics);
   }
 

@@ -1,7 +1,7 @@
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/base/memory.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/contact/roughness.h>
+#include <rolling_contact/pair/mesh_limits.h>
 #include <rolling_contact/pair/parallel_bodies.h>
 #include <rolling_contact/pair/patch_estimate.h>
 #include <rolling_contact/pair/rolling_pair.h>
@@ -51,33 +51,6 @@ namespace RollingContact
               mirrored && ((i < first_normal) != (j < first_normal));
             pair(i, j) += flips ? -body(i, j) : body(i, j);
           }
-    }
-  } // namespace
-
-
-
-  namespace
-  {
-    /**
-     * Throws InputError if the dense matrices of contact space, W of each body
-     * and of the pair and products of it, do not fit into 70 % of the free
-     * memory.
-     */
-    void
-    check_contact_memory(const std::size_t n_nodes,
-                         const std::size_t n_components)
-    {
-      const double n = double(n_nodes) * n_components, n_matrices = 5;
-      const double bytes = n_matrices * n * n * sizeof(double);
-      const double free  = available_memory();
-      if (free > 0. && bytes > 0.7 * free)
-        throw InputError("The " + std::to_string(n_nodes) +
-                         " contact nodes need about " + human_bytes(bytes) +
-                         " for their compliance, more than 70 % of the " +
-                         human_bytes(free) +
-                         " free: take fewer Mesh/Elements across patch, a "
-                         "smaller Mesh/Candidate zone or a smaller "
-                         "Mesh/Contact node budget.");
     }
   } // namespace
 
@@ -219,10 +192,10 @@ namespace RollingContact
   ContactProblem
   RollingPair<dim>::contact_problem(const ContactParameters &contact)
   {
-    check_contact_memory(std::max({trace().nodes.size(),
-                                   pair_interface.nodes.wheel.size(),
-                                   pair_interface.nodes.rail.size()}),
-                         components.size());
+    const std::size_t n_nodes = std::max({trace().nodes.size(),
+                                          pair_interface.nodes.wheel.size(),
+                                          pair_interface.nodes.rail.size()});
+    check_contact_memory(double(n_nodes) * components.size());
     PerSide<DenseMatrix> W;
     const auto           condense = [&](const Side side) {
       if (body_pair.body(side) && body_pair.has_own_body(side))

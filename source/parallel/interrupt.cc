@@ -1,37 +1,126 @@
+#include <pthread.h>
 #include <signal.h>
 #include <unistd.h>
 
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/files.h>
+#include <rolling_contact/base/stopwatch.h>
+#include <rolling_contact/base/text.h>
 #include <rolling_contact/parallel/interrupt.h>
 #include <rolling_contact/parallel/ranks.h>
 
 #include <atomic>
-#include <cerrno>
+#include <chrono>
+#include <cstdlib>
+#include <iostream>
+#include <mutex>
+#include <system_error>
+#include <thread>
 
 namespace RollingContact
 {
   namespace
   {
     std::atomic<int>  received_signal{0};
-    std::atomic<bool> answers{true};
-    static_assert(std::atomic<int>::is_always_lock_free &&
-                    std::atomic<bool>::is_always_lock_free,
-                  "A signal handler may only use lock-free atomics.");
+    std::atomic<bool> is_stopping{false}; ///< the run follows the signal
 
-    extern "C" void
-    handle_interrupt(const int signal)
+    /** What is left when the process is ended at once. */
+    struct LastWords
     {
-      static constexpr char message[] =
-        "\nInterrupted: stopping after the current state "
-        "(again to stop at once).\n";
-      const int saved_errno = errno;
-      received_signal       = signal;
-      if (answers)
+      std::filesystem::path file, temporary;
+      std::string           text;
+    };
+
+    std::timed_mutex last_words_mutex;
+    LastWords        last_words;
+
+
+
+    std::string
+    name_of_interrupt(const int signal)
+    {
+      return signal == SIGINT ? "Interrupted by Ctrl-C (SIGINT)"
+                              : "Interrupted by SIGTERM";
+    }
+
+
+
+    void
+    say(const std::string &text)
+    {
+      const std::string           lines = '\n' + wrapped(text) + '\n';
+      [[maybe_unused]] const auto n_written =
+        write(STDERR_FILENO, lines.data(), lines.size());
+    }
+
+
+
+    [[noreturn]] void
+    stop_at_once(const int signal)
+    {
+      try
         {
-          [[maybe_unused]] const auto n_written =
-            write(STDERR_FILENO, message, sizeof(message) - 1);
+          // the thread that writes them may have been held up by the disk
+          if (last_words_mutex.try_lock_for(std::chrono::seconds(1)) &&
+              !last_words.text.empty())
+            write_file(last_words.file, last_words.text, last_words.temporary);
+          say("rolling-contact: " + name_of_interrupt(signal) +
+              " and stopped at once: what was complete is kept.");
         }
-      errno = saved_errno;
+      catch (const std::exception &)
+        {
+          // run.json stays as it was
+        }
+      std::_Exit(static_cast<int>(ExitCode::not_converged));
+    }
+
+
+
+    /** Waits for a signal, for at most so many seconds if they are positive; 0
+     * if there was none. */
+    int
+    next_signal(const sigset_t &signals, const double seconds)
+    {
+      if (seconds <= 0.)
+        return sigwaitinfo(&signals, nullptr);
+      timespec time{};
+      time.tv_sec      = static_cast<time_t>(seconds);
+      time.tv_nsec     = static_cast<long>(1e9 * (seconds - time.tv_sec));
+      const int signal = sigtimedwait(&signals, nullptr, &time);
+      return signal < 0 && errno == EAGAIN ? 0 : signal;
+    }
+
+
+
+    /** What the thread does that follows the signals. */
+    void
+    follow(const sigset_t signals, const bool on_its_own)
+    {
+      Stopwatch since_first;
+      for (;;)
+        {
+          const int  first  = received_signal;
+          const bool timed  = on_its_own && first == SIGTERM && !is_stopping;
+          const int  signal = next_signal(
+            signals,
+            timed ? std::max(0.01, seconds_to_stop - since_first.seconds())
+                   : 0.);
+          if (signal == 0 && !is_stopping && received_signal != 0)
+            stop_at_once(first);
+          if (signal <= 0)
+            continue;
+          int none = 0;
+          if (!received_signal.compare_exchange_strong(none, signal))
+            stop_at_once(signal);
+          since_first = Stopwatch();
+          if (on_its_own)
+            say(signal == SIGINT
+                  ? "Interrupted: stopping after the current state (again to "
+                    "stop at once)."
+                  : "Interrupted: stopping after the current state, in " +
+                      std::to_string(seconds_to_stop) +
+                      " s at the latest (again to stop at once).");
+        }
     }
   } // namespace
 
@@ -41,14 +130,26 @@ namespace RollingContact
   install_interrupt_handlers()
   {
     received_signal = 0;
-    answers         = Ranks::count() == 1;
-
-    struct sigaction action = {};
-    action.sa_handler       = &handle_interrupt;
-    action.sa_flags         = SA_RESTART | SA_RESETHAND;
-    sigemptyset(&action.sa_mask);
-    sigaction(SIGINT, &action, nullptr);
-    sigaction(SIGTERM, &action, nullptr);
+    is_stopping     = false;
+    signal(SIGPIPE, SIG_IGN);
+    signal(SIGXFSZ, SIG_IGN);
+    sigset_t signals;
+    sigemptyset(&signals);
+    sigaddset(&signals, SIGINT);
+    sigaddset(&signals, SIGTERM);
+    pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+    static pid_t followed_by = 0; // a forked process has no threads
+    try
+      {
+        if (followed_by != getpid())
+          std::thread(&follow, signals, !Ranks::launched()).detach();
+        followed_by = getpid();
+      }
+    catch (const std::system_error &)
+      {
+        // no memory for a thread: a signal ends the process without a word
+        pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
+      }
   }
 
 
@@ -67,8 +168,20 @@ namespace RollingContact
     double signal = received_signal;
     if (!Ranks::others_wait())
       signal = Ranks::maximum(signal);
-    if (signal != 0)
-      throw Interrupted(signal == SIGINT ? "Interrupted by Ctrl-C (SIGINT)."
-                                         : "Interrupted by SIGTERM.");
+    if (signal == 0)
+      return;
+    is_stopping = true;
+    throw Interrupted(name_of_interrupt(static_cast<int>(signal)) + '.');
+  }
+
+
+
+  void
+  leave_on_stop(const std::filesystem::path &file,
+                const std::filesystem::path &temporary,
+                const std::string           &text)
+  {
+    const std::lock_guard<std::timed_mutex> lock(last_words_mutex);
+    last_words = {file, temporary, text};
   }
 } // namespace RollingContact

@@ -17,7 +17,8 @@ namespace RollingContact
 {
   namespace
   {
-    constexpr std::size_t buffer_size = 65536;
+    constexpr std::size_t buffer_size    = 65536;
+    constexpr double      seconds_unseen = 0.5;
 
     std::string
     header_of(const std::vector<std::string> &columns)
@@ -63,7 +64,7 @@ namespace RollingContact
     , descriptor(-1)
   {
     Ranks::on_root([&]() {
-      const auto path = folder.temporary(file_name);
+      const auto path = folder.growing(file_name);
       remove_file(path);
       open_at_end(path);
     });
@@ -103,10 +104,27 @@ namespace RollingContact
       }
     catch (const std::exception &)
       {
-        // The rows of the last checkpoint are on the disk.
+        keep_what_is_there();
       }
+  }
+
+
+
+  void
+  HistoryTable::keep_what_is_there()
+  {
     if (descriptor >= 0)
       close(descriptor);
+    descriptor = -1;
+    try
+      {
+        if (position.n_bytes > buffer.size()) // a full disk may have no row
+          folder.publish(file_name);
+      }
+    catch (const std::exception &)
+      {
+        // The rows of the last checkpoint are on the disk.
+      }
   }
 
 
@@ -128,7 +146,8 @@ namespace RollingContact
     buffer += '\n';
     ++position.n_rows;
     position.n_bytes += buffer.size() - begin;
-    if (buffer.size() >= buffer_size)
+    if (buffer.size() >= buffer_size ||
+        since_last_write.seconds() > seconds_unseen)
       write_buffer();
   }
 
@@ -171,8 +190,20 @@ namespace RollingContact
 
 
   void
+  HistoryTable::drop_half_a_row(const std::size_t n_written)
+  {
+    const std::size_t rows  = buffer.substr(0, n_written).rfind('\n') + 1;
+    const std::size_t begin = position.n_bytes - buffer.size();
+    if (ftruncate(descriptor, static_cast<off_t>(begin + rows)) == 0)
+      buffer.erase(0, rows);
+  }
+
+
+
+  void
   HistoryTable::write_buffer()
   {
+    since_last_write      = Stopwatch();
     std::size_t n_written = 0;
     while (n_written < buffer.size())
       {
@@ -184,7 +215,7 @@ namespace RollingContact
         else if (errno != EINTR)
           {
             const int reason = errno;
-            buffer.erase(0, n_written);
+            drop_half_a_row(n_written);
             throw_write_error(folder.get_path() / file_name,
                               std::strerror(reason));
           }

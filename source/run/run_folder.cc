@@ -6,6 +6,7 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/files.h>
 #include <rolling_contact/input/prm_entries.h>
+#include <rolling_contact/parallel/interrupt.h>
 #include <rolling_contact/parallel/ranks.h>
 #include <rolling_contact/run/previous_run.h>
 #include <rolling_contact/run/run_folder.h>
@@ -84,6 +85,7 @@ namespace RollingContact
       {
         // The next run removes them, since run.json lists them.
       }
+    leave_on_stop("", "", "");
     close(lock_descriptor);
   }
 
@@ -154,6 +156,8 @@ namespace RollingContact
       refuse_changed_entries(prm_entries(read_bytes(used)),
                              prm_entries(used_prm),
                              resumption.may_differ);
+      if (resumption.check)
+        resumption.check(folder);
 
       claimed_files = read_previous_run(folder).files;
       adopt_old_files(resumption.growing_file);
@@ -183,11 +187,20 @@ namespace RollingContact
 
 
   fs::path
+  RunFolder::growing(const std::string &name)
+  {
+    growing_files.insert(name);
+    return temporary(name);
+  }
+
+
+
+  fs::path
   RunFolder::continued(const std::string &name, const std::uintmax_t n_bytes)
   {
-    const fs::path  growing = temporary_path(name), whole = final_path(name);
+    const fs::path  part = growing_path(name), whole = final_path(name);
     std::error_code error;
-    if (size_of(growing) < n_bytes)
+    if (size_of(part) < n_bytes)
       {
         if (size_of(whole) < n_bytes)
           refuse_to_resume(
@@ -196,16 +209,13 @@ namespace RollingContact
                         "the checkpoint.",
                         name,
                         n_bytes));
-        fs::copy_file(whole,
-                      growing,
-                      fs::copy_options::overwrite_existing,
-                      error);
+        fs::copy_file(whole, part, fs::copy_options::overwrite_existing, error);
       }
     if (!error)
-      fs::resize_file(growing, n_bytes, error);
+      fs::resize_file(part, n_bytes, error);
     if (error)
-      throw_write_error(growing, error.message());
-    return temporary(name);
+      throw_write_error(part, error.message());
+    return growing(name);
   }
 
 
@@ -266,13 +276,15 @@ namespace RollingContact
 
 
   void
-  RunFolder::write_record(const std::string &members)
+  RunFolder::write_record(const std::string &members,
+                          const std::string &members_if_stopped)
   {
     if (!Ranks::is_root())
       return;
     if (lock_descriptor < 0)
       throw std::logic_error("The run folder is not open.");
-    record = members;
+    record            = members;
+    record_if_stopped = members_if_stopped;
     write_run_json();
   }
 
@@ -297,7 +309,16 @@ namespace RollingContact
   fs::path
   RunFolder::temporary_path(const std::string &name) const
   {
-    return folder / ("." + name + ".part");
+    return growing_files.count(name) > 0 ? growing_path(name)
+                                         : folder / ("." + name + ".part");
+  }
+
+
+
+  fs::path
+  RunFolder::growing_path(const std::string &name) const
+  {
+    return folder / (name + ".part");
   }
 
 
@@ -342,57 +363,13 @@ namespace RollingContact
   void
   RunFolder::write_run_json() const
   {
+    leave_on_stop(final_path(record_name),
+                  temporary_path(record_name),
+                  record_if_stopped.empty()
+                    ? ""
+                    : record_text(record_if_stopped, claimed_files));
     write_file(final_path(record_name),
                record_text(record, claimed_files),
                temporary_path(record_name));
-  }
-
-
-
-  void
-  RunFolder::remove_old_files()
-  {
-    // First what reopen() insists on: half a run cannot be resumed.
-    remove_file(final_path("used.prm"));
-    for (const std::string &name : claimed_files)
-      {
-        remove_file(final_path(name));
-        remove_file(temporary_path(name));
-      }
-    claimed_files.clear();
-  }
-
-
-
-  void
-  RunFolder::adopt_old_files(const std::string &growing_file)
-  {
-    const std::set<std::string> old_files = claimed_files;
-    for (const std::string &name : old_files)
-      {
-        if (name != growing_file)
-          remove_file(temporary_path(name));
-        if (fs::is_regular_file(final_path(name)))
-          published_files.insert(name);
-        else if (name != growing_file)
-          claimed_files.erase(name);
-      }
-  }
-
-
-
-  void
-  RunFolder::remove_unpublished_files()
-  {
-    remove_file(temporary_path(record_name));
-    const std::size_t n_claimed = claimed_files.size();
-    for (const std::string &name : begun_files)
-      {
-        remove_file(temporary_path(name));
-        if (published_files.count(name) == 0)
-          claimed_files.erase(name);
-      }
-    if (claimed_files.size() != n_claimed)
-      write_run_json();
   }
 } // namespace RollingContact

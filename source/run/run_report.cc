@@ -160,10 +160,8 @@ namespace RollingContact
 
 
 
-  void
-  RunReport::write(RunFolder        &folder,
-                   const RunStatus   status,
-                   const PhaseTimer &timer) const
+  std::string
+  RunReport::members(const RunStatus status, const PhaseTimer &timer) const
   {
     const std::vector<PhaseTimer::Row> phases = timer.rows();
     const PhaseTimer::Row              total  = PhaseTimer::total(phases);
@@ -171,6 +169,7 @@ namespace RollingContact
     Json record{{"version", version},
                 {"git_revision", git_revision},
                 {"status", status_name(status)},
+                {"failure", failure},
                 {"command_line", command_line},
                 {"libraries", json_libraries(libraries)},
                 {"host_cpus", n_host_cpus()},
@@ -187,7 +186,19 @@ namespace RollingContact
       record["all_ranks"] = json_totals(*rank_totals);
     const std::string object =
       record.dump(-1, ' ', false, Json::error_handler_t::replace);
-    folder.write_record(object.substr(1, object.size() - 2)); // no braces
+    return object.substr(1, object.size() - 2); // no braces
+  }
+
+
+
+  void
+  RunReport::write(RunFolder        &folder,
+                   const RunStatus   status,
+                   const PhaseTimer &timer) const
+  {
+    const bool over = status != RunStatus::running;
+    folder.write_record(members(status, timer),
+                        over ? "" : members(RunStatus::interrupted, timer));
   }
 
 

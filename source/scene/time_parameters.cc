@@ -181,7 +181,8 @@ namespace RollingContact
     prm.add_parameter(
       "Checkpoint seconds",
       checkpoint_seconds,
-      "A checkpoint is written after so much wall time; 0 leaves "
+      "A checkpoint is written after so much wall time, the first ones "
+      "sooner, and later where they would take more than 3 % of it; 0 leaves "
       "it to `Checkpoint interval`. Units: s.",
       Patterns::Double(0.));
     prm.add_parameter("Damping frequency",

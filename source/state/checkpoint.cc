@@ -8,6 +8,7 @@
 
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/files.h>
+#include <rolling_contact/base/text.h>
 #include <rolling_contact/parallel/ranks.h>
 #include <rolling_contact/state/checkpoint.h>
 
@@ -34,6 +35,19 @@ namespace boost
     template <typename Archive>
     void
     serialize(Archive                      &archive,
+              RollingContact::LastStep     &step,
+              [[maybe_unused]] unsigned int version)
+    {
+      archive &step.is_known &step.length &step.speed &step.gap;
+      archive &step.free_slip &step.free_displacement;
+      archive &step.edge_law &step.holds_friction &step.solver;
+    }
+
+
+
+    template <typename Archive>
+    void
+    serialize(Archive                      &archive,
               RollingContact::Checkpoint   &checkpoint,
               [[maybe_unused]] unsigned int version)
     {
@@ -43,6 +57,7 @@ namespace boost
       archive &p.step &p.time &p.rolled_distance &p.time_step;
       archive &c.bodies.wheel &c.bodies.rail;
       archive &c.pressure &c.traction &c.approach &c.scheme &c.friction;
+      archive                                              &c.last_step;
       archive &p.supplied_energy &p.friction_energy &p.damping_energy;
       archive &p.numerical_energy &p.energy_error &p.n_impacts;
       archive &c.history.n_rows &c.history.n_bytes;
@@ -59,7 +74,7 @@ namespace RollingContact
     struct Head
     {
       char          mark[24] = "rolling-contact restart"; ///< with its '\0'
-      std::uint32_t version  = 4; ///< to be raised with every change above
+      std::uint32_t version  = 5; ///< to be raised with every change above
       std::uint32_t checksum = 0; ///< CRC-32 of the archive
       std::uint64_t n_bytes  = 0; ///< of the archive
     };
@@ -105,7 +120,13 @@ namespace RollingContact
       file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
       file.close();
       if (!file)
-        throw_write_error(path, std::strerror(errno));
+        {
+          const int       reason = errno;
+          std::error_code ignored;
+          std::filesystem::remove(path, ignored); // its space is needed
+          throw_write_error(folder.get_path() / checkpoint_name,
+                            std::strerror(reason));
+        }
       folder.publish_durably(checkpoint_name);
     }
 
@@ -144,6 +165,29 @@ namespace RollingContact
   }
 
 
+
+  namespace
+  {
+    Checkpoint
+    checkpoint_of(const std::filesystem::path &file, const std::string &bytes)
+    {
+      std::istringstream stream(bytes, std::ios::binary);
+      Checkpoint         checkpoint;
+      try
+        {
+          boost::archive::binary_iarchive archive(stream);
+          archive >> checkpoint;
+        }
+      catch (const std::exception &)
+        {
+          reject(file, "it was written on another platform.");
+        }
+      return checkpoint;
+    }
+  } // namespace
+
+
+
   Checkpoint
   read_checkpoint(const RunFolder &folder)
   {
@@ -151,17 +195,46 @@ namespace RollingContact
     std::string bytes;
     Ranks::on_root([&]() { bytes = read_archive(file); });
     Ranks::broadcast(bytes);
-    std::istringstream stream(bytes, std::ios::binary);
-    Checkpoint         checkpoint;
-    try
-      {
-        boost::archive::binary_iarchive archive(stream);
-        archive >> checkpoint;
-      }
-    catch (const std::exception &)
-      {
-        reject(file, "it was written on another platform.");
-      }
-    return checkpoint;
+    return checkpoint_of(file, bytes);
+  }
+
+
+
+  void
+  check_resumable(const SceneParameters       &scene,
+                  const std::filesystem::path &folder)
+  {
+    const auto       file       = folder / checkpoint_name;
+    const Checkpoint checkpoint = checkpoint_of(file, read_archive(file));
+    refuse_changed_entries(checkpoint.tables, files_of(scene), {});
+    const TimeSteps steps = scene.time.steps(
+      scene.time.histories(scene.contact, scene.prm_folder).speed);
+    const TransientProgress &done = checkpoint.progress;
+    if (done.step <= steps.number)
+      return;
+    const bool by_time = scene.time.end_time > 0.;
+    throw InputError(
+      (by_time ? "Time/End time = " + significant(scene.time.end_time, 6) + " s"
+               : "Time/Rolled distance = " +
+                   significant(scene.time.rolled_distance, 6) + " m") +
+      " is reached after " + std::to_string(steps.number) +
+      " steps, and the run in \"" + folder.string() + "\" has done " +
+      std::to_string(done.step) + ", to " +
+      (by_time ? significant(done.time, 6) + " s"
+               : significant(done.rolled_distance, 6) + " m") +
+      ": resume it to a later end, or start it without --resume.");
+  }
+
+
+
+  PrmEntries
+  files_of(const SceneParameters &scene)
+  {
+    PrmEntries names =
+      scene.time.histories(scene.contact, scene.prm_folder).tables;
+    for (const BodyParameters *body : {&scene.wheel, &scene.rail})
+      if (body->is_from_file())
+        names[body->section + "/Mesh file (mesh)"] = body->mesh->fingerprint();
+    return names;
   }
 } // namespace RollingContact

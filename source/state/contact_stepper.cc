@@ -266,6 +266,19 @@ namespace RollingContact
     checkpoint.scheme   = contact.state.scheme;
     checkpoint.friction = contact.state.friction;
     checkpoint.bodies   = motion->save();
+
+    const ContactLoads &loads = contact.problem.loads;
+    LastStep           &last  = checkpoint.last_step;
+    last                      = {!contact.restored,
+                                 time_step,
+                                 loads.speed,
+                                 loads.gap,
+                                 loads.free_slip,
+                                 loads.free_displacement,
+                                 contact.state.edge_law,
+                                 contact.state.holds_friction,
+                                 contact.solver};
+    last.solver.history.clear();
   }
 
 
@@ -284,14 +297,36 @@ namespace RollingContact
                        std::to_string(problem.n_nodes()) +
                        ". Start the run without --resume.");
     restore_state(checkpoint);
-    const double h = checkpoint.progress.time_step;
-    if (h == 0.) // before the first step
+    if (checkpoint.progress.step == 0)
       return;
+    const double h = checkpoint.last_step.length;
     set_time_step(h);
     set_drive(checkpoint.progress.time - h, h);
     contact.solver.converged = true;
-    contact.restored         = true;
-    contact.result           = resultants(contact.problem, contact.state);
+    contact.restored         = !checkpoint.last_step.is_known;
+    if (checkpoint.last_step.is_known)
+      restore_last_step(checkpoint.last_step);
+    contact.result = resultants(contact.problem, contact.state);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactStepper<dim>::restore_last_step(const LastStep &step)
+  {
+    contact.state.edge_law       = step.edge_law;
+    contact.state.holds_friction = step.holds_friction;
+    contact.solver               = step.solver;
+    ContactLoads &loads          = contact.problem.loads;
+    loads.gap                    = step.gap;
+    if (contact.problem.n_tangential() == 0)
+      return;
+    loads.speed             = step.speed;
+    loads.free_slip         = step.free_slip;
+    loads.free_displacement = step.free_displacement;
+    contact.problem.operators.set_time_scaling(
+      {motion->displacement_factor(), 1 / (step.speed * step.length)});
   }
 
 

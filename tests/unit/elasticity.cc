@@ -161,6 +161,21 @@ BOOST_AUTO_TEST_CASE(surface_vertices_lie_on_the_profile)
     }
 }
 
+BOOST_AUTO_TEST_CASE(cells_are_counted_before_they_are_made)
+{
+  for (const auto &shape : {disc(0.46, 0.08), disc(0.05, 0.01), block(0.3)})
+    for (const double growth : {0.1, 0.5, 1.})
+      {
+        const auto   graded  = grading(12, growth);
+        const double counted = least_cells<2>(shape, graded),
+                     made    = make_body_mesh<2>(shape, graded)
+                              .triangulation->n_active_cells();
+        BOOST_TEST(counted <= made);
+        BOOST_TEST(counted > 0.7 * made);
+        BOOST_TEST_MESSAGE(counted << " of " << made << " cells counted");
+      }
+}
+
 BOOST_AUTO_TEST_CASE(compliance_is_symmetric_positive_and_equals_recovery)
 {
   DirectBody<2> body(disc(0.46, 0.08), {210e9, 0.3}, 0.02, grading(12, 0.4));

@@ -1,9 +1,11 @@
 #include <boost/test/unit_test.hpp>
 
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/linear_algebra/dissection.h>
 #include <rolling_contact/linear_algebra/factorisation.h>
 
 #include <cmath>
+#include <future>
 #include <map>
 
 using namespace RollingContact;
@@ -78,6 +80,24 @@ namespace
     return unknowns;
   }
 } // namespace
+
+BOOST_AUTO_TEST_CASE(order_does_not_depend_on_other_threads)
+{
+  const Problem problem = grid(14);
+  const auto    order   = [&]() {
+    return dissection_order(problem.matrix, problem.node_of_unknown);
+  };
+  const auto alone = order();
+  for (int k = 0; k < 10; ++k)
+    {
+      auto       other = std::async(std::launch::async, order);
+      const auto own   = order();
+      BOOST_CHECK(own == alone);
+      BOOST_CHECK(other.get() == alone);
+    }
+}
+
+
 
 BOOST_AUTO_TEST_CASE(solve_satisfies_the_equations)
 {

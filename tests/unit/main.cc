@@ -2,6 +2,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <rolling_contact/base/platform.h>
+#include <rolling_contact/parallel/interrupt.h>
 #include <rolling_contact/parallel/ranks.h>
 
 namespace
@@ -15,6 +16,7 @@ namespace
   {
     Process()
     {
+      RollingContact::install_interrupt_handlers(); // before MPI has threads
       RollingContact::use_one_solver_thread();
       if (RollingContact::Ranks::launched())
         RollingContact::Ranks::start();

@@ -5,11 +5,14 @@
 
 #include "scratch_folder.h"
 #include <signal.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/files.h>
 #include <rolling_contact/base/memory.h>
 #include <rolling_contact/base/platform.h>
+#include <rolling_contact/base/stopwatch.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/parallel/interrupt.h>
 #include <rolling_contact/run/log.h>
@@ -235,17 +238,60 @@ BOOST_AUTO_TEST_CASE(interrupts)
       install_interrupt_handlers();
       BOOST_TEST(!interrupted());
       BOOST_CHECK_NO_THROW(throw_if_interrupted());
-      raise(signal);
+      kill(getpid(), signal); // heard by another thread
+      for (int k = 0; k < 500 && !interrupted(); ++k)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
       BOOST_TEST(interrupted());
       BOOST_CHECK_THROW(throw_if_interrupted(), Interrupted);
-
-      struct sigaction action = {};
-      sigaction(signal, nullptr, &action);
-      BOOST_TEST((action.sa_handler == SIG_DFL));
     }
   install_interrupt_handlers();
-  ::signal(SIGINT, SIG_DFL);
-  ::signal(SIGTERM, SIG_DFL);
+}
+
+
+
+namespace
+{
+  /**
+   * How a process ends that never stops by itself and gets these signals, with
+   * what it leaves.
+   */
+  std::pair<int, std::string>
+  end_of_busy_process(const std::vector<int>      &signals,
+                      const std::filesystem::path &folder)
+  {
+    const pid_t child = fork();
+    if (child == 0)
+      {
+        install_interrupt_handlers();
+        leave_on_stop(folder / "words", folder / ".words.part", "last words");
+        for (const int signal : signals)
+          {
+            kill(getpid(), signal);
+            for (int k = 0; k < 500 && !interrupted(); ++k)
+              std::this_thread::sleep_for(std::chrono::milliseconds(10));
+          }
+        for (;;)
+          pause();
+      }
+    int status = 0;
+    waitpid(child, &status, 0);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1,
+            read_bytes(folder / "words")};
+  }
+} // namespace
+
+
+
+BOOST_FIXTURE_TEST_CASE(second_interrupt_ends_the_process, ScratchFolder)
+{
+  std::filesystem::create_directories(folder);
+  const auto expected = std::make_pair(2, std::string("last words"));
+  BOOST_CHECK(end_of_busy_process({SIGINT, SIGINT}, folder) == expected);
+  std::filesystem::remove(folder / "words");
+  const Stopwatch watch;
+  BOOST_CHECK(end_of_busy_process({SIGTERM}, folder) == expected);
+  BOOST_TEST(watch.seconds() > seconds_to_stop - 1);
+  BOOST_TEST(watch.seconds() < seconds_to_stop + 5);
 }
 
 

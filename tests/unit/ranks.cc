@@ -4,6 +4,7 @@
 #include "complaint.h"
 #include "scratch_folder.h"
 #include <signal.h>
+#include <unistd.h>
 
 #include <rolling_contact/dynamics/theta_scheme.h>
 #include <rolling_contact/interface/trace.h>
@@ -33,6 +34,7 @@ namespace
   {
     StartedMpi()
     {
+      install_interrupt_handlers(); // before MPI starts threads
       Ranks::start();
     }
 
@@ -318,7 +320,9 @@ BOOST_AUTO_TEST_CASE(interrupts_are_agreed_on)
   install_interrupt_handlers();
   BOOST_CHECK_NO_THROW(throw_if_interrupted());
   if (Ranks::rank() == last())
-    raise(SIGTERM);
+    kill(getpid(), SIGTERM); // heard by another thread
+  for (int k = 0; k < 500 && Ranks::rank() == last() && !interrupted(); ++k)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
   BOOST_TEST(interrupted() == (Ranks::rank() == last()));
   if (Ranks::count() > 1)
     BOOST_CHECK_NO_THROW(Ranks::on_root(throw_if_interrupted));

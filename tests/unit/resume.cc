@@ -11,6 +11,7 @@
 #include <rolling_contact/run/previous_run.h>
 #include <rolling_contact/run/progress.h>
 #include <rolling_contact/state/checkpoint.h>
+#include <rolling_contact/state/checkpoint_schedule.h>
 
 #include <cmath>
 #include <cstring>
@@ -217,9 +218,13 @@ BOOST_FIXTURE_TEST_CASE(checkpoints_keep_every_bit, ScratchFolder)
   state.traction      = {M_PI};
   state.approach      = std::nextafter(2.2e-4, 0.);
   state.edges = {{3, 1. / 3, 0.1, {{-0.3, 0.}}}, {7, 2., 1., {{0., 0.}}}};
-  state.progress.n_impacts = 8;
-  state.history            = {17, 4321};
-  state.body_fields        = {{0.1, 1, "rail", "rail-0001.vtu"}};
+  state.progress.n_impacts      = 8;
+  state.last_step.is_known      = true;
+  state.last_step.length        = std::nextafter(1e-6, 0.);
+  state.last_step.gap           = {1. / 3};
+  state.last_step.solver.solver = "active set";
+  state.history                 = {17, 4321};
+  state.body_fields             = {{0.1, 1, "rail", "rail-0001.vtu"}};
   write_checkpoint(Checkpoint(), run);
   write_checkpoint(state, run);
 
@@ -244,11 +249,45 @@ BOOST_FIXTURE_TEST_CASE(checkpoints_keep_every_bit, ScratchFolder)
   BOOST_TEST(same_bits(copy.edges[0].b, state.edges[0].b));
   BOOST_TEST((copy.edges[0].c == state.edges[0].c));
   BOOST_TEST(copy.progress.n_impacts == 8u);
+  BOOST_TEST(copy.last_step.is_known);
+  BOOST_TEST(same_bits(copy.last_step.length, state.last_step.length));
+  BOOST_TEST((copy.last_step.gap == state.last_step.gap));
+  BOOST_TEST(copy.last_step.solver.solver == "active set");
   BOOST_TEST(copy.history.n_rows == 17u);
   BOOST_TEST(copy.history.n_bytes == 4321u);
   BOOST_REQUIRE(copy.body_fields.size() == 1u);
   BOOST_TEST(copy.body_fields[0].file == "rail-0001.vtu");
   BOOST_TEST(copy.body_fields[0].part == 1u);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(checkpoints_come_soon_and_cost_little)
+{
+  const auto written_at = [](const double longest, const double cost) {
+    CheckpointSchedule  schedule(0, longest);
+    std::vector<double> times;
+    for (double now = 0.; now < 400.; now += 0.25)
+      if (schedule.is_due(1, now))
+        {
+          times.push_back(now);
+          schedule.written(now, now + cost);
+        }
+    return times;
+  };
+  BOOST_TEST((
+    written_at(60., 0.) ==
+    std::vector<double>{
+      1.25, 3.5, 7.75, 16., 32.25, 64.5, 124.75, 185., 245.25, 305.5, 365.75}));
+  BOOST_TEST((written_at(0.5, 0.)[0] == 0.75));
+  BOOST_TEST(written_at(0., 0.).empty());
+  const auto costly = written_at(60., 4.);
+  BOOST_TEST(costly.size() == 4u); // 120 s of work between them
+  BOOST_TEST(costly[2] - costly[1] > 30 * 4.);
+
+  const CheckpointSchedule by_steps(5, 0.);
+  BOOST_TEST(by_steps.is_due(10, 0.));
+  BOOST_TEST(!by_steps.is_due(11, 1e6));
 }
 
 
@@ -347,7 +386,7 @@ BOOST_FIXTURE_TEST_CASE(histories_continue_byte_for_byte, ScratchFolder)
 
   // A resumed run that fails before it continues the history loses no row.
   march(folder, false, 45);
-  fs::rename(folder / history_name, folder / ".history.csv.part");
+  fs::rename(folder / history_name, folder / "history.csv.part");
   {
     RunFolder run(folder, scene, scene);
     run.reopen(resumption);
@@ -372,7 +411,7 @@ BOOST_FIXTURE_TEST_CASE(history_rows, ScratchFolder)
     history.add_row({999999999., 1. / 3, -1e-7});
     BOOST_TEST(history.flush().n_rows == 1u);
     BOOST_TEST(!fs::exists(folder / history_name));
-    BOOST_TEST(read(folder / ".history.csv.part") ==
+    BOOST_TEST(read(folder / "history.csv.part") ==
                "step,time_s,force_x_N\n999999999,0.333333333,-1e-07\n");
     BOOST_CHECK_THROW(history.add_row({1., 2.}), std::logic_error);
     history.add_row({2., std::nan(""), 0.});

@@ -27,12 +27,6 @@ namespace RollingContact
     run() override;
 
   private:
-    /**
-     * Fingerprints of the tables and mesh files of the scene.
-     */
-    PrmEntries
-    files_read(const ContactStepper<dim> &stepper) const;
-
     void
     describe(const ContactStepper<dim> &stepper, const TimeSteps &steps) const;
 

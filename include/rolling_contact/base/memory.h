@@ -22,10 +22,16 @@ namespace RollingContact
   std::size_t
   resident_memory();
 
-  /** What the machine can still give without swapping, in bytes
-   * (MemAvailable); 0 if unknown. Knows no limit set by a batch system. */
+  /** What this process can still get without swapping, in bytes: MemAvailable,
+   * within the limits of ulimit -v and -d and those of its control group
+   * (containers, batch systems); 0 if unknown. */
   std::size_t
   available_memory();
+
+  /** What is left of the limits of ulimit -v and -d, in bytes; the largest
+   * number if there are none. */
+  std::size_t
+  address_space_left();
 
   /** Give freed pages back to the system, which the C library keeps otherwise
    * (glibc only). For moments when much was freed in small pieces. */

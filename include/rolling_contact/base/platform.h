@@ -1,6 +1,7 @@
 #ifndef rolling_contact_base_platform_h
 #define rolling_contact_base_platform_h
 
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,13 +28,25 @@ namespace RollingContact
   loaded_blas();
 
   /**
-   * Sets one BLAS thread (process-wide) and no OpenMP regions (in the calling
-   * thread and those OpenMP starts from it): every thread that factorises calls
-   * it. With both kinds of threads on busy cores CHOLMOD can be 20 times
-   * slower.
+   * Sets one BLAS thread (process-wide, ending OpenBLAS's others, which would
+   * take signals) and no OpenMP regions (in the calling thread and those OpenMP
+   * starts from it): every thread that factorises calls it. With both kinds of
+   * threads on busy cores CHOLMOD can be 20 times slower.
    */
   void
   use_one_solver_thread();
+
+  /** With less address space left, in bytes, a thread of OpenBLAS may wait
+   * without end for its 128 MB, and the end of the process for this thread. */
+  inline constexpr std::size_t room_for_threads = std::size_t(160) << 20;
+
+  /**
+   * Let OpenBLAS take the memory now that @p n_threads threads at once work in:
+   * later, when there is none left, it would wait for it without end. Throws
+   * MemoryError if there is not enough. Does nothing with another BLAS.
+   */
+  void
+  reserve_blas_memory(const unsigned int n_threads);
 
   /** Names and versions of the compiler, the C library, Boost and, if loaded,
    * SuiteSparse and BLAS. */

@@ -11,7 +11,8 @@ namespace RollingContact
   /**
    * Fill-reducing order of the unknowns: nested dissection of the node graph by
    * METIS, the unknowns of a node kept together. Entry k is the unknown that is
-   * eliminated as number k.
+   * eliminated as number k. The same in every run, also if several threads call
+   * it, which then wait for each other.
    */
   std::vector<std::int64_t>
   dissection_order(const SymmetricSparseMatrix     &matrix,

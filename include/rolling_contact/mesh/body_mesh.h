@@ -46,6 +46,15 @@ namespace RollingContact
   };
 
   /**
+   * Cells that the mesh of a generated body will have at least, counted without
+   * making it; where sizes change it has some more.
+   */
+  template <int dim>
+  double
+  least_cells(const std::shared_ptr<const BodyShape> &shape,
+              const Grading<dim>                     &grading);
+
+  /**
    * Mesh a body, or take the mesh it brings: boxes in its chart, refined as @p
    * grading asks. The coarse mesh has an edge at x = offset * element_size_x
    * and coarse cells that are powers of two of the element size, which makes

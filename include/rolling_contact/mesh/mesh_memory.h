@@ -8,6 +8,13 @@
 namespace RollingContact
 {
   /**
+   * Cells that fit into 70 % of the free memory; infinity if that is not known.
+   */
+  template <int dim>
+  double
+  largest_mesh(const MeshKind kind);
+
+  /**
    * Throws MemoryError with the @p remedy if a mesh of @p n_cells would need
    * more than 70 % of the free memory, by the bytes of a cell seen in runs:
    * mesh and stiffness, with factor and condensation or with the multigrid

@@ -1,17 +1,30 @@
 #ifndef rolling_contact_parallel_interrupt_h
 #define rolling_contact_parallel_interrupt_h
 
+#include <filesystem>
+#include <string>
+
 namespace RollingContact
 {
   /**
-   * Clear the flag of interrupted() and install handlers by which the first
-   * SIGINT or SIGTERM only sets it, and a second one of the same kind ends the
-   * program at once. A process on its own answers the first with a message; one
-   * of several ranks has a second until mpirun kills it, which ends ranks this
-   * way also when another one failed: see doc/distributed.md.
+   * Clear the flag of interrupted() and follow SIGINT and SIGTERM from now on:
+   * the first only sets the flag, the second ends the process at once, as does
+   * a SIGTERM that was not heard within seconds_to_stop (not under a launcher,
+   * which kills by itself): exit code 2, and the file of leave_on_stop(). A
+   * process on its own answers the first with a message.
+   *
+   * A thread of its own waits for them, and they are blocked in all others,
+   * whatever a library installs: METIS jumps out of its own code on a SIGTERM.
+   * So call it before other threads are started. SIGPIPE and SIGXFSZ are
+   * ignored: a run goes on without its screen, and a file that is too large is
+   * an error of writing it.
    */
   void
   install_interrupt_handlers();
+
+  /** How long after a SIGTERM a process ends that does not stop by itself; a
+   * container is killed after 10 s. */
+  inline constexpr int seconds_to_stop = 8;
 
   /** Whether this process received one of the signals; other ranks may not
    * have. */
@@ -25,6 +38,16 @@ namespace RollingContact
    */
   void
   throw_if_interrupted();
+
+  /**
+   * What a process that is ended at once leaves: this text in the file, written
+   * under the temporary name first. Replaces what was asked for before; an
+   * empty text leaves nothing.
+   */
+  void
+  leave_on_stop(const std::filesystem::path &file,
+                const std::filesystem::path &temporary,
+                const std::string           &text);
 } // namespace RollingContact
 
 #endif

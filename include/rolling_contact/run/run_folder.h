@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
@@ -68,6 +69,8 @@ namespace RollingContact
       std::string checkpoint;
       /** Its temporary form is kept for the new run to continue. */
       std::string growing_file;
+      /** Throws InputError if the run cannot be resumed after all. */
+      std::function<void(const std::filesystem::path &folder)> check = {};
     };
 
     /**
@@ -91,13 +94,20 @@ namespace RollingContact
     std::filesystem::path
     temporary(const std::string &name);
 
+    /**
+     * As temporary(), for a file that grows while the run goes on and is to be
+     * looked at meanwhile: its temporary name is `name.part`, not hidden.
+     */
+    std::filesystem::path
+    growing(const std::string &name);
+
     /** Gives the finished temporary file its final name, replacing any file
      * of that name in one step. Throws InputError if there is no such file. */
     void
     publish(const std::string &name);
 
     /**
-     * Like temporary() for the growing file of the run that is continued: its
+     * Like growing() for the growing file of the run that is continued: its
      * first n_bytes, from what a killed run left or from the published file,
      * which stays. Throws InputError if neither is that long. Only for the
      * root.
@@ -126,9 +136,12 @@ namespace RollingContact
     write_pieces(const std::vector<std::string> &names,
                  const std::string              &text);
 
-    /** Writes run.json; `members` are JSON members without the outer braces. */
+    /** Writes run.json; `members` are JSON members without the outer braces,
+     * `members_if_stopped` those of the run.json that is left if the process is
+     * ended at once, see leave_on_stop(); empty if the run is over. */
     void
-    write_record(const std::string &members);
+    write_record(const std::string &members,
+                 const std::string &members_if_stopped = "");
 
     /** The published files, sorted; run.json is not among them. */
     std::vector<std::string>
@@ -139,6 +152,8 @@ namespace RollingContact
     final_path(const std::string &name) const;
     std::filesystem::path
     temporary_path(const std::string &name) const;
+    std::filesystem::path
+    growing_path(const std::string &name) const;
 
     void
     lock();
@@ -157,9 +172,10 @@ namespace RollingContact
     const std::string           original_prm;
     const std::string           used_prm;
 
-    std::string           record;
+    std::string           record, record_if_stopped;
     std::set<std::string> claimed_files; ///< as listed in run.json
     std::set<std::string> begun_files;   ///< temporary so far, by this run
+    std::set<std::string> growing_files; ///< of these, see growing()
     std::set<std::string> published_files;
     /** File descriptor that holds the lock; -1 unless open. */
     int lock_descriptor;

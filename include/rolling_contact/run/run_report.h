@@ -85,6 +85,7 @@ namespace RollingContact
     std::vector<std::string>    command_line;
     std::vector<BuiltItem>      objects;
     std::vector<std::string>    warnings;
+    std::string                 failure; ///< why the run failed, if it did
     std::vector<ErrorStatement> errors;
     /** What the run found, for the summary: "load", "N = ..."; in order. */
     std::vector<std::pair<std::string, std::string>> findings;
@@ -112,6 +113,10 @@ namespace RollingContact
     summary(const PhaseTimer &timer, const std::string &folder) const;
 
   private:
+    /** Of run.json, without braces. */
+    std::string
+    members(const RunStatus status, const PhaseTimer &timer) const;
+
     std::string
     all_errors() const;
 

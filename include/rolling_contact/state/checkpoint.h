@@ -8,6 +8,8 @@
 #include <rolling_contact/run/history_table.h>
 #include <rolling_contact/run/pvd.h>
 #include <rolling_contact/run/run_folder.h>
+#include <rolling_contact/scene/scene_parameters.h>
+#include <rolling_contact/solvers/contact_solver.h>
 
 #include <cstdint>
 #include <string>
@@ -37,6 +39,22 @@ namespace RollingContact
   };
 
   /**
+   * Under what the last step was solved, its last part if it was halved: slip,
+   * dissipation and invariants of the state follow from it. Units: s, m, m/s.
+   */
+  struct LastStep
+  {
+    bool                is_known = false; ///< not after a failed one
+    double              length   = 0.;
+    double              speed    = 0.;
+    std::vector<double> gap;
+    NodalField          free_slip, free_displacement;
+    bool                edge_law       = true;
+    bool                holds_friction = false;
+    SolverReport        solver;
+  };
+
+  /**
    * All that a transient run needs to continue with the same numbers, bit by
    * bit, after the step it was taken. Meshes and factors are made again.
    */
@@ -53,6 +71,7 @@ namespace RollingContact
     double                         approach = 0.; ///< m
     SlipScheme                     scheme;        ///< see edge_law.h
     std::vector<double>            friction; ///< mu of the nodes, if it falls
+    LastStep                       last_step;
 
     HistoryTable::Position history;
     std::vector<PvdBlock>  body_fields;      ///< of bodies.pvd so far
@@ -73,6 +92,22 @@ namespace RollingContact
    */
   Checkpoint
   read_checkpoint(const RunFolder &folder);
+
+  /**
+   * Throws InputError, as read_checkpoint() does, for what it can know before
+   * a mesh is made and a file of the folder is touched: other tables or mesh
+   * files than the run in this folder began with, and an end before the step
+   * it has reached. Only for the root.
+   */
+  void
+  check_resumable(const SceneParameters       &scene,
+                  const std::filesystem::path &folder);
+
+  /**
+   * Fingerprints of the tables and mesh files that a transient run reads.
+   */
+  PrmEntries
+  files_of(const SceneParameters &scene);
 } // namespace RollingContact
 
 #endif

@@ -121,6 +121,12 @@ namespace RollingContact
     void
     restore_state(const Checkpoint &checkpoint);
 
+    /**
+     * The slip of the state is known again.
+     */
+    void
+    restore_last_step(const LastStep &step);
+
     void
     finish_part(const ContactState &previous,
                 const double        h,

@@ -1,0 +1,44 @@
+#ifndef rolling_contact_pair_mesh_limits_h
+#define rolling_contact_pair_mesh_limits_h
+
+#include <rolling_contact/mesh/grading.h>
+#include <rolling_contact/scene/scene_parameters.h>
+
+namespace RollingContact
+{
+  /**
+   * Smallest element in x that bodies of the program's own meshes may have, as
+   * a part of the largest of their sizes: below some 1e-8 rounding of the
+   * vertices decides whether the surface nodes of wheel and rail match.
+   */
+  inline constexpr double smallest_element = 3e-8;
+
+  /**
+   * Throws InputError, naming the load or approach and the least that will do,
+   * if the elements of @p grading are too small for the bodies: a patch grows
+   * with the square root of the approach and of a load in 2D, with the cube
+   * root of a load in 3D.
+   */
+  template <int dim>
+  void
+  check_element_size(const SceneParameters &scene, const Grading<dim> &grading);
+
+  /**
+   * Throws MemoryError if the dense matrices of contact space with so many
+   * unknowns, W of each body and of the pair and products of it, do not fit
+   * into 70 % of the free memory.
+   */
+  void
+  check_contact_memory(const double n_unknowns);
+
+  /**
+   * The same before a mesh is made, by the size of the zone and of its elements
+   * alone: some less than there will be.
+   */
+  template <int dim>
+  void
+  check_contact_memory(const SceneParameters &scene,
+                       const Grading<dim>    &grading);
+} // namespace RollingContact
+
+#endif

@@ -1,0 +1,114 @@
+#include <deal.II/base/numbers.h>
+
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/memory.h>
+#include <rolling_contact/base/text.h>
+#include <rolling_contact/pair/mesh_limits.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace RollingContact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** Of the elastic bodies that the program meshes; 0 if there is none. */
+    double
+    largest_size(const SceneParameters &scene)
+    {
+      double size = 0.;
+      for (const BodyParameters *body : {&scene.wheel, &scene.rail})
+        if (!body->rigid && !body->is_from_file())
+          {
+            const auto shape = body->body_shape();
+            size = std::max({size, shape->thickness_below(), shape->reach_x()});
+          }
+      return size;
+    }
+
+
+
+    /** "Contact/Normal load = 1e-6 N", for a patch so many times larger if the
+     * factor is not 1. */
+    std::string
+    what_presses(const ContactParameters &contact,
+                 const int                dim,
+                 const double             factor)
+    {
+      if (contact.approach)
+        return "Contact/Approach = " +
+               significant(*contact.approach * factor * factor, 2) + " m";
+      return "Contact/Normal load = " +
+             significant(*contact.normal_load * std::pow(factor, dim), 2) +
+             " N";
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  check_element_size(const SceneParameters &scene, const Grading<dim> &grading)
+  {
+    double size = std::ldexp(grading.element_size_x, -int(grading.rim_levels));
+    for (const RefinedBox<dim> &box : grading.boxes)
+      size = std::min(size, box.size);
+    const double smallest = smallest_element * largest_size(scene);
+    if (size >= smallest ||
+        (!scene.contact.approach && !scene.contact.normal_load))
+      return;
+    throw InputError(
+      what_presses(scene.contact, dim, 1.) + " makes elements of " +
+      significant(size, 2) + " m, too small beside bodies of " +
+      significant(smallest / smallest_element, 2) +
+      " m: take fewer Mesh/Elements across patch or, for these, at least " +
+      what_presses(scene.contact, dim, 1.1 * smallest / size) + ".");
+  }
+
+
+
+  void
+  check_contact_memory(const double n_unknowns)
+  {
+    const double n_matrices = 5;
+    const double bytes = n_matrices * n_unknowns * n_unknowns * sizeof(double),
+                 free  = available_memory();
+    if (free > 0. && bytes > 0.7 * free)
+      throw MemoryError(
+        "The contact nodes have " + significant(n_unknowns, 3) +
+        " pressures and tractions and need about " + human_bytes(bytes) +
+        " for their compliance, more than 70 % of the " + human_bytes(free) +
+        " free: take fewer Mesh/Elements across patch, a "
+        "smaller Mesh/Candidate zone or a smaller "
+        "Mesh/Contact node budget.");
+  }
+
+
+
+  template <int dim>
+  void
+  check_contact_memory(const SceneParameters &scene,
+                       const Grading<dim>    &grading)
+  {
+    const double surely = 0.9;
+    const double nodes =
+      dim == 2 ? 2 * grading.semi_axis_x() / grading.element_size_x
+               : numbers::PI * grading.semi_axis_x() * grading.zone_y /
+                   (grading.element_size_x * grading.element_size_y);
+    const int components = scene.contact.friction_coefficient > 0. ? dim : 1;
+    check_contact_memory(surely * nodes * components);
+  }
+
+
+
+  template void
+  check_contact_memory(const SceneParameters &, const Grading<2> &);
+  template void
+  check_contact_memory(const SceneParameters &, const Grading<3> &);
+  template void
+  check_element_size(const SceneParameters &, const Grading<2> &);
+  template void
+  check_element_size(const SceneParameters &, const Grading<3> &);
+} // namespace RollingContact
