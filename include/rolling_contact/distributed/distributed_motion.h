@@ -58,6 +58,9 @@ namespace RollingContact
     std::vector<double>
     free_contact_velocity() const override;
 
+    double
+    mean_velocity() override;
+
     const StepEnergy &
     energy() const override
     {
@@ -113,6 +116,13 @@ namespace RollingContact
      */
     void
     require_begun() const;
+
+    /**
+     * M e_z by row sums: a consistent mass couples to the hub's own nodes as
+     * well. Units: kg.
+     */
+    const DistributedVector &
+    translational_inertia();
 
     /**
      * Values at the contact nodes, on all ranks.
