@@ -184,7 +184,7 @@ set palette defined (0 "#440154", 1 "#472D7B", 2 "#3B528B", 3 "#2C728E", \
       height,
       figure_bottom + panel_step * panels.size(),
       panels.empty() ? ""
-                     : fmt::format("set lmargin at screen 84./{}\n", width),
+                     : fmt::format("set lmargin at screen 96./{}\n", width),
       figure_top + panel_step * panels.size(),
       has_legend ? "set key at graph 1.03, graph 1 left top Left reverse "
                    "noenhanced samplen 2.2 spacing 1.2\n"

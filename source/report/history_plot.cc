@@ -107,6 +107,8 @@ namespace RollingContact
       if (varies(column("approach_m")) && scene.contact.approach)
         add_panel("approach (\u00b5m)",
                   {{"approach", scaled(column("approach_m"), 1e6)}});
+      if (any_beyond(column("wheel_velocity_m/s"), 0.))
+        add_panel("v (m/s)", {{"wheel along z", column("wheel_velocity_m/s")}});
       if (rolls && varies(column("speed_m/s")))
         add_panel("V (m/s)", {{"rolling speed", column("speed_m/s")}});
     }
@@ -118,7 +120,7 @@ namespace RollingContact
                       const std::vector<Curve> &curves)
     {
       Figure panel(rolls ? "Forces on the wheel and what drives it"
-                         : "Load and what drives it",
+                         : "Load and motion",
                    rolls ? "rolled distance (mm)" : "time (ms)",
                    y_label);
       for (const Curve &curve : curves)
@@ -199,7 +201,7 @@ namespace RollingContact
     for (std::istringstream head(line); std::getline(head, cell, ',');)
       names.push_back(cell);
     for (const std::string &column : columns)
-      history[column];
+      history[column]; // also if there is none
     while (std::getline(file, line))
       {
         std::size_t k = 0;
@@ -228,6 +230,7 @@ namespace RollingContact
                                                  "creepage_y",
                                                  "spin_1/m",
                                                  "speed_m/s",
+                                                 "wheel_velocity_m/s",
                                                  "normal_force_N",
                                                  "force_x_N",
                                                  "force_y_N"});
