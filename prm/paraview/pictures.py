@@ -362,7 +362,14 @@ def sliding_of(run):
     """The sliding speed where friction depends on it, else the slip: array, title, function."""
     if run.falls:
         return "v", "sliding speed (m/s)", "sliding_speed"
-    return "s", "slip |s| (%)", "100*mag(slip)"
+    return "s", "slip (%)", "100*mag(slip)"
+
+
+def touching(nodes):
+    """Where there is pressure."""
+    inside = pv.Threshold(registrationName="touching", Input=nodes, Scalars=["POINTS", "pressure"])
+    inside.ThresholdMethod, inside.UpperThreshold = "Above Upper Threshold", 1e-9
+    return inside
 
 
 def show_map(run, array, title, function, from_zero=True):
@@ -371,22 +378,23 @@ def show_map(run, array, title, function, from_zero=True):
     patch = calculate(flat_patch(run), array, f"if(pressure > 0, {function}, 0)")
     colours = colours_up_to(array, largest(patch, array, run.times))
     if not from_zero:
-        inside = pv.Threshold(registrationName="touching", Input=patch, Scalars=["POINTS", "pressure"])
-        inside.ThresholdMethod, inside.LowerThreshold = "Above Lower Threshold", 1e-9
+        inside = touching(patch)
         inside.UpdatePipeline(run.last_contact())
         colours.RescaleTransferFunction(*inside.PointData[array].GetRange())
         draw_black(patch, view, "Wireframe", opacity=0.1)
         patch = inside
-    paint(patch, view, array, title.replace(" (", "\n("), colours)
+    paint(patch, view, array, title.replace(" ", "\n"), colours)
     return view
 
 
 def show_line(run, array, title, function):
-    """2D: a nodal value of the patch along x."""
+    """2D: a nodal value of the nodes that touch, along x."""
     view = chart_view(run, re.sub(r" \(.*", "", title), title)
     nodes = calculate(flat_patch(run), "x", "coordsX")
-    nodes = calculate(nodes, array, f"if(pressure > 0, {function}, 0)")
-    plot(nodes, view, {array: (BLUE, "1", "4")})
+    nodes = calculate(nodes, array, function)
+    single = pv.ConvertToPointCloud(Input=nodes, CellGenerationMode="Vertex cells")
+    nodes = touching(single)
+    plot(nodes, view, {array: (BLUE, "0", "4")})
     view.ShowLegend = 0
     view.LeftAxisUseCustomRange, view.LeftAxisRangeMinimum = 1, 0
     view.LeftAxisRangeMaximum = 1.1 * largest(nodes, array, run.times) or 1

@@ -4,7 +4,6 @@
 #include <rolling_contact/input/prm_text.h>
 
 #include <algorithm>
-#include <cstring>
 #include <map>
 #include <sstream>
 
@@ -59,7 +58,7 @@ namespace RollingContact
         {
           line += character == '\n';
           if (static_cast<unsigned char>(character) < ' ' &&
-              std::strchr("\t\n\v\f\r", character) == nullptr)
+              std::string("\t\n\v\f\r").find(character) == std::string::npos)
             reject(place,
                    "line " + std::to_string(line) + " holds the byte " +
                      quotable(std::string(1, character)) +

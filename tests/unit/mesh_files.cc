@@ -42,7 +42,7 @@ namespace
         const auto take_it = [&](SceneParameters &scene) {
           scene.dimension            = dim;
           scene.mesh.growth          = 0.5;
-          scene.wheel.lateral_radius = 0.3;
+          scene.wheel.lateral_radius = dim == 2 ? 0. : 0.3;
           scene.rail.radius          = 0.;
           scene.contact.normal_load  = dim == 2 ? 40e3 : 10e3;
           take(scene.rail, name);
