@@ -66,13 +66,12 @@ namespace RollingContact
     std::string
     text_of(const MeshFile &file)
     {
-      if (file.name.empty())
-        reject(file, "it is empty, name a file.");
       const std::string problem = why_unreadable(file.path);
       if (!problem.empty())
         reject(file,
-               "\"" + file.path.string() + "\" cannot be read: " + problem +
-                 ".");
+               file.name.empty() ? "it is empty, name a file."
+                                 : "\"" + file.path.string() +
+                                     "\" cannot be read: " + problem + ".");
       const std::string text = read_bytes(file.path);
       if (text.empty())
         reject(file, "\"" + file.path.string() + "\" is empty.");

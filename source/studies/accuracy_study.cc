@@ -34,6 +34,9 @@ namespace RollingContact
     const StudyParameters &study = scene.study;
     list_cases();
     list_methods();
+    context.log.message(
+      std::to_string(n_states()) + " states, those of the reference of " +
+      std::to_string(study.reference_elements) + " elements first.");
     progress.emplace(context.log, "state", n_states());
     solve_reference();
     for (const std::string &mesh : study.meshes)

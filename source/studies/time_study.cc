@@ -24,8 +24,11 @@ namespace RollingContact
                        "load above 0.");
     const StudyParameters &study  = scene.study;
     const double           finest = study.reference_time_step;
-    const Run              coarse = solve(2 * finest, study.thetas.front());
-    const Run              fine   = solve(finest, study.thetas.front());
+    context.log.message(
+      std::to_string(2 + study.thetas.size() * study.time_steps.size()) +
+      " runs, the two of the reference first.");
+    const Run coarse = solve(2 * finest, study.thetas.front());
+    const Run fine   = solve(finest, study.thetas.front());
     for (const Run *reference : {&coarse, &fine})
       if (!reference->failure.empty())
         throw ConvergenceError("Accuracy study, the reference: " +
