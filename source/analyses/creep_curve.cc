@@ -101,8 +101,12 @@ namespace RollingContact
     if (scene.contact.friction_coefficient <= 0. ||
         estimate_patch(scene).half_width_x <= 0.)
       throw InputError(needs_contact);
+    // section Contact has creepages for levels only, which refine for them
+    SceneParameters start = scene;
+    if (scene.mesh.adaptive_levels == 0)
+      start.contact.creepages = Creepages();
     SteadyState<dim> steady =
-      AdaptiveLevels<dim>(scene, StateDemands(), context).run([](const auto &) {
+      AdaptiveLevels<dim>(start, StateDemands(), context).run([](const auto &) {
       });
     require_solved(scene, steady, "Creep curve, the state to start from");
     if (steady.result.normal_force <= 0.)

@@ -69,9 +69,8 @@ namespace RollingContact
       const std::string problem = why_unreadable(file.path);
       if (!problem.empty())
         reject(file,
-               file.name.empty() ? "it is empty, name a file."
-                                 : "\"" + file.path.string() +
-                                     "\" cannot be read: " + problem + ".");
+               "\"" + file.path.string() + "\" cannot be read: " + problem +
+                 ".");
       const std::string text = read_bytes(file.path);
       if (text.empty())
         reject(file, "\"" + file.path.string() + "\" is empty.");

@@ -86,7 +86,7 @@ BOOST_AUTO_TEST_CASE(files_that_cannot_be_read)
     BOOST_TEST(contains(text, part), text);
   };
   check(said.of_scene("none.msh"), "cannot be read: there is no such file");
-  check(said.of_scene(""), "it is empty, name a file");
+  check(said.of_scene(""), "it is a folder");
   check(said.of("empty.msh", ""), "is empty");
   check(said.of("mesh.vtk", good.gmsh()), ".msh, or an Abaqus input file");
   check(said.of("text.msh", "hello"), "$MeshFormat");
