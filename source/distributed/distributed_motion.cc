@@ -258,24 +258,6 @@ namespace RollingContact
 
   template <int dim>
   std::vector<double>
-  DistributedMotion<dim>::contact_displacement() const
-  {
-    return on_contact(u);
-  }
-
-
-
-  template <int dim>
-  std::vector<double>
-  DistributedMotion<dim>::contact_velocity() const
-  {
-    return on_contact(v);
-  }
-
-
-
-  template <int dim>
-  std::vector<double>
   DistributedMotion<dim>::free_contact_velocity() const
   {
     require_begun();

@@ -47,10 +47,16 @@ namespace RollingContact
     end_step(const std::vector<double> &reactions) override;
 
     std::vector<double>
-    contact_displacement() const override;
+    contact_displacement() const override
+    {
+      return on_contact(u);
+    }
 
     std::vector<double>
-    contact_velocity() const override;
+    contact_velocity() const override
+    {
+      return on_contact(v);
+    }
 
     std::vector<double>
     free_contact_displacement() const override;
