@@ -214,6 +214,8 @@ namespace RollingContact
       };
       report.write(folder, RunStatus::running, timer);
       warn_about_blas(log);
+      for (const std::string &warning : input.warnings)
+        log.warning(warning);
       try
         {
           reserve_blas_memory(scene.body_threads);
@@ -281,7 +283,12 @@ namespace RollingContact
           const SceneInput input = read_scene(command_line);
           check_for_ranks(input);
           if (command_line.validate_only)
-            say(command_line.prm_file + ": valid\n");
+            {
+              Log log(Verbosity::normal);
+              for (const std::string &warning : input.warnings)
+                log.warning(warning);
+              say(command_line.prm_file + ": valid\n");
+            }
           else
             run_scene(input, command_line);
         }

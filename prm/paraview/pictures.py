@@ -3,7 +3,8 @@
     pvpython prm/paraview/pictures.py RUN_FOLDER [--steps]
 
 writes PNG files to RUN_FOLDER/pictures: von_mises, in 2D tractions, in 3D
-patch_state and pressure_and_traction. Of a run in time they show the last step
+patch_state and pressure_and_traction; with friction sliding, and where friction
+falls with the sliding speed friction. Of a run in time they show the last step
 with contact, with --steps every one. If it cannot: a message and exit code 1.
 
     RUN=RUN_FOLDER paraview --script=prm/paraview/pictures.py
@@ -13,6 +14,7 @@ so does Tools > Python Shell > Run Script once a .pvd file of the run is open.
 
 The files hold m and Pa, the pictures show mm and MPa.
 """
+import csv
 import os
 import re
 import sys
@@ -44,8 +46,11 @@ class Run:
         with open(os.path.join(folder, "used.prm"), encoding="utf-8") as file:
             scene = file.read()
         self.is_3d = re.search(r"^set Dimension *= *3", scene, re.M) is not None
-        speed = re.search(r"^subsection Contact$.*?^ *set Speed *= *(-?)", scene, re.S | re.M)
-        self.flow = "material flows to the " + ("left" if speed and speed.group(1) else "right")
+        self.flow = "material flows to the " + (
+            "left" if contact_entry(scene, "Speed", "").startswith("-") else "right"
+        )
+        self.mu = float(contact_entry(scene, "Friction coefficient", "0.3"))
+        self.rows = read_rows(folder)
         arrays = ["pressure", "traction", "traction_bound", "state"]
         self.interface = open_fields(folder, "interface.pvd", arrays)
         self.bodies = open_fields(folder, "bodies.pvd", ["displacement", "von_mises"])
@@ -56,6 +61,9 @@ class Run:
                 "other scenes write them with Output/Interface fields and Body fields = true."
             )
         self.times = list(self.shown.TimestepValues)
+        self.texts = []  # that tell the facts, one in each view
+        fields = self.interface.PointData.keys() if self.interface else []
+        self.falls = "sliding_speed" in fields
         bounds = [1000 * bound for bound in self.shown.GetDataInformation().GetBounds()]
         # Where contact is looked for, in mm; if that is not known a part of the bodies
         self.zone = bounds[:4] if self.interface else [bound / 40 for bound in bounds[:4]]
@@ -67,6 +75,50 @@ class Run:
                 if largest(self.interface, "state", [time]) > 0:
                     return time
         return self.times[-1]
+
+    def facts(self, time):
+        """Load, friction and creepages of the state at a time."""
+        if not self.rows:
+            return ""
+        in_time = "time_s" in self.rows[0]
+        row = min(self.rows, key=lambda row: abs(float(row["time_s"]) - time if in_time else 0))
+        if not row["normal_force_N"]:
+            return "not converged"
+        parts = [f"N = {float(row['normal_force_N']) / 1e3:.4g} kN"]
+        if self.mu > 0:
+            parts.append(("\u03bc_s" if self.falls else "\u03bc") + f" = {self.mu:.4g}")
+            for name, label, factor, unit in (
+                ("creepage_x", "creepage x", 100, " %"),
+                ("creepage_y", "creepage y", 100, " %"),
+                ("spin_1/m", "spin", 1, "/m"),
+            ):
+                if float(row[name]) != 0:
+                    parts.append(f"{label} {factor * float(row[name]):.4g}{unit}")
+        at_time = f"t = {time:.4g} s: " if len(self.times) > 1 else ""
+        return (at_time + ", ".join(parts)).replace("-", "\u2212")
+
+    def tell_facts(self, time):
+        """In all views there are."""
+        for show in self.texts:
+            show(self.facts(time))
+
+
+def contact_entry(scene, name, default):
+    """Of section Contact in the text of used.prm, which leaves out defaults."""
+    section = re.search(r"^subsection Contact$(.*?)^end", scene, re.S | re.M)
+    entry = section and re.search(rf"^ *set {name} *= *(\S+)", section.group(1), re.M)
+    return entry.group(1) if entry else default
+
+
+def read_rows(folder):
+    """Of history.csv, else the last of results.csv."""
+    for name in ("history.csv", "results.csv"):
+        path = os.path.join(folder, name)
+        if os.path.isfile(path):
+            with open(path, encoding="utf-8", newline="") as file:
+                rows = list(csv.DictReader(file))
+            return rows if name == "history.csv" else rows[-1:]
+    return []
 
 
 def check_record(folder):
@@ -158,7 +210,13 @@ def flat_view(run, title, remark, zone, up="y"):
     view.InteractionMode, view.CameraParallelProjection = "2D", 1
     text = pv.Text(registrationName=title, Text=f"{run.name}: {title}")
     write_text(text, view, "Upper Center", 28, bold=1)
-    write_text(pv.Text(registrationName="remark", Text=remark), view, "Lower Center", 22)
+    facts = pv.Text(registrationName="facts")
+
+    def show_facts(text):
+        facts.Text = text + "\n" + remark
+
+    run.texts.append(show_facts)
+    write_text(facts, view, "Lower Center", 20)
     if len(run.times) > 1:
         time = pv.AnnotateTimeFilter(Input=run.shown, Format="{time:.4g} s")
         write_text(time, view, "Upper Right Corner", 24)
@@ -283,9 +341,79 @@ def plot(source, view, curves):
         setattr(chart, f"Series{series}", values)
 
 
+def chart_view(run, title, y_title):
+    """A chart over x."""
+    view = new_view("XYChartView", title)
+    view.ChartTitle = f"{run.name}: {title}" + (" at {time:.4g} s" if len(run.times) > 1 else "")
+    view.ChartTitleFontSize, view.ChartTitleBold, view.LegendFontSize = 28, 1, 22
+    view.LeftAxisTitle = y_title
+    view.LeftAxisTitleFontSize = view.BottomAxisTitleFontSize = 22
+    view.LeftAxisTitleBold = view.BottomAxisTitleBold = 0
+    view.LeftAxisLabelFontSize = view.BottomAxisLabelFontSize = 20
+
+    def show_facts(text):
+        view.BottomAxisTitle = f"x (mm), {run.flow}\n{text}"
+
+    run.texts.append(show_facts)
+    return view
+
+
+def sliding_of(run):
+    """The sliding speed where friction depends on it, else the slip: array, title, function."""
+    if run.falls:
+        return "v", "sliding speed (m/s)", "sliding_speed"
+    return "s", "slip (%)", "100*mag(slip)"
+
+
+def touching(nodes):
+    """Where there is pressure."""
+    inside = pv.Threshold(registrationName="touching", Input=nodes, Scalars=["POINTS", "pressure"])
+    inside.ThresholdMethod, inside.UpperThreshold = "Above Upper Threshold", 1e-9
+    return inside
+
+
+def show_map(run, array, title, function, from_zero=True):
+    """3D: a nodal value over the patch, colours from 0 or its least to its largest."""
+    view = flat_view(run, re.sub(r" \(.*", "", title), run.flow, run.zone)
+    patch = calculate(flat_patch(run), array, f"if(pressure > 0, {function}, 0)")
+    colours = colours_up_to(array, largest(patch, array, run.times))
+    if not from_zero:
+        inside = touching(patch)
+        inside.UpdatePipeline(run.last_contact())
+        colours.RescaleTransferFunction(*inside.PointData[array].GetRange())
+        draw_black(patch, view, "Wireframe", opacity=0.1)
+        patch = inside
+    paint(patch, view, array, title.replace(" ", "\n"), colours)
+    return view
+
+
+def show_line(run, array, title, function):
+    """2D: a nodal value of the nodes that touch, along x."""
+    view = chart_view(run, re.sub(r" \(.*", "", title), title)
+    nodes = calculate(flat_patch(run), "x", "coordsX")
+    nodes = calculate(nodes, array, function)
+    single = pv.ConvertToPointCloud(Input=nodes, CellGenerationMode="Vertex cells")
+    nodes = touching(single)
+    plot(nodes, view, {array: (BLUE, "0", "4")})
+    view.ShowLegend = 0
+    view.LeftAxisUseCustomRange, view.LeftAxisRangeMinimum = 1, 0
+    view.LeftAxisRangeMaximum = 1.1 * largest(nodes, array, run.times) or 1
+    return view
+
+
+def show_sliding(run):
+    show = show_map if run.is_3d else show_line
+    return show(run, *sliding_of(run))
+
+
+def show_friction(run):
+    mu = ("mu", "friction coefficient (1)", "friction_coefficient")
+    return show_map(run, *mu, from_zero=False) if run.is_3d else show_line(run, *mu)
+
+
 def show_tractions(run):
     """2D: stresses along x; the marks of the traction tell the state."""
-    view = new_view("XYChartView", "tractions")
+    view = chart_view(run, "tractions", "stress (MPa)")
     nodes = calculate(flat_patch(run), "x", "coordsX")
     for name, stress in {"p": "pressure", "\u03bcp": "traction_bound",
                          "\u2212\u03bcp": "-traction_bound", "q": "traction_X"}.items():
@@ -298,12 +426,6 @@ def show_tractions(run):
         these = pv.Threshold(registrationName=name, Input=single, Scalars=["POINTS", "state"])
         these.LowerThreshold = these.UpperThreshold = state
         plot(calculate(these, f"q, {name}", "q"), view, {f"q, {name}": (colour, none, dot)})
-    view.ChartTitle = f"{run.name}: tractions" + (" at {time:.4g} s" if len(run.times) > 1 else "")
-    view.ChartTitleFontSize, view.ChartTitleBold, view.LegendFontSize = 28, 1, 22
-    view.LeftAxisTitle, view.BottomAxisTitle = "stress (MPa)", f"x (mm), {run.flow}"
-    view.LeftAxisTitleFontSize = view.BottomAxisTitleFontSize = 24
-    view.LeftAxisTitleBold = view.BottomAxisTitleBold = 0
-    view.LeftAxisLabelFontSize = view.BottomAxisLabelFontSize = 20
     highest = largest(nodes, "p", run.times) or 1
     view.LeftAxisUseCustomRange, view.LeftAxisRangeMaximum = 1, 1.1 * highest
     view.LeftAxisRangeMinimum = -max(1.1 * largest(nodes, "\u03bcp", run.times), 0.1 * highest)
@@ -311,7 +433,7 @@ def show_tractions(run):
 
 
 def show_von_mises(run):
-    """Near the contact, in 3D cut along the flow; constant in each element."""
+    """Near the contact, in 3D cut along the flow; mean of the elements around each node."""
     bodies = {block.get("name") for block in Xml.parse(run.bodies.FileName).iter("DataSet")}
     half = run.zone[1] - run.zone[0]
     high = 0.75 * half
@@ -319,7 +441,11 @@ def show_von_mises(run):
     remark = f"{' and '.join(places)}, deformation to scale, {run.flow}"
     zone = [-half, half, -high, high]
     view = flat_view(run, "von Mises stress", remark, zone, up="z" if run.is_3d else "y")
-    shown = pv.MergeBlocks(registrationName="bodies", Input=run.bodies, MergePoints=0)
+    # each element brings nodes and a value of its own; wheel and rail stay apart
+    shown = pv.PointDatatoCellData(Input=run.bodies, PassPointData=1)
+    shown = pv.CleantoGrid(Input=shown)
+    shown = pv.CellDatatoPointData(Input=shown)
+    shown = pv.MergeBlocks(registrationName="bodies", Input=shown, MergePoints=0)
     if run.is_3d:
         shown = pv.Slice(registrationName="along the flow", Input=shown)
         shown.SliceType.Normal = [0, 1, 0]
@@ -342,6 +468,10 @@ def views_of(run):
         yield "pressure_and_traction", show_pressure(run)
     elif run.interface:
         yield "tractions", show_tractions(run)
+    if run.interface and run.mu > 0:
+        yield "sliding", show_sliding(run)
+    if run.falls:
+        yield "friction", show_friction(run)
     if run.bodies:
         yield "von_mises", show_von_mises(run)
 
@@ -358,6 +488,7 @@ def save(run, folder, every_step):
     for name, view in views_of(run):
         for step, time in steps:
             go_to(time)
+            run.tell_facts(time)
             picture = os.path.join(folder, f"{name}-{step:04d}.png" if step else f"{name}.png")
             pv.SaveScreenshot(picture, view, ImageResolution=SIZE, CompressionLevel="9")
             print(picture)
@@ -390,6 +521,7 @@ try:
             pv.Render(view)
         pv.SetActiveSource(run.shown)
         go_to(run.last_contact())
+        run.tell_facts(run.last_contact())
     else:
         save_from(sys.argv[1:])
 except (RunError, OSError, Xml.ParseError) as error:

@@ -1,16 +1,17 @@
 #include <rolling_contact/analyses/creep_curve.h>
 #include <rolling_contact/assessment/reference_2d.h>
 #include <rolling_contact/assessment/reference_3d.h>
+#include <rolling_contact/assessment/uniqueness_warning.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/stopwatch.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/parallel/interrupt.h>
-#include <rolling_contact/plot/figure.h>
 #include <rolling_contact/report/bodies_report.h>
 #include <rolling_contact/report/result_row.h>
 #include <rolling_contact/report/state_report.h>
 #include <rolling_contact/run/progress.h>
 #include <rolling_contact/state/adaptive_levels.h>
+#include <rolling_contact/state/enlarged_zone.h>
 
 #include <algorithm>
 #include <cmath>
@@ -100,8 +101,12 @@ namespace RollingContact
     if (scene.contact.friction_coefficient <= 0. ||
         estimate_patch(scene).half_width_x <= 0.)
       throw InputError(needs_contact);
+    // section Contact has creepages for levels only, which refine for them
+    SceneParameters start = scene;
+    if (scene.mesh.adaptive_levels == 0)
+      start.contact.creepages = Creepages();
     SteadyState<dim> steady =
-      AdaptiveLevels<dim>(scene, StateDemands(), context).run([](const auto &) {
+      AdaptiveLevels<dim>(start, StateDemands(), context).run([](const auto &) {
       });
     require_solved(scene, steady, "Creep curve, the state to start from");
     if (steady.result.normal_force <= 0.)
@@ -121,9 +126,11 @@ namespace RollingContact
         " after meshing, factorisation and condensation; "
         "largest |T|/(" +
         (scene.contact.falling_friction() ? "mu_s" : "mu") + " N) = " +
-        significant(*std::max_element(force.begin(), force.end()), 5));
+        significant(*std::max_element(curve.force_ratio.begin(),
+                                      curve.force_ratio.end()),
+                    5));
     if (scene.output.plot)
-      plot(points);
+      plot_creep_curve(points, curve, scale_of_friction(scene), context);
   }
 
 
@@ -159,20 +166,23 @@ namespace RollingContact
   CreepCurve<dim>::solve_point(const Creepages  &creepages,
                                SteadyState<dim> &steady)
   {
-    PhaseTimer::Scope phase(context.timer, Phase::contact_solve);
     steady.problem.loads.creepages = creepages;
-    solve_contact(scene, StateDemands(), steady);
-    steady.result = resultants(steady.problem, steady.state);
+    solve_enlarging_zone(scene, StateDemands(), context, steady);
 
-    const double friction_force = steady.result.friction_force;
-    force.push_back(std::hypot(steady.result.force_x, steady.result.force_y) /
-                    friction_force);
+    const Resultants &result         = steady.result;
+    const double      friction_force = result.friction_force;
+    curve.force_x.push_back(result.force_x);
+    curve.force_y.push_back(result.force_y);
+    curve.moment.push_back(result.spin_moment);
+    curve.half_width = std::max(curve.half_width, result.half_width_x);
+    curve.force_ratio.push_back(std::hypot(result.force_x, result.force_y) /
+                                friction_force);
     std::size_t n = 0;
     const auto  keep =
       [&](const std::string &label, const bool saturates, const double ratio) {
-        if (n == references.size())
-          references.push_back({label, saturates, {}});
-        references[n++].ratios.push_back(ratio);
+        if (n == curve.references.size())
+          curve.references.push_back({label, saturates, {}});
+        curve.references[n++].ratios.push_back(ratio);
       };
     if constexpr (dim == 3)
       for (const NamedForce &theory :
@@ -180,51 +190,12 @@ namespace RollingContact
         keep(theory.label,
              theory.saturates,
              std::hypot(theory.x, theory.y) / friction_force);
-    else if (const auto carter = reference_2d(scene, steady).carter)
-      keep("Carter", true, std::abs(carter->force_ratio()));
-  }
-
-
-
-  template <int dim>
-  void
-  CreepCurve<dim>::plot(const std::vector<Creepages> &points) const
-  {
-    const Path          path(points);
-    const bool          y = varies(path.y), x = varies(path.x);
-    std::vector<double> abscissa = y ? path.y : x ? path.x : path.spin;
-    if (y || x)
-      for (double &value : abscissa)
-        value *= 100;
-    const std::string label = y   ? "lateral creepage (%)"
-                              : x ? "longitudinal creepage (%)"
-                                  : "spin (1/m)";
-    Figure            figure("Creep curve",
-                  label,
-                  "|T| / (" + scale_of_friction(scene) + "N)");
-    figure.add_curve("finite elements",
-                     abscissa,
-                     force,
-                     CurveStyle::line_and_points);
-    CurveStyle style = CurveStyle::reference;
-    for (const ReferenceCurve &reference : references)
-      if (reference.saturates)
-        {
-          figure.add_curve(reference.label, abscissa, reference.ratios, style);
-          style = CurveStyle::line;
-        }
-      else
-        {
-          std::vector<double> shown_x, shown;
-          for (std::size_t k = 0; k < reference.ratios.size(); ++k)
-            if (reference.ratios[k] <= 1.2)
-              {
-                shown_x.push_back(abscissa[k]);
-                shown.push_back(reference.ratios[k]);
-              }
-          figure.add_curve(reference.label, shown_x, shown, CurveStyle::dashed);
-        }
-    figure.draw(context, "creep_curve");
+    else
+      {
+        const Reference2D reference = reference_2d(scene, steady);
+        if (reference.carter && reference.carter_is_exact)
+          keep("Carter", true, std::abs(reference.carter->force_ratio()));
+      }
   }
 
 

@@ -184,6 +184,12 @@ namespace RollingContact
         significant(1e3 * progress.rolled_distance, 6) + " mm, " +
         std::to_string(progress.n_impacts) + " impacts of nodes");
     note_state(stepper.current(), context.report);
+    if (const auto velocity = stepper.bodies().wheel_velocity())
+      context.report.set_finding(
+        "wheel",
+        "its centre of mass moves along z at " + significant(*velocity, 6) +
+          " m/s" + (*velocity > 0. ? ", away from the rail; " : "; ") +
+          significant(scene.time.initial_velocity, 6) + " m/s at the start");
     context.report.set_finding(
       "energy",
       "stored " + significant(stepper.bodies().stored_energy(), 5) +

@@ -34,6 +34,28 @@ namespace RollingContact
 
 
 
+  std::string
+  why_unreadable(const fs::path &file)
+  {
+    std::error_code       error;
+    const fs::file_status status = fs::status(file, error);
+    if (status.type() == fs::file_type::not_found)
+      return "there is no such file";
+    if (error)
+      return error.message();
+    if (fs::is_directory(status))
+      return "it is a folder";
+    if (!fs::is_regular_file(status))
+      return "it is a pipe or a device, no regular file";
+    const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0)
+      return std::strerror(errno);
+    close(descriptor);
+    return "";
+  }
+
+
+
   std::uintmax_t
   size_of(const fs::path &file)
   {

@@ -4,6 +4,7 @@
 #include <dlfcn.h>
 #include <fmt/ranges.h>
 #include <gnu/libc-version.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <rolling_contact/base/exceptions.h>
@@ -12,6 +13,7 @@
 #include <rolling_contact/base/text.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <mutex>
 
@@ -153,5 +155,24 @@ namespace RollingContact
   {
     return static_cast<unsigned int>(
       std::max(1L, sysconf(_SC_NPROCESSORS_ONLN)));
+  }
+
+
+
+  std::size_t
+  screen_width()
+  {
+    const unsigned long most = 80, least = 20;
+    unsigned long       width    = 0;
+    const char *const   variable = std::getenv("COLUMNS");
+    if (variable != nullptr)
+      width = std::strtoul(variable, nullptr, 10);
+    for (const int stream : {STDOUT_FILENO, STDERR_FILENO})
+      {
+        winsize size = {};
+        if (width == 0 && ioctl(stream, TIOCGWINSZ, &size) == 0)
+          width = size.ws_col;
+      }
+    return width == 0 ? most : std::clamp(width, least, most);
   }
 } // namespace RollingContact

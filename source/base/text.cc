@@ -153,6 +153,30 @@ namespace RollingContact
 
 
 
+  std::string
+  quotable(const std::string &text, const std::size_t most_characters)
+  {
+    std::string result;
+    std::size_t n_shown = 0;
+    for (std::size_t i = 0; i < text.size(); ++n_shown)
+      {
+        if (n_shown == most_characters)
+          return result + "...";
+        const auto        byte   = static_cast<unsigned char>(text[i]);
+        const std::size_t length = character_length(text, i);
+        // U+0080 to U+009F are control characters too
+        const bool shown = length > 0 && byte >= 0x20 && byte != 0x7F &&
+                           !(byte == 0xC2 && text.size() > i + 1 &&
+                             static_cast<unsigned char>(text[i + 1]) < 0xA0);
+        result +=
+          shown ? text.substr(i, length) : fmt::format("\\x{:02X}", byte);
+        i += shown ? length : 1;
+      }
+    return result;
+  }
+
+
+
   std::size_t
   n_characters(const std::string &text)
   {

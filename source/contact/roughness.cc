@@ -2,6 +2,7 @@
 
 #include <rolling_contact/base/captured_stderr.h>
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/expression_text.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/contact/roughness.h>
 
@@ -20,7 +21,6 @@ namespace RollingContact
                        " Give an expression in x and y (m) such as "
                        "2e-6*cos(2*pi*x/1e-3), or leave it empty.");
     }
-
   } // namespace
 
 
@@ -30,10 +30,9 @@ namespace RollingContact
   {
     if (text.empty())
       return;
-    if (text.find(';') != std::string::npos)
-      reject(text, "it is one expression.");
-    if (text.find("rand") != std::string::npos)
-      reject(text, "a random profile cannot be repeated.");
+    const std::string trap = trap_in_expression(text);
+    if (!trap.empty())
+      reject(text, trap);
     expression      = std::make_shared<FunctionParser<2>>();
     bool understood = true;
     try
@@ -46,8 +45,11 @@ namespace RollingContact
       {
         understood = false;
       }
+    const std::string unknown = unknown_name_in_expression(text, {"x", "y"});
     if (!understood)
-      reject(text, "the expression cannot be understood.");
+      reject(text,
+             unknown.empty() ? "the expression cannot be understood."
+                             : unknown);
   }
 
 

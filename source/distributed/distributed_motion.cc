@@ -119,13 +119,31 @@ namespace RollingContact
     if (acceleration == last_acceleration)
       return;
     last_acceleration = acceleration;
+    f.equ(-acceleration, translational_inertia());
+  }
+
+
+
+  template <int dim>
+  const DistributedVector &
+  DistributedMotion<dim>::translational_inertia()
+  {
     if (inertia.size() == 0)
       {
-        // row sums: a consistent mass couples to the hub's own nodes as well
         inertia = lumped_mass(body.discretisation());
         inertia.scale(system->rise());
       }
-    f.equ(-acceleration, inertia);
+    return inertia;
+  }
+
+
+
+  template <int dim>
+  double
+  DistributedMotion<dim>::mean_velocity()
+  {
+    const DistributedVector &Me = translational_inertia();
+    return (Me * v) / (Me * system->rise());
   }
 
 
@@ -234,24 +252,6 @@ namespace RollingContact
   DistributedMotion<dim>::on_contact(const DistributedVector &values) const
   {
     return body.on_contact(system->contact_dofs(), values);
-  }
-
-
-
-  template <int dim>
-  std::vector<double>
-  DistributedMotion<dim>::contact_displacement() const
-  {
-    return on_contact(u);
-  }
-
-
-
-  template <int dim>
-  std::vector<double>
-  DistributedMotion<dim>::contact_velocity() const
-  {
-    return on_contact(v);
   }
 
 

@@ -77,18 +77,37 @@ namespace RollingContact
   {
     if (acceleration == last_acceleration)
       return;
-    last_acceleration = acceleration;
+    last_acceleration         = acceleration;
+    std::vector<double> loads = translational_inertia();
+    for (double &load : loads)
+      load *= -acceleration;
+    stepper.set_loads(loads);
+  }
+
+
+
+  template <int dim>
+  const std::vector<double> &
+  DirectMotion<dim>::translational_inertia()
+  {
     if (inertia.empty())
       {
-        // row sums: a consistent mass couples to the hub's own nodes as well
         const std::vector<double> rise = body.uniform(dim - 1, 1.);
         inertia.resize(rise.size());
         body.mass(MassKind::lumped).multiply(rise, inertia);
       }
-    std::vector<double> loads = inertia;
-    for (double &load : loads)
-      load *= -acceleration;
-    stepper.set_loads(loads);
+    return inertia;
+  }
+
+
+
+  template <int dim>
+  double
+  DirectMotion<dim>::mean_velocity()
+  {
+    const std::vector<double> &Me   = translational_inertia();
+    const std::vector<double>  rise = body.uniform(dim - 1, 1.);
+    return dot(Me, stepper.velocity()) / dot(Me, rise);
   }
 
 

@@ -1,8 +1,10 @@
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/files.h>
+#include <rolling_contact/base/text.h>
 #include <rolling_contact/input/prm_text.h>
 
 #include <algorithm>
-#include <fstream>
+#include <map>
 #include <sstream>
 
 namespace RollingContact
@@ -28,28 +30,40 @@ namespace RollingContact
 
 
 
-    /** Bytes of a file of any kind, also of a pipe. */
+    [[noreturn]] void
+    reject(const std::string &place, const std::string &reason)
+    {
+      throw InputError(place + reason);
+    }
+
+
+
+    /** Bytes of a file, all of them of a text. */
     std::string
     read_bounded(const fs::path &file)
     {
-      std::error_code error;
-      std::ifstream   stream(file, std::ios::binary);
-      if (fs::is_directory(file, error) || !stream ||
-          stream.peek() == std::ifstream::traits_type::eof())
-        throw InputError(
-          file.string() +
-          ": cannot be read or is empty; give the path of a .prm file.");
-      std::string text;
-      char        piece[4096];
-      while (text.size() <= max_bytes && stream)
+      const std::string place   = file.string() + ": ",
+                        wanted  = "give the path of a .prm file.";
+      const std::string problem = why_unreadable(file);
+      if (!problem.empty())
+        reject(place, "cannot be read: " + problem + "; " + wanted);
+      if (size_of(file) > max_bytes)
+        reject(place,
+               "it has more than 16 MiB, which no scene needs; " + wanted);
+      const std::string text = read_bytes(file);
+      if (text.empty())
+        reject(place, "the file is empty; " + wanted);
+      unsigned int line = 1;
+      for (const char character : text)
         {
-          stream.read(piece, sizeof(piece));
-          text.append(piece, stream.gcount());
+          line += character == '\n';
+          if (static_cast<unsigned char>(character) < ' ' &&
+              std::string("\t\n\v\f\r").find(character) == std::string::npos)
+            reject(place,
+                   "line " + std::to_string(line) + " holds the byte " +
+                     quotable(std::string(1, character)) +
+                     ", so it is no text; " + wanted);
         }
-      if (text.size() > max_bytes)
-        throw InputError(file.string() +
-                         ": it has more than 16 MiB, which no scene needs; "
-                         "give the path of a .prm file.");
       return text;
     }
 
@@ -80,55 +94,141 @@ namespace RollingContact
 
 
 
+    /** Whether a line is a statement of this word; then what follows it. */
     bool
-    begins_with(const std::string &line,
-                const std::string &lower,
-                const std::string &upper)
+    is_statement(const std::string &line,
+                 const std::string &lower,
+                 const std::string &upper,
+                 std::string       &rest)
     {
-      return line.compare(0, lower.size(), lower) == 0 ||
-             line.compare(0, upper.size(), upper) == 0;
+      const std::string word = line.substr(0, line.find(' '));
+      if (word != lower && word != upper)
+        return false;
+      rest = trimmed(line.substr(word.size()));
+      return true;
+    }
+
+
+
+    /**
+     * Collects the entries of a file and of those it includes.
+     */
+    class Scan
+    {
+    public:
+      explicit Scan(PrmText &found)
+        : found(found)
+      {}
+
+      void
+      read(const fs::path    &file,
+           const std::string &text,
+           const std::string &section);
+
+    private:
+      void
+      add_entry(const std::string                   &path,
+                const std::string                   &rest,
+                const std::string                   &place,
+                const unsigned int                   line,
+                std::map<std::string, unsigned int> &lines);
+
+      PrmText     &found;
+      unsigned int n_inclusions = 0;
+    };
+
+
+
+    void
+    Scan::add_entry(const std::string                   &path,
+                    const std::string                   &rest,
+                    const std::string                   &place,
+                    const unsigned int                   line,
+                    std::map<std::string, unsigned int> &lines)
+    {
+      const std::size_t equals = rest.find('=');
+      if (equals == std::string::npos)
+        reject(place,
+               "'set " + quotable(rest) +
+                 "' has no '='; write `set ENTRY = VALUE`.");
+      const std::string entry = path + trimmed(rest.substr(0, equals)),
+                        value = trimmed(rest.substr(equals + 1));
+      if (rest.find('{') != std::string::npos)
+        reject(place, "'{' cannot stand in an entry.");
+      const auto [known, is_new] = lines.emplace(entry, line);
+      if (!is_new)
+        reject(place,
+               quotable(entry) + " is given here and in line " +
+                 std::to_string(known->second) + "; leave one of them out.");
+      found.entries.push_back({entry, value, place});
     }
 
 
 
     void
-    check_lines(const fs::path    &file,
-                const std::string &text,
-                unsigned int      &n_inclusions)
+    Scan::read(const fs::path    &file,
+               const std::string &text,
+               const std::string &section)
     {
-      std::istringstream lines(text);
-      unsigned int       number = 0;
-      for (std::string line; next_line(lines, line, number);)
+      std::istringstream                  stream(text);
+      std::vector<std::string>            open{section};
+      std::map<std::string, unsigned int> lines;
+      unsigned int                        number = 0;
+      std::string                         rest;
+      for (std::string line; next_line(stream, line, number);)
         {
           const std::string place =
             file.string() + ": line " + std::to_string(number) + ": ";
-          if (begins_with(line, "set ", "SET ") &&
-              line.find('{') != std::string::npos)
-            throw InputError(place + "'{' cannot stand in an entry.");
-          if (!begins_with(line, "include ", "INCLUDE "))
+          if (line.empty())
             continue;
-          if (++n_inclusions > max_inclusions)
-            throw InputError(place + "more than " +
-                             std::to_string(max_inclusions) +
-                             " inclusions; does a file include itself?");
-          const fs::path part = trimmed(line.substr(8));
-          check_lines(part, read_bounded(part), n_inclusions);
+          if (is_statement(line, "set", "SET", rest))
+            add_entry(open.back(), rest, place, number, lines);
+          else if (is_statement(line, "subsection", "SUBSECTION", rest))
+            {
+              found.sections.push_back({open.back() + rest, "", place});
+              open.push_back(open.back() + rest + '/');
+            }
+          else if (is_statement(line, "end", "END", rest) && rest.empty())
+            {
+              if (open.size() == 1)
+                reject(place, "'end' without a section that it could end.");
+              open.pop_back();
+            }
+          else if (is_statement(line, "include", "INCLUDE", rest))
+            {
+              if (++n_inclusions > max_inclusions)
+                reject(place,
+                       "more than " + std::to_string(max_inclusions) +
+                         " inclusions; does a file include itself?");
+              read(rest, read_bounded(rest), open.back());
+            }
+          else
+            reject(place,
+                   "'" + quotable(line) +
+                     "' is no line of a .prm file; write `set ENTRY = VALUE`, "
+                     "`subsection NAME`, `end` or `include FILE`, and # before "
+                     "a comment.");
         }
+      if (open.size() > 1)
+        reject(file.string() + ": ",
+               "section " +
+                 quotable(open.back().substr(0, open.back().size() - 1)) +
+                 " is not ended; write `end` behind its last entry.");
     }
   } // namespace
 
 
 
-  std::string
+  PrmText
   read_prm(const fs::path &file)
   {
     const std::string byte_order_mark = "\xEF\xBB\xBF";
-    std::string       text            = read_bounded(file);
-    if (text.compare(0, byte_order_mark.size(), byte_order_mark) == 0)
-      text.erase(0, byte_order_mark.size());
-    unsigned int n_inclusions = 0;
-    check_lines(file, text, n_inclusions);
-    return text;
+    PrmText           found;
+    found.text = read_bounded(file);
+    if (found.text.compare(0, byte_order_mark.size(), byte_order_mark) == 0)
+      found.text.erase(0, byte_order_mark.size());
+    Scan(found).read(file, found.text, "");
+    return found;
   }
 
 

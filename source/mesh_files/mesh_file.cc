@@ -66,15 +66,14 @@ namespace RollingContact
     std::string
     text_of(const MeshFile &file)
     {
-      std::error_code error;
-      if (!std::filesystem::is_regular_file(file.path, error))
+      const std::string problem = why_unreadable(file.path);
+      if (!problem.empty())
         reject(file,
-               "there is no file \"" + file.path.string() + "\"" +
-                 (error ? " (" + error.message() + ")." : "."));
+               "\"" + file.path.string() + "\" cannot be read: " + problem +
+                 ".");
       const std::string text = read_bytes(file.path);
       if (text.empty())
-        reject(file,
-               "\"" + file.path.string() + "\" is empty or cannot be read.");
+        reject(file, "\"" + file.path.string() + "\" is empty.");
       return text;
     }
 

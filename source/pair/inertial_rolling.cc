@@ -15,6 +15,7 @@ namespace RollingContact
         , n_threads(pair.bodies().n_threads())
         , theta(scene.time.theta)
         , shifted(scene.time.contact_law == ContactLaw::shifted)
+        , free_wheel(!scene.wheel.rigid && scene.wheel.hub == Hub::free)
       {
         const ThetaScheme scheme{theta,
                                  scene.time.rayleigh_alpha,
@@ -131,6 +132,15 @@ namespace RollingContact
       {
         const StepEnergy sum = energy();
         return sum.kinetic + sum.strain;
+      }
+
+      std::optional<double>
+      wheel_velocity() const override
+      {
+        if (!free_wheel)
+          return {};
+        return pair.bodies().on_all_ranks(
+          Side::wheel, bodies.wheel ? -bodies.wheel->mean_velocity() : 0.);
       }
 
       BodyDynamics::Memory
@@ -255,7 +265,7 @@ namespace RollingContact
       const RollingPair<dim>                &pair;
       const unsigned int                     n_threads;
       const double                           theta;
-      const bool                             shifted;
+      const bool                             shifted, free_wheel;
       PerSide<std::unique_ptr<BodyDynamics>> bodies;
       double                                 h = 0.;
     };

@@ -1,3 +1,4 @@
+#include <rolling_contact/base/platform.h>
 #include <rolling_contact/base/stopwatch.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/parallel/collective_failure.h>
@@ -80,7 +81,8 @@ namespace RollingContact
       void
       print_failure(const std::string &message)
       {
-        std::cerr << wrapped("rolling-contact: " + message) << std::endl;
+        std::cerr << wrapped("rolling-contact: " + message, screen_width())
+                  << std::endl;
       }
 
 

@@ -130,10 +130,44 @@ namespace RollingContact
 
 
 
+  void
+  Figure::add_panel(const Figure &panel)
+  {
+    if (panel.x_label != x_label || !maps.empty() || !panel.maps.empty() ||
+        !panel.panels.empty())
+      throw std::invalid_argument('"' + panel.y_label +
+                                  "\" cannot be a panel of this figure.");
+    panels.push_back(panel);
+  }
+
+
+
+  std::vector<const Figure *>
+  Figure::all_panels() const
+  {
+    std::vector<const Figure *> all{this};
+    for (const Figure &panel : panels)
+      all.push_back(&panel);
+    return all;
+  }
+
+
+
   std::string
   Figure::data() const
   {
     std::string text = "# " + title + '\n';
+    for (const Figure *panel : all_panels())
+      text += panel->block_data();
+    return text;
+  }
+
+
+
+  std::string
+  Figure::block_data() const
+  {
+    std::string text;
     for (const Map &map : maps)
       {
         text += fmt::format(

@@ -49,7 +49,10 @@ set palette defined (0 "#440154", 1 "#472D7B", 2 "#3B528B", 3 "#2C728E", \
                                                 "#E4F1E7"};
     const std::vector<std::string> dashes{"(9,6)", "(3,4)", "(12,5,3,5)"};
 
-    constexpr double       plot_width = 640., figure_height = 430.; // pixels
+    // pixels; a panel below the first one and its distance from the one above
+    constexpr double plot_width = 640., figure_height = 430.,
+                     figure_bottom = 60., figure_top = 386.,
+                     panel_height = 150., panel_step = 170.;
     constexpr unsigned int many_points = 80;
 
 
@@ -98,28 +101,45 @@ set palette defined (0 "#440154", 1 "#472D7B", 2 "#3B528B", 3 "#2C728E", \
         "if (!exists(\"picture\")) picture = \"{0}.svg\"\n",
         name) +
       look_of_all + layout() + "set title " +
-      quoted("{/:Bold=15 " + enhanced(title) + '}') + '\n' +
-      axis('x', x_label) + axis('y', y_label);
-    for (std::size_t i = 0; i < bands.size(); ++i)
-      text += band(i);
+      quoted("{/:Bold=15 " + enhanced(title) + '}') + '\n';
+    if (!panels.empty())
+      text += "set multiplot\n";
+    std::size_t block = 0;
+    const auto  all   = all_panels();
+    for (std::size_t k = 0; k < all.size(); ++k)
+      {
+        if (!panels.empty())
+          text += panel_layout(k);
+        text += all[k]->axis('x', k + 1 == all.size() ? x_label : "") +
+                all[k]->axis('y', all[k]->y_label);
+        for (std::size_t i = 0; i < all[k]->bands.size(); ++i)
+          text += all[k]->band(i);
+        text += all[k]->items(name, block);
+      }
+    return text + (panels.empty() ? "" : "unset multiplot\n");
+  }
 
-    const bool is_map = !maps.empty();
+
+
+  std::string
+  Figure::items(const std::string &name, std::size_t &block) const
+  {
+    const bool  is_map = !maps.empty();
+    std::string text, items;
     if (is_map)
       text += "unset grid\nset view map\nset pm3d corners2color mean\n";
-    std::size_t index = 0;
-    std::string items;
-    const auto  add = [&](const std::string &item) {
+    const auto add = [&](const std::string &item) {
       items += (items.empty() ? "" : ", \\\n  ") + item;
     };
     for (const Map &map : maps)
       {
         text += "set cblabel " + quoted(map.label) + " noenhanced\n";
-        add(fmt::format("'{}.dat' index {} with pm3d notitle", name, index++));
+        add(fmt::format("'{}.dat' index {} with pm3d notitle", name, block++));
       }
     for (std::size_t i = 0; i < curves.size(); ++i)
       add(fmt::format("'{}.dat' index {} using {} {} {}",
                       name,
-                      index++,
+                      block++,
                       is_map ? "1:2:(0)" : "1:2",
                       look(i),
                       curves[i].label.empty()
@@ -142,25 +162,55 @@ set palette defined (0 "#440154", 1 "#472D7B", 2 "#3B528B", 3 "#2C728E", \
   Figure::layout() const
   {
     std::size_t longest = 0;
-    for (const Curve &curve : curves)
-      longest = std::max(longest, n_characters(curve.label));
-    for (const Band &band : bands)
-      longest = std::max(longest, n_characters(band.label));
+    for (const Figure *panel : all_panels())
+      {
+        for (const Curve &curve : panel->curves)
+          longest = std::max(longest, n_characters(curve.label));
+        for (const Band &band : panel->bands)
+          longest = std::max(longest, n_characters(band.label));
+      }
     const bool   has_legend = longest > 0 && maps.empty();
     const double width      = plot_width + (has_legend     ? 60. + 7. * longest
                                             : maps.empty() ? 0.
-                                                           : 110.);
+                                                           : 110.),
+                 height     = figure_height + panel_step * panels.size();
     return fmt::format(
       "set terminal svg size {0},{1} font \"Helvetica,Arial,sans-serif,13\" "
       "background \"white\"\n"
       "set output picture\n"
-      "set rmargin at screen 618./{0}\n"
-      "set bmargin at screen 60./{1}\nset tmargin at screen 386./{1}\n{2}",
+      "set rmargin at screen 618./{0}\n{3}"
+      "set bmargin at screen {2}./{1}\nset tmargin at screen {4}./{1}\n{5}",
       width,
-      figure_height,
+      height,
+      figure_bottom + panel_step * panels.size(),
+      panels.empty() ? ""
+                     : fmt::format("set lmargin at screen 96./{}\n", width),
+      figure_top + panel_step * panels.size(),
       has_legend ? "set key at graph 1.03, graph 1 left top Left reverse "
                    "noenhanced samplen 2.2 spacing 1.2\n"
                  : "unset key\n");
+  }
+
+
+
+  std::string
+  Figure::panel_layout(const std::size_t index) const
+  {
+    const double height = figure_height + panel_step * panels.size(),
+                 first  = figure_bottom + panel_step * panels.size();
+    const bool  is_last = index == panels.size();
+    std::string text;
+    if (index > 0)
+      text +=
+        fmt::format("unset title\nunset object\nunset logscale\nset autoscale\n"
+                    "set autoscale noextend\nset bmargin at screen {}./{}\n"
+                    "set tmargin at screen {}./{}\n",
+                    first - panel_step * index,
+                    height,
+                    first - panel_step * index + panel_height,
+                    height);
+    return text + (is_last ? "set format \"%h\"\n"
+                           : "set format x \"\"\nset format y \"%h\"\n");
   }
 
 

@@ -1,6 +1,8 @@
 #include <boost/program_options.hpp>
 
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/platform.h>
+#include <rolling_contact/base/text.h>
 #include <rolling_contact/program/command_line.h>
 
 #include <sstream>
@@ -18,7 +20,9 @@ namespace RollingContact
     options::options_description
     visible_options()
     {
-      options::options_description visible("Options");
+      options::options_description visible("Options",
+                                           screen_width(),
+                                           screen_width() / 2);
       visible.add_options()(
         "set",
         options::value<std::vector<std::string>>(),
@@ -59,13 +63,16 @@ namespace RollingContact
   CommandLine::help()
   {
     std::ostringstream text;
-    text
-      << usage << "\n\n"
-      << "Steady rolling contact with friction of wheel and rail by finite "
-         "elements.\n\n"
-      << visible_options()
-      << "\nExit codes: 0 done and converged, 1 input error, 2 not converged "
-         "or\ninterrupted, 3 internal error.\n";
+    const auto         line = [](const std::string &words) {
+      return wrapped(words, screen_width()) + '\n';
+    };
+    text << line(usage) << '\n'
+         << line("Steady rolling contact with friction of wheel and rail by "
+                 "finite elements.")
+         << '\n'
+         << visible_options() << '\n'
+         << line("Exit codes: 0 done and converged, 1 input error, 2 not "
+                 "converged or interrupted, 3 internal error.");
     return text.str();
   }
 
@@ -98,7 +105,12 @@ namespace RollingContact
     print_parameters = values.count("print-parameters") > 0;
     resume           = values.count("resume") > 0;
     if (values.count("output") > 0)
-      output_folder = values["output"].as<std::string>();
+      {
+        output_folder = values["output"].as<std::string>();
+        if (output_folder.empty())
+          throw InputError("Command line: --output is empty; name a folder, or "
+                           "leave it out for output/<stem of FILE>.");
+      }
     if (values.count("set") > 0)
       for (const std::string &text :
            values["set"].as<std::vector<std::string>>())

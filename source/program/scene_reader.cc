@@ -2,10 +2,14 @@
 
 #include <rolling_contact/base/exception_text.h>
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/input/prm_text.h>
+#include <rolling_contact/base/text.h>
+#include <rolling_contact/input/prm_declared.h>
+#include <rolling_contact/input/prm_entries.h>
 #include <rolling_contact/pair/mesh_unit_check.h>
 #include <rolling_contact/program/analysis_table.h>
 #include <rolling_contact/program/scene_reader.h>
+#include <rolling_contact/scene/plausibility.h>
+#include <rolling_contact/scene/unused_entries.h>
 
 #include <algorithm>
 #include <sstream>
@@ -17,42 +21,30 @@ namespace RollingContact
   namespace
   {
     /**
-     * Set Section/Entry (or Entry) of @p prm; the entry must be declared.
+     * Set Section/Entry (or Entry) of @p prm.
      */
     void
-    apply_setting(const CommandLine::Setting &setting, ParameterHandler &prm)
+    apply_setting(const CommandLine::Setting &setting,
+                  const DeclaredEntries      &declared,
+                  ParameterHandler           &prm)
     {
-      std::vector<std::string> sections;
+      std::string value = setting.value;
+      std::replace(value.begin(), value.end(), '\t', ' ');
+      const std::string place = "--set \"" + quotable(setting.path, 200) + "=" +
+                                quotable(setting.value, 200) + "\": ",
+                        problem = problem_of_value(setting.value);
+      if (!problem.empty())
+        throw InputError(place + problem);
+      declared.check({setting.path, value, place});
+      std::vector<std::string> names;
       std::istringstream       path(setting.path);
       for (std::string part; std::getline(path, part, '/');)
-        sections.push_back(part);
-      const std::string entry = sections.empty() ? "" : sections.back();
-      const std::string option =
-        "--set \"" + setting.path + "=" + setting.value + "\"";
-      if (!entry.empty())
-        sections.pop_back();
-      for (const std::string &section : sections)
-        prm.enter_subsection(section);
-      std::string value = setting.value, problem = problem_of_value(value);
-      std::replace(value.begin(), value.end(), '\t', ' ');
-      try
-        {
-          prm.get(entry);
-          if (problem.empty())
-            prm.set(entry, value);
-        }
-      catch (const ParameterHandler::ExcEntryUndeclared &)
-        {
-          problem = "there is no such entry; see --print-parameters.";
-        }
-      catch (const ExceptionBase &error)
-        {
-          problem = message_of(error);
-        }
-      for (std::size_t k = 0; k < sections.size(); ++k)
+        names.push_back(part);
+      for (std::size_t k = 0; k + 1 < names.size(); ++k)
+        prm.enter_subsection(names[k]);
+      prm.set(names.back(), value);
+      for (std::size_t k = 0; k + 1 < names.size(); ++k)
         prm.leave_subsection();
-      if (!problem.empty())
-        throw InputError(option + ": " + problem);
     }
   } // namespace
 
@@ -60,6 +52,28 @@ namespace RollingContact
 
   namespace
   {
+    /**
+     * What file and command line give that is not the default.
+     */
+    PrmEntries
+    changed_entries(const DeclaredEntries                   &declared,
+                    const PrmText                           &file,
+                    const std::vector<CommandLine::Setting> &settings)
+    {
+      std::vector<PrmEntry> given = file.entries;
+      for (const CommandLine::Setting &setting : settings)
+        given.push_back({setting.path, setting.value, ""});
+      PrmEntries changed;
+      for (const PrmEntry &entry : given)
+        if (declared.is_default(entry))
+          changed.erase(entry.path);
+        else
+          changed[entry.path] = entry.value;
+      return changed;
+    }
+
+
+
     void
     declare(SceneParameters &scene, ParameterHandler &prm)
     {
@@ -81,7 +95,13 @@ namespace RollingContact
     declare(scene, prm);
     scene.prm_folder =
       std::filesystem::path(command_line.prm_file).parent_path();
-    input.original = read_prm(command_line.prm_file);
+    const PrmText         file = read_prm(command_line.prm_file);
+    const DeclaredEntries declared(prm);
+    for (const PrmEntry &section : file.sections)
+      declared.check_section(section);
+    for (const PrmEntry &entry : file.entries)
+      declared.check(entry);
+    input.original = file.text;
     try
       {
         std::istringstream lines(input.original);
@@ -89,16 +109,22 @@ namespace RollingContact
       }
     catch (const ExceptionBase &error)
       {
-        throw InputError(command_line.prm_file + ": " + message_of(error));
+        throw InputError(command_line.prm_file + ": " +
+                         quotable(message_of(error), 300));
       }
     for (const auto &setting : command_line.settings)
-      apply_setting(setting, prm);
+      apply_setting(setting, declared, prm);
     scene.check();
     scene.read_meshes();
     check_mesh_units(scene);
     std::ostringstream used;
     prm.print_parameters(used, ParameterHandler::ShortText);
     input.used = used.str();
+    input.warnings =
+      unused_entries(scene,
+                     changed_entries(declared, file, command_line.settings));
+    const auto doubts = implausible_values(scene);
+    input.warnings.insert(input.warnings.end(), doubts.begin(), doubts.end());
     return input;
   }
 

@@ -18,23 +18,31 @@ namespace RollingContact
 
 
 
+    /**
+     * Forces and sizes; none of a state that was not solved.
+     */
     void
-    set_resultant_columns(const Resultants &result, ResultsTable &table)
+    set_resultant_columns(const Resultants &result,
+                          const bool        solved,
+                          ResultsTable     &table)
     {
-      table.set("normal_force_N", result.normal_force);
-      table.set("force_x_N", result.force_x);
-      table.set("force_y_N", result.force_y);
-      table.set("spin_moment_Nm", result.spin_moment);
-      table.set("traction_coefficient", result.traction_coefficient);
-      table.set("max_pressure_Pa", result.max_pressure);
-      table.set("contact_area_m2", result.contact_area);
-      table.set("stick_area_m2", result.stick_area);
-      table.set("half_width_x_m", result.half_width_x);
-      table.set("half_width_y_m", result.half_width_y);
-      table.set("nodes_in_contact", result.n_touching);
-      table.set("creep_work_J/m", result.creep_work);
-      table.set("dissipation_J/m", result.dissipation);
-      table.set("energy_error", result.energy_error());
+      const auto set = [&](const std::string &column, const auto value) {
+        solved ? table.set(column, value) : table.leave_empty(column);
+      };
+      set("normal_force_N", result.normal_force);
+      set("force_x_N", result.force_x);
+      set("force_y_N", result.force_y);
+      set("spin_moment_Nm", result.spin_moment);
+      set("traction_coefficient", result.traction_coefficient);
+      set("max_pressure_Pa", result.max_pressure);
+      set("contact_area_m2", result.contact_area);
+      set("stick_area_m2", result.stick_area);
+      set("half_width_x_m", result.half_width_x);
+      set("half_width_y_m", result.half_width_y);
+      set("nodes_in_contact", result.n_touching);
+      set("creep_work_J/m", result.creep_work);
+      set("dissipation_J/m", result.dissipation);
+      set("energy_error", result.energy_error());
     }
 
 
@@ -177,24 +185,31 @@ namespace RollingContact
     table.set("slip_operator",
               name_of(steady.problem.operators.slip_operator().kind()));
     set_creepage_columns(steady.problem.loads.creepages, table);
-    table.set("approach_m", steady.state.approach);
+    const bool solved = steady.solver.converged;
+    if (solved || !steady.problem.loads.normal_load)
+      table.set("approach_m", steady.state.approach);
+    else
+      table.leave_empty("approach_m");
     if (steady.contact_stiffness)
       table.set("contact_stiffness_N/m", *steady.contact_stiffness);
-    set_resultant_columns(steady.result, table);
+    set_resultant_columns(steady.result, solved, table);
     set_solver_columns(steady.solver, table);
     set_falling_friction_columns(steady, table);
     const Invariants found =
       steady.restored ? Invariants() : invariants(steady.problem, steady.state);
-    if (!steady.restored)
+    if (!steady.restored && solved)
       set_invariant_columns(found, table);
-    if constexpr (dim == 2)
-      set_reference_columns(scene, steady, table);
-    else
-      set_ellipse_columns(scene, steady, table);
-    set_level_columns(steady, table);
+    if (solved)
+      {
+        if constexpr (dim == 2)
+          set_reference_columns(scene, steady, table);
+        else
+          set_ellipse_columns(scene, steady, table);
+        set_level_columns(steady, table);
+      }
     table.set("wall_s", steady.wall_s);
     table.end_row();
-    if (steady.solver.converged)
+    if (solved)
       check_invariants(found, scene.solver.controls.tolerance, "The state: ");
   }
 
@@ -206,7 +221,7 @@ namespace RollingContact
     table.set("level", 0);
     set_creepage_columns(scene.contact.creepages, table);
     table.set("approach_m", scene.contact.approach.value_or(0.));
-    set_resultant_columns(Resultants(), table);
+    set_resultant_columns(Resultants(), true, table);
     table.set("solver", std::string("none"));
     table.set("converged", true);
     table.end_row();

@@ -148,12 +148,16 @@ namespace RollingContact
     std::string
     title(const SceneParameters &scene, const SteadyState<2> &steady)
     {
+      if (!steady.solver.converged)
+        return "Not converged: no solution";
+      const std::string load =
+        "N = " + significant(1e-3 * steady.result.normal_force, 4) + " kN";
       if (steady.problem.n_tangential() == 0)
-        return "Frictionless contact";
+        return load + " without friction";
       const auto readable = [](const double value) {
         return (value < 0 ? "\u2212" : "") + significant(std::abs(value), 4);
       };
-      return "T / (" + scale_of_friction(scene) + "N) = " +
+      return load + ", T / (" + scale_of_friction(scene) + "N) = " +
              readable(steady.result.force_x / steady.result.friction_force) +
              " at creepage " + readable(steady.problem.loads.creepages.x);
     }
@@ -170,11 +174,14 @@ namespace RollingContact
     const Lines       found     = computed_lines(scene, steady, reference),
                 exact           = reference_lines(scene, reference);
     Figure plot(title(scene, steady),
-                "x / a, material flows " + std::string(scene.contact.flow() > 0
-                                                         ? "to the right"
-                                                         : "to the left"),
-                "p / p\u2080,   q / (" + scale_of_friction(scene) + "p\u2080)");
-    if (reference.carter)
+                "x / a,   a = " + millimetres(reference.hertz.half_width, 4) +
+                  ",   material flows " +
+                  std::string(scene.contact.flow() > 0 ? "to the right"
+                                                       : "to the left"),
+                "p / p\u2080,   q / (" + scale_of_friction(scene) +
+                  "p\u2080),   p\u2080 = " +
+                  significant(1e-6 * reference.hertz.max_pressure, 4) + " MPa");
+    if (reference.carter && reference.carter_is_exact)
       {
         const double a     = reference.hertz.half_width;
         const auto   stick = reference.carter->stick_interval();
@@ -182,7 +189,7 @@ namespace RollingContact
           plot.add_band("stick (Carter)", stick.first / a, stick.second / a);
       }
     plot.add_curve("Hertz", exact.x, exact.pressure, CurveStyle::reference);
-    if (reference.carter)
+    if (reference.carter && reference.carter_is_exact)
       plot.add_curve("Carter", exact.x, exact.traction, CurveStyle::reference);
     plot.add_curve("pressure p", found.x, found.pressure, CurveStyle::points);
     if (steady.problem.n_tangential() > 0)

@@ -3,8 +3,8 @@
 #include <rolling_contact/assessment/uniqueness_warning.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/parallel/ranks.h>
-#include <rolling_contact/plot/figure.h>
 #include <rolling_contact/report/body_fields.h>
+#include <rolling_contact/report/history_plot.h>
 #include <rolling_contact/report/interface_fields.h>
 #include <rolling_contact/report/result_row.h>
 #include <rolling_contact/report/transient_output.h>
@@ -12,8 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
 namespace RollingContact
 {
@@ -54,7 +52,8 @@ namespace RollingContact
 
 
     /**
-     * The columns of history.csv; one more where friction falls.
+     * The columns of history.csv; one more with a free wheel, and one where
+     * friction falls.
      */
     std::vector<Column>
     columns_of(const SceneParameters &scene)
@@ -89,6 +88,9 @@ namespace RollingContact
         {"iterations",
          [](S s) -> double { return s.outcome.solver.iterations; }},
         {"parts", [](S s) -> double { return s.outcome.n_parts; }}};
+      if (scene.wheel.hub == Hub::free && !scene.wheel.rigid)
+        columns.push_back({"wheel_velocity_m/s",
+                           [](S s) { return *s.outcome.wheel_velocity; }});
       if (scene.contact.falling_friction())
         columns.push_back({"several_solutions_ratio",
                            [](S s) { return s.outcome.several.ratio; }});
@@ -104,37 +106,6 @@ namespace RollingContact
       for (const Column &column : columns)
         names.push_back(column.name);
       return names;
-    }
-
-
-
-    /**
-     * Some columns of a CSV file, as many rows as there are.
-     */
-    std::vector<std::vector<double>>
-    read_columns(const std::filesystem::path    &path,
-                 const std::vector<std::string> &names)
-    {
-      std::vector<std::vector<double>> values(names.size());
-      std::ifstream                    file(path);
-      std::string                      line, cell;
-      std::getline(file, line);
-      std::istringstream       head(line);
-      std::vector<std::string> columns;
-      while (std::getline(head, cell, ','))
-        columns.push_back(cell);
-      while (std::getline(file, line))
-        {
-          std::istringstream  row(line);
-          std::vector<double> cells;
-          while (std::getline(row, cell, ','))
-            cells.push_back(std::stod(cell));
-          for (std::size_t k = 0; k < names.size(); ++k)
-            values[k].push_back(
-              cells.at(std::find(columns.begin(), columns.end(), names[k]) -
-                       columns.begin()));
-        }
-      return values;
     }
 
 
@@ -253,6 +224,8 @@ namespace RollingContact
     Ranks::on_root([&]() { history->publish(); });
     context.results.set("time_s", progress.time);
     context.results.set("rolled_m", progress.rolled_distance);
+    if (const auto velocity = stepper.bodies().wheel_velocity())
+      context.results.set("wheel_velocity_m/s", *velocity);
     add_result_row(scene, stepper.current(), context);
     if (!Ranks::is_root()) // who has the history
       return;
@@ -267,15 +240,16 @@ namespace RollingContact
   void
   TransientOutput<dim>::note_largest_load() const
   {
-    const auto values  = read_columns(context.folder.get_path() / history_name,
-                                     {"time_s", "normal_force_N"});
-    const auto largest = std::max_element(values[1].begin(), values[1].end());
-    if (largest == values[1].end() || *largest <= 0.)
+    const auto  history = read_history(context.folder.get_path() / history_name,
+                                      {"time_s", "normal_force_N"});
+    const auto &load    = history.at("normal_force_N");
+    const auto  largest = std::max_element(load.begin(), load.end());
+    if (largest == load.end() || *largest <= 0.)
       return;
     context.report.set_finding(
       "peak",
       "N = " + significant(*largest, 6) + " N at t = " +
-        significant(values[0][largest - values[1].begin()], 6) + " s");
+        significant(history.at("time_s")[largest - load.begin()], 6) + " s");
   }
 
 
@@ -284,39 +258,7 @@ namespace RollingContact
   void
   TransientOutput<dim>::plot() const
   {
-    const double mu     = scene.contact.friction_coefficient;
-    const auto   values = read_columns(
-      context.folder.get_path() / history_name,
-      {"time_s", "rolled_m", "normal_force_N", "force_x_N", "force_y_N"});
-    const bool rolls =
-      mu > 0. && !values[1].empty() && std::abs(values[1].back()) > 0.;
-    std::vector<double> abscissa, load, force_x, force_y;
-    for (std::size_t i = 0; i < values[0].size(); ++i)
-      {
-        abscissa.push_back(1e3 * values[rolls ? 1 : 0][i]);
-        load.push_back(1e-3 * values[2][i]);
-        force_x.push_back(values[2][i] > 0. ? values[3][i] / (mu * values[2][i])
-                                            : 0.);
-        force_y.push_back(values[2][i] > 0. ? values[4][i] / (mu * values[2][i])
-                                            : 0.);
-      }
-    Figure figure(rolls ? "Forces on the wheel" : "Load",
-                  rolls ? "rolled distance (mm)" : "time (ms)",
-                  rolls ? "T / (" + scale_of_friction(scene) + "N)" : "N (kN)");
-    const auto moves = [](const std::vector<double> &force) {
-      return std::any_of(force.begin(), force.end(), [](const double f) {
-        return std::abs(f) > 1e-6;
-      });
-    };
-    if (!rolls)
-      figure.add_curve("", abscissa, load);
-    else
-      {
-        figure.add_curve("longitudinal", abscissa, force_x);
-        if (dim == 3 && moves(force_y))
-          figure.add_curve("lateral", abscissa, force_y);
-      }
-    figure.draw(context, "history");
+    plot_history(scene, context.folder.get_path() / history_name, context);
   }
 
 

@@ -1,3 +1,4 @@
+#include <rolling_contact/base/platform.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/parallel/ranks.h>
 #include <rolling_contact/run/log.h>
@@ -37,7 +38,7 @@ namespace RollingContact
   Log::message(const std::string &text)
   {
     if (verbosity != Verbosity::quiet)
-      out << wrapped(text) << std::endl;
+      out << wrapped(text, screen_width()) << std::endl;
   }
 
 
@@ -46,7 +47,7 @@ namespace RollingContact
   Log::detail(const std::string &text)
   {
     if (verbosity == Verbosity::verbose)
-      out << wrapped(text) << std::endl;
+      out << wrapped(text, screen_width()) << std::endl;
   }
 
 
@@ -55,7 +56,7 @@ namespace RollingContact
   Log::warning(const std::string &text)
   {
     kept_warnings.push_back(text);
-    errors << wrapped("Warning: " + text) << std::endl;
+    errors << wrapped("Warning: " + text, screen_width()) << std::endl;
   }
 
 
@@ -63,7 +64,7 @@ namespace RollingContact
   void
   Log::error(const std::string &text)
   {
-    errors << wrapped("Error: " + text) << std::endl;
+    errors << wrapped("Error: " + text, screen_width()) << std::endl;
   }
 
 

@@ -1,3 +1,4 @@
+#include <rolling_contact/base/platform.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/parallel/ranks.h>
 #include <rolling_contact/run/results_table.h>
@@ -80,10 +81,18 @@ namespace RollingContact
   void
   ResultsTable::set_cell(const std::string &column, const Cell &cell)
   {
+    leave_empty(column);
+    current_row[column] = cell;
+  }
+
+
+
+  void
+  ResultsTable::leave_empty(const std::string &column)
+  {
     if (std::find(column_names.begin(), column_names.end(), column) ==
         column_names.end())
       column_names.push_back(column);
-    current_row[column] = cell;
   }
 
 
@@ -168,7 +177,7 @@ namespace RollingContact
         for (const std::string &text : texts)
           width = std::max(width, n_characters(text));
         const std::size_t gap = lines[0].empty() ? 0 : 2;
-        if (n_characters(lines[0]) + gap + width > 80)
+        if (n_characters(lines[0]) + gap + width > screen_width())
           break;
         for (std::size_t i = 0; i < lines.size(); ++i)
           lines[i] +=

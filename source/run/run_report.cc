@@ -295,7 +295,7 @@ namespace RollingContact
     std::string       text;
     for (const auto &[label, line] : lines)
       {
-        std::istringstream parts(wrapped(line, 80 - width, 0));
+        std::istringstream parts(wrapped(line, screen_width() - width, 0));
         std::string        start = left_aligned(label, width);
         for (std::string part; std::getline(parts, part);)
           {

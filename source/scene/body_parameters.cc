@@ -174,6 +174,12 @@ namespace RollingContact
     if (!is_from_file() && !mesh_file.empty())
       throw InputError(section + "/Mesh file = " + mesh_file +
                        ": it is read with Shape = mesh file only.");
+    if (dimension == 2)
+      require(lateral_radius == 0.,
+              "Lateral radius",
+              lateral_radius,
+              "in 2D the profile is straight across; set it to 0 or take "
+              "Dimension = 3.");
     body_shape()->check(dimension, rigid);
     if (rigid && hub == Hub::free)
       throw InputError(section + "/Hub = free: a rigid body is held; take "

@@ -38,6 +38,20 @@ namespace RollingContact
 
 
 
+  void
+  CreepCurveParameters::check_in_2d() const
+  {
+    for (const Creepages &point : points())
+      if (point.y != 0. || point.spin != 0.)
+        throw InputError(
+          "Creep curve/" + std::string(point.y != 0. ? "Creepage y" : "Spin") +
+          " contains " + text_of(point.y != 0. ? point.y : point.spin) +
+          ": lateral creepage and spin exist in 3D only; leave it out or take "
+          "Dimension = 3.");
+  }
+
+
+
   std::vector<Creepages>
   CreepCurveParameters::points() const
   {

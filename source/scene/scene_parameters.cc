@@ -150,6 +150,8 @@ namespace RollingContact
     contact.check(dimension);
     check_study();
     creep_curve.check();
+    if (analysis == "creep curve" && dimension == 2)
+      creep_curve.check_in_2d();
     load_curve.check();
     check_hubs();
     check_mesh_files();

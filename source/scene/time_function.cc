@@ -4,6 +4,8 @@
 
 #include <rolling_contact/base/captured_stderr.h>
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/expression_text.h>
+#include <rolling_contact/base/files.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/scene/time_function.h>
 
@@ -80,58 +82,6 @@ namespace RollingContact
       char *end = nullptr;
       value     = std::strtod(text.c_str(), &end);
       return !text.empty() && *end == '\0';
-    }
-
-
-
-    /** The names of variables, constants and functions in an expression. */
-    std::vector<std::string>
-    identifiers(const std::string &text)
-    {
-      std::vector<std::string> names;
-      const auto               is_letter = [](const char c) {
-        return std::isalpha(static_cast<unsigned char>(c)) || c == '_';
-      };
-      const auto is_digit = [](const char c) {
-        return std::isdigit(static_cast<unsigned char>(c)) || c == '.';
-      };
-      for (std::size_t i = 0; i < text.size();)
-        {
-          // The e of 1e-3 is part of a number.
-          char *end = nullptr;
-          if (is_digit(text[i]))
-            std::strtod(text.c_str() + i, &end);
-          const std::size_t begin = i;
-          if (end != nullptr)
-            i = std::max<std::size_t>(i + 1, end - text.c_str());
-          else if (is_letter(text[i]))
-            {
-              while (i < text.size() &&
-                     (is_letter(text[i]) || is_digit(text[i])))
-                ++i;
-              names.push_back(text.substr(begin, i - begin));
-            }
-          else
-            ++i;
-        }
-      return names;
-    }
-
-
-
-    /** Whether a comma stands outside all parentheses: muParser would take
-     * what follows it, and 0,5 is 5. */
-    bool
-    has_bare_comma(const std::string &text)
-    {
-      int depth = 0;
-      for (const char character : text)
-        {
-          depth += (character == '(') - (character == ')');
-          if (character == ',' && depth == 0)
-            return true;
-        }
-      return false;
     }
 
 
@@ -221,18 +171,16 @@ namespace RollingContact
   {
     if (text.empty())
       reject(entry, text, "it is empty.");
-    if (has_bare_comma(text) || text.find(';') != std::string::npos)
-      reject(entry, text, "decimals take a point, and it is one expression.");
-    for (const std::string &name : identifiers(text))
-      {
-        depends_on_time = depends_on_time || name == "t";
-        if (name.compare(0, 4, "rand") == 0)
-          reject(entry, text, "a random history cannot be repeated.");
-      }
+    const std::string trap = trap_in_expression(text);
+    if (!trap.empty())
+      reject(entry, text, trap);
+    for (const ExpressionName &it : names_in_expression(text))
+      depends_on_time = depends_on_time || it.name == "t";
     expression                = std::make_shared<FunctionParser<1>>();
-    const std::string problem = parse(text, *expression);
+    const std::string problem = parse(text, *expression),
+                      unknown = unknown_name_in_expression(text, {"t"});
     if (!problem.empty())
-      reject(entry, text, problem);
+      reject(entry, text, unknown.empty() ? problem : unknown);
   }
 
 
@@ -240,9 +188,12 @@ namespace RollingContact
   void
   TimeFunction::read_table(fs::path file, const std::string &column)
   {
-    std::ifstream stream(file);
-    if (!stream || !fs::is_regular_file(file))
-      reject(entry, text, "\"" + file.string() + "\" cannot be read.");
+    const std::string problem = why_unreadable(file);
+    if (!problem.empty())
+      reject(entry,
+             text,
+             "\"" + file.string() + "\" cannot be read: " + problem + '.');
+    std::ifstream            stream(file);
     std::vector<std::string> names;
     unsigned int             line_number = 0;
     for (std::string line; std::getline(stream, line);)

@@ -250,7 +250,8 @@ namespace RollingContact
       throw ConvergenceError(
         "The patch reaches the border of the candidate zone at t = " +
         significant(time + h, 9) + " s: take a larger Mesh/Candidate zone.");
-    contact.result = resultants(contact.problem, contact.state);
+    contact.result         = resultants(contact.problem, contact.state);
+    outcome.wheel_velocity = motion->wheel_velocity();
     return outcome;
   }
 

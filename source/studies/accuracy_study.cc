@@ -7,6 +7,7 @@
 #include <rolling_contact/report/result_row.h>
 #include <rolling_contact/solvers/normal_active_set.h>
 #include <rolling_contact/state/adaptive_levels.h>
+#include <rolling_contact/state/enlarged_zone.h>
 #include <rolling_contact/studies/accuracy_study.h>
 
 #include <algorithm>
@@ -32,6 +33,11 @@ namespace RollingContact
   {
     const StudyParameters &study = scene.study;
     list_cases();
+    list_methods();
+    context.log.message(
+      std::to_string(n_states()) + " states, those of the reference of " +
+      std::to_string(study.reference_elements) + " elements first.");
+    progress.emplace(context.log, "state", n_states());
     solve_reference();
     for (const std::string &mesh : study.meshes)
       if (mesh == "adaptive")
@@ -108,11 +114,10 @@ namespace RollingContact
 
   template <int dim>
   void
-  AccuracyStudy<dim>::solve_reference()
+  AccuracyStudy<dim>::list_methods()
   {
-    const StudyParameters &study   = scene.study;
-    auto                  &methods = results.methods;
-    methods                        = study_methods(study);
+    auto &methods = results.methods;
+    methods       = study_methods(scene.study);
     const auto known =
       std::find_if(methods.begin(), methods.end(), [&](const auto &method) {
         return method.mesh == "uniform" &&
@@ -121,14 +126,50 @@ namespace RollingContact
       });
     results.n_compared       = methods.size();
     results.reference_method = known - methods.begin();
-    const bool is_listed     = known != methods.end();
-    if (!is_listed)
+    if (known == methods.end())
       methods.push_back({"uniform", "calibrated", scene.solver.solver});
+  }
+
+
+
+  template <int dim>
+  std::vector<unsigned int>
+  AccuracyStudy<dim>::meshes_of_reference_alone() const
+  {
+    const StudyParameters &study = scene.study;
+    const bool is_listed = results.reference_method < results.n_compared;
+    std::vector<unsigned int> meshes;
     for (const unsigned int elements : reference_meshes(study))
       if (elements == study.reference_elements || !is_listed ||
           std::find(study.elements.begin(), study.elements.end(), elements) ==
             study.elements.end())
-        solve_mesh("uniform", elements, {results.reference_method});
+        meshes.push_back(elements);
+    return meshes;
+  }
+
+
+
+  template <int dim>
+  std::uint64_t
+  AccuracyStudy<dim>::n_states() const
+  {
+    const StudyParameters &study = scene.study;
+    std::uint64_t          n     = meshes_of_reference_alone().size();
+    for (const std::string &mesh : study.meshes)
+      n += methods_on(mesh).size() * (mesh == "adaptive"
+                                        ? study.starts_of_levels().size()
+                                        : study.elements.size());
+    return n * study.n_offsets * results.cases.size();
+  }
+
+
+
+  template <int dim>
+  void
+  AccuracyStudy<dim>::solve_reference()
+  {
+    for (const unsigned int elements : meshes_of_reference_alone())
+      solve_mesh("uniform", elements, {results.reference_method});
   }
 
 
@@ -248,19 +289,13 @@ namespace RollingContact
                                  const StateSeconds    &set_up,
                                  SteadyState<dim>      &steady)
   {
-    const StateSeconds before = state_seconds(context.timer);
-    {
-      PhaseTimer::Scope phase(context.timer, Phase::contact_solve);
-      steady.problem.loads.creepages = scene.contact.creepages;
-      steady.state                   = initial_state(steady.problem, patch);
-      steady.solver =
-        make_contact_solver(scene.solver.solver, scene.solver.controls)
-          ->solve(steady.problem, steady.state);
-      steady.result = resultants(steady.problem, steady.state);
-    }
+    const StateSeconds before      = state_seconds(context.timer);
+    steady.problem.loads.creepages = scene.contact.creepages;
+    steady.state                   = initial_state(steady.problem, patch);
+    solve_enlarging_zone(scene, demands, context, steady);
     StateSeconds seconds = set_up;
-    seconds.contact += (state_seconds(context.timer) - before).contact;
-    if (zone_too_small(steady))
+    seconds.add(1., state_seconds(context.timer) - before);
+    if (steady.solver.converged && zone_too_small(steady))
       throw ConvergenceError(
         "Accuracy study, " + std::to_string(key.elements) +
         " elements: the patch reaches the border of the candidate zone; take "
@@ -327,6 +362,7 @@ namespace RollingContact
     context.results.set("operator", results.methods[key.method].slip_operator);
     context.results.set("cpu_s", seconds.total());
     add_result_row(scene, steady, context);
+    progress->report(++n_done);
     const auto meshes = reference_meshes(scene.study);
     if (!sample.converged && key.method == results.reference_method &&
         std::find(meshes.begin(), meshes.end(), key.elements) != meshes.end())

@@ -3,6 +3,7 @@
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/parallel/interrupt.h>
 #include <rolling_contact/report/result_row.h>
+#include <rolling_contact/run/progress.h>
 #include <rolling_contact/state/contact_stepper.h>
 #include <rolling_contact/studies/error_cost_report.h>
 #include <rolling_contact/studies/time_study.h>
@@ -23,8 +24,11 @@ namespace RollingContact
                        "load above 0.");
     const StudyParameters &study  = scene.study;
     const double           finest = study.reference_time_step;
-    const Run              coarse = solve(2 * finest, study.thetas.front());
-    const Run              fine   = solve(finest, study.thetas.front());
+    context.log.message(
+      std::to_string(2 + study.thetas.size() * study.time_steps.size()) +
+      " runs, the two of the reference first.");
+    const Run coarse = solve(2 * finest, study.thetas.front());
+    const Run fine   = solve(finest, study.thetas.front());
     for (const Run *reference : {&coarse, &fine})
       if (!reference->failure.empty())
         throw ConvergenceError("Accuracy study, the reference: " +
@@ -113,6 +117,9 @@ namespace RollingContact
     const TimeSteps     steps = varied.time.steps(stepper.drive().speed);
     stepper.set_time_step(steps.length);
     run.set_up_s = cpu_seconds() - begin;
+    Progress progress(context.log,
+                      "step of " + significant(run.step, 4) + " s",
+                      steps.number);
     for (std::uint64_t k = 0; k < steps.number; ++k)
       {
         throw_if_interrupted();
@@ -122,6 +129,7 @@ namespace RollingContact
         run.history.forces.push_back(
           {{result.force_x, result.force_y, result.normal_force}});
         run.iterations += double(outcome.solver.iterations) / steps.number;
+        progress.report(k + 1);
       }
     run.steps_s = cpu_seconds() - begin - run.set_up_s;
     context.results.set("time_step_s", run.step);

@@ -31,15 +31,21 @@ namespace
 
 
 
+  const char usage[] =
+    "usage: random_scenes PROGRAM [--seed S] [--count N] [--dimension 2|3] "
+    "[--keep FOLDER]";
+
+
+
   Options
   read_options(const int argc, char **argv)
   {
-    if (argc < 2 || argc % 2 != 0)
-      throw std::runtime_error(
-        "usage: random_scenes PROGRAM [--seed S] [--count N] "
-        "[--dimension 2|3] [--keep FOLDER]");
+    if (argc < 2 || argc % 2 != 0 || argv[1][0] == '-')
+      throw std::runtime_error(usage);
     Options options;
     options.program = fs::absolute(argv[1]).string();
+    if (!fs::is_regular_file(options.program))
+      throw std::runtime_error("there is no program " + options.program);
     for (int i = 2; i + 1 < argc; i += 2)
       {
         const std::string name = argv[i];
@@ -143,6 +149,12 @@ namespace
 int
 main(const int argc, char **argv)
 {
+  for (int i = 1; i < argc; ++i)
+    if (std::string(argv[i]) == "--help")
+      {
+        std::cout << usage << '\n';
+        return 0;
+      }
   try
     {
       Options           options = read_options(argc, argv);

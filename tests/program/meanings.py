@@ -365,6 +365,15 @@ def impact(folder):
     check(f"{folder}: falls into strain", history[-1]["strain_J"] > 1e-3)
     check(f"{folder}: nodes close", sum(row["impacts"] for row in history)
           >= history[-1]["nodes_in_contact"] > 0)
+    mass = 2 * (history[0]["kinetic_J"] + history[0]["strain_J"])  # at 1 m/s
+    impulse = sum(row["normal_force_N"] for row in history) * 1e-6
+    last = history[-1]["wheel_velocity_m/s"]
+    near(f"{folder}: momentum", mass * (last + 1), impulse, 5e-4)
+    check(f"{folder}: it still falls", -1 < last < -0.5)
+    (row,) = rows(os.path.join(folder, "results.csv"))
+    near(f"{folder}: velocity at the end", row["wheel_velocity_m/s"], last, 1e-8)
+    with open(os.path.join(folder, "out"), encoding="utf-8") as file:
+        check(f"{folder}: it says so", f"moves along z at {last:.6g} m/s" in " ".join(file.read().split()))
     check_energy(folder, history)
 
 

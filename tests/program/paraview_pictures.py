@@ -40,7 +40,9 @@ def share(image, colour, tolerance=12):
 
 def check(path, wanted, unwanted=()):
     """Colours with the share of the drawing they must have, or must not."""
-    is_chart = "tractions" in path
+    is_chart = os.path.exists(os.path.join(os.path.dirname(path), "tractions.png")) and not (
+        "von_mises" in path
+    )
     margin, right = (70, 980) if is_chart else (150, 900)  # no axes, texts and legends
     drawing = read(path)[margin : SIZE[1] - margin, margin + 30 : right]
     for colour, least in wanted.items():
@@ -68,6 +70,9 @@ def check_run(folder):
             check(path, {RED: 1e-3, **arrows}, () if rolls else (BLACK,))
         elif name == "tractions":
             check(path, marks, () if rolls else (BLUE,))
+        elif name in ("sliding", "friction"):
+            is_flat = os.path.exists(os.path.join(folder, "pictures", "tractions.png"))
+            check(path, {BLUE: 2e-4} if is_flat else {YELLOW: 1e-3, PURPLE: 1e-4})
         else:
             drawing = check(path, {PURPLE: 1e-3} if "impact" in folder else {YELLOW: 1e-3})
             for body, half in zip(("rail", "wheel"), np.array_split(drawing, 2)):

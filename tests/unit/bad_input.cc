@@ -3,6 +3,10 @@
 #include "complaint.h"
 #include "scratch_folder.h"
 
+#include <rolling_contact/base/expression_text.h>
+#include <rolling_contact/base/spelling.h>
+#include <rolling_contact/base/text.h>
+#include <rolling_contact/input/prm_declared.h>
 #include <rolling_contact/input/prm_entries.h>
 #include <rolling_contact/input/prm_text.h>
 #include <rolling_contact/program/scene_reader.h>
@@ -30,9 +34,10 @@ BOOST_AUTO_TEST_CASE(files_that_include_files)
   BOOST_TEST(contains(said("incl\\\nude " + file), "more than 100 inclusions"));
   write(part, "include " + file + "\n");
   BOOST_TEST(contains(said("INCLUDE " + part), "more than 100 inclusions"));
-  BOOST_TEST(contains(said("include none.prm"), "none.prm: cannot be read"));
-  BOOST_TEST(
-    contains(said("include " + scratch.scratch.string()), "cannot be read"));
+  BOOST_TEST(contains(said("include none.prm"),
+                      "none.prm: cannot be read: there is no such file"));
+  BOOST_TEST(contains(said("include " + scratch.scratch.string()),
+                      "cannot be read: it is a folder"));
 }
 
 
@@ -50,7 +55,114 @@ BOOST_AUTO_TEST_CASE(files_that_are_no_scenes)
   BOOST_TEST(said("set X = 1 # {1 2}\n") == "");
   BOOST_TEST(contains(said(std::string((1 << 24) + 1, '\n')), "16 MiB"));
   write(file, "\xEF\xBB\xBFset X = 1\r\n");
-  BOOST_TEST(read_prm(file) == "set X = 1\r\n");
+  BOOST_TEST(read_prm(file).text == "set X = 1\r\n");
+}
+
+
+
+BOOST_AUTO_TEST_CASE(lines_of_a_scene)
+{
+  const ScratchFolder scratch;
+  const std::string   file = (scratch.scratch / "a.prm").string(),
+                    part   = (scratch.scratch / "b.prm").string();
+  const auto said          = [&](const std::string &text) {
+    write(file, text);
+    return complaint([&]() { read_prm(file); });
+  };
+  BOOST_TEST(contains(said("set X = 1\n\nset X = 2\n"),
+                      ": line 3: X is given here and in line 1"));
+  BOOST_TEST(contains(said("subsection A\nset X = 1\nend\n"
+                           "subsection A\n  set X = 2 # again\nend\n"),
+                      ": line 5: A/X is given here and in line 2"));
+  BOOST_TEST(contains(said("set X\n"), "'set X' has no '='"));
+  BOOST_TEST(contains(said("end\n"), "line 1: 'end' without a section"));
+  BOOST_TEST(contains(said("subsection A\n"), "section A is not ended"));
+  BOOST_TEST(contains(said("X = 1\n"), "'X = 1' is no line of a .prm file"));
+  BOOST_TEST(contains(said(std::string("set X = 1\n\0", 11)),
+                      "line 2 holds the byte \\x00, so it is no text"));
+  // an included file may be overridden
+  write(part, "set X = 1\n");
+  BOOST_TEST(said("subsection A\ninclude " + part + "\nset X = 2\nend\n") ==
+             "");
+  const PrmText found = read_prm(file);
+  BOOST_REQUIRE(found.entries.size() == 2u);
+  BOOST_TEST(found.entries[0].path == "A/X");
+  BOOST_TEST(found.entries[1].value == "2");
+  BOOST_TEST(contains(found.entries[0].place, part + ": line 1"));
+}
+
+
+
+BOOST_AUTO_TEST_CASE(names_that_are_meant)
+{
+  BOOST_TEST(edit_distance("Aproach", "approach") == 1u);
+  BOOST_TEST(edit_distance("Sipn", "Spin") == 1u);
+  BOOST_TEST(edit_distance("", "Spin") == 4u);
+  const std::vector<std::string> known{"Analysis",
+                                       "Contact/Spin",
+                                       "Contact/Normal load",
+                                       "Wheel/Radius",
+                                       "Rail/Radius",
+                                       "Rail/Lateral radius"};
+  const auto                     meant = [&](const std::string &path) {
+    return did_you_mean(likely_meant(path, known));
+  };
+  BOOST_TEST(meant("Contact/Sipn") == "did you mean Contact/Spin?");
+  BOOST_TEST(meant("Cntact/Spin") == "did you mean Contact/Spin?");
+  BOOST_TEST(meant("Contact/Load") == "did you mean Contact/Normal load?");
+  BOOST_TEST(meant("analyses") == "did you mean Analysis?");
+  BOOST_TEST(meant("Contact/Radius") ==
+             "did you mean Wheel/Radius or Rail/Radius?");
+  BOOST_TEST(meant("Contact/Temperature") == "");
+}
+
+
+
+BOOST_AUTO_TEST_CASE(patterns_in_words)
+{
+  const auto allowed = [](const std::string &pattern, const std::string &unit) {
+    return what_is_allowed(pattern, unit);
+  };
+  BOOST_TEST(allowed("[Double 0...MAX_DOUBLE (inclusive)]", "Pa") ==
+             "give a number of at least 0 Pa");
+  BOOST_TEST(allowed("[Double 0.5...1 (inclusive)]", "") ==
+             "give a number from 0.5 to 1");
+  BOOST_TEST(allowed("[Double -MAX_DOUBLE...MAX_DOUBLE (inclusive)]", "m") ==
+             "give a number in m");
+  BOOST_TEST(allowed("[Integer range 2...3 (inclusive)]", "") ==
+             "give a whole number from 2 to 3");
+  BOOST_TEST(allowed("[Selection a|b c ]", "") == "give `a` or `b c`");
+  BOOST_TEST(allowed("[List of <[Integer range 1...2147483647 (inclusive)]> of "
+                     "length 1...4294967295 (inclusive)]",
+                     "") ==
+             "give a list separated by commas, each a whole number of at least "
+             "1");
+}
+
+
+
+BOOST_AUTO_TEST_CASE(traps_in_expressions)
+{
+  for (const char *text : {"2e-6*cos(2*pi*x/1e-3)",
+                           "if(x >= 1, min(0, 5), x == 2)",
+                           "x <= 1 && x != 2"})
+    BOOST_TEST(trap_in_expression(text) == "", text);
+  BOOST_TEST(contains(trap_in_expression("0,5e-6*cos(x)"), "take a point"));
+  BOOST_TEST(contains(trap_in_expression("x; y"), "one expression"));
+  BOOST_TEST(contains(trap_in_expression("x = 5"), "assign"));
+  BOOST_TEST(contains(trap_in_expression("rand()"), "cannot be repeated"));
+  BOOST_TEST(contains(unknown_name_in_expression("1e-3*cos(t)", {"x", "y"}),
+                      "'t' is not known here; there are x, y, pi"));
+  BOOST_TEST(unknown_name_in_expression("1e3*x+pi*_e", {"x"}) == "");
+}
+
+
+
+BOOST_AUTO_TEST_CASE(texts_of_unknown_origin)
+{
+  BOOST_TEST(quotable("a\x01\xFFz\xC3\xA9\xC2\x85") ==
+             "a\\x01\\xFFz\xC3\xA9\\xC2\\x85");
+  BOOST_TEST(quotable(std::string(70, 'a')) == std::string(60, 'a') + "...");
 }
 
 

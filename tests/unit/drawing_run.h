@@ -22,15 +22,21 @@ namespace RollingContact
       run_folder.open();
     }
 
-    /** Columns of the block of a curve or a map. */
+    /** Columns of the block of a curve or a map, the first or, with a label of
+     * the y axis, the one of that panel. */
     std::vector<std::vector<double>>
-    block(const std::string &name, const std::string &label) const
+    block(const std::string &name,
+          const std::string &label,
+          const std::string &y_label = "") const
     {
       std::istringstream lines(read(files.folder / (name + ".dat")));
       std::string        line;
-      while (line != "# " + label)
-        BOOST_REQUIRE(std::getline(lines, line));
-      std::getline(lines, line); // names of the columns
+      do
+        {
+          while (line != "# " + label)
+            BOOST_REQUIRE(std::getline(lines, line));
+          std::getline(lines, line); // names of the columns
+      } while (!contains(line, y_label));
       std::vector<std::vector<double>> columns;
       while (std::getline(lines, line) && !line.empty())
         {

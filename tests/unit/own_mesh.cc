@@ -337,7 +337,7 @@ namespace
     scene.dimension                  = dim;
     scene.mesh.elements_across_patch = dim == 2 ? 16 : 6;
     scene.mesh.growth                = 0.01;
-    scene.wheel.lateral_radius       = 0.3;
+    scene.wheel.lateral_radius       = dim == 2 ? 0. : 0.3;
     scene.rail.radius                = 0.;
     scene.contact.approach           = {};
     scene.contact.normal_load        = dim == 2 ? 10e3 : 1e3;

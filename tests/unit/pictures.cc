@@ -2,8 +2,11 @@
 #include "time_run.h"
 
 #include <rolling_contact/analyses/creep_curve.h>
+#include <rolling_contact/analyses/creep_curve_plot.h>
 #include <rolling_contact/analyses/load_curve.h>
 #include <rolling_contact/analyses/transient.h>
+#include <rolling_contact/assessment/reference_2d.h>
+#include <rolling_contact/base/text.h>
 #include <rolling_contact/report/state_report.h>
 #include <rolling_contact/studies/error_cost_report.h>
 
@@ -83,6 +86,78 @@ BOOST_FIXTURE_TEST_CASE(creep_curve_in_percent_of_creepage, DrawingRun)
 
 
 
+BOOST_FIXTURE_TEST_CASE(creep_curves_of_several_spins, DrawingRun)
+{
+  standard<3>(scene);
+  scene.analysis               = "creep curve";
+  scene.creep_curve.creepage_y = {0.001, 0.004, 0.001, 0.004};
+  scene.creep_curve.spin       = {0., 0., 0.5, 0.5};
+  scene.check();
+  CreepCurve<3>(scene, drawing).run();
+  table.flush();
+  BOOST_TEST(is_drawn("creep_curve"));
+  const Values force  = column("results.csv", "force_y_N"),
+               moment = column("results.csv", "spin_moment_Nm");
+  for (const std::size_t line : {0, 1})
+    {
+      const std::string label = line == 0 ? "spin 0 1/m" : "spin 0.5 1/m";
+      const auto        y     = block("creep_curve", label, "F_y (kN)"),
+                 m            = block("creep_curve", label, "M_z (Nm)");
+      check_equal(y[0], {0.1, 0.4}, 1.);
+      check_equal(y[1], {force[2 * line], force[2 * line + 1]}, 1e-3);
+      check_equal(m[1], {moment[2 * line], moment[2 * line + 1]}, 1.);
+      BOOST_TEST(y[1][1] < 0.);
+    }
+  BOOST_TEST(!contains(script("creep_curve"), "Kalker"));
+  BOOST_TEST(!contains(script("creep_curve"), "F_x"));
+}
+
+
+
+BOOST_AUTO_TEST_CASE(lines_of_a_creep_curve)
+{
+  const auto lines = [](const std::vector<Creepages> &points) {
+    return CreepLines(points);
+  };
+  const CreepLines one = lines({{0.001, 0., 0.}, {0.002, 0., 0.}});
+  BOOST_TEST(one.lines.size() == 1u);
+  BOOST_TEST(one.label == "longitudinal creepage (%)");
+  BOOST_TEST(one.lines[0].label == "finite elements");
+  // both rise: a line along the path, over the lateral creepage
+  const CreepLines path =
+    lines({{0., 0., 0.}, {1e-3, 2e-3, 0.}, {2e-3, 4e-3, 0.}});
+  BOOST_TEST(path.lines.size() == 1u);
+  BOOST_TEST(path.abscissa[2] == 0.4);
+  // three spins and two lateral creepages: two lines over the spin
+  const CreepLines over_spin = lines({{0., 0., 0.},
+                                      {0., 0., 1.},
+                                      {0., 0., 2.},
+                                      {0., 0.01, 0.},
+                                      {0., 0.01, 1.},
+                                      {0., 0.01, 2.}});
+  BOOST_TEST(over_spin.label == "spin (1/m)");
+  BOOST_TEST(over_spin.lines.size() == 2u);
+  BOOST_TEST(over_spin.lines[1].label == "lateral creepage 1 %");
+  BOOST_TEST(over_spin.lines[1].points[0] == 3u);
+}
+
+
+
+BOOST_FIXTURE_TEST_CASE(no_carter_where_he_does_not_hold, DrawingRun)
+{
+  standard<2>(scene);
+  scene.contact.creepages.x = 0.001;
+  scene.rail.radius         = 0.92;
+  scene.check();
+  const auto steady = solve_steady_state<2>(scene, {}, drawing);
+  plot_line_tractions(scene, steady, drawing);
+  BOOST_TEST(is_drawn("tractions"));
+  BOOST_TEST(!contains(script("tractions"), "Carter"));
+  BOOST_TEST(contains(script("tractions"), "Hertz"));
+}
+
+
+
 BOOST_FIXTURE_TEST_CASE(tractions_over_the_patch, DrawingRun)
 {
   standard<2>(scene);
@@ -91,8 +166,21 @@ BOOST_FIXTURE_TEST_CASE(tractions_over_the_patch, DrawingRun)
   const auto steady = solve_steady_state<2>(scene, {}, drawing);
   plot_line_tractions(scene, steady, drawing);
   BOOST_TEST(is_drawn("tractions"));
-  BOOST_TEST(contains(script("tractions"),
-                      "set ylabel 'p / p\u2080,   q / (\u03bcp\u2080)'"));
+  BOOST_TEST(contains(
+    script("tractions"),
+    "set ylabel 'p / p\u2080,   q / (\u03bcp\u2080),   "
+    "p\u2080 = " +
+      significant(1e-6 * reference_2d(scene, steady).hertz.max_pressure, 4) +
+      " MPa'"));
+  BOOST_TEST(contains(
+    script("tractions"),
+    "a = " +
+      significant(1e3 * reference_2d(scene, steady).hertz.half_width, 4) +
+      " mm"));
+  BOOST_TEST(
+    contains(script("tractions"),
+             "N = " + significant(1e-3 * steady.result.normal_force, 4) +
+               " kN"));
   const auto largest = [](const Values &values) {
     return *std::max_element(values.begin(), values.end());
   };
@@ -134,9 +222,16 @@ BOOST_FIXTURE_TEST_CASE(history_in_millimetres_and_milliseconds, DrawingRun)
   BOOST_TEST(is_drawn("history"));
   BOOST_TEST(contains(script("history"), "set xlabel 'rolled distance (mm)'"));
   BOOST_TEST(contains(script("history"), "set ylabel 'T / (\u03bcN)'"));
-  const auto   forces = block("history", "longitudinal");
-  const Values force  = column("history.csv", "force_x_N"),
-               load   = column("history.csv", "normal_force_N");
+  const auto forces = block("history", "longitudinal"),
+             loads  = block("history", "load N"),
+             drive  = block("history", "longitudinal creepage");
+  check_equal(loads[0], column("history.csv", "rolled_m"), 1e3);
+  check_equal(loads[1], column("history.csv", "normal_force_N"), 1e-3);
+  check_equal(drive[1], column("history.csv", "creepage_x"), 100.);
+  BOOST_TEST(contains(script("history"), "set ylabel 'N (kN)'"));
+  BOOST_TEST(contains(script("history"), "set ylabel 'creepage (%)'"));
+  const Values force = column("history.csv", "force_x_N"),
+               load  = column("history.csv", "normal_force_N");
   check_equal(forces[0], column("history.csv", "rolled_m"), 1e3);
   BOOST_REQUIRE_EQUAL(forces[1].size(), 5u);
   for (std::size_t i = 0; i < 5; ++i)
@@ -157,7 +252,7 @@ BOOST_FIXTURE_TEST_CASE(load_in_time, DrawingRun)
   Transient<2>(scene, drawing).run();
   BOOST_TEST(contains(script("history"), "set xlabel 'time (ms)'"));
   BOOST_TEST(contains(script("history"), "set ylabel 'N (kN)'"));
-  const auto loads = block("history", "");
+  const auto loads = block("history", "load N");
   check_equal(loads[0], column("history.csv", "time_s"), 1e3);
   check_equal(loads[1], column("history.csv", "normal_force_N"), 1e-3);
 }

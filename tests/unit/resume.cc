@@ -217,7 +217,8 @@ BOOST_FIXTURE_TEST_CASE(checkpoints_keep_every_bit, ScratchFolder)
   state.pressure      = {1e300, -1e-300};
   state.traction      = {M_PI};
   state.approach      = std::nextafter(2.2e-4, 0.);
-  state.edges = {{3, 1. / 3, 0.1, {{-0.3, 0.}}}, {7, 2., 1., {{0., 0.}}}};
+  state.scheme = {{{3, 1. / 3, 0.1, {{-0.3, 0.}}}, {7, 2., 1., {{0., 0.}}}},
+                  {4, 9}};
   state.progress.n_impacts      = 8;
   state.last_step.is_known      = true;
   state.last_step.length        = std::nextafter(1e-6, 0.);
@@ -243,11 +244,12 @@ BOOST_FIXTURE_TEST_CASE(checkpoints_keep_every_bit, ScratchFolder)
   BOOST_TEST(copy.bodies.rail.displacement.empty());
   BOOST_TEST((copy.pressure == state.pressure));
   BOOST_TEST((copy.traction == state.traction));
-  BOOST_TEST(copy.edges.size() == 2u);
-  BOOST_TEST(copy.edges[0].first == 3u);
-  BOOST_TEST(same_bits(copy.edges[0].a, state.edges[0].a));
-  BOOST_TEST(same_bits(copy.edges[0].b, state.edges[0].b));
-  BOOST_TEST((copy.edges[0].c == state.edges[0].c));
+  BOOST_TEST(copy.scheme.edges.size() == 2u);
+  BOOST_TEST((copy.scheme.sliding == state.scheme.sliding));
+  BOOST_TEST(copy.scheme.edges[0].first == 3u);
+  BOOST_TEST(same_bits(copy.scheme.edges[0].a, state.scheme.edges[0].a));
+  BOOST_TEST(same_bits(copy.scheme.edges[0].b, state.scheme.edges[0].b));
+  BOOST_TEST((copy.scheme.edges[0].c == state.scheme.edges[0].c));
   BOOST_TEST(copy.progress.n_impacts == 8u);
   BOOST_TEST(copy.last_step.is_known);
   BOOST_TEST(same_bits(copy.last_step.length, state.last_step.length));

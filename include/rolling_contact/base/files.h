@@ -19,6 +19,14 @@ namespace RollingContact
   read_bytes(const std::filesystem::path &file);
 
   /**
+   * Why a file cannot be read, "it is a folder", "there is no such file"; empty
+   * if it is a regular file that opens. Pipes and devices are refused without
+   * opening them, which may wait without end.
+   */
+  std::string
+  why_unreadable(const std::filesystem::path &file);
+
+  /**
    * Size of a file in bytes; 0 if there is no such file.
    */
   std::uintmax_t

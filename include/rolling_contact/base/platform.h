@@ -55,6 +55,14 @@ namespace RollingContact
 
   unsigned int
   n_host_cpus();
+
+  /**
+   * Columns for text on the screen: the environment's COLUMNS, or those of the
+   * terminal that standard output or error is; at least 20 and at most 80, and
+   * 80 if neither is known.
+   */
+  std::size_t
+  screen_width();
 } // namespace RollingContact
 
 #endif

@@ -39,6 +39,14 @@ namespace RollingContact
   std::string
   valid_utf8(const std::string &text);
 
+  /**
+   * A text of unknown origin for a message: control characters and bytes that
+   * are not UTF-8 as \xNN, and no more of it than so many characters, with ...
+   * behind them.
+   */
+  std::string
+  quotable(const std::string &text, std::size_t most_characters = 60);
+
   /** Number of characters (not bytes) of a UTF-8 text. */
   std::size_t
   n_characters(const std::string &text);

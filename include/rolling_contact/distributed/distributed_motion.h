@@ -47,16 +47,25 @@ namespace RollingContact
     end_step(const std::vector<double> &reactions) override;
 
     std::vector<double>
-    contact_displacement() const override;
+    contact_displacement() const override
+    {
+      return on_contact(u);
+    }
 
     std::vector<double>
-    contact_velocity() const override;
+    contact_velocity() const override
+    {
+      return on_contact(v);
+    }
 
     std::vector<double>
     free_contact_displacement() const override;
 
     std::vector<double>
     free_contact_velocity() const override;
+
+    double
+    mean_velocity() override;
 
     const StepEnergy &
     energy() const override
@@ -113,6 +122,13 @@ namespace RollingContact
      */
     void
     require_begun() const;
+
+    /**
+     * M e_z by row sums: a consistent mass couples to the hub's own nodes as
+     * well. Units: kg.
+     */
+    const DistributedVector &
+    translational_inertia();
 
     /**
      * Values at the contact nodes, on all ranks.

@@ -77,6 +77,14 @@ namespace RollingContact
     virtual void
     accelerate_hub(const double acceleration) = 0;
 
+    /**
+     * Velocity of the centre of mass of all that is not held, along z of the
+     * body's own frame: the momentum over the mass. Collective for a
+     * distributed body. Units: m/s.
+     */
+    virtual double
+    mean_velocity() = 0;
+
     virtual void
     begin_step() = 0;
 

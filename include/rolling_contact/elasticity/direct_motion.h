@@ -60,6 +60,9 @@ namespace RollingContact
     std::vector<double>
     free_contact_velocity() const override;
 
+    double
+    mean_velocity() override;
+
     const StepEnergy &
     energy() const override;
 
@@ -84,6 +87,13 @@ namespace RollingContact
   private:
     const std::vector<std::size_t> &
     order() const;
+
+    /**
+     * M e_z by row sums: a consistent mass couples to the hub's own nodes as
+     * well. Units: kg.
+     */
+    const std::vector<double> &
+    translational_inertia();
 
     const DirectBody<dim>           &body;
     std::shared_ptr<ThetaSystem>     system;

@@ -3,18 +3,41 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace RollingContact
 {
   /**
-   * The text of a .prm file without a byte order mark, safe for deal.II's
-   * reader, which follows `include` without end and takes any value with a '{'.
-   * Throws InputError naming the file, and the line where there is one, if it
-   * or a file it includes cannot be read, is larger than 16 MiB, or holds a
-   * '{' in an entry, or if there are more than 100 inclusions. Included files
-   * are relative to the working directory.
+   * A line `set Entry = value` of a .prm file, or of one that it includes.
    */
-  std::string
+  struct PrmEntry
+  {
+    std::string path;  ///< Section/Entry, or Entry at the top level
+    std::string value; ///< without blanks around it
+    std::string place; ///< "FILE: line 3: "
+  };
+
+  /**
+   * A .prm file as it was found.
+   */
+  struct PrmText
+  {
+    std::string           text;     ///< of the file, without a byte order mark
+    std::vector<PrmEntry> entries;  ///< in their order, includes in place
+    std::vector<PrmEntry> sections; ///< as they are entered, without value
+  };
+
+  /**
+   * A .prm file, safe for deal.II's reader, which follows `include` without
+   * end, takes any value with a '{' and the last of entries given twice.
+   * Included files are relative to the working directory; they may be
+   * overridden, but one file gives an entry once. Throws InputError naming the
+   * file, and the line where there is one, if it or a file it includes cannot
+   * be read, is no regular file, is larger than 16 MiB, holds bytes that are no
+   * text, a line that is none of a .prm file, a '{' in an entry, an entry twice
+   * or a section that is not ended, or if there are more than 100 inclusions.
+   */
+  PrmText
   read_prm(const std::filesystem::path &file);
 
   /**

@@ -5,6 +5,7 @@
 #include <rolling_contact/pair/rolling_pair.h>
 
 #include <memory>
+#include <optional>
 
 namespace RollingContact
 {
@@ -93,6 +94,16 @@ namespace RollingContact
      */
     virtual double
     stored_energy() const = 0;
+
+    /**
+     * Velocity along z of the centre of mass of a wheel whose hub is free; none
+     * for others. Collective. Units: m/s.
+     */
+    virtual std::optional<double>
+    wheel_velocity() const
+    {
+      return {};
+    }
 
     /**
      * Memory in bytes on this rank of what the time steps keep for both bodies.

@@ -66,6 +66,16 @@ namespace RollingContact
             const std::vector<double> &values);
 
     /**
+     * Puts the curves and bands of another figure, whose title is not shown,
+     * into a panel of its own below those there are, over the same x: they have
+     * one label of the x axis and should have points at the same x. Not for
+     * maps. Throws std::invalid_argument if the labels of x differ, or with
+     * maps.
+     */
+    void
+    add_panel(const Figure &panel);
+
+    /**
      * Tab-separated values with 9 significant digits, one block for each map
      * and then each curve, two empty lines between blocks. Above each block
      * stand the label and the names of its columns, as comments. Curves of more
@@ -112,7 +122,15 @@ namespace RollingContact
     };
 
     std::string
+    block_data() const;
+    std::vector<const Figure *>
+    all_panels() const;
+    std::string
     layout() const;
+    std::string
+    panel_layout(const std::size_t index) const;
+    std::string
+    items(const std::string &name, std::size_t &block) const;
     std::string
     axis(const char axis, const std::string &label) const;
     std::string
@@ -120,14 +138,15 @@ namespace RollingContact
     std::string
     look(const std::size_t index) const;
 
-    const std::string  title;
-    const std::string  x_label;
-    const std::string  y_label;
-    AxisScale          x_scale = AxisScale::linear;
-    AxisScale          y_scale = AxisScale::linear;
-    std::vector<Curve> curves;
-    std::vector<Band>  bands;
-    std::vector<Map>   maps;
+    std::string         title;
+    std::string         x_label;
+    std::string         y_label;
+    AxisScale           x_scale = AxisScale::linear;
+    AxisScale           y_scale = AxisScale::linear;
+    std::vector<Curve>  curves;
+    std::vector<Band>   bands;
+    std::vector<Map>    maps;
+    std::vector<Figure> panels; ///< below this one
   };
 } // namespace RollingContact
 

@@ -4,6 +4,9 @@
 #include <rolling_contact/program/command_line.h>
 #include <rolling_contact/scene/scene_parameters.h>
 
+#include <string>
+#include <vector>
+
 namespace RollingContact
 {
   /**
@@ -15,6 +18,8 @@ namespace RollingContact
     SceneParameters scene;
     std::string     original; ///< the file
     std::string     used;     ///< every entry that differs from its default
+    /** Entries without effect and values that are hardly meant so. */
+    std::vector<std::string> warnings;
   };
 
   /**

@@ -15,9 +15,9 @@ namespace RollingContact
   };
 
   /**
-   * What the program says while it runs, wrapped at 80 columns. Warnings and
-   * errors are said at every verbosity; warnings are also kept, for run.json.
-   * Does not own its streams.
+   * What the program says while it runs, wrapped at screen_width() columns.
+   * Warnings and errors are said at every verbosity; warnings are also kept,
+   * for run.json. Does not own its streams.
    */
   class Log
   {

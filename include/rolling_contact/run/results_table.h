@@ -39,6 +39,10 @@ namespace RollingContact
     void
     set(const std::string &column, const Value &value);
 
+    /** The column exists, its cell of the current row has no value. */
+    void
+    leave_empty(const std::string &column);
+
     /** Finishes the current row. */
     void
     end_row();

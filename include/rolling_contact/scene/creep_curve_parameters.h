@@ -34,6 +34,12 @@ namespace RollingContact
     }
 
     /**
+     * Throws InputError if a point has what exists in 3D only.
+     */
+    void
+    check_in_2d() const;
+
+    /**
      * Creepages of the points; a single number holds for all of them. Units: 1,
      * 1, 1/m.
      */

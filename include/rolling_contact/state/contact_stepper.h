@@ -7,6 +7,7 @@
 #include <rolling_contact/state/steady_state.h>
 
 #include <memory>
+#include <optional>
 
 namespace RollingContact
 {
@@ -25,6 +26,8 @@ namespace RollingContact
     unsigned int n_sticking = 0;
     unsigned int n_parts    = 0; ///< 1 unless halved
     Uniqueness   several;        ///< the worst of the parts
+    /** At the end, of the centre of mass of a free wheel along z; m/s. */
+    std::optional<double> wheel_velocity;
   };
 
   /**

@@ -2,8 +2,11 @@
 #define rolling_contact_studies_accuracy_study_h
 
 #include <rolling_contact/analyses/analysis.h>
+#include <rolling_contact/run/progress.h>
 #include <rolling_contact/studies/study_summary.h>
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,6 +39,22 @@ namespace RollingContact
 
     void
     list_cases();
+
+    void
+    list_methods();
+
+    /**
+     * The reference mesh and those it is extrapolated from, where they are not
+     * among the meshes to compare.
+     */
+    std::vector<unsigned int>
+    meshes_of_reference_alone() const;
+
+    /**
+     * How many states the study has.
+     */
+    std::uint64_t
+    n_states() const;
 
     /**
      * Solve the reference mesh and those it is extrapolated from.
@@ -102,6 +121,8 @@ namespace RollingContact
     const PatchEstimate        patch;
     StudyResults               results;
     std::vector<TractionField> finest; ///< of each case, once it is solved
+    std::optional<Progress>    progress;
+    std::uint64_t              n_done = 0; ///< states
   };
 } // namespace RollingContact
 

@@ -1,0 +1,97 @@
+#include <rolling_contact/scene/scene_parameters.h>
+#include <rolling_contact/scene/unused_entries.h>
+
+#include <set>
+
+namespace RollingContact
+{
+  namespace
+  {
+    /** The sections that only some analyses read, and who reads them. */
+    std::map<std::string, std::string>
+    idle_sections(const SceneParameters &scene)
+    {
+      const bool is_study = scene.analysis == "accuracy study";
+      std::map<std::string, std::string> idle;
+      if (scene.analysis != "creep curve")
+        idle["Creep curve"] = "Analysis = creep curve reads that section";
+      if (scene.analysis != "load curve")
+        idle["Load curve"] = "Analysis = load curve reads that section";
+      if (!is_study)
+        idle["Accuracy study"] = "Analysis = accuracy study reads that section";
+      if (scene.analysis != "transient" &&
+          !(is_study && scene.study.varies_time_step))
+        idle["Time"] = is_study ? "Accuracy study/Vary = time step reads that "
+                                  "section"
+                                : "Analysis = transient reads that section";
+      return idle;
+    }
+
+
+
+    /** Entries that the dimension has no place for, and why. */
+    std::map<std::string, std::string>
+    entries_of_other_dimension(const SceneParameters &scene)
+    {
+      if (scene.dimension == 3)
+        {
+          const std::string why = "it is that of plane strain, Dimension = 2; "
+                                  "in 3D a body has a Width";
+          return {{"Wheel/Thickness", why}, {"Rail/Thickness", why}};
+        }
+      const std::string why = "it has a meaning in 3D only";
+      return {{"Wheel/Width", why},
+              {"Rail/Width", why},
+              {"Mesh/Elements across patch y", why}};
+    }
+
+
+
+    /** Who gives the creepages in place of section Contact; empty if none. */
+    std::string
+    giver_of_creepages(const SceneParameters &scene)
+    {
+      if (scene.analysis == "creep curve")
+        return scene.mesh.adaptive_levels > 0 ? ""
+                                              : // what the levels refine for
+                 "the creepages of a curve are those of section Creep curve";
+      return scene.analysis == "accuracy study" && !scene.study.varies_time_step
+               ? "the creepages of a study are Accuracy study/Creepages over "
+                 "saturation"
+               : "";
+    }
+  } // namespace
+
+
+
+  std::vector<std::string>
+  unused_entries(const SceneParameters &scene, const PrmEntries &given)
+  {
+    std::vector<std::string> warnings;
+    const auto warn = [&](const std::string &entries, const std::string &why) {
+      warnings.push_back(entries + " has no effect: " + why + ".");
+    };
+    for (const auto &[section, why] : idle_sections(scene))
+      {
+        std::string entries;
+        for (const auto &[path, value] : given)
+          if (path.compare(0, section.size() + 1, section + '/') == 0)
+            entries += (entries.empty() ? "" : ", ") + path + " = " + value;
+        if (!entries.empty())
+          warn(entries, why + ", not " + scene.analysis);
+      }
+    const auto check = [&](const std::string &path, const std::string &why) {
+      const auto entry = given.find(path);
+      if (entry != given.end())
+        warn(path + " = " + entry->second, why);
+    };
+    for (const auto &[path, why] : entries_of_other_dimension(scene))
+      check(path, why);
+    const std::string giver = giver_of_creepages(scene);
+    if (!giver.empty())
+      for (const char *path :
+           {"Contact/Creepage x", "Contact/Creepage y", "Contact/Spin"})
+        check(path, giver);
+    return warnings;
+  }
+} // namespace RollingContact
