@@ -69,7 +69,7 @@ namespace RollingContact
       NodalField              slip(problem.n_nodes(), 0);
       std::vector<double>     states;
       if (problem.n_tangential() > 0)
-        slip = known(tangential.material_slip(state.traction));
+        slip = known(tangential.slip(state.traction));
       for (const NodeState node_state : node_states(tangential, state))
         states.push_back(static_cast<int>(node_state));
 

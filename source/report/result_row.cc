@@ -1,3 +1,4 @@
+#include <rolling_contact/assessment/error_bounds.h>
 #include <rolling_contact/assessment/reference_2d.h>
 #include <rolling_contact/assessment/reference_3d.h>
 #include <rolling_contact/contact/invariants.h>
@@ -43,6 +44,31 @@ namespace RollingContact
       set("creep_work_J/m", result.creep_work);
       set("dissipation_J/m", result.dissipation);
       set("energy_error", result.energy_error());
+    }
+
+
+
+    /**
+     * Bounds of the errors of a steady state; empty where none is known.
+     */
+    template <int dim>
+    void
+    set_bound_columns(const SceneParameters  &scene,
+                      const SteadyState<dim> &steady,
+                      ResultsTable           &table)
+    {
+      const bool        judged = steady.solver.converged && !steady.restored;
+      const ErrorBounds bounds =
+        judged ? error_bounds(scene, steady) : ErrorBounds();
+      const auto set = [&](const std::string           &column,
+                           const std::optional<double> &bound) {
+        bound ? table.set(column, *bound) : table.leave_empty(column);
+      };
+      if (steady.problem.n_tangential() > 0)
+        set("bound_force/muN", bounds.force);
+      if (steady.problem.n_tangential() > 1)
+        set("bound_moment/muNa", bounds.moment);
+      set("bound_max_pressure", bounds.max_pressure);
     }
 
 
@@ -193,6 +219,8 @@ namespace RollingContact
     if (steady.contact_stiffness)
       table.set("contact_stiffness_N/m", *steady.contact_stiffness);
     set_resultant_columns(steady.result, solved, table);
+    if (steady.problem.operators.time_scaling().rate == 0.)
+      set_bound_columns(scene, steady, table);
     set_solver_columns(steady.solver, table);
     set_falling_friction_columns(steady, table);
     const Invariants found =

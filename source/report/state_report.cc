@@ -213,6 +213,27 @@ namespace RollingContact
       note_error(scene, steady, context.report);
     worst.add(uniqueness(steady.problem, steady.state), steady.problem, name);
     fewest = std::min(fewest, steady.result.n_touching);
+    note_slip_rows(steady);
+  }
+
+
+
+  template <int dim>
+  void
+  StateReview<dim>::note_slip_rows(const SteadyState<dim> &steady)
+  {
+    ++n_states;
+    const bool stood_in =
+      steady.solver.used_fallback ||
+      steady.solver.solver.find("edges") != std::string::npos;
+    if (stood_in && steady.solver.converged &&
+        std::find(ways.begin(), ways.end(), steady.solver.solver) == ways.end())
+      ways.push_back(steady.solver.solver);
+    if (steady.problem.n_tangential() == 0)
+      return;
+    const SlipRows rows = tangential_problem(steady.problem, steady.state).rows;
+    n_edges += rows.edges.size() + rows.n_unresolved;
+    n_unresolved += rows.n_unresolved;
   }
 
 
@@ -225,6 +246,20 @@ namespace RollingContact
       context.log.warning("Only " + std::to_string(fewest) +
                           " nodes touch: the patch is unresolved, take more "
                           "elements (Mesh/Elements across patch).");
+    if (n_unresolved > 0)
+      context.log.warning(
+        "At " + std::to_string(n_unresolved) + " of " +
+        std::to_string(n_edges) +
+        " leading edges `upwind 2` stands in for the edge law, as the gap or "
+        "the pressure changes from node to node: take more elements "
+        "(Mesh/Elements across patch), 8 at least for a wave of "
+        "Contact/Roughness.");
+    for (const std::string &way : ways)
+      context.log.warning(
+        "Solved by \"" + way +
+        "\", not by the active set alone: the laws hold within the residual, "
+        "but the force may be off by more than it is elsewhere on this mesh" +
+        (n_states > 1 ? " (column solver of results.csv)." : "."));
     warn_of_large_strains(
       strain_measures(scene, last.result, last.state.approach), context.log);
     warn_of_non_uniqueness(scene, false, worst, context.log);

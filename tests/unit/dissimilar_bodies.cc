@@ -1,6 +1,6 @@
 #include "scene_run.h"
 
-#include <rolling_contact/assessment/result_error.h>
+#include <rolling_contact/assessment/error_bounds.h>
 #include <rolling_contact/pair/patch_estimate.h>
 
 #include <cmath>
@@ -76,7 +76,7 @@ BOOST_AUTO_TEST_CASE(coarse_meshes_have_the_force_of_fine_ones)
         const double error = std::abs(run.force_x() - converged.second / 0.3);
         BOOST_TEST_CONTEXT("creepage " << converged.first << ", offset "
                                        << offset)
-        BOOST_TEST(error < resolution_estimate(run.scene, run.steady).error);
+        BOOST_TEST(error < *error_bounds(run.scene, run.steady).force);
       }
 }
 

@@ -1,6 +1,6 @@
 #include "scene_run.h"
 
-#include <rolling_contact/assessment/result_error.h>
+#include <rolling_contact/assessment/error_bounds.h>
 
 #include <cmath>
 
@@ -66,7 +66,7 @@ BOOST_AUTO_TEST_CASE(of_line_contacts_bound_the_error_against_carter)
             const double z = run.scene.contact.creepages.x / (0.3 * a / 0.23);
             largest =
               std::max(largest, std::abs(run.force_x() + 2 * z - z * z));
-            estimate = resolution_estimate(run.scene, run.steady).error;
+            estimate = *error_bounds(run.scene, run.steady).force;
           }
       check_bound(estimate, largest);
     }
@@ -108,7 +108,7 @@ BOOST_AUTO_TEST_CASE(of_point_contacts_bound_the_error_against_fine_meshes)
               scene.contact.creepages.y    = state.creepage_y;
               scene.contact.creepages.spin = state.spin;
             });
-          estimate           = resolution_estimate(run.scene, run.steady).error;
+          estimate           = *error_bounds(run.scene, run.steady).force;
           const double error = std::hypot(run.force_x() - state.force_x,
                                           run.force_y() - state.force_y);
           BOOST_TEST_MESSAGE(name_of(slip_operator)

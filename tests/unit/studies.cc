@@ -3,7 +3,7 @@
 #include "complaint.h"
 #include "scene_run.h"
 
-#include <rolling_contact/assessment/result_error.h>
+#include <rolling_contact/assessment/error_bounds.h>
 #include <rolling_contact/base/percentages.h>
 #include <rolling_contact/studies/convergence.h>
 #include <rolling_contact/studies/error_cost.h>
@@ -336,8 +336,8 @@ BOOST_AUTO_TEST_CASE(estimates_hold)
         scene.mesh.patch_offset          = offset;
       },
       [](SceneParameters &) {});
-    return std::make_pair(
-      result.force_x(), resolution_estimate(result.scene, result.steady).error);
+    return std::make_pair(result.force_x(),
+                          *error_bounds(result.scene, result.steady).force);
   };
   const double creepage = 0.0022;
   const double converged =

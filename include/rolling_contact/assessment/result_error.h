@@ -4,31 +4,12 @@
 #include <rolling_contact/run/run_report.h>
 #include <rolling_contact/state/steady_state.h>
 
-#include <string>
-
 namespace RollingContact
 {
   /**
-   * Error of the force to be expected of a mesh, over mu N, and how it is
-   * found: a bound c / n^p of what accuracy studies measured, n the elements
-   * across the patch, largest over mesh positions, directions and creepages of
-   * 0.1 to 0.9 of saturation. Conservative for graded meshes.
-   */
-  struct ResolutionEstimate
-  {
-    double      error = 0.;
-    std::string text;
-  };
-
-  template <int dim>
-  ResolutionEstimate
-  resolution_estimate(const SceneParameters  &scene,
-                      const SteadyState<dim> &steady);
-
-  /**
-   * Note in the report how far the state is off. The force against Carter where
-   * that holds, else estimated: from the change between levels if there are
-   * any, or from the resolution. Without friction, the load against the exact
+   * Note in the report how far the state is off: the force by error_bounds(),
+   * or by the change between levels if there are any, with its difference to
+   * Carter where he holds. Without friction, the load against the exact
    * clamped discs if the scene has them. In 3D, and where there is nothing
    * else, the pressure against Hertz. Of several states the largest is kept.
    * Nothing without contact.

@@ -51,8 +51,9 @@ namespace RollingContact
   resultants(const ContactProblem &problem, const ContactState &state);
 
   /**
-   * What sliding turns into heat over a rolled distance, -(H q) . s with the
-   * slip s of the surfaces (TangentialProblem::material_slip). Units: J/m.
+   * What sliding turns into heat over a rolled distance, -A q . s, A the areas
+   * of the nodes and s the slip in the mean around each
+   * (TangentialProblem::mean_slip). Units: J/m.
    */
   double
   dissipation(const TangentialProblem &tangential, const ContactState &state);

@@ -54,16 +54,23 @@ namespace RollingContact
 
     /**
      * Warn where fewer than five nodes touched or several solutions must be
-     * expected, and of the strains of the last state if they are large.
+     * expected, where the edge law was left out or did not settle, where
+     * another solver stood in, and of the strains of the last state if they are
+     * large.
      */
     void
     warn(const SteadyState<dim> &last) const;
 
   private:
-    const SceneParameters &scene;
-    RunContext            &context;
-    UniquenessSummary      worst;
-    unsigned int           fewest = std::numeric_limits<unsigned int>::max();
+    void
+    note_slip_rows(const SteadyState<dim> &steady);
+
+    const SceneParameters   &scene;
+    RunContext              &context;
+    UniquenessSummary        worst;
+    std::size_t              n_states = 0, n_edges = 0, n_unresolved = 0;
+    std::vector<std::string> ways; ///< of solving that were not the plain one
+    unsigned int             fewest = std::numeric_limits<unsigned int>::max();
   };
 } // namespace RollingContact
 
