@@ -1,7 +1,6 @@
 #include <rolling_contact/assessment/error_bounds.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/contact/touching_run.h>
-#include <rolling_contact/pair/patch_estimate.h>
 
 #include <algorithm>
 #include <cmath>
@@ -38,8 +37,9 @@ namespace RollingContact
       double           beta  = 0.; ///< |Dundurs' constant|
       double           waves = 0.; ///< largest change_of_curvature()
       double thickness = std::numeric_limits<double>::infinity(); ///< over a
-      bool   edges_settled         = true; ///< and the edge law in use, if any
+      bool   edges_settled = true, edge_law = true;
       bool   nearly_incompressible = false, spin = false;
+      bool   refined = false; ///< lines end at smaller elements
     };
 
 
@@ -51,13 +51,13 @@ namespace RollingContact
       const ContactProblem &problem = steady.problem;
       const double          a       = steady.result.half_width_x;
       Circumstances         found;
-      found.kind = problem.operators.slip_operator().kind();
-      found.n    = a > 0. ? 2 * a / steady.grading.element_size_x
-                          : steady.grading.elements_across();
-      found.beta = std::abs(pair_constants(scene).dundurs_beta);
-      found.spin = problem.loads.creepages.spin != 0.;
+      found.kind     = problem.operators.slip_operator().kind();
+      found.n        = a > 0. ? 2 * a / steady.grading.element_size_x
+                              : steady.grading.elements_across();
+      found.beta     = std::abs(pair_constants(scene).dundurs_beta);
+      found.spin     = problem.loads.creepages.spin != 0.;
+      found.edge_law = steady.state.edge_law;
       found.edges_settled =
-        steady.state.edge_law &&
         steady.solver.solver.find("edges") == std::string::npos;
       for (const BodyParameters *body : {&scene.wheel, &scene.rail})
         if (!body->rigid)
@@ -72,11 +72,14 @@ namespace RollingContact
       for (const TouchingRun &run :
            touching_runs(problem.operators.slip_operator(),
                          steady.state.pressure))
-        found.waves =
-          std::max(found.waves,
-                   change_of_curvature(run,
-                                       places(run, problem.operators),
-                                       problem.loads.gap));
+        {
+          found.refined = found.refined || run.cut;
+          found.waves =
+            std::max(found.waves,
+                     change_of_curvature(run,
+                                         places(run, problem.operators),
+                                         problem.loads.gap));
+        }
       return found;
     }
 
@@ -84,13 +87,13 @@ namespace RollingContact
 
     /**
      * The edge law keeps its order for one material that is not nearly
-     * incompressible, and where it settled.
+     * incompressible.
      */
     bool
     edge_law_holds(const Circumstances &found)
     {
       return found.beta < 1e-12 && !found.nearly_incompressible &&
-             found.edges_settled;
+             found.edge_law;
     }
 
 
@@ -117,6 +120,11 @@ namespace RollingContact
      */
     const double of_growth = 2e-3, of_residual = 2.;
 
+    /**
+     * Factor of the bound where the edges of the patch did not settle.
+     */
+    const double of_unsettled = 2.;
+
 
 
     Bound
@@ -130,11 +138,12 @@ namespace RollingContact
       if (found.kind == SlipOperatorKind::upwind_2)
         return {plane ? 0.4 : 0.65, 1.};
       if (!edge_law_holds(found))
-        return {(plane ? 0.5 : 0.65) + found.beta, 1.};
+        return {(plane ? 0.5 : 0.65) + 2 * found.beta, 1.};
       if (plane)
-        return {found.thickness < thin ? 5. : 2.3, 2.};
-      return found.spin ? Bound{0.9, 1.5}
-                        : Bound{found.thickness < thin ? 2.6 : 1.3, 2.};
+        return {found.thickness < thin || found.refined ? 5. : 1.3, 2.};
+      return found.spin
+               ? Bound{0.9, 1.5}
+               : Bound{found.thickness < thin || found.refined ? 2.6 : 1.3, 2.};
     }
 
 
@@ -167,8 +176,11 @@ namespace RollingContact
     const double added = of_waves * (found.waves > 0.1 ? found.waves : 0.) +
                          of_growth * scene.mesh.growth +
                          of_residual * steady.solver.residual.tangential;
-    bounds.force = std::min(1., bound.at(found.n) + added);
-    bounds.text  = in_words(bound, found.n) + ", and " + scientific(added, 1) +
+    bounds.force =
+      std::min(1.,
+               (found.edges_settled ? 1. : of_unsettled) * bound.at(found.n) +
+                 added);
+    bounds.text = in_words(bound, found.n) + ", and " + scientific(added, 1) +
                   " for " + (found.waves > 0.1 ? "waves, " : "") +
                   "the growth of the mesh and the residual";
     if (dim == 3)

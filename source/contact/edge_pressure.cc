@@ -26,15 +26,21 @@ namespace RollingContact
 
     /**
      * The smooth part of a displacement is fitted from the fourth node on,
-     * without the last two, on the window or at least on so many nodes, by a
-     * polynomial of at most this degree and of at most this share of the nodes;
-     * below the least degree nothing is taken away. Empirical: nearer to the
-     * edges the fit takes what belongs to them, and lower degrees leave too
-     * much of layers as thin as half a patch.
+     * without the last two, on the window or at least on so many nodes.
+     * Empirical: nearer to the edges the fit takes what belongs to them.
      */
-    const std::size_t  first_smooth = 3, last_smooth = 2, least_smooth = 14;
-    const unsigned int smooth_degree = 5, least_degree = 3;
-    const double       smooth_share = 0.6;
+    const std::size_t first_smooth = 3, last_smooth = 2, least_smooth = 14;
+
+    /**
+     * It is a polynomial of the lowest degree between these that leaves at most
+     * so many times what the highest leaves, which has at most this share of
+     * the nodes. Layers as thin as half a patch need the highest; where
+     * displacements are rough and not smooth, as on meshes that do not match,
+     * high degrees would follow that. The lowest is what EdgePressure is free
+     * to take by itself.
+     */
+    const unsigned int least_degree = 2, most_degree = 5;
+    const double       smooth_gain = 3., smooth_share = 0.6;
 
     /**
      * Share of the first element next to the edges of the patch where the
@@ -46,6 +52,21 @@ namespace RollingContact
      * Nodes next to the edge that corrections are for.
      */
     const std::size_t n_disturbed = 4;
+
+
+
+    /**
+     * Where the element size changes, corrections are needed far from the edge,
+     * and a polynomial would take them for a smooth displacement.
+     */
+    bool
+    has_equal_spacing(const std::vector<double> &x)
+    {
+      for (std::size_t k = 2; k < x.size(); ++k)
+        if (std::abs(x[k] - 2 * x[k - 1] + x[k - 2]) > 1e-6 * (x[1] - x[0]))
+          return false;
+      return true;
+    }
   } // namespace
 
 
@@ -182,16 +203,29 @@ namespace RollingContact
   EdgePressure::without_smooth_part(std::vector<double> displacement) const
   {
     const std::size_t n = run.nodes.size();
-    if (run.cut || n < least_degree + first_smooth + last_smooth)
+    if (run.cut || !has_equal_spacing(x) ||
+        n <= least_degree + first_smooth + last_smooth)
       return displacement;
     const std::size_t end =
       std::min(n - last_smooth, std::max(window(), least_smooth));
-    const unsigned int degree =
-      std::min<double>(smooth_degree, smooth_share * (end - first_smooth));
-    if (degree < least_degree)
+    const unsigned int most =
+      std::min<double>(most_degree, smooth_share * (end - first_smooth));
+    if (most <= least_degree)
       return displacement;
-    return without_polynomial(
-      x, std::move(displacement), first_smooth, end, degree);
+    const auto rest = [&](const unsigned int degree) {
+      return without_polynomial(x, displacement, first_smooth, end, degree);
+    };
+    const auto size = [&](const std::vector<double> &values) {
+      double sum = 0.;
+      for (std::size_t k = first_smooth; k < end; ++k)
+        sum += values[k] * values[k];
+      return std::sqrt(sum);
+    };
+    const double smallest = size(rest(most));
+    unsigned int degree   = least_degree;
+    while (degree < most && size(rest(degree)) > smooth_gain * smallest)
+      ++degree;
+    return rest(degree);
   }
 
 
@@ -228,6 +262,8 @@ namespace RollingContact
     const std::vector<double> p = on_run(pressure);
     std::vector<double>       field(n, 0.);
     if (!operators.coupling().exists || n < 10 || run.cut || direction > 0)
+      return field;
+    if (operators.coupling().dundurs_beta == 0. && !has_equal_spacing(x))
       return field;
     const std::vector<double> x_reversed(x.rbegin(), x.rend()),
       p_reversed(p.rbegin(), p.rend());

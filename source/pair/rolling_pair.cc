@@ -216,9 +216,10 @@ namespace RollingContact
   RollingPair<dim>::contact_problem(const ContactParameters &contact,
                                     DenseMatrix              W) const
   {
-    const bool     friction = components.size() > 1;
-    const auto    &at       = trace().nodes;
-    ContactProblem problem;
+    const bool          friction  = components.size() > 1;
+    const auto         &at        = trace().nodes;
+    const PairConstants constants = pair_constants(scene);
+    ContactProblem      problem;
     problem.operators =
       ContactOperators(at,
                        contact_matrix(trace(),
@@ -231,7 +232,8 @@ namespace RollingContact
                                                contact.flow())
                                 : SlipOperator(contact.slip_operator),
                        {!body_pair.twins() && friction,
-                        pair_constants(scene).dundurs_beta});
+                        constants.dundurs_beta,
+                        1 / (1 - constants.elasticity.poisson_ratio)});
     const auto wheel = scene.wheel.body_shape(), rail = scene.rail.body_shape();
     const Roughness roughness(contact.roughness);
     const auto      height =

@@ -1,5 +1,6 @@
 #include <pthread.h>
 #include <signal.h>
+#include <ucontext.h>
 #include <unistd.h>
 
 #include <rolling_contact/base/exceptions.h>
@@ -122,6 +123,35 @@ namespace RollingContact
                       " s at the latest (again to stop at once).");
         }
     }
+
+
+
+    /**
+     * A thread that a library started before the signals were blocked hands
+     * them on: it blocks them from now on, and only the thread that follows
+     * them is left to take the next one.
+     */
+    void
+    hand_on(const int signal, siginfo_t *, void *context)
+    {
+      sigset_t &mask = static_cast<ucontext_t *>(context)->uc_sigmask;
+      sigaddset(&mask, SIGINT);
+      sigaddset(&mask, SIGTERM);
+      kill(getpid(), signal);
+    }
+
+
+
+    void
+    hand_on_from_other_threads()
+    {
+      struct sigaction action = {};
+      action.sa_sigaction     = &hand_on;
+      action.sa_flags         = SA_SIGINFO | SA_RESTART;
+      sigfillset(&action.sa_mask);
+      for (const int signal : {SIGINT, SIGTERM})
+        sigaction(signal, &action, nullptr);
+    }
   } // namespace
 
 
@@ -144,6 +174,7 @@ namespace RollingContact
         if (followed_by != getpid())
           std::thread(&follow, signals, !Ranks::launched()).detach();
         followed_by = getpid();
+        hand_on_from_other_threads();
       }
     catch (const std::system_error &)
       {

@@ -1,9 +1,14 @@
 #include <fmt/format.h>
 #include <time.h>
+#include <unistd.h>
 
 #include <rolling_contact/run/phase_timer.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <sstream>
 
 namespace RollingContact
 {
@@ -42,6 +47,8 @@ namespace RollingContact
   {
     switch (phase)
       {
+        case Phase::start:
+          return "start of the program";
         case Phase::mesh:
           return "mesh and assembly";
         case Phase::condensation:
@@ -87,6 +94,42 @@ namespace RollingContact
     , phases{{Phase::other, 0, 0., 0.}}
     , open_phases{0}
   {}
+
+
+
+  namespace
+  {
+    /**
+     * Seconds since the process began, field 22 of /proc/self/stat (proc(5));
+     * zero where that cannot be read.
+     */
+    double
+    age_of_process()
+    {
+      std::ifstream stat("/proc/self/stat");
+      std::string   text((std::istreambuf_iterator<char>(stat)), {});
+      const auto    name_ends = text.rfind(')');
+      if (name_ends == std::string::npos)
+        return 0.;
+      std::istringstream fields(text.substr(name_ends + 1));
+      std::string        field;
+      for (unsigned int k = 3; k <= 22; ++k)
+        fields >> field;
+      const double ticks = std::strtod(field.c_str(), nullptr);
+      return read_clock(CLOCK_BOOTTIME) - ticks / sysconf(_SC_CLK_TCK);
+    }
+  } // namespace
+
+
+
+  void
+  PhaseTimer::charge_start()
+  {
+    const Instant made = last_change;
+    const double  wall =
+      std::max(0., age_of_process() - (now().wall - made.wall));
+    phases.push_back({Phase::start, 1, wall, made.cpu});
+  }
 
 
 

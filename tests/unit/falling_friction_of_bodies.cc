@@ -213,6 +213,7 @@ BOOST_AUTO_TEST_CASE(resumed_steps_are_the_same)
       whole.march(5);
       Checkpoint checkpoint;
       whole.stepper->save(checkpoint);
+      checkpoint.progress.step      = whole.n_steps;
       checkpoint.progress.time      = whole.time;
       checkpoint.progress.time_step = whole.scene.time.time_step;
       BOOST_TEST(checkpoint.friction.size() == checkpoint.pressure.size());

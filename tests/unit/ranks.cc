@@ -177,14 +177,14 @@ BOOST_AUTO_TEST_CASE(a_contact_state_arrives_whole)
 {
   ContactState sent; // what other ranks hold is replaced, not kept
   sent.pressure       = {7., 7., 7.};
-  sent.edges          = {{}, {}};
+  sent.scheme         = {{{}, {}}, {1}};
   sent.edge_law       = true;
   sent.holds_friction = Ranks::rank() != last();
   if (Ranks::rank() == last())
     sent = {{1., 0., 3.},
             NodalField(1, std::vector<double>{-0.5, 0.5}),
             2e-4,
-            {{17, 1.5, 0.25, {{0.125, -2.}}}},
+            {{{17, 1.5, 0.25, {{0.125, -2.}}}}, {2, 5}},
             false,
             {0.3, 0.2},
             false};
@@ -193,11 +193,12 @@ BOOST_AUTO_TEST_CASE(a_contact_state_arrives_whole)
   BOOST_TEST((sent.traction.values() == std::vector<double>{-0.5, 0.5}));
   BOOST_TEST(sent.traction.n_components() == 2u);
   BOOST_TEST(sent.approach == 2e-4);
-  BOOST_REQUIRE_EQUAL(sent.edges.size(), 1u);
-  BOOST_TEST(sent.edges[0].first == 17u);
-  BOOST_TEST(sent.edges[0].a == 1.5);
-  BOOST_TEST(sent.edges[0].b == 0.25);
-  BOOST_TEST((sent.edges[0].c == std::array<double, 2>{{0.125, -2.}}));
+  BOOST_TEST((sent.scheme.sliding == std::vector<unsigned int>{2, 5}));
+  BOOST_REQUIRE_EQUAL(sent.scheme.edges.size(), 1u);
+  BOOST_TEST(sent.scheme.edges[0].first == 17u);
+  BOOST_TEST(sent.scheme.edges[0].a == 1.5);
+  BOOST_TEST(sent.scheme.edges[0].b == 0.25);
+  BOOST_TEST((sent.scheme.edges[0].c == std::array<double, 2>{{0.125, -2.}}));
   BOOST_TEST(!sent.edge_law);
   BOOST_TEST((sent.friction == std::vector<double>{0.3, 0.2}));
   BOOST_TEST(!sent.holds_friction);

@@ -34,6 +34,10 @@ namespace RollingContact
   {
     bool   exists       = true; ///< false if W_nt = 0 exactly
     double dundurs_beta = 0.;   ///< of the materials, for the edge law
+
+    /// 1 / (1 - nu): what a line of traction along itself moves a half-space,
+    /// over what it moves it as a line of pressure.
+    double antiplane_share = 1.;
   };
 
   /**

@@ -12,6 +12,7 @@ namespace RollingContact
    */
   enum class Phase
   {
+    start,
     mesh,
     condensation,
     mass,
@@ -30,7 +31,8 @@ namespace RollingContact
 
   /**
    * Wall and CPU seconds per phase, from the construction of the timer
-   * on. At any instant exactly one phase is charged, the innermost open one or
+   * on, and of the start of the process if charge_start() is called. At any
+   * instant exactly one phase is charged, the innermost open one or
    * Phase::other, so the rows sum to the run. The CPU time is that of the
    * process: threads count. Scopes opened in another thread than the one that
    * made the timer count nothing; their time stays with the phase open in that
@@ -63,6 +65,13 @@ namespace RollingContact
     };
 
     PhaseTimer();
+
+    /**
+     * Charge what the process took before the timer was made, most of it for
+     * loading its libraries, to Phase::start. Wall time to 10 ms.
+     */
+    void
+    charge_start();
 
     /** The phases in the order of first use, then Phase::other; open ones count
      * up to now. */
