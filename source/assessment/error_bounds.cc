@@ -112,7 +112,7 @@ namespace RollingContact
     /**
      * What a wave adds, over change_of_curvature().
      */
-    const double of_waves = 0.02;
+    const double of_waves_in_2d = 0.02, of_waves_in_3d = 0.04;
 
     /**
      * What the growth of the mesh adds, over Mesh/Growth, and the residual of
@@ -142,7 +142,7 @@ namespace RollingContact
       if (plane)
         return {found.thickness < thin || found.refined ? 5. : 1.3, 2.};
       return found.spin
-               ? Bound{0.9, 1.5}
+               ? Bound{0.5, 1.5}
                : Bound{found.thickness < thin || found.refined ? 2.6 : 1.3, 2.};
     }
 
@@ -173,7 +173,8 @@ namespace RollingContact
       return bounds;
 
     const Bound  bound = force_bound(dim, found);
-    const double added = of_waves * (found.waves > 0.1 ? found.waves : 0.) +
+    const double added = (dim == 2 ? of_waves_in_2d : of_waves_in_3d) *
+                           (found.waves > 0.1 ? found.waves : 0.) +
                          of_growth * scene.mesh.growth +
                          of_residual * steady.solver.residual.tangential;
     bounds.force =
@@ -185,8 +186,8 @@ namespace RollingContact
                   "the growth of the mesh and the residual";
     if (dim == 3)
       bounds.moment = bounds.force;
-    bounds.max_pressure = Bound{3., 2.}.at(found.n) +
-                          (found.waves > 0.1 ? 0.2 * found.waves : 0.) +
+    bounds.max_pressure = Bound{2., 2.}.at(found.n) +
+                          (found.waves > 0.1 ? 0.3 * found.waves : 0.) +
                           of_growth * scene.mesh.growth +
                           of_residual * steady.solver.residual.normal;
     return bounds;

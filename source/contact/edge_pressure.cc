@@ -200,7 +200,8 @@ namespace RollingContact
 
 
   std::vector<double>
-  EdgePressure::without_smooth_part(std::vector<double> displacement) const
+  EdgePressure::without_smooth_part(std::vector<double> displacement,
+                                    const unsigned int  lowest) const
   {
     const std::size_t n = run.nodes.size();
     if (run.cut || !has_equal_spacing(x) ||
@@ -222,7 +223,7 @@ namespace RollingContact
       return std::sqrt(sum);
     };
     const double smallest = size(rest(most));
-    unsigned int degree   = least_degree;
+    unsigned int degree   = std::min(lowest, most);
     while (degree < most && size(rest(degree)) > smooth_gain * smallest)
       ++degree;
     return rest(degree);
@@ -236,7 +237,7 @@ namespace RollingContact
   {
     const std::vector<double> p     = on_run(pressure);
     std::vector<double>       field = p;
-    smooth(without_smooth_part(on_run(surplus)), p, field);
+    smooth(without_smooth_part(on_run(surplus), least_degree), p, field);
     return field;
   }
 
@@ -283,7 +284,12 @@ namespace RollingContact
       operators.tangential_displacement_of_pressure(pressure);
     for (std::size_t i = 0; i < displacement.size(); ++i)
       displacement[i] += of_pressure(0, i);
-    smooth(without_smooth_part(on_run(displacement)), p, field);
+    // the logarithm of unlike materials leaves a displacement of many powers
+    const bool alike = operators.coupling().dundurs_beta == 0.;
+    smooth(without_smooth_part(on_run(displacement),
+                               alike ? least_degree : most_degree),
+           p,
+           field);
     return field;
   }
 } // namespace RollingContact

@@ -118,10 +118,12 @@ namespace RollingContact
 
     /**
      * A displacement of the run without the smooth part that bodies of finite
-     * size add to it.
+     * size add to it, a polynomial of at least the degree @p lowest if there
+     * are nodes enough.
      */
     std::vector<double>
-    without_smooth_part(std::vector<double> displacement) const;
+    without_smooth_part(std::vector<double> displacement,
+                        const unsigned int  lowest) const;
 
     /**
      * Correct @p field, whose displacement with all else that moves the surface
