@@ -105,6 +105,11 @@ namespace RollingContact
     const double thinnest = 1., roughest = 3.;
 
     /**
+     * Waves that the edge law leaves to upwind 2, see slip_rows().
+     */
+    const double unresolved = 0.5;
+
+    /**
      * Bodies thinner than so many half-widths count as thin.
      */
     const double thin = 3.;
@@ -112,7 +117,7 @@ namespace RollingContact
     /**
      * What a wave adds, over change_of_curvature().
      */
-    const double of_waves_in_2d = 0.02, of_waves_in_3d = 0.04;
+    const double of_waves = 0.05;
 
     /**
      * What the growth of the mesh adds, over Mesh/Growth, and the residual of
@@ -121,7 +126,8 @@ namespace RollingContact
     const double of_growth = 2e-3, of_residual = 2.;
 
     /**
-     * Factor of the bound where the edges of the patch did not settle.
+     * Factor of the bound where the one edge of a plane patch did not settle;
+     * in 3D it is a few of many.
      */
     const double of_unsettled = 2.;
 
@@ -135,7 +141,7 @@ namespace RollingContact
         return {plane ? 0.65 : 1.1, 1.};
       if (found.kind == SlipOperatorKind::galerkin)
         return {plane ? 1.6 : 0.8, 1.};
-      if (found.kind == SlipOperatorKind::upwind_2)
+      if (found.kind == SlipOperatorKind::upwind_2 || found.waves > unresolved)
         return {plane ? 0.4 : 0.65, 1.};
       if (!edge_law_holds(found))
         return {(plane ? 0.5 : 0.65) + 2 * found.beta, 1.};
@@ -173,23 +179,24 @@ namespace RollingContact
       return bounds;
 
     const Bound  bound = force_bound(dim, found);
-    const double added = (dim == 2 ? of_waves_in_2d : of_waves_in_3d) *
-                           (found.waves > 0.1 ? found.waves : 0.) +
+    const double added = of_waves * (found.waves > 0.1 ? found.waves : 0.) +
                          of_growth * scene.mesh.growth +
                          of_residual * steady.solver.residual.tangential;
     bounds.force =
       std::min(1.,
-               (found.edges_settled ? 1. : of_unsettled) * bound.at(found.n) +
+               (dim == 3 || found.edges_settled ? 1. : of_unsettled) *
+                   bound.at(found.n) +
                  added);
     bounds.text = in_words(bound, found.n) + ", and " + scientific(added, 1) +
                   " for " + (found.waves > 0.1 ? "waves, " : "") +
                   "the growth of the mesh and the residual";
     if (dim == 3)
       bounds.moment = bounds.force;
-    bounds.max_pressure = Bound{2., 2.}.at(found.n) +
-                          (found.waves > 0.1 ? 0.3 * found.waves : 0.) +
-                          of_growth * scene.mesh.growth +
-                          of_residual * steady.solver.residual.normal;
+    bounds.max_pressure =
+      Bound{2., 2.}.at(found.n) + (found.waves > 0.1 ? 0.3 * found.waves : 0.) +
+      4 * found.beta * scene.contact.friction_coefficient / found.n +
+      of_growth * scene.mesh.growth +
+      of_residual * steady.solver.residual.normal;
     return bounds;
   }
 

@@ -26,7 +26,7 @@ namespace RollingContact
      * exact than upwind 2. Measured on waves of 3 to 12 elements and on meshes
      * that do not match.
      */
-    const double largest_change = 0.75, largest_irregularity = 0.06;
+    const double largest_change = 0.5, largest_irregularity = 0.06;
 
 
 

@@ -61,7 +61,7 @@ namespace RollingContact
      * Change of the coefficients of the extrapolations at which they are
      * settled: changes the force by less than discretisation by far.
      */
-    const double settled = 1e-5;
+    const double settled = 1e-9;
 
     /**
      * Passes of a normal and a tangential solve: so many without acceleration,
