@@ -183,7 +183,7 @@ namespace RollingContact
       const SceneParameters &scene = input.scene;
       PhaseTimer             timer;
       timer.charge_start();
-      RunFolder              folder(command_line.output_folder.empty()
+      RunFolder folder(command_line.output_folder.empty()
                          ? RunFolder::default_path(command_line.prm_file)
                          : std::filesystem::path(command_line.output_folder),
                        input.original,

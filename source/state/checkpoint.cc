@@ -57,7 +57,7 @@ namespace boost
       archive &p.step &p.time &p.rolled_distance &p.time_step;
       archive &c.bodies.wheel &c.bodies.rail;
       archive &c.pressure &c.traction &c.approach &c.scheme &c.friction;
-      archive                                              &c.last_step;
+      archive                                               &c.last_step;
       archive &p.supplied_energy &p.friction_energy &p.damping_energy;
       archive &p.numerical_energy &p.energy_error &p.n_impacts;
       archive &c.history.n_rows &c.history.n_bytes;

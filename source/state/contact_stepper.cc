@@ -180,8 +180,8 @@ namespace RollingContact
       outcome.several = several;
     const TangentialProblem friction =
       tangential_problem(problem, contact.state);
-    outcome.friction += std::abs(outcome.speed) * h *
-                        dissipation(friction, contact.state);
+    outcome.friction +=
+      std::abs(outcome.speed) * h * dissipation(friction, contact.state);
     const auto states = node_states(friction, contact.state);
     outcome.n_sticking =
       std::count(states.begin(), states.end(), NodeState::stick);

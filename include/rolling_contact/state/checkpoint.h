@@ -66,12 +66,12 @@ namespace RollingContact
 
     TransientProgress progress;
 
-    PerSide<BodyMotion>            bodies; ///< each of twins has its own motion
-    std::vector<double>            pressure, traction;
-    double                         approach = 0.; ///< m
-    SlipScheme                     scheme;        ///< see edge_law.h
-    std::vector<double>            friction; ///< mu of the nodes, if it falls
-    LastStep                       last_step;
+    PerSide<BodyMotion> bodies; ///< each of twins has its own motion
+    std::vector<double> pressure, traction;
+    double              approach = 0.; ///< m
+    SlipScheme          scheme;        ///< see edge_law.h
+    std::vector<double> friction;      ///< mu of the nodes, if it falls
+    LastStep            last_step;
 
     HistoryTable::Position history;
     std::vector<PvdBlock>  body_fields;      ///< of bodies.pvd so far
