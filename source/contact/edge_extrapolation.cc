@@ -195,6 +195,18 @@ namespace RollingContact
 
 
   SlipScheme
+  without_new_edges(const SlipScheme &now, const SlipScheme &next)
+  {
+    SlipScheme result{{}, next.sliding};
+    for (const EdgeExtrapolation &edge : next.edges)
+      if (find_edge(now.edges, edge.first))
+        result.edges.push_back(edge);
+    return result;
+  }
+
+
+
+  SlipScheme
   moved(const SlipScheme &now, const SlipScheme &next, const double part)
   {
     SlipScheme result = next;

@@ -54,14 +54,14 @@ namespace RollingContact
      * less than 1 and settles them, and let nodes no more be added to those
      * that slide. Empirical; calls for more than a few rounds are rare.
      */
-    const unsigned int full_rounds = 2, max_rounds = 16;
+    const unsigned int full_rounds = 2, last_growth = 8, max_rounds = 24;
     const double       part_of_step = 0.7;
 
     /**
      * Change of the coefficients of the extrapolations at which they are
      * settled: changes the force by less than discretisation by far.
      */
-    const double settled = 1e-9;
+    const double settled = 1e-6;
 
     /**
      * Passes of a normal and a tangential solve: so many without acceleration,
@@ -94,6 +94,9 @@ namespace RollingContact
       {
         if (round >= full_rounds)
           asked = without_new_sliding(state.scheme, asked);
+        // an edge that comes and goes does not come back
+        if (round >= last_growth)
+          asked = without_new_edges(state.scheme, asked);
         if (difference(asked, state.scheme) <= settled)
           return report;
         const ContactState solved = state;

@@ -109,6 +109,12 @@ namespace RollingContact
   without_new_sliding(const SlipScheme &now, const SlipScheme &next);
 
   /**
+   * The scheme @p next with no extrapolations at edges where @p now has none.
+   */
+  SlipScheme
+  without_new_edges(const SlipScheme &now, const SlipScheme &next);
+
+  /**
    * The scheme @p next, where @p now has an edge as well @p part of the way
    * from those of @p now.
    */
