@@ -51,14 +51,13 @@ namespace RollingContact
       const ContactProblem &problem = steady.problem;
       const double          a       = steady.result.half_width_x;
       Circumstances         found;
-      found.kind     = problem.operators.slip_operator().kind();
-      found.n        = a > 0. ? 2 * a / steady.grading.element_size_x
-                              : steady.grading.elements_across();
-      found.beta     = std::abs(pair_constants(scene).dundurs_beta);
-      found.spin     = problem.loads.creepages.spin != 0.;
-      found.edge_law = steady.state.edge_law;
-      found.edges_settled =
-        steady.solver.solver.find("edges") == std::string::npos;
+      found.kind          = problem.operators.slip_operator().kind();
+      found.n             = a > 0. ? 2 * a / steady.grading.element_size_x
+                                   : steady.grading.elements_across();
+      found.beta          = std::abs(pair_constants(scene).dundurs_beta);
+      found.spin          = problem.loads.creepages.spin != 0.;
+      found.edge_law      = steady.state.edge_law;
+      found.edges_settled = steady.solver.edges_settled;
       for (const BodyParameters *body : {&scene.wheel, &scene.rail})
         if (!body->rigid)
           {

@@ -1,3 +1,4 @@
+#include <rolling_contact/contact/edge_examination.h>
 #include <rolling_contact/contact/edge_law.h>
 #include <rolling_contact/contact/edge_pressure.h>
 #include <rolling_contact/linear_algebra/polynomial_fit.h>
@@ -21,16 +22,6 @@ namespace RollingContact
 
 
     /**
-     * Largest change of the gap's curvature from node to node, over its mean,
-     * and largest irregularity of the pressure, with which the edge law is more
-     * exact than upwind 2. Measured on waves of 3 to 12 elements and on meshes
-     * that do not match.
-     */
-    const double largest_change = 0.5, largest_irregularity = 0.06;
-
-
-
-    /**
      * Replaces rows of the slip operators by those of the edge law, one run of
      * touching nodes after the other.
      */
@@ -46,17 +37,11 @@ namespace RollingContact
       apply_to_all_runs();
 
     private:
-      bool
-      is_resolved(const TouchingRun &run) const;
+      void
+      examine_runs();
 
       void
-      leave_out_unresolved_runs();
-
-      bool
-      barely_touches(const TouchingRun &run) const;
-
-      void
-      leave_out_first_nodes();
+      leave_out_first_node(TouchingRun &run);
 
       void
       replace_slip_rows(const TouchingRun &run);
@@ -140,81 +125,52 @@ namespace RollingContact
 
 
 
-    bool
-    EdgeLaw::is_resolved(const TouchingRun &run) const
-    {
-      if (change_of_curvature(run,
-                              places(run, contact.operators),
-                              contact.loads.gap) > largest_change)
-        return false;
-      for (unsigned int c = 0; c < contact.n_tangential(); ++c)
-        {
-          const EdgePressure line(contact, run, c);
-          if (line.irregularity(line.equivalent(pressure, surplus[c]),
-                                pressure) > largest_irregularity)
-            return false;
-        }
-      return true;
-    }
-
-
-
     /**
-     * Runs whose gap or pressure is rough at the scale of an element keep the
-     * rows of upwind 2.
+     * Leave runs that are not resolved to upwind 2, and first nodes that barely
+     * touch out of theirs.
      */
     void
-    EdgeLaw::leave_out_unresolved_runs()
+    EdgeLaw::examine_runs()
     {
-      const auto last =
-        std::remove_if(runs.begin(), runs.end(), [&](const TouchingRun &run) {
-          return run.leading && !is_resolved(run);
-        });
-      rows.n_unresolved = runs.end() - last;
-      runs.erase(last, runs.end());
-    }
-
-
-
-    /**
-     * True if the tangentially equivalent pressure pulls at the first node, in
-     * any direction.
-     */
-    bool
-    EdgeLaw::barely_touches(const TouchingRun &run) const
-    {
-      for (unsigned int c = 0; c < contact.n_tangential(); ++c)
-        if (EdgePressure(contact, run, c).equivalent(pressure, surplus[c])[0] <=
-            0.)
-          return true;
-      return false;
-    }
-
-
-
-    /**
-     * Let the second node be the first of a run where that barely touches.
-     */
-    void
-    EdgeLaw::leave_out_first_nodes()
-    {
-      const unsigned int least = 6; // nodes that a window of EdgePressure needs
+      const std::size_t least = 6; // nodes that a window of EdgePressure needs
+      std::vector<TouchingRun> resolved;
       for (TouchingRun &run : runs)
-        if (run.leading && run.nodes.size() >= least && barely_touches(run))
-          {
-            const unsigned int first = run.nodes[0];
-            if (find_edge(scheme.edges, run.nodes[1]))
-              {
-                rows.released.push_back(first);
-                frictional[first] = 0.;
-              }
-            else
-              follow_next_node(run);
-            inside[first] = false;
-            run.nodes.erase(run.nodes.begin());
-          }
+        {
+          const EdgeExamination found =
+            run.leading ? examine_edge(contact, run, pressure, surplus)
+                        : EdgeExamination();
+          if (!found.resolved)
+            {
+              ++rows.n_unresolved;
+              continue;
+            }
+          if (found.barely_touches && run.nodes.size() >= least)
+            leave_out_first_node(run);
+          resolved.push_back(std::move(run));
+        }
+      runs = std::move(resolved);
       if (!rows.released.empty())
         find_surplus();
+    }
+
+
+
+    /**
+     * Let the second node be the first of a run.
+     */
+    void
+    EdgeLaw::leave_out_first_node(TouchingRun &run)
+    {
+      const unsigned int first = run.nodes[0];
+      if (find_edge(scheme.edges, run.nodes[1]))
+        {
+          rows.released.push_back(first);
+          frictional[first] = 0.;
+        }
+      else
+        follow_next_node(run);
+      inside[first] = false;
+      run.nodes.erase(run.nodes.begin());
     }
 
 
@@ -222,8 +178,7 @@ namespace RollingContact
     void
     EdgeLaw::apply_to_all_runs()
     {
-      leave_out_unresolved_runs();
-      leave_out_first_nodes();
+      examine_runs();
       for (const TouchingRun &run : runs)
         {
           replace_slip_rows(run);

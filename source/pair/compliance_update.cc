@@ -119,6 +119,7 @@ namespace RollingContact
         report.corrections   = correction + 1;
         report.solver        = next.solver;
         report.used_fallback = next.used_fallback;
+        report.edges_settled = next.edges_settled;
         report.converged     = next.converged;
         report.reason        = next.reason;
         report.residual      = next.residual;

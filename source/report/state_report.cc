@@ -224,8 +224,7 @@ namespace RollingContact
   {
     ++n_states;
     const bool stood_in =
-      steady.solver.used_fallback ||
-      steady.solver.solver.find("edges") != std::string::npos;
+      steady.solver.used_fallback || !steady.solver.edges_settled;
     if (stood_in && steady.solver.converged &&
         std::find(ways.begin(), ways.end(), steady.solver.solver) == ways.end())
       ways.push_back(steady.solver.solver);

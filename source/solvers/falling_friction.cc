@@ -27,6 +27,7 @@ namespace RollingContact
     {
       report.solver        = fixed_mu.solver;
       report.used_fallback = fixed_mu.used_fallback;
+      report.edges_settled = fixed_mu.edges_settled;
       report.add_work(fixed_mu);
       ++report.friction_rounds;
       report.residual = fixed_mu.residual;

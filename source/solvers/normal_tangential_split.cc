@@ -112,10 +112,14 @@ namespace RollingContact
         state = solved;
         alternate(problem, state, report);
         report.solver += ", edges of an earlier round";
+        report.edges_settled = false;
         return report;
       }
     if (report.converged)
-      report.solver += ", edges unsettled";
+      {
+        report.solver += ", edges unsettled";
+        report.edges_settled = false;
+      }
     return report;
   }
 

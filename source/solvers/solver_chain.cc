@@ -63,6 +63,7 @@ namespace RollingContact
     report.reason.clear();
     report.solver += ", fallback " + next.solver;
     report.used_fallback = true;
+    report.edges_settled = next.edges_settled;
     if (!from.edge_law)
       report.solver += " without edge law";
     state = from;

@@ -143,6 +143,7 @@ BOOST_AUTO_TEST_CASE(a_solver_report_arrives_whole)
   if (Ranks::rank() == last())
     sent = {"fall-back",
             true,
+            false,
             true,
             "none",
             1,
@@ -156,6 +157,7 @@ BOOST_AUTO_TEST_CASE(a_solver_report_arrives_whole)
   Ranks::broadcast(sent, last());
   BOOST_TEST(sent.solver == "fall-back");
   BOOST_TEST(sent.used_fallback);
+  BOOST_TEST(!sent.edges_settled);
   BOOST_TEST(sent.converged);
   BOOST_TEST(sent.reason == "none");
   BOOST_TEST(sent.iterations == 1u);

@@ -16,6 +16,7 @@ namespace RollingContact
   {
     std::string  solver; ///< name, and fall-backs if any were used
     bool         used_fallback = false;
+    bool         edges_settled = true; ///< the rounds of the edge law
     bool         converged     = false;
     std::string  reason;                ///< of a failure
     unsigned int iterations        = 0; ///< all of them, of all stages
@@ -49,6 +50,7 @@ namespace RollingContact
     {
       auto &[solver,
              used_fallback,
+             edges_settled,
              converged,
              reason,
              iterations,
@@ -59,9 +61,9 @@ namespace RollingContact
              friction_rounds,
              residual,
              history] = *this;
-      archive &solver &used_fallback &converged &reason &iterations
-        &normal_solves &tangential_solves &passes &corrections &friction_rounds
-          &residual &history;
+      archive &solver &used_fallback &edges_settled &converged &reason
+        &iterations &normal_solves &tangential_solves &passes &corrections
+          &friction_rounds &residual &history;
     }
   };
 
