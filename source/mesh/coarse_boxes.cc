@@ -78,13 +78,17 @@ namespace RollingContact
       // in 2D they take few unknowns, and long ones cost more than they save
       if (dim == 2)
         return cells;
-      cells.allowed = [direction, scale, grading](const double position) {
+      // the model of a distributed body, coarser far away, keeps its coarse
+      // cells
+      Grading<dim> near = grading;
+      near.far_distance = Grading<dim>::infinity;
+      cells.allowed     = [direction, scale, near](const double position) {
         Point<dim> point;
-        point[0]               = grading.centre_x();
+        point[0]               = near.centre_x();
         point[direction.index] = position;
         const double grown =
-          grading.allowed_size(point, point) - grading.element_size_x;
-        return scale * (grading.element_size_x + direction.growth * grown);
+          near.allowed_size(point, point) - near.element_size_x;
+        return scale * (near.element_size_x + direction.growth * grown);
       };
       return cells;
     }
