@@ -23,7 +23,7 @@ namespace RollingContact
     /// unknowns
     const double growth_along = 0.7, growth_across = 0.5, growth_in_depth = 0.3;
 
-    const int n_halvings_tried = 7; ///< in 3D
+    const int n_halvings_tried = 7;
 
 
 
@@ -59,13 +59,14 @@ namespace RollingContact
 
 
     /**
-     * Coarse cells of this @p size in the direction's core, which grow away
-     * from it.
+     * Coarse cells of this @p size in the direction's core, and elsewhere
+     * unless they grow away from it.
      */
     template <int dim>
     CoarseCells
     cells_along(const Direction    &direction,
                 const double        size,
+                const bool          grows,
                 const Grading<dim> &grading)
     {
       const double scale = direction.element_size / grading.element_size_x;
@@ -75,8 +76,7 @@ namespace RollingContact
       cells.half_core =
         std::max(core_over_zone * direction.zone,
                  direction.zone + core_margin * direction.element_size);
-      // in 2D they take few unknowns, and long ones cost more than they save
-      if (dim == 2)
+      if (!grows)
         return cells;
       // the model of a distributed body, coarser far away, keeps its coarse
       // cells
@@ -96,13 +96,15 @@ namespace RollingContact
 
 
     /**
-     * With cells of this @p size under the contact, which grow away from it.
+     * With cells of this @p size under the contact, and elsewhere unless they
+     * grow away from it.
      */
     template <int dim>
     CoarseBoxes<dim>
     coarse_boxes(const std::shared_ptr<const BodyShape> &shape,
                  const Grading<dim>                     &grading,
-                 const double                            size)
+                 const double                            size,
+                 const bool                              grows)
     {
       const double depth = shape->thickness_below(), width = shape->reach_y(),
                    element = grading.element_size_x;
@@ -114,6 +116,7 @@ namespace RollingContact
                                               shape->largest_coarse_size(),
                                               growth_along},
                                              size,
+                                             grows,
                                              grading);
       along_x.origin      = grading.offset * element;
       const std::shared_ptr<const SurfaceChart> chart = shape->chart(along_x);
@@ -129,6 +132,7 @@ namespace RollingContact
                                          largest_coarse_width * width,
                                          growth_across},
                                         size,
+                                        grows,
                                         grading));
       std::vector<double> &in_depth = boxes.breaks[dim - 1];
       in_depth                      = growing_parts(
@@ -137,6 +141,7 @@ namespace RollingContact
         cells_along<dim>(
           {dim - 1, element, 0., largest_coarse_depth * depth, growth_in_depth},
           size,
+          grows,
           grading));
       std::reverse(in_depth.begin(), in_depth.end());
       return boxes;
@@ -155,25 +160,26 @@ namespace RollingContact
       std::max(0.,
                std::floor(std::log2(largest_coarse_size<dim>(*shape, grading) /
                                     grading.element_size_x)));
-    const int        n_tried = dim == 2 ? 0 : n_halvings_tried;
     CoarseBoxes<dim> best;
     double           fewest = std::numeric_limits<double>::infinity();
-    for (int k = most; k >= std::max(0, most - n_tried); --k)
-      {
-        CoarseBoxes<dim> boxes =
-          coarse_boxes<dim>(shape,
-                            grading,
-                            std::ldexp(grading.element_size_x, k));
-        const double n_cells = count_cells<dim>(boxes.breaks,
-                                                *boxes.chart,
-                                                grading,
-                                                std::min(fewest, enough));
-        if (n_cells < fewest)
-          {
-            best   = std::move(boxes);
-            fewest = n_cells;
-          }
-      }
+    const auto       try_it = [&](const int k, const bool grows) {
+      CoarseBoxes<dim> boxes = coarse_boxes<dim>(
+        shape, grading, std::ldexp(grading.element_size_x, k), grows);
+      const double n_cells = count_cells<dim>(boxes.breaks,
+                                              *boxes.chart,
+                                              grading,
+                                              std::min(fewest, enough));
+      if (n_cells < fewest)
+        {
+          best   = std::move(boxes);
+          fewest = n_cells;
+        }
+    };
+    try_it(most, false);
+    // in 2D long cells cost more than they save
+    for (int k = most; dim == 3 && k >= std::max(0, most - n_halvings_tried);
+         --k)
+      try_it(k, true);
     return {std::move(best), fewest};
   }
 
