@@ -13,7 +13,8 @@ import vtu
 
 MU, STEEL, NU, RADIUS, CROWN, WIDTH = 0.3, 210e9, 0.3, 0.46, 0.3, 0.02
 MODULUS, SHEAR = STEEL / 2 / (1 - NU**2), STEEL / 2 / (1 + NU)
-UNITS = {"traction": "Pa", "pressure": "Pa", "traction_size": "Pa", "traction_bound": "Pa",
+UNITS = {"traction": "Pa", "pressure": "Pa", "traction_size": "Pa", "traction_bound": "Pa", "recovered_traction": "Pa",
+         "recovered_pressure": "Pa",
          "slip": None, "gap": "m", "area": "m^2", "state": None,
          "friction_coefficient": None, "sliding_speed": "m/s"}
 OPEN, STICK = 0, 2
@@ -145,6 +146,14 @@ def check_fields(path, row):
     bound = field["traction_bound"]
     check(f"{path}: bound", all(b <= MU * (1 + 1e-6) * s for b, s in zip(bound, p)))
     near(f"{path}: sum of bounds", total(bound), MU * load, 0.05)
+    recovered_p, recovered_q = field["recovered_pressure"], field["recovered_traction"]
+    near(f"{path}: recovered peak", max(recovered_p), max(p), 0.02)
+    check(f"{path}: recovered pressure where none is",
+          all(r == 0 for r, s in zip(recovered_p, state) if s == OPEN))
+    check(f"{path}: friction of recovered tractions",
+          all(math.hypot(*t) <= MU * (1 + 1e-5) * r + 1 for t, r in zip(recovered_q, recovered_p)))
+    near(f"{path}: recovered force x", total(t[0] for t in recovered_q), row["force_x_N"], 0, 0.04 * load)
+    near(f"{path}: recovered force y", total(t[1] for t in recovered_q), row["force_y_N"], 0, 0.04 * load)
     open_gaps = [g for g, s in zip(field["gap"], state) if s == OPEN]
     check(f"{path}: open gaps", not open_gaps or 0 < min(open_gaps) and max(open_gaps) < 1e-3)
     touching = [s != OPEN for s in state]
