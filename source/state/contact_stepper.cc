@@ -97,10 +97,10 @@ namespace RollingContact
   void
   ContactStepper<dim>::solve(const double speed)
   {
-    PhaseTimer::Scope phase(context.timer, Phase::contact_solve);
-    ContactLoads     &loads = contact.problem.loads;
-    SlipWithinStep    answered(slip, theta(), speed, loads);
-    unsigned int      n_iterations = 0;
+    PhaseTimer::Scope    phase(context.timer, Phase::contact_solve);
+    ContactLoads        &loads = contact.problem.loads;
+    const SlipWithinStep answered(slip, theta(), speed, loads);
+    unsigned int         n_iterations = 0;
     do
       {
         contact.solver = solve_updating_compliance(
@@ -114,7 +114,7 @@ namespace RollingContact
           contact.state);
         n_iterations += contact.solver.iterations;
     } while (contact.solver.converged &&
-             answered.change(contact.problem, contact.state, loads));
+             answered.bring_to_rest(contact.problem, contact.state, loads));
     contact.solver.iterations = n_iterations;
   }
 
@@ -206,8 +206,8 @@ namespace RollingContact
     const SlipMemory before = std::move(slip);
     slip = slip_memory(contact.problem, contact.state, speed);
     if (scene.time.inertia)
-      return h * power_within_step(
-                   before, slip, theta(), contact.problem, contact.state);
+      return heat_within_step(
+        before, theta(), h, contact.problem, contact.state, slip);
     return h * (smooth ? (before.power + slip.power) / 2 : slip.power);
   }
 

@@ -217,7 +217,8 @@ BOOST_FIXTURE_TEST_CASE(checkpoints_keep_every_bit, ScratchFolder)
   state.past          = {{1. / 7}, std::nextafter(2e-6, 0.)};
   state.slip          = {NodalField(1, std::vector<double>{1. / 9}),
                          NodalField(1, std::vector<double>{-1. / 11}),
-                         1. / 13};
+                         1. / 13,
+                         -1. / 15};
   state.pressure      = {1e300, -1e-300};
   state.traction      = {M_PI};
   state.approach      = std::nextafter(2.2e-4, 0.);
@@ -254,6 +255,7 @@ BOOST_FIXTURE_TEST_CASE(checkpoints_keep_every_bit, ScratchFolder)
   BOOST_TEST((copy.slip.sliding.values() == state.slip.sliding.values()));
   BOOST_TEST((copy.slip.mean.values() == state.slip.mean.values()));
   BOOST_TEST(same_bits(copy.slip.power, state.slip.power));
+  BOOST_TEST(same_bits(copy.slip.debt, state.slip.debt));
   BOOST_TEST(same_bits(copy.last_step.rate, state.last_step.rate));
   BOOST_TEST((copy.last_step.slip_share == state.last_step.slip_share));
   BOOST_TEST((copy.last_step.slip_before.values() ==

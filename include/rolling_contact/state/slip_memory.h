@@ -13,17 +13,18 @@ namespace RollingContact
    */
   struct SlipMemory
   {
-    NodalField sliding;    ///< of the nodes that slide, 0 elsewhere
+    NodalField sliding;    ///< of the nodes, 0 where they stick
     NodalField mean;       ///< TangentialProblem::mean_slip()
     double     power = 0.; ///< of friction
+    double     debt  = 0.; ///< J: heat not yet taken back, see friction_heat()
 
     /** For Boost.Serialization. A member not listed here does not compile. */
     template <typename Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
-      auto &[sliding, mean, power] = *this;
-      archive &sliding &mean &power;
+      auto &[sliding, mean, power, debt] = *this;
+      archive &sliding &mean &power &debt;
     }
   };
 
@@ -42,9 +43,8 @@ namespace RollingContact
    * the step, theta of that at its end and 1 - theta of that before: there the
    * reactions act, so that their power is never positive, and their direction
    * is of second order in the step. At others it is the slip at the end. A node
-   * that slid and now sticks answers the slip at the end as well, and comes to
-   * rest, where at theta = 0.5 it would go on with the velocity reversed;
-   * unless friction would have to push it for that.
+   * that slid and now sticks answers the slip at the end as well: it comes to
+   * rest, where at theta = 0.5 it would go on with the velocity reversed.
    */
   class SlipWithinStep
   {
@@ -59,36 +59,32 @@ namespace RollingContact
                    ContactLoads     &loads);
 
     /**
-     * Change @p loads as a solution asks for; false if it does not. Each node
-     * changes twice at most.
+     * Let the nodes of a solution that come to rest answer the slip at the end.
+     * False if there are no more.
      */
     bool
-    change(const ContactProblem &problem,
-           const ContactState   &state,
-           ContactLoads         &loads);
+    bring_to_rest(const ContactProblem &problem,
+                  const ContactState   &state,
+                  ContactLoads         &loads) const;
 
   private:
-    void
-    answer_end(const unsigned int node, ContactLoads &loads) const;
-
-    void
-    answer_theta(const unsigned int node, ContactLoads &loads) const;
-
-    const SlipMemory         &before;
-    const double              theta, speed;
-    std::vector<unsigned int> n_changes; ///< of each node; empty if none answer
+    const SlipMemory &before;
   };
 
   /**
-   * Power of friction in a step whose reactions act at @p theta of it. Units:
-   * W.
+   * Heat of friction in a step of length @p h whose reactions act at @p theta
+   * of it. The mean reaction of a node that comes to rest within the step may
+   * push it in the mean, and the product of the means is negative then; where
+   * that is so for all nodes together, the heat is zero and the rest, the debt
+   * of @p after, is taken from that of the next steps. Units: s, J.
    */
   double
-  power_within_step(const SlipMemory     &before,
-                    const SlipMemory     &after,
-                    const double          theta,
-                    const ContactProblem &problem,
-                    const ContactState   &state);
+  heat_within_step(const SlipMemory     &before,
+                   const double          theta,
+                   const double          h,
+                   const ContactProblem &problem,
+                   const ContactState   &state,
+                   SlipMemory           &after);
 } // namespace RollingContact
 
 #endif
