@@ -321,7 +321,7 @@ def check_energy(folder, history):
         check(f"{folder}: balance error", abs(row["energy_balance_error"]) < 1e-10)
 
 
-def vibration(folder, smooth=True):
+def vibration(folder, theta, smooth=True):
     """Discs at 10 m/s, the creepage oscillates at 1 kHz."""
     history = rows(os.path.join(folder, "history.csv"))
     near(f"{folder}: steps", len(history), 40, 0)
@@ -330,6 +330,7 @@ def vibration(folder, smooth=True):
         time, where = number * 2e-6, f"{folder}, step {number}"
         near(f"{where}: number", row["step"], number, 0)
         near(f"{where}: time", row["time_s"], time, 1e-8)
+        near(f"{where}: forces act", row["force_time_s"], time - (1 - theta) * 2e-6, 1e-8)
         near(f"{where}: distance", row["rolled_m"], 10 * time, 1e-8)
         near(f"{where}: speed", row["speed_m/s"], 10, 0)
         near(f"{where}: approach", row["approach_m"], 0.22e-3, 1e-8)
@@ -361,20 +362,20 @@ def vibration(folder, smooth=True):
 
 
 def damped(folder):
-    last = vibration(folder)[-1]
+    last = vibration(folder, 0.5)[-1]
     check(f"{folder}: damping", last["damping_J"] > 0)
     near(f"{folder}: no numerical dissipation", last["numerical_J"], 0, 0)
 
 
 def numerical(folder):
-    last = vibration(folder)[-1]
+    last = vibration(folder, 0.7)[-1]
     check(f"{folder}: numerical dissipation", last["numerical_J"] > 0)
     near(f"{folder}: no damping", last["damping_J"], 0, 0)
 
 
 def falling(folder):
     """Friction that falls makes the discs jerk: a ratio, rounds of the law."""
-    last = vibration(folder, smooth=False)[-1]
+    last = vibration(folder, 0.505, smooth=False)[-1]
     check(f"{folder}: ratio", last["several_solutions_ratio"] > 0)
     (row,) = rows(os.path.join(folder, "results.csv"))
     check(f"{folder}: rounds", 1 <= row["friction_rounds"] < 100)
@@ -406,6 +407,7 @@ def rolling_3d(folder):
     history = rows(os.path.join(folder, "history.csv"))
     last, (row,) = history[-1], rows(os.path.join(folder, "results.csv"))
     near(f"{folder}: distance", last["rolled_m"], 8e-3, 1e-8)
+    near(f"{folder}: forces act at the end", last["force_time_s"], last["time_s"], 1e-12)
     check(f"{folder}: creepages", (last["creepage_y"], last["spin_1/m"]) == (0.003, 0.4))
     for name in ("force_y_N", "spin_moment_Nm", "creepage_y", "spin_1/m"):
         near(f"{folder}: {name} at the end", row[name], last[name], 1e-8)
