@@ -117,8 +117,8 @@ namespace RollingContact::Profiles
           if (ends - highest->z < lowest->z - ends)
             refuse_way_up(name,
                           "the ends of this rail's profile stand above its "
-                          "middle; z is downwards here: set Profiles/Mirror z "
-                          "of the rail.");
+                          "middle; z is downwards here: set Profiles/Rail "
+                          "mirror = z.");
           return;
         }
       // the flange is the narrow part: tread and flange differ in their means
@@ -130,13 +130,13 @@ namespace RollingContact::Profiles
       if (lowest->z - mean < mean - highest->z)
         refuse_way_up(name,
                       "the flange of this wheel's profile points upwards; z is "
-                      "downwards here: set Profiles/Mirror z of the wheel.");
+                      "downwards here: set Profiles/Wheel mirror = z.");
       if (lowest->y > middle)
         refuse_way_up(name,
                       "the flange of this wheel's profile is at larger y than "
                       "the tread; y is towards the field side of the "
-                      "right-hand wheel here: set Profiles/Mirror y of the "
-                      "wheel.");
+                      "right-hand wheel here: set Profiles/Wheel mirror = "
+                      "y.");
     }
 
 
