@@ -351,12 +351,15 @@ BOOST_AUTO_TEST_CASE(files_of_three_formats_hold_the_same_points)
 
 BOOST_AUTO_TEST_CASE(profiles_the_wrong_way_round_are_refused_with_the_cure)
 {
-  std::vector<MeasuredPoint> wheel, rail;
-  for (const CurvePoint &point : s1002().points())
-    wheel.push_back({point.y, point.z});
-  for (const CurvePoint &point : rail_60e1().points())
-    rail.push_back({point.y, point.z});
-  const auto refusal = [](std::vector<MeasuredPoint> points,
+  const auto points_of = [](const ProfileCurve &curve) {
+    std::vector<MeasuredPoint> points;
+    for (const CurvePoint &point : curve.points())
+      points.push_back({point.y, point.z});
+    return points;
+  };
+  std::vector<MeasuredPoint> wheel = points_of(s1002()),
+                             rail  = points_of(rail_60e1());
+  const auto refusal               = [](std::vector<MeasuredPoint> points,
                           const ProfileKind          kind,
                           const double               y,
                           const double               z) -> std::string {
