@@ -7,7 +7,7 @@ namespace RollingContact
   namespace
   {
     /** Relative residual of a solve in a time step. */
-    const double step_tolerance = 1e-11;
+    const double step_tolerance = 5e-12;
   } // namespace
 
 

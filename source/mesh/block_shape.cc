@@ -35,10 +35,7 @@ namespace RollingContact
       std::vector<double>
       edges_x() const override
       {
-        return break_points(-block.reach_x(),
-                            block.reach_x(),
-                            cells.origin,
-                            cells.size);
+        return break_points(-block.reach_x(), block.reach_x(), cells);
       }
 
     private:

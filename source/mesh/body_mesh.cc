@@ -6,7 +6,7 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/mesh/body_mesh.h>
-#include <rolling_contact/mesh/cell_count.h>
+#include <rolling_contact/mesh/coarse_boxes.h>
 #include <rolling_contact/mesh/file_body_mesh.h>
 #include <rolling_contact/mesh/mesh_memory.h>
 #include <rolling_contact/parallel/ranks.h>
@@ -23,7 +23,6 @@ namespace RollingContact
   namespace
   {
     const double on_boundary = 1e-6; ///< of the thickness, a vertex may be off
-    const double cell_rounding = 1e-6; ///< of a count of cells
 
     const std::string generated_remedy =
       "take fewer Mesh/Elements across patch, a larger Mesh/Growth or a "
@@ -219,54 +218,6 @@ namespace RollingContact
             cells.execute_coarsening_and_refinement();
         }
     }
-
-
-
-    /**
-     * The largest power-of-two multiple of the element size that resolves the
-     * shape in all directions.
-     */
-    template <int dim>
-    double
-    coarse_size(const BodyShape &shape, const Grading<dim> &grading)
-    {
-      double limit =
-        std::min(shape.largest_coarse_size(), shape.thickness_below());
-      if (dim == 3)
-        limit = std::min(limit,
-                         2 * shape.reach_y() / 3 * grading.element_size_x /
-                           grading.element_size_y);
-      const double doublings =
-        std::floor(std::log2(limit / grading.element_size_x));
-      return std::ldexp(grading.element_size_x, std::max(0, int(doublings)));
-    }
-
-
-
-    /**
-     * Break points of coarse cells of this @p size in depth and across; cells
-     * are never deeper than long, so that x alone decides on the surface nodes.
-     */
-    template <int dim>
-    std::array<std::vector<double>, dim>
-    break_points_below(const BodyShape    &shape,
-                       const Grading<dim> &grading,
-                       const double        size)
-    {
-      const double                         thickness = shape.thickness_below();
-      std::array<std::vector<double>, dim> breaks;
-      breaks[dim - 1] =
-        equal_parts(-thickness,
-                    0.,
-                    std::max(1., std::ceil(thickness / size - cell_rounding)));
-      if (dim == 3)
-        breaks[1] =
-          break_points(-shape.reach_y(),
-                       shape.reach_y(),
-                       0.,
-                       size * grading.element_size_y / grading.element_size_x);
-      return breaks;
-    }
   } // namespace
 
 
@@ -292,34 +243,6 @@ namespace RollingContact
           " times: take fewer Mesh/Elements across patch, a greater load or "
           "approach, or Body solver = direct.");
     }
-
-
-
-    /**
-     * The coarse cells of a body, as boxes of its chart.
-     */
-    template <int dim>
-    struct CoarseBoxes
-    {
-      double                               size;
-      std::unique_ptr<BodyChart<dim>>      chart;
-      std::array<std::vector<double>, dim> breaks;
-    };
-
-
-
-    template <int dim>
-    CoarseBoxes<dim>
-    coarse_boxes(const std::shared_ptr<const BodyShape> &shape,
-                 const Grading<dim>                     &grading)
-    {
-      const double                        size  = coarse_size(*shape, grading);
-      std::shared_ptr<const SurfaceChart> chart = shape->chart(
-        {grading.offset * grading.element_size_x, size, grading.zone_x});
-      auto breaks = break_points_below<dim>(*shape, grading, size);
-      breaks[0]   = chart->edges_x();
-      return {size, std::make_unique<BodyChart<dim>>(shape, chart), breaks};
-    }
   } // namespace
 
 
@@ -329,11 +252,10 @@ namespace RollingContact
   least_cells(const std::shared_ptr<const BodyShape> &shape,
               const Grading<dim>                     &grading)
   {
-    const CoarseBoxes<dim> coarse = coarse_boxes<dim>(shape, grading);
-    return count_cells<dim>(coarse.breaks,
-                            *coarse.chart,
-                            grading,
-                            std::numeric_limits<double>::infinity());
+    return fewest_cells<dim>(shape,
+                             grading,
+                             std::numeric_limits<double>::infinity())
+      .second;
   }
 
 
@@ -346,15 +268,11 @@ namespace RollingContact
   {
     if (shape->mesh())
       return file_body_mesh<dim>(*shape->mesh());
-    CoarseBoxes<dim> coarse = coarse_boxes<dim>(shape, grading);
+    auto [coarse, n_cells] =
+      fewest_cells<dim>(shape, grading, largest_mesh<dim>(kind));
     if (kind == MeshKind::distributed)
       check_levels<dim>(coarse.size, grading.element_size_x);
-    check_mesh_memory<dim>(count_cells<dim>(coarse.breaks,
-                                            *coarse.chart,
-                                            grading,
-                                            largest_mesh<dim>(kind)),
-                           kind,
-                           generated_remedy);
+    check_mesh_memory<dim>(n_cells, kind, generated_remedy);
     BodyMesh<dim> mesh;
     mesh.kind          = kind;
     mesh.chart         = std::move(coarse.chart);

@@ -13,13 +13,12 @@ namespace RollingContact
     constexpr double pi = boost::math::constants::pi<double>();
 
     /// over the radius: the profile leaves its circle at 0.5, and the sector of
-    /// the chart, longer by sector_over_zone, stays off the equator
-    constexpr double usable_rim       = 0.55;
-    constexpr double sector_over_zone = 1.2, largest_sector = 0.97;
+    /// the chart, longer than the zone of contact nodes, stays off the equator
+    constexpr double usable_rim = 0.55, largest_sector = 0.97;
 
     constexpr double largest_coarse_rim = 0.4; ///< cell over radius
 
-    constexpr double least_cells_outside_sector = 4.;
+    constexpr unsigned int least_cells_outside_sector = 4;
 
 
 
@@ -67,35 +66,36 @@ namespace RollingContact
       double
       from_angle(const double angle) const;
 
-      const double radius, lateral_radius, hub_radius, size, half_sector,
+      const CoarseCells cells;
+      const double      radius, lateral_radius, hub_radius, half_sector,
         sector_begin, sector_end, angle_begin, angle_end, circumference;
     };
 
 
 
     /**
-     * Coarse cells on either side of the origin: they cover the zone of contact
-     * nodes and stay off the equator.
+     * Coarse cells on either side of the origin: they cover the core and stay
+     * off the equator.
      */
     double
     cells_in_half_sector(const double radius, const CoarseCells &cells)
     {
-      return std::max(
-        1.,
-        std::min(std::ceil(sector_over_zone * cells.zone_x / cells.size),
-                 std::floor(largest_sector * radius / cells.size)));
+      return std::max(1.,
+                      std::min(std::ceil(cells.half_core / cells.size),
+                               std::floor(largest_sector * radius /
+                                          cells.size)));
     }
 
 
 
     DiscChart::DiscChart(const ShapeParameters &disc, const CoarseCells &cells)
-      : radius(disc.radius)
+      : cells(cells)
+      , radius(disc.radius)
       , lateral_radius(disc.lateral_radius)
       , hub_radius(disc.hub_radius)
-      , size(cells.size)
       , half_sector(cells_in_half_sector(radius, cells))
-      , sector_begin(cells.origin - half_sector * size)
-      , sector_end(cells.origin + half_sector * size)
+      , sector_begin(cells.origin - half_sector * cells.size)
+      , sector_end(cells.origin + half_sector * cells.size)
       , angle_begin(std::asin(sector_begin / radius))
       , angle_end(std::asin(sector_end / radius))
       , circumference(sector_end - sector_begin +
@@ -153,17 +153,46 @@ namespace RollingContact
 
 
 
+    /**
+     * Ends of the coarse cells around a disc of this @p circumference, from the
+     * end of the sector, at @p begin, to its begin, at @p end: growing up to
+     * the middle, or all alike.
+     */
+    std::vector<double>
+    edges_outside_sector(const double       begin,
+                         const double       end,
+                         const double       circumference,
+                         const CoarseCells &cells)
+    {
+      if (!cells.allowed)
+        return equal_parts(begin,
+                           end,
+                           std::max<double>(least_cells_outside_sector,
+                                            std::round((end - begin) /
+                                                       cells.size)));
+      const double        middle = (begin + end) / 2;
+      std::vector<double> edges  = growing_parts(begin, middle, cells),
+                          others = growing_parts(end - circumference,
+                                                 middle - circumference,
+                                                 cells);
+      if (edges.size() + others.size() < least_cells_outside_sector + 2)
+        return equal_parts(begin, end, least_cells_outside_sector);
+      for (std::size_t i = others.size() - 1; i-- > 0;)
+        edges.push_back(others[i] + circumference);
+      return edges;
+    }
+
+
+
     std::vector<double>
     DiscChart::edges_x() const
     {
-      const double        sector = 2 * half_sector * size;
+      const double        sector = 2 * half_sector * cells.size;
       std::vector<double> edges  = equal_parts(0., sector, 2 * half_sector);
       edges.pop_back();
-      const double n_outside =
-        std::max(least_cells_outside_sector,
-                 std::round((circumference - sector) / size));
-      for (const double x : equal_parts(sector, circumference, n_outside))
-        edges.push_back(x);
+      for (const double x : edges_outside_sector(
+             sector_end, sector_begin + circumference, circumference, cells))
+        edges.push_back(x - sector_begin);
       return edges;
     }
   } // namespace

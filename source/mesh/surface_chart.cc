@@ -31,19 +31,67 @@ namespace RollingContact
 
 
 
-  std::vector<double>
-  break_points(const double begin,
-               const double end,
-               const double origin,
-               const double size)
+  double
+  CoarseCells::length_at(const double position) const
   {
-    std::vector<double> points{begin};
-    const int           first = std::ceil((begin - origin) / size);
-    for (int k = first; origin + k * size < end; ++k)
-      if (origin + k * size > begin + size / 2 &&
-          origin + k * size < end - size / 2)
-        points.push_back(origin + k * size);
-    points.push_back(end);
+    return allowed ? std::max(size, std::min(allowed(position), largest))
+                   : size;
+  }
+
+
+
+  std::vector<double>
+  growing_parts(const double begin, const double end, const CoarseCells &cells)
+  {
+    const double rounding = 1e-6; // of a cell
+    const double distance = std::abs(end - begin), way = end > begin ? 1. : -1.;
+    std::vector<double> lengths{0.}; // of all cells so far
+    for (double length = cells.size;
+         lengths.back() < distance - rounding * length;)
+      {
+        length = cells.length_at(begin + way * lengths.back());
+        lengths.push_back(lengths.back() + length);
+      }
+    const double        scale = distance / lengths.back();
+    std::vector<double> points;
+    for (const double length : lengths)
+      points.push_back(begin + way * scale * length);
+    points.back() = end;
+    return points;
+  }
+
+
+
+  std::vector<double>
+  break_points(const double begin, const double end, const CoarseCells &cells)
+  {
+    const double size = cells.size;
+    const double half_core =
+      cells.allowed ? cells.half_core : end - begin + std::abs(cells.origin);
+    const int           n_core = std::ceil(half_core / size);
+    std::vector<double> points;
+    const auto lattice   = [&](const int k) { return cells.origin + k * size; };
+    const auto is_inside = [&](const double point) {
+      return point > begin + size / 2 && point < end - size / 2;
+    };
+    if (is_inside(lattice(-n_core)))
+      {
+        points = growing_parts(lattice(-n_core), begin, cells);
+        std::reverse(points.begin(), points.end());
+        points.pop_back();
+      }
+    else
+      points = {begin};
+    for (int k = -n_core; k <= n_core; ++k)
+      if (is_inside(lattice(k)))
+        points.push_back(lattice(k));
+    if (is_inside(lattice(n_core)))
+      {
+        const auto beyond = growing_parts(lattice(n_core), end, cells);
+        points.insert(points.end(), beyond.begin() + 1, beyond.end());
+      }
+    else
+      points.push_back(end);
     return points;
   }
 } // namespace RollingContact

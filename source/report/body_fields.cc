@@ -160,7 +160,7 @@ namespace RollingContact
     {
       DataOutBase::VtkFlags flags;
       flags.print_date_and_time = false;
-      flags.compression_level   = DataOutBase::VtkFlags::default_compression;
+      flags.compression_level   = DataOutBase::VtkFlags::best_speed;
       for (const std::string &name : field_names<dim>())
         flags.physical_units[name] = name == "displacement" ? "m" : "Pa";
       return flags;

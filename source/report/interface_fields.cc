@@ -149,7 +149,7 @@ namespace RollingContact
     {
       DataOutBase::VtkFlags flags;
       flags.print_date_and_time = false;
-      flags.compression_level   = DataOutBase::VtkFlags::default_compression;
+      flags.compression_level   = DataOutBase::VtkFlags::best_speed;
       flags.physical_units      = {{"traction", "Pa"},
                                    {"pressure", "Pa"},
                                    {"recovered_traction", "Pa"},

@@ -237,7 +237,7 @@ BOOST_AUTO_TEST_CASE(charts_and_their_inverses)
   for (const std::string name : {"disc", "block"})
     {
       const auto shape = make_body_shape(name, parameters);
-      const auto chart = shape->chart({1e-4, 1e-3, 6e-3});
+      const auto chart = shape->chart({1e-4, 1e-3, 7.2e-3});
       const auto edges = chart->edges_x();
       BOOST_TEST(std::is_sorted(edges.begin(), edges.end()));
       const auto top = chart->to_body({{chart->contact_x(), 0., 0.}});

@@ -97,7 +97,7 @@ BOOST_AUTO_TEST_CASE(of_point_contacts_bound_the_error_against_fine_meshes)
               scene.dimension                  = 3;
               scene.mesh.elements_across_patch = 8;
               scene.mesh.growth                = 0.4;
-              scene.mesh.patch_offset          = 1. / 3;
+              scene.mesh.patch_offset          = 0.4;
               scene.wheel.lateral_radius       = 0.3;
               scene.rail.lateral_radius        = 0.3;
               scene.contact.normal_load        = 36059.;

@@ -57,9 +57,9 @@ namespace RollingContact
   /**
    * Mesh a body, or take the mesh it brings: boxes in its chart, refined as @p
    * grading asks. The coarse mesh has an edge at x = offset * element_size_x
-   * and coarse cells that are powers of two of the element size, which makes
-   * the surface nodes of two bodies match. Both kinds of mesh have the same
-   * cells and vertices.
+   * and, under the contact, cells that are powers of two of the element size,
+   * which makes the surface nodes of two bodies match; in 3D those further away
+   * are longer. Both kinds of mesh have the same cells and vertices.
    */
   template <int dim>
   BodyMesh<dim>

@@ -2,6 +2,7 @@
 #define rolling_contact_mesh_surface_chart_h
 
 #include <array>
+#include <functional>
 #include <vector>
 
 namespace RollingContact
@@ -15,14 +16,25 @@ namespace RollingContact
   crown_depth(const double radius, const double x);
 
   /**
-   * What the coarse cells along x are made for: edges at origin + k * size and
-   * a zone of contact nodes |x| <= zone_x. Units: m.
+   * Coarse cells in one direction: edges at origin + k * size up to half a
+   * core, where bodies share their surface nodes. Beyond it cells are at least
+   * as long as that, and as long as @p allowed at the end nearer to the
+   * contact, at most @p largest; without @p allowed all are alike. Units: m.
    */
   struct CoarseCells
   {
-    double origin;
-    double size;
-    double zone_x;
+    double origin    = 0.;
+    double size      = 0.;
+    double half_core = 0.;
+    double largest   = 0.;
+
+    std::function<double(const double position)> allowed = {};
+
+    /**
+     * Length of the cell outside of the core that begins at a position.
+     */
+    double
+    length_at(const double position) const;
   };
 
   /**
@@ -81,14 +93,20 @@ namespace RollingContact
   equal_parts(const double begin, const double end, const unsigned int n);
 
   /**
-   * Break points in [begin, end]: multiples of @p size from @p origin; the
-   * first and last interval take the remainder, at least half a @p size long.
+   * The ends of cells from @p begin to @p end, upwards or downwards, as long as
+   * @p cells asks outside of its core, all shortened alike to fill the
+   * interval.
    */
   std::vector<double>
-  break_points(const double begin,
-               const double end,
-               const double origin,
-               const double size);
+  growing_parts(const double begin, const double end, const CoarseCells &cells);
+
+  /**
+   * Break points in [begin, end]: the lattice of @p cells in their core, and
+   * growing parts beyond. In an interval hardly longer than the core, the first
+   * and last part take the remainder, at least half a lattice constant.
+   */
+  std::vector<double>
+  break_points(const double begin, const double end, const CoarseCells &cells);
 } // namespace RollingContact
 
 #endif

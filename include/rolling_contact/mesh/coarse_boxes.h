@@ -1,0 +1,41 @@
+#ifndef rolling_contact_mesh_coarse_boxes_h
+#define rolling_contact_mesh_coarse_boxes_h
+
+#include <rolling_contact/mesh/chart.h>
+#include <rolling_contact/mesh/grading.h>
+
+#include <array>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace RollingContact
+{
+  /**
+   * The coarse cells of a body as boxes of its chart between break points:
+   * equal ones of this size under the contact, where halving them gives all
+   * bodies the same surface nodes, and longer ones away from it, along x,
+   * across and in depth. Units: m.
+   */
+  template <int dim>
+  struct CoarseBoxes
+  {
+    double                               size = 0.;
+    std::unique_ptr<BodyChart<dim>>      chart;
+    std::array<std::vector<double>, dim> breaks;
+  };
+
+  /**
+   * The coarse cells whose size, a power of two times the element's, makes the
+   * mesh of a generated body with the fewest cells, and how many those are at
+   * least, counted without making the mesh; a number above @p enough if there
+   * are more.
+   */
+  template <int dim>
+  std::pair<CoarseBoxes<dim>, double>
+  fewest_cells(const std::shared_ptr<const BodyShape> &shape,
+               const Grading<dim>                     &grading,
+               const double                            enough);
+} // namespace RollingContact
+
+#endif

@@ -1,0 +1,196 @@
+#include <rolling_contact/mesh/cell_count.h>
+#include <rolling_contact/mesh/coarse_boxes.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace RollingContact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// the core of equal coarse cells over the zone of contact nodes, or beyond
+    /// it, in elements
+    const double core_over_zone = 1.2, core_margin = 3.;
+
+    /// coarse cells over half the width and over the thickness
+    const double largest_coarse_width = 2. / 3, largest_coarse_depth = 0.5;
+
+    /// growth of coarse cells in 3D over that of the elements along x, across
+    /// and in depth, where stresses fall off least: long cells cost few
+    /// unknowns
+    const double growth_along = 0.7, growth_across = 0.5, growth_in_depth = 0.3;
+
+    const int n_halvings_tried = 7;
+
+
+
+    /**
+     * Longest coarse cell that resolves the shape in all directions, as long
+     * as @p grading's elements are over their width.
+     */
+    template <int dim>
+    double
+    largest_coarse_size(const BodyShape &shape, const Grading<dim> &grading)
+    {
+      const double limit =
+        std::min(shape.largest_coarse_size(), shape.thickness_below());
+      return dim == 2
+               ? limit
+               : std::min(limit,
+                          largest_coarse_width * shape.reach_y() *
+                            grading.element_size_x / grading.element_size_y);
+    }
+
+
+
+    /** Of coarse cells in one direction of the chart. */
+    struct Direction
+    {
+      unsigned int index;
+      double       element_size;
+      double       zone; ///< of contact nodes
+      double       largest;
+      double       growth; ///< over that of the elements
+    };
+
+
+
+    /**
+     * Coarse cells of this @p size in the direction's core, and elsewhere
+     * unless they grow away from it.
+     */
+    template <int dim>
+    CoarseCells
+    cells_along(const Direction    &direction,
+                const double        size,
+                const bool          grows,
+                const Grading<dim> &grading)
+    {
+      const double scale = direction.element_size / grading.element_size_x;
+      CoarseCells  cells;
+      cells.size    = size * scale;
+      cells.largest = direction.largest;
+      cells.half_core =
+        std::max(core_over_zone * direction.zone,
+                 direction.zone + core_margin * direction.element_size);
+      if (!grows)
+        return cells;
+      // the model of a distributed body, coarser far away, keeps its coarse
+      // cells
+      Grading<dim> near = grading;
+      near.far_distance = Grading<dim>::infinity;
+      cells.allowed     = [direction, scale, near](const double position) {
+        Point<dim> point;
+        point[0]               = near.centre_x();
+        point[direction.index] = position;
+        const double grown =
+          near.allowed_size(point, point) - near.element_size_x;
+        return scale * (near.element_size_x + direction.growth * grown);
+      };
+      return cells;
+    }
+
+
+
+    /**
+     * With cells of this @p size under the contact, and elsewhere unless they
+     * grow away from it.
+     */
+    template <int dim>
+    CoarseBoxes<dim>
+    coarse_boxes(const std::shared_ptr<const BodyShape> &shape,
+                 const Grading<dim>                     &grading,
+                 const double                            size,
+                 const bool                              grows)
+    {
+      const double depth = shape->thickness_below(), width = shape->reach_y(),
+                   element = grading.element_size_x;
+      CoarseBoxes<dim> boxes;
+      boxes.size          = size;
+      CoarseCells along_x = cells_along<dim>({0,
+                                              element,
+                                              grading.zone_x,
+                                              shape->largest_coarse_size(),
+                                              growth_along},
+                                             size,
+                                             grows,
+                                             grading);
+      along_x.origin      = grading.offset * element;
+      const std::shared_ptr<const SurfaceChart> chart = shape->chart(along_x);
+      boxes.breaks[0]                                 = chart->edges_x();
+      boxes.chart = std::make_unique<BodyChart<dim>>(shape, chart);
+      if (dim == 3)
+        boxes.breaks[1] =
+          break_points(-width,
+                       width,
+                       cells_along<dim>({1,
+                                         grading.element_size_y,
+                                         grading.zone_y,
+                                         largest_coarse_width * width,
+                                         growth_across},
+                                        size,
+                                        grows,
+                                        grading));
+      std::vector<double> &in_depth = boxes.breaks[dim - 1];
+      in_depth                      = growing_parts(
+        0.,
+        -depth,
+        cells_along<dim>(
+          {dim - 1, element, 0., largest_coarse_depth * depth, growth_in_depth},
+          size,
+          grows,
+          grading));
+      std::reverse(in_depth.begin(), in_depth.end());
+      return boxes;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::pair<CoarseBoxes<dim>, double>
+  fewest_cells(const std::shared_ptr<const BodyShape> &shape,
+               const Grading<dim>                     &grading,
+               const double                            enough)
+  {
+    const int most =
+      std::max(0.,
+               std::floor(std::log2(largest_coarse_size<dim>(*shape, grading) /
+                                    grading.element_size_x)));
+    CoarseBoxes<dim> best;
+    double           fewest = std::numeric_limits<double>::infinity();
+    const auto       try_it = [&](const int k, const bool grows) {
+      CoarseBoxes<dim> boxes = coarse_boxes<dim>(
+        shape, grading, std::ldexp(grading.element_size_x, k), grows);
+      const double n_cells = count_cells<dim>(boxes.breaks,
+                                              *boxes.chart,
+                                              grading,
+                                              std::min(fewest, enough));
+      if (n_cells < fewest)
+        {
+          best   = std::move(boxes);
+          fewest = n_cells;
+        }
+    };
+    try_it(most, false);
+    // in 2D long cells cost more than they save
+    for (int k = most; dim == 3 && k >= std::max(0, most - n_halvings_tried);
+         --k)
+      try_it(k, true);
+    return {std::move(best), fewest};
+  }
+
+
+
+  template std::pair<CoarseBoxes<2>, double>
+  fewest_cells(const std::shared_ptr<const BodyShape> &,
+               const Grading<2> &,
+               const double);
+  template std::pair<CoarseBoxes<3>, double>
+  fewest_cells(const std::shared_ptr<const BodyShape> &,
+               const Grading<3> &,
+               const double);
+} // namespace RollingContact
