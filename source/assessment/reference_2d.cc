@@ -1,4 +1,5 @@
 #include <rolling_contact/assessment/reference_2d.h>
+#include <rolling_contact/contact/recovered_tractions.h>
 #include <rolling_contact/interface/patch_edge.h>
 #include <rolling_contact/references/clamped_annuli_approach.h>
 
@@ -139,6 +140,8 @@ namespace RollingContact
     const double a  = reference.hertz.half_width,
                  p0 = reference.hertz.max_pressure,
                  mu = scene.contact.friction_coefficient;
+    const RecoveredTractions recovered =
+      recovered_tractions(steady.problem, steady.state);
     Errors2D errors;
     if (reference.normal_force)
       errors.normal_force =
@@ -146,7 +149,7 @@ namespace RollingContact
     errors.pressure_l2 =
       l2_error(
         x,
-        steady.state.pressure,
+        recovered.pressure,
         [&](const double at) { return reference.hertz.pressure(at); },
         a) /
       p0;
@@ -157,7 +160,8 @@ namespace RollingContact
     const auto traction = [&](const double at) { return carter.traction(at); };
     errors.force        = steady.result.force_x / steady.result.friction_force -
                    carter.force_ratio();
-    errors.traction_l2    = l2_error(x, q, traction, a) / (mu * p0);
+    errors.traction_l2 =
+      l2_error(x, recovered.traction.component(0), traction, a) / (mu * p0);
     errors.sawtooth       = sawtooth(x, q, traction) / (mu * p0);
     const int  flow       = scene.contact.flow();
     const auto interval   = carter.stick_interval();

@@ -1,6 +1,7 @@
 #include <rolling_contact/assessment/reference_2d.h>
 #include <rolling_contact/assessment/reference_3d.h>
 #include <rolling_contact/assessment/state_errors.h>
+#include <rolling_contact/contact/recovered_tractions.h>
 
 #include <cmath>
 #include <functional>
@@ -42,13 +43,15 @@ namespace RollingContact
     {
       const ContactProblem &problem = steady.problem;
       const auto           &at      = problem.operators.positions();
+      const NodalField      traction =
+        recovered_tractions(problem, steady.state).traction;
       return nodal_l2(problem,
                       problem.n_tangential(),
                       area,
                       [&](const unsigned int c, const unsigned int i) {
                         const auto weights =
                           finest.trace.interpolation(at[i][0], at[i][1]);
-                        return steady.state.traction(c, i) -
+                        return traction(c, i) -
                                (weights ? apply(*weights, finest.traction, c)
                                         : 0.);
                       }) /
@@ -92,15 +95,16 @@ namespace RollingContact
     {
       const References::HertzEllipse hertz =
         reference_3d(scene, steady.result.normal_force, {}).hertz;
-      const double area = hertz.half_width_x * hertz.half_width_y;
-      const auto  &at   = steady.problem.operators.positions();
+      const double              area = hertz.half_width_x * hertz.half_width_y;
+      const auto               &at   = steady.problem.operators.positions();
+      const std::vector<double> pressure =
+        recovered_tractions(steady.problem, steady.state).pressure;
       result.pressure_l2 =
         nodal_l2(steady.problem,
                  1,
                  area,
                  [&](const unsigned int, const unsigned int i) {
-                   return steady.state.pressure[i] -
-                          hertz.pressure(at[i][0], at[i][1]);
+                   return pressure[i] - hertz.pressure(at[i][0], at[i][1]);
                  }) /
         hertz.max_pressure;
       if (finest != nullptr)

@@ -219,12 +219,22 @@ namespace RollingContact
   double
   dissipation(const TangentialProblem &tangential, const ContactState &state)
   {
-    const std::vector<double> &areas = tangential.contact.operators.areas();
-    const NodalField           slip  = tangential.mean_slip(state);
-    double                     power = 0.;
+    return dissipation(tangential.contact.operators,
+                       state.traction,
+                       tangential.mean_slip(state));
+  }
+
+
+
+  double
+  dissipation(const ContactOperators &operators,
+              const NodalField       &traction,
+              const NodalField       &slip)
+  {
+    double power = 0.;
     for (unsigned int c = 0; c < slip.n_components(); ++c)
       for (unsigned int i = 0; i < slip.n_nodes(); ++i)
-        power += areas[i] * state.traction(c, i) * slip(c, i);
+        power += operators.areas()[i] * traction(c, i) * slip(c, i);
     return -power;
   }
 

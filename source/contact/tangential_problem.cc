@@ -24,7 +24,11 @@ namespace RollingContact
       bound[i] = 0.;
 
     const ContactLoads &loads = contact.loads;
-    NodalField          drive = contact.rigid_slip();
+    for (unsigned int i = 0; i < loads.slip_share.size(); ++i)
+      for (SparseRows *B : {&rows.B1, &rows.B2})
+        for (auto &entry : (*B)[i])
+          entry.second *= loads.slip_share[i];
+    NodalField drive = contact.rigid_slip();
     if (!loads.free_slip.empty())
       drive += loads.free_slip;
     slip_at_zero = rows.B2 * drive;
@@ -32,6 +36,8 @@ namespace RollingContact
     if (!loads.free_displacement.empty())
       slip_at_zero.add(contact.operators.slip_operator().flow_direction(),
                        rows.B1 * loads.free_displacement);
+    if (!loads.slip_before.empty())
+      slip_at_zero += loads.slip_before;
   }
 
 

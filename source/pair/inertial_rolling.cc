@@ -65,7 +65,7 @@ namespace RollingContact
       }
 
       FreeMotion
-      begin_step(const double hub_acceleration) override
+      begin_step(const double hub_acceleration, const bool) override
       {
         for_each([&](BodyDynamics &body, const Side side) {
           if (side == Side::wheel) // towards the rail: along z of its own frame

@@ -63,12 +63,20 @@ namespace RollingContact
       }
 
       FreeMotion
-      begin_step(const double) override
+      begin_step(const double, const bool smooth) override
       {
+        // BDF2 as Euler's rule and a share of how the velocity changes
+        const bool   two_steps = smooth && !before.velocity.empty();
+        const double ratio     = before.length > 0. ? h / before.length : 1.,
+                     share     = two_steps ? ratio / (1 + ratio) : 0.;
         FreeMotion motion;
-        motion.velocity = u;
+        motion.velocity_factor = 1 + share;
+        motion.velocity        = u;
         for (double &value : motion.velocity)
-          value /= -h;
+          value *= -(1 + share) / h;
+        if (two_steps)
+          for (std::size_t i = 0; i < u.size(); ++i)
+            motion.velocity[i] -= share * before.velocity[i];
         return motion;
       }
 
@@ -77,15 +85,19 @@ namespace RollingContact
                const ContactState   &state) override
       {
         if (previous.pressure.empty())
-          previous = open_state(problem);
-        const double now    = work(problem, state, state),
-                     before = work(problem, previous, previous),
-                     mixed  = work(problem, state, previous);
+          {
+            previous = open_state(problem);
+            u.assign(previous.traction.size(), 0.);
+          }
         StepEnergy energy;
-        energy.strain                = now / 2;
-        energy.contact_work          = now - mixed;
-        energy.numerical_dissipation = (now - 2 * mixed + before) / 2;
-        start_from(problem, state);
+        energy.strain = work(problem, state, state) / 2;
+        // of the mean of the reactions at the start and at the end
+        energy.contact_work =
+          energy.strain - work(problem, previous, previous) / 2;
+        before = {u, h};
+        take(problem, state, energy.strain);
+        for (std::size_t i = 0; i < u.size(); ++i)
+          before.velocity[i] = (u[i] - before.velocity[i]) / h;
         return energy;
       }
 
@@ -93,11 +105,8 @@ namespace RollingContact
       start_from(const ContactProblem &problem,
                  const ContactState   &state) override
       {
-        u = problem.operators
-              .tangential_displacement(state.traction, state.pressure)
-              .values();
-        previous = state;
-        strain   = work(problem, state, state) / 2;
+        take(problem, state, work(problem, state, state) / 2);
+        before = {std::vector<double>(u.size(), 0.), 0.};
       }
 
       double
@@ -131,6 +140,7 @@ namespace RollingContact
       {
         kept        = previous;
         kept_u      = u;
+        kept_before = before;
         kept_strain = strain;
       }
 
@@ -139,6 +149,7 @@ namespace RollingContact
       {
         previous = kept;
         u        = kept_u;
+        before   = kept_before;
         strain   = kept_strain;
       }
 
@@ -156,9 +167,34 @@ namespace RollingContact
         start_from(problem, state);
       }
 
+      PastStep
+      past() const override
+      {
+        return before;
+      }
+
+      void
+      set_past(const PastStep &past) override
+      {
+        before = past;
+      }
+
     private:
+      void
+      take(const ContactProblem &problem,
+           const ContactState   &state,
+           const double          energy)
+      {
+        u = problem.operators
+              .tangential_displacement(state.traction, state.pressure)
+              .values();
+        previous = state;
+        strain   = energy;
+      }
+
       const RollingPair<dim> &pair;
       std::vector<double>     u, kept_u;
+      PastStep                before, kept_before;
       ContactState            previous, kept;
       double                  strain = 0., kept_strain = 0.;
       double                  h = 0.;

@@ -1,3 +1,4 @@
+#include <rolling_contact/analyses/contact_table.h>
 #include <rolling_contact/analyses/creep_curve.h>
 #include <rolling_contact/analyses/load_curve.h>
 #include <rolling_contact/analyses/quasi_static.h>
@@ -40,6 +41,14 @@ namespace RollingContact
 
 
 
+    std::unique_ptr<Analysis>
+    make_contact_table(const SceneParameters &scene, RunContext &context)
+    {
+      return std::make_unique<ContactTable>(scene, context);
+    }
+
+
+
     std::vector<AnalysisKind>
     make_kinds()
     {
@@ -53,6 +62,12 @@ namespace RollingContact
         &make_study<2>,
         &make_study<3>};
       study.on_ranks = false;
+      AnalysisKind table{"contact table",
+                         "where rigid wheel and rail profiles touch, see "
+                         "section Profiles",
+                         &make_contact_table,
+                         &make_contact_table};
+      table.on_ranks = false;
       return {kind<QuasiStatic>("quasi-static", "one steady rolling state"),
               kind<CreepCurve>("creep curve",
                                "many creepages, see section Creep curve"),
@@ -60,7 +75,8 @@ namespace RollingContact
                               "approach and contact stiffness under many "
                               "loads, see section Load curve"),
               transient,
-              study};
+              study,
+              table};
     }
   } // namespace
 

@@ -66,6 +66,7 @@ namespace RollingContact
         std::string label;
         Values      values;
         CurveStyle  style = CurveStyle::line;
+        bool        force = false; ///< acts at force_time_s
       };
 
       const Values &
@@ -73,6 +74,10 @@ namespace RollingContact
       {
         return history.at(name);
       }
+
+      /** Time or rolled distance when the forces act. */
+      Values
+      places_of_forces() const;
 
       void
       add_panel(const std::string &y_label, const std::vector<Curve> &curves);
@@ -115,6 +120,21 @@ namespace RollingContact
 
 
 
+    Values
+    Panels::places_of_forces() const
+    {
+      const Values &time = column("time_s"), &acts = column("force_time_s");
+      if (!rolls)
+        return scaled(acts, 1e3);
+      Values places = abscissa;
+      for (std::size_t i = 0; i < places.size(); ++i)
+        places[i] -=
+          1e3 * std::abs(column("speed_m/s")[i]) * (time[i] - acts[i]);
+      return places;
+    }
+
+
+
     void
     Panels::add_panel(const std::string        &y_label,
                       const std::vector<Curve> &curves)
@@ -124,7 +144,10 @@ namespace RollingContact
                    rolls ? "rolled distance (mm)" : "time (ms)",
                    y_label);
       for (const Curve &curve : curves)
-        panel.add_curve(curve.label, abscissa, curve.values, curve.style);
+        panel.add_curve(curve.label,
+                        curve.force ? places_of_forces() : abscissa,
+                        curve.values,
+                        curve.style);
       if (figure)
         figure->add_panel(panel);
       else
@@ -143,10 +166,11 @@ namespace RollingContact
           force[i] = load[i] > 0. ? force[i] / (mu * load[i]) : 0.;
         return force;
       };
-      std::vector<Curve> curves{{"longitudinal", over_N(column("force_x_N"))}};
-      const Values       lateral = over_N(column("force_y_N"));
+      std::vector<Curve> curves{
+        {"longitudinal", over_N(column("force_x_N")), CurveStyle::line, true}};
+      const Values lateral = over_N(column("force_y_N"));
       if (scene.dimension == 3 && any_beyond(lateral, 1e-6))
-        curves.push_back({"lateral", lateral});
+        curves.push_back({"lateral", lateral, CurveStyle::line, true});
       add_panel("T / (" + scale_of_friction(scene) + "N)", curves);
     }
 
@@ -155,16 +179,18 @@ namespace RollingContact
     void
     Panels::add_load()
     {
-      std::vector<Curve> curves{
-        {"load N", scaled(column("normal_force_N"), 1e-3)}};
+      std::vector<Curve> curves{{"load N",
+                                 scaled(column("normal_force_N"), 1e-3),
+                                 CurveStyle::line,
+                                 true}};
       if (!scene.time.normal_load.empty())
         {
           const DrivingFunctions driving =
             scene.time.histories(scene.contact, scene.prm_folder);
           Values given;
-          for (const double time : column("time_s"))
+          for (const double time : column("force_time_s"))
             given.push_back(1e-3 * driving.normal_load->value(time));
-          curves.push_back({"given load", given, CurveStyle::reference});
+          curves.push_back({"given load", given, CurveStyle::reference, true});
         }
       add_panel("N (kN)", curves);
     }
@@ -224,6 +250,7 @@ namespace RollingContact
   {
     const HistoryColumns history = read_history(file,
                                                 {"time_s",
+                                                 "force_time_s",
                                                  "rolled_m",
                                                  "approach_m",
                                                  "creepage_x",

@@ -1,5 +1,6 @@
 #include <deal.II/base/data_out_base.h>
 
+#include <rolling_contact/contact/recovered_tractions.h>
 #include <rolling_contact/contact/resultants.h>
 #include <rolling_contact/parallel/ranks.h>
 #include <rolling_contact/report/interface_fields.h>
@@ -73,10 +74,14 @@ namespace RollingContact
       for (const NodeState node_state : node_states(tangential, state))
         states.push_back(static_cast<int>(node_state));
 
+      const RecoveredTractions recovered =
+        recovered_tractions(tangential, state);
       NodalFields fields;
       fields.add_vector("traction", state.traction, dim - 1);
       fields.add_vector("slip", slip, dim - 1);
+      fields.add_vector("recovered_traction", recovered.traction, dim - 1);
       fields.add("pressure", state.pressure);
+      fields.add("recovered_pressure", recovered.pressure);
       fields.add("traction_size", norms(state.traction));
       fields.add("traction_bound", tangential.bound);
       if (problem.loads.friction_law && problem.n_tangential() > 0)
@@ -147,6 +152,8 @@ namespace RollingContact
       flags.compression_level   = DataOutBase::VtkFlags::best_speed;
       flags.physical_units      = {{"traction", "Pa"},
                                    {"pressure", "Pa"},
+                                   {"recovered_traction", "Pa"},
+                                   {"recovered_pressure", "Pa"},
                                    {"traction_size", "Pa"},
                                    {"traction_bound", "Pa"},
                                    {"sliding_speed", "m/s"},
@@ -185,12 +192,14 @@ namespace RollingContact
       const auto is_vector =
         DataComponentInterpretation::component_is_part_of_vector;
       std::ostringstream vtu;
-      DataOutBase::write_vtu(patches,
-                             fields.names,
-                             {{0, dim - 2, "traction", is_vector},
-                              {dim - 1, 2 * dim - 3, "slip", is_vector}},
-                             vtk_flags(),
-                             vtu);
+      DataOutBase::write_vtu(
+        patches,
+        fields.names,
+        {{0, dim - 2, "traction", is_vector},
+         {dim - 1, 2 * dim - 3, "slip", is_vector},
+         {2 * dim - 2, 3 * dim - 4, "recovered_traction", is_vector}},
+        vtk_flags(),
+        vtu);
       folder.write_atomically(file_name, vtu.str());
     });
   }

@@ -2,6 +2,7 @@
 #include <rolling_contact/assessment/reference_2d.h>
 #include <rolling_contact/assessment/result_error.h>
 #include <rolling_contact/base/text.h>
+#include <rolling_contact/contact/recovered_tractions.h>
 #include <rolling_contact/plot/figure.h>
 #include <rolling_contact/report/state_report.h>
 #include <rolling_contact/run/log.h>
@@ -98,6 +99,8 @@ namespace RollingContact
       const ContactProblem   &problem = steady.problem;
       const TangentialProblem tangential =
         tangential_problem(problem, steady.state);
+      const RecoveredTractions recovered =
+        recovered_tractions(tangential, steady.state);
       Lines lines;
       for (unsigned int i = 0; i < problem.n_nodes(); ++i)
         {
@@ -106,14 +109,16 @@ namespace RollingContact
           if (std::abs(at) > extent)
             continue;
           lines.x.push_back(at);
-          lines.pressure.push_back(steady.state.pressure[i] / p0);
+          lines.pressure.push_back(recovered.pressure[i] / p0);
           if (problem.n_tangential() == 0)
             continue;
-          lines.traction.push_back(steady.state.traction(0, i) / bound);
-          lines.bound.push_back(std::copysign(problem.loads.friction_law
-                                                ? tangential.bound[i] / bound
-                                                : lines.pressure.back(),
-                                              steady.result.force_x));
+          lines.traction.push_back(recovered.traction(0, i) / bound);
+          lines.bound.push_back(
+            std::copysign(problem.loads.friction_law
+                            ? tangential.friction[i] * recovered.pressure[i] /
+                                bound
+                            : lines.pressure.back(),
+                          steady.result.force_x));
         }
       return lines;
     }

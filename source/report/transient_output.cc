@@ -62,6 +62,8 @@ namespace RollingContact
       std::vector<Column> columns{
         {"step", [](S s) -> double { return s.progress.step; }},
         {"time_s", [](S s) { return s.progress.time; }},
+        {"force_time_s",
+         [](S s) { return s.progress.time - s.outcome.force_lag; }},
         {"rolled_m", [](S s) { return s.progress.rolled_distance; }},
         {"approach_m", [](S s) { return s.state.approach; }},
         {"creepage_x", [](S s) { return s.problem.loads.creepages.x; }},
@@ -241,7 +243,7 @@ namespace RollingContact
   TransientOutput<dim>::note_largest_load() const
   {
     const auto  history = read_history(context.folder.get_path() / history_name,
-                                      {"time_s", "normal_force_N"});
+                                      {"force_time_s", "normal_force_N"});
     const auto &load    = history.at("normal_force_N");
     const auto  largest = std::max_element(load.begin(), load.end());
     if (largest == load.end() || *largest <= 0.)
@@ -249,7 +251,8 @@ namespace RollingContact
     context.report.set_finding(
       "peak",
       "N = " + significant(*largest, 6) + " N at t = " +
-        significant(history.at("time_s")[largest - load.begin()], 6) + " s");
+        significant(history.at("force_time_s")[largest - load.begin()], 6) +
+        " s");
   }
 
 

@@ -60,6 +60,7 @@ namespace RollingContact
     load_curve.declare(prm);
     study.declare(prm);
     time.declare(prm);
+    profiles.declare(prm);
     output.declare(prm);
   }
 
@@ -145,6 +146,8 @@ namespace RollingContact
   void
   SceneParameters::check() const
   {
+    if (analysis == "contact table")
+      return profiles.check(wheel.radius, prm_folder);
     wheel.check(dimension);
     rail.check(dimension);
     contact.check(dimension);

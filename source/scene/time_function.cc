@@ -227,6 +227,30 @@ namespace RollingContact
 
 
 
+  bool
+  TimeFunction::jumps_between(const double begin, const double end) const
+  {
+    if (is_constant())
+      return false;
+    const unsigned int n_parts = 8;
+    double             before = value(begin), sum = 0., largest = 0., size = 0.;
+    for (unsigned int k = 1; k <= n_parts; ++k)
+      {
+        // the ends themselves, as the steps see them
+        const double now =
+          value(k == n_parts ? end : begin + (end - begin) * k / n_parts);
+        const double change = std::abs(now - before);
+        size                = std::max({size, std::abs(now), std::abs(before)});
+        largest             = std::max(largest, change);
+        sum += change;
+        before = now;
+      }
+    const double rounding = 1e-12 * size;
+    return largest > rounding && largest > sum / 2;
+  }
+
+
+
   double
   TimeFunction::value(const double time) const
   {

@@ -17,6 +17,12 @@ namespace RollingContact
         idle["Creep curve"] = "Analysis = creep curve reads that section";
       if (scene.analysis != "load curve")
         idle["Load curve"] = "Analysis = load curve reads that section";
+      if (scene.analysis == "contact table")
+        for (const char *section : {"Contact", "Mesh", "Solver"})
+          idle[section] = "an analysis with finite elements reads that section";
+      else
+        idle["Profiles"] = idle["Contact table"] =
+          "Analysis = contact table reads that section";
       if (!is_study)
         idle["Accuracy study"] = "Analysis = accuracy study reads that section";
       if (scene.analysis != "transient" &&

@@ -38,8 +38,9 @@ namespace boost
               RollingContact::LastStep     &step,
               [[maybe_unused]] unsigned int version)
     {
-      archive &step.is_known &step.length &step.speed &step.gap;
+      archive &step.is_known &step.length &step.speed &step.rate &step.gap;
       archive &step.free_slip &step.free_displacement;
+      archive &step.slip_share &step.slip_before;
       archive &step.edge_law &step.holds_friction &step.solver;
     }
 
@@ -55,7 +56,7 @@ namespace boost
       auto    &p = checkpoint.progress;
       archive &c.tables;
       archive &p.step &p.time &p.rolled_distance &p.time_step;
-      archive &c.bodies.wheel &c.bodies.rail;
+      archive &c.bodies.wheel &c.bodies.rail &c.past &c.slip;
       archive &c.pressure &c.traction &c.approach &c.scheme &c.friction;
       archive                                               &c.last_step;
       archive &p.supplied_energy &p.friction_energy &p.damping_energy;
@@ -74,7 +75,7 @@ namespace RollingContact
     struct Head
     {
       char          mark[24] = "rolling-contact restart"; ///< with its '\0'
-      std::uint32_t version  = 5; ///< to be raised with every change above
+      std::uint32_t version  = 6; ///< to be raised with every change above
       std::uint32_t checksum = 0; ///< CRC-32 of the archive
       std::uint64_t n_bytes  = 0; ///< of the archive
     };

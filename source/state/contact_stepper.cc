@@ -21,10 +21,14 @@ namespace RollingContact
   {
     InitialContact<dim> initial =
       make_initial_contact<dim>(scene, demands, histories, context);
-    contact        = std::move(initial.contact);
-    motion         = std::move(initial.motion);
-    undeformed_gap = contact.problem.loads.gap;
-    border         = contact.pair->trace().border_nodes();
+    contact                         = std::move(initial.contact);
+    motion                          = std::move(initial.motion);
+    undeformed_gap                  = contact.problem.loads.gap;
+    border                          = contact.pair->trace().border_nodes();
+    contact.problem.loads.creepages = histories.creepages(0.);
+    slip                            = slip_memory(contact.problem,
+                       contact.state,
+                       std::abs(histories.speed.value(0.)));
   }
 
 
@@ -54,28 +58,13 @@ namespace RollingContact
     const double    end     = time + h;
     problem.loads.creepages = histories.creepages(end);
     // reactions act at t + theta h, the shifted law holds beyond the end
-    const double theta = scene.time.inertia ? scene.time.theta : 1.;
-    const bool   ahead = scene.time.contact_law == ContactLaw::shifted;
+    const bool ahead = scene.time.contact_law == ContactLaw::shifted;
     if (histories.normal_load)
       problem.loads.normal_load =
-        histories.normal_load->value(time + theta * h);
+        histories.normal_load->value(time + theta() * h);
     else
       problem.loads.approach =
-        histories.approach->value(end + (ahead ? (1 - theta) * h : 0.));
-  }
-
-
-
-  template <int dim>
-  double
-  ContactStepper<dim>::hub_acceleration(const double time, const double h) const
-  {
-    if (!histories.approach || histories.approach->is_constant() || time <= 0.)
-      return 0.;
-    const TimeFunction &approach = *histories.approach;
-    return (approach.value(time + h) - 2 * approach.value(time) +
-            approach.value(time - h)) /
-           (h * h);
+        histories.approach->value(end + (ahead ? (1 - theta()) * h : 0.));
   }
 
 
@@ -98,7 +87,35 @@ namespace RollingContact
     for (double &value : loads.free_slip)
       value /= speed;
     contact.problem.operators.set_time_scaling(
-      {motion->displacement_factor(), 1 / (speed * time_step)});
+      {motion->displacement_factor(),
+       free.velocity_factor / (speed * time_step)});
+  }
+
+
+
+  template <int dim>
+  void
+  ContactStepper<dim>::solve(const double speed)
+  {
+    PhaseTimer::Scope    phase(context.timer, Phase::contact_solve);
+    ContactLoads        &loads = contact.problem.loads;
+    const SlipWithinStep answered(slip, theta(), speed, loads);
+    unsigned int         n_iterations = 0;
+    do
+      {
+        contact.solver = solve_updating_compliance(
+          *solver,
+          [&](const auto &forces, const bool) {
+            return motion->response(forces);
+          },
+          contact.pair->compliance_is_exact(),
+          scene.solver.controls,
+          contact.problem,
+          contact.state);
+        n_iterations += contact.solver.iterations;
+    } while (contact.solver.converged &&
+             answered.bring_to_rest(contact.problem, contact.state, loads));
+    contact.solver.iterations = n_iterations;
   }
 
 
@@ -111,7 +128,8 @@ namespace RollingContact
   {
     set_time_step(h);
     set_drive(time, h);
-    outcome.speed = histories.speed.value(time + h);
+    outcome.speed     = histories.speed.value(time + h);
+    const bool smooth = !histories.jump_between(time, time + h);
     if (contact.problem.n_tangential() > 0 &&
         outcome.speed * scene.contact.flow() <= 0.)
       throw InputError("Time/Speed is " + significant(outcome.speed, 6) +
@@ -120,22 +138,12 @@ namespace RollingContact
                        "Contact/Speed.");
     {
       PhaseTimer::Scope phase(context.timer, Phase::body_solves);
-      apply_free_motion(motion->begin_step(hub_acceleration(time, h)),
+      apply_free_motion(motion->begin_step(histories.hub_acceleration(time, h),
+                                           smooth),
                         std::abs(outcome.speed));
     }
     const ContactState previous = contact.state;
-    {
-      PhaseTimer::Scope phase(context.timer, Phase::contact_solve);
-      contact.solver = solve_updating_compliance(
-        *solver,
-        [&](const auto &forces, const bool) {
-          return motion->response(forces);
-        },
-        contact.pair->compliance_is_exact(),
-        scene.solver.controls,
-        contact.problem,
-        contact.state);
-    }
+    solve(std::abs(outcome.speed));
     outcome.solver.reason   = contact.solver.reason;
     outcome.solver.residual = contact.solver.residual;
     if (!contact.solver.converged)
@@ -147,7 +155,7 @@ namespace RollingContact
     check_invariants(invariants(contact.problem, contact.state),
                      scene.solver.controls.tolerance,
                      "t = " + significant(time + h, 9) + " s: ");
-    finish_part(previous, h, outcome);
+    finish_part(previous, h, smooth, outcome);
     return true;
   }
 
@@ -157,6 +165,7 @@ namespace RollingContact
   void
   ContactStepper<dim>::finish_part(const ContactState &previous,
                                    const double        h,
+                                   const bool          smooth,
                                    StepOutcome        &outcome)
   {
     const ContactProblem &problem = contact.problem;
@@ -168,6 +177,7 @@ namespace RollingContact
       outcome.energy.add_changes(part);
     }
     ++outcome.n_parts;
+    outcome.force_lag = (1 - theta()) * h;
     outcome.solver.iterations += contact.solver.iterations;
     outcome.solver.solver = contact.solver.solver;
     for (unsigned int i = 0; i < problem.n_nodes(); ++i)
@@ -178,13 +188,27 @@ namespace RollingContact
     const Uniqueness several = uniqueness(problem, contact.state);
     if (several.ratio > outcome.several.ratio)
       outcome.several = several;
-    const TangentialProblem friction =
-      tangential_problem(problem, contact.state);
-    outcome.friction +=
-      std::abs(outcome.speed) * h * dissipation(friction, contact.state);
-    const auto states = node_states(friction, contact.state);
+    outcome.friction += friction_heat(h, std::abs(outcome.speed), smooth);
+    const auto states =
+      node_states(tangential_problem(problem, contact.state), contact.state);
     outcome.n_sticking =
       std::count(states.begin(), states.end(), NodeState::stick);
+  }
+
+
+
+  template <int dim>
+  double
+  ContactStepper<dim>::friction_heat(const double h,
+                                     const double speed,
+                                     const bool   smooth)
+  {
+    const SlipMemory before = std::move(slip);
+    slip = slip_memory(contact.problem, contact.state, speed);
+    if (scene.time.inertia)
+      return heat_within_step(
+        before, theta(), h, contact.problem, contact.state, slip);
+    return h * (smooth ? (before.power + slip.power) / 2 : slip.power);
   }
 
 
@@ -219,7 +243,8 @@ namespace RollingContact
   StepOutcome
   ContactStepper<dim>::advance(const double time, const double h)
   {
-    const ContactState before = contact.state;
+    const ContactState before      = contact.state;
+    const SlipMemory   slip_before = slip;
     motion->remember();
     try
       {
@@ -228,6 +253,7 @@ namespace RollingContact
     catch (...)
       {
         contact.state    = before;
+        slip             = slip_before;
         contact.restored = true; // the drive is that of the failed step
         motion->go_back();
         throw;
@@ -267,15 +293,20 @@ namespace RollingContact
     checkpoint.scheme   = contact.state.scheme;
     checkpoint.friction = contact.state.friction;
     checkpoint.bodies   = motion->save();
+    checkpoint.past     = motion->past();
+    checkpoint.slip     = slip;
 
     const ContactLoads &loads = contact.problem.loads;
     LastStep           &last  = checkpoint.last_step;
     last                      = {!contact.restored,
                                  time_step,
                                  loads.speed,
+                                 contact.problem.operators.time_scaling().rate,
                                  loads.gap,
                                  loads.free_slip,
                                  loads.free_displacement,
+                                 loads.slip_share,
+                                 loads.slip_before,
                                  contact.state.edge_law,
                                  contact.state.holds_friction,
                                  contact.solver};
@@ -326,8 +357,10 @@ namespace RollingContact
     loads.speed             = step.speed;
     loads.free_slip         = step.free_slip;
     loads.free_displacement = step.free_displacement;
+    loads.slip_share        = step.slip_share;
+    loads.slip_before       = step.slip_before;
     contact.problem.operators.set_time_scaling(
-      {motion->displacement_factor(), 1 / (step.speed * step.length)});
+      {motion->displacement_factor(), step.rate});
   }
 
 
@@ -347,6 +380,8 @@ namespace RollingContact
                      checkpoint.friction,
                      holds_friction};
     motion->restore(checkpoint.bodies, contact.problem, contact.state);
+    motion->set_past(checkpoint.past);
+    slip = checkpoint.slip;
   }
 
 

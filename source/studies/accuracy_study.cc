@@ -3,6 +3,7 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/memory.h>
 #include <rolling_contact/base/text.h>
+#include <rolling_contact/contact/recovered_tractions.h>
 #include <rolling_contact/parallel/interrupt.h>
 #include <rolling_contact/report/result_row.h>
 #include <rolling_contact/solvers/normal_active_set.h>
@@ -375,7 +376,9 @@ namespace RollingContact
       return;
     results.carter = follows_carter(scene, steady);
     if (!results.carter && finest.size() == key.state)
-      finest.push_back({steady.pair->trace(), steady.state.traction});
+      finest.push_back(
+        {steady.pair->trace(),
+         recovered_tractions(steady.problem, steady.state).traction});
   }
 
 

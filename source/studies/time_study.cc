@@ -33,7 +33,10 @@ namespace RollingContact
       if (!reference->failure.empty())
         throw ConvergenceError("Accuracy study, the reference: " +
                                reference->failure);
-    const ForceHistory limit = first_order_limit(coarse.history, fine.history);
+    const bool second_order =
+      !scene.time.inertia || study.thetas.front() == 0.5;
+    const ForceHistory limit =
+      limit_of(coarse.history, fine.history, second_order ? 2. : 1.);
     if (limit.forces.empty())
       throw InputError(
         "Accuracy study/Reference time step = " + significant(finest, 6) +
@@ -45,7 +48,8 @@ namespace RollingContact
       for (const double step : steps)
         runs.push_back(solve(step, theta));
     context.log.message(
-      "Histories against the limit of first order of the steps " +
+      std::string("Histories against the limit of ") +
+      (second_order ? "second" : "first") + " order of the steps " +
       significant(finest, 4) + " and " + significant(2 * finest, 4) +
       " s with theta = " + significant(study.thetas.front(), 4) +
       ", which is " +
@@ -76,6 +80,7 @@ namespace RollingContact
     run.step         = step;
     run.theta        = theta;
     run.history.step = step;
+    run.history.lag  = scene.time.inertia ? (1 - theta) * step : 0.;
 
     SceneParameters varied  = scene;
     varied.time.step_length = 0.;

@@ -13,7 +13,8 @@ import vtu
 
 MU, STEEL, NU, RADIUS, CROWN, WIDTH = 0.3, 210e9, 0.3, 0.46, 0.3, 0.02
 MODULUS, SHEAR = STEEL / 2 / (1 - NU**2), STEEL / 2 / (1 + NU)
-UNITS = {"traction": "Pa", "pressure": "Pa", "traction_size": "Pa", "traction_bound": "Pa",
+UNITS = {"traction": "Pa", "pressure": "Pa", "traction_size": "Pa", "traction_bound": "Pa", "recovered_traction": "Pa",
+         "recovered_pressure": "Pa",
          "slip": None, "gap": "m", "area": "m^2", "state": None,
          "friction_coefficient": None, "sliding_speed": "m/s"}
 OPEN, STICK = 0, 2
@@ -145,6 +146,14 @@ def check_fields(path, row):
     bound = field["traction_bound"]
     check(f"{path}: bound", all(b <= MU * (1 + 1e-6) * s for b, s in zip(bound, p)))
     near(f"{path}: sum of bounds", total(bound), MU * load, 0.05)
+    recovered_p, recovered_q = field["recovered_pressure"], field["recovered_traction"]
+    near(f"{path}: recovered peak", max(recovered_p), max(p), 0.02)
+    check(f"{path}: recovered pressure where none is",
+          all(r == 0 for r, s in zip(recovered_p, state) if s == OPEN))
+    check(f"{path}: friction of recovered tractions",
+          all(math.hypot(*t) <= MU * (1 + 1e-5) * r + 1 for t, r in zip(recovered_q, recovered_p)))
+    near(f"{path}: recovered force x", total(t[0] for t in recovered_q), row["force_x_N"], 0, 0.04 * load)
+    near(f"{path}: recovered force y", total(t[1] for t in recovered_q), row["force_y_N"], 0, 0.04 * load)
     open_gaps = [g for g, s in zip(field["gap"], state) if s == OPEN]
     check(f"{path}: open gaps", not open_gaps or 0 < min(open_gaps) and max(open_gaps) < 1e-3)
     touching = [s != OPEN for s in state]
@@ -312,7 +321,7 @@ def check_energy(folder, history):
         check(f"{folder}: balance error", abs(row["energy_balance_error"]) < 1e-10)
 
 
-def vibration(folder, smooth=True):
+def vibration(folder, theta, smooth=True):
     """Discs at 10 m/s, the creepage oscillates at 1 kHz."""
     history = rows(os.path.join(folder, "history.csv"))
     near(f"{folder}: steps", len(history), 40, 0)
@@ -321,6 +330,7 @@ def vibration(folder, smooth=True):
         time, where = number * 2e-6, f"{folder}, step {number}"
         near(f"{where}: number", row["step"], number, 0)
         near(f"{where}: time", row["time_s"], time, 1e-8)
+        near(f"{where}: forces act", row["force_time_s"], time - (1 - theta) * 2e-6, 1e-8)
         near(f"{where}: distance", row["rolled_m"], 10 * time, 1e-8)
         near(f"{where}: speed", row["speed_m/s"], 10, 0)
         near(f"{where}: approach", row["approach_m"], 0.22e-3, 1e-8)
@@ -352,20 +362,20 @@ def vibration(folder, smooth=True):
 
 
 def damped(folder):
-    last = vibration(folder)[-1]
+    last = vibration(folder, 0.5)[-1]
     check(f"{folder}: damping", last["damping_J"] > 0)
     near(f"{folder}: no numerical dissipation", last["numerical_J"], 0, 0)
 
 
 def numerical(folder):
-    last = vibration(folder)[-1]
+    last = vibration(folder, 0.7)[-1]
     check(f"{folder}: numerical dissipation", last["numerical_J"] > 0)
     near(f"{folder}: no damping", last["damping_J"], 0, 0)
 
 
 def falling(folder):
     """Friction that falls makes the discs jerk: a ratio, rounds of the law."""
-    last = vibration(folder, smooth=False)[-1]
+    last = vibration(folder, 0.505, smooth=False)[-1]
     check(f"{folder}: ratio", last["several_solutions_ratio"] > 0)
     (row,) = rows(os.path.join(folder, "results.csv"))
     check(f"{folder}: rounds", 1 <= row["friction_rounds"] < 100)
@@ -397,6 +407,7 @@ def rolling_3d(folder):
     history = rows(os.path.join(folder, "history.csv"))
     last, (row,) = history[-1], rows(os.path.join(folder, "results.csv"))
     near(f"{folder}: distance", last["rolled_m"], 8e-3, 1e-8)
+    near(f"{folder}: forces act at the end", last["force_time_s"], last["time_s"], 1e-12)
     check(f"{folder}: creepages", (last["creepage_y"], last["spin_1/m"]) == (0.003, 0.4))
     for name in ("force_y_N", "spin_moment_Nm", "creepage_y", "spin_1/m"):
         near(f"{folder}: {name} at the end", row[name], last[name], 1e-8)

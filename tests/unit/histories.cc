@@ -92,6 +92,41 @@ BOOST_AUTO_TEST_CASE(numbers_and_expressions)
 
 
 
+/**
+ * A jump shows within a step however long that is; what is merely steep, or
+ * turns back, is none.
+ */
+BOOST_AUTO_TEST_CASE(jumps_are_found_where_they_are)
+{
+  const auto function = [](const std::string &text) {
+    return TimeFunction("Time/Creepage x", text, "");
+  };
+  const TimeFunction step = function("if(t < 0.3, 1, 2)");
+  BOOST_TEST(step.jumps_between(0.2, 0.3)); // takes the value behind it
+  BOOST_TEST(step.jumps_between(0., 10.));
+  BOOST_TEST(step.jumps_between(0.29999, 0.30001));
+  BOOST_TEST(!step.jumps_between(0.3, 0.4));
+  BOOST_TEST(!step.jumps_between(0., 0.29));
+  BOOST_TEST(function("0.001 + if(t < 0.3, 0, 1e-6)").jumps_between(0.2, 0.4));
+  const TimeFunction wave = function("sin(2 * pi * t)");
+  for (unsigned int k = 0; k < 40; ++k)
+    for (const double h : {1e-3, 0.025, 0.1})
+      BOOST_TEST(!wave.jumps_between(0.025 * k, 0.025 * k + h));
+  BOOST_TEST(!function("1e-3 + 1e-18 * sin(1e5 * t)").jumps_between(0., 1.));
+  BOOST_TEST(!function("0.0017").jumps_between(0., 1.));
+
+  DrivingFunctions driving{
+    {}, {}, wave, TimeFunction(0.), TimeFunction(0.), TimeFunction(10.), {}};
+  BOOST_TEST(!driving.jump_between(0.2, 0.4));
+  driving.approach = step;
+  BOOST_TEST(driving.jump_between(0.2, 0.4));
+  driving.approach = {};
+  driving.speed    = step;
+  BOOST_TEST(driving.jump_between(0.2, 0.4));
+}
+
+
+
 BOOST_AUTO_TEST_CASE(bad_expressions_name_the_entry)
 {
   const auto said = [](const std::string &text) {

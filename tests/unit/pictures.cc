@@ -242,6 +242,40 @@ BOOST_FIXTURE_TEST_CASE(history_in_millimetres_and_milliseconds, DrawingRun)
 
 
 
+/**
+ * With theta = 0.5 the forces of a step act in its middle.
+ */
+BOOST_FIXTURE_TEST_CASE(forces_are_drawn_where_they_act, DrawingRun)
+{
+  standard<2>(scene);
+  scene.analysis              = "transient";
+  scene.contact.creepages.x   = 0.001;
+  scene.contact.slip_operator = SlipOperatorKind::upwind_2;
+  scene.time.inertia          = true;
+  scene.time.initial_state    = InitialState::steady;
+  scene.time.creepage_x       = "0.001 + 0.1 * t";
+  scene.time.time_step        = 1e-5;
+  scene.time.end_time         = 3e-5;
+  scene.check();
+  Transient<2>(scene, drawing).run();
+  const Values time = column("history.csv", "time_s"),
+               acts = column("history.csv", "force_time_s");
+  BOOST_REQUIRE_EQUAL(time.size(), 3u);
+  Values middles, ends;
+  for (std::size_t i = 0; i < 3; ++i)
+    {
+      BOOST_TEST(acts[i] == time[i] - 0.5e-5,
+                 boost::test_tools::tolerance(1e-8));
+      middles.push_back(10 * acts[i]);
+      ends.push_back(10 * time[i]);
+    }
+  check_equal(block("history", "longitudinal")[0], middles, 1e3);
+  check_equal(block("history", "load N")[0], middles, 1e3);
+  check_equal(block("history", "longitudinal creepage")[0], ends, 1e3);
+}
+
+
+
 BOOST_FIXTURE_TEST_CASE(load_in_time, DrawingRun)
 {
   standard<2>(scene);

@@ -214,6 +214,11 @@ BOOST_FIXTURE_TEST_CASE(checkpoints_keep_every_bit, ScratchFolder)
                           std::numeric_limits<double>::denorm_min(),
                           1. / 3},
                          {std::nextafter(1., 2.), INFINITY, std::nan("7")}};
+  state.past          = {{1. / 7}, std::nextafter(2e-6, 0.)};
+  state.slip          = {NodalField(1, std::vector<double>{1. / 9}),
+                         NodalField(1, std::vector<double>{-1. / 11}),
+                         1. / 13,
+                         -1. / 15};
   state.pressure      = {1e300, -1e-300};
   state.traction      = {M_PI};
   state.approach      = std::nextafter(2.2e-4, 0.);
@@ -223,6 +228,9 @@ BOOST_FIXTURE_TEST_CASE(checkpoints_keep_every_bit, ScratchFolder)
   state.last_step.is_known      = true;
   state.last_step.length        = std::nextafter(1e-6, 0.);
   state.last_step.gap           = {1. / 3};
+  state.last_step.rate          = 1. / 17;
+  state.last_step.slip_share    = {0.5};
+  state.last_step.slip_before   = NodalField(1, std::vector<double>{1. / 19});
   state.last_step.solver.solver = "active set";
   state.history                 = {17, 4321};
   state.body_fields             = {{0.1, 1, "rail", "rail-0001.vtu"}};
@@ -242,6 +250,16 @@ BOOST_FIXTURE_TEST_CASE(checkpoints_keep_every_bit, ScratchFolder)
                            state.bodies.wheel.velocity[i]));
     }
   BOOST_TEST(copy.bodies.rail.displacement.empty());
+  BOOST_TEST((copy.past.velocity == state.past.velocity));
+  BOOST_TEST(same_bits(copy.past.length, state.past.length));
+  BOOST_TEST((copy.slip.sliding.values() == state.slip.sliding.values()));
+  BOOST_TEST((copy.slip.mean.values() == state.slip.mean.values()));
+  BOOST_TEST(same_bits(copy.slip.power, state.slip.power));
+  BOOST_TEST(same_bits(copy.slip.debt, state.slip.debt));
+  BOOST_TEST(same_bits(copy.last_step.rate, state.last_step.rate));
+  BOOST_TEST((copy.last_step.slip_share == state.last_step.slip_share));
+  BOOST_TEST((copy.last_step.slip_before.values() ==
+              state.last_step.slip_before.values()));
   BOOST_TEST((copy.pressure == state.pressure));
   BOOST_TEST((copy.traction == state.traction));
   BOOST_TEST(copy.scheme.edges.size() == 2u);

@@ -139,7 +139,7 @@ namespace
 BOOST_AUTO_TEST_CASE(histories_of_first_order)
 {
   const ForceHistory limit =
-    first_order_limit(made_up_history(0.02, 3.), made_up_history(0.01, 3.));
+    limit_of(made_up_history(0.02, 3.), made_up_history(0.01, 3.), 1.);
   BOOST_TEST(limit.step == 0.02);
   BOOST_TEST(limit.forces.size() == 50u);
   const ForceHistory exact = made_up_history(0.02, 0.);
@@ -151,7 +151,38 @@ BOOST_AUTO_TEST_CASE(histories_of_first_order)
   BOOST_TEST(errors.n_times == 10u);
   BOOST_TEST(errors.force_largest == 0.03, boost::test_tools::tolerance(1e-10));
   BOOST_TEST(errors.force_mean == 0.03, boost::test_tools::tolerance(1e-10));
-  BOOST_TEST(errors.load_largest < 1e-12);
+  BOOST_TEST((errors.load_largest < 1e-12));
+}
+
+
+
+/**
+ * Forces at half of each step: means of the exact ones over the steps differ
+ * from those there by h^2 / 12, which the limit of second order takes out.
+ */
+BOOST_AUTO_TEST_CASE(histories_of_forces_within_their_steps)
+{
+  const auto means = [](const double h) {
+    ForceHistory history{h, {}, h / 2};
+    for (int k = 1; k * h < 1 + 1e-9; ++k)
+      {
+        const double end = k * h, begin = end - h;
+        history.forces.push_back(
+          {{(end * end * end - begin * begin * begin) / (3 * h),
+            0.,
+            5 * (end + begin)}});
+      }
+    return history;
+  };
+  const ForceHistory limit = limit_of(means(0.02), means(0.01), 2.);
+  BOOST_TEST(limit.forces.size() == 50u);
+  for (std::size_t i = 0; i < limit.forces.size(); ++i)
+    BOOST_TEST(
+      (std::abs(limit.forces[i][0] - std::pow(limit.time(i), 2)) < 1e-12));
+  const HistoryErrors errors = history_errors(means(0.1), limit);
+  BOOST_TEST(errors.n_times == 10u);
+  BOOST_TEST(errors.force_largest == 0.01 / 12 / (10 * 0.99),
+             boost::test_tools::tolerance(1e-9));
 }
 
 

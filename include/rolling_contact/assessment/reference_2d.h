@@ -29,9 +29,10 @@ namespace RollingContact
 
   /**
    * Differences from the reference: forces over mu N, tractions over mu p0,
-   * lengths in elements. With x in units of a and the error e known at the
-   * nodes, L2 = sqrt(integral e^2 dx / a) by the trapezoidal rule and sawtooth
-   * = max |e(i+1) - 2 e(i) + e(i-1)| / 4.
+   * lengths in elements. With x in units of a and the error e of the
+   * RecoveredTractions known at the nodes, L2 = sqrt(integral e^2 dx / a) by
+   * the trapezoidal rule. The sawtooth is that of the state itself, max |e(i+1)
+   * - 2 e(i) + e(i-1)| / 4.
    */
   struct Errors2D
   {

@@ -9,7 +9,7 @@
 namespace RollingContact
 {
   /**
-   * Tractions on the trace of a mesh, Pa: those of the finest mesh stand in
+   * RecoveredTractions on the trace of a mesh, Pa: those of the finest stand in
    * where a scene has no closed form.
    */
   struct TractionField

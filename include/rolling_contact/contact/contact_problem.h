@@ -27,6 +27,12 @@ namespace RollingContact
     NodalField free_slip;         ///< besides the rigid slip; empty for zero
     NodalField free_displacement; ///< of convection; empty for zero, m
 
+    /** Where friction answers the slip within a time step: the share of that
+     * at the end, and what the slip at the start adds to it. Empty where it
+     * answers the slip at the end. */
+    std::vector<double> slip_share;
+    NodalField          slip_before;
+
     std::vector<double>
       friction; ///< mu of each node, mu_s if it depends on |s|
     std::shared_ptr<const FrictionLaw> friction_law; ///< none: mu is constant

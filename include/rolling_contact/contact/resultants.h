@@ -59,6 +59,15 @@ namespace RollingContact
   dissipation(const TangentialProblem &tangential, const ContactState &state);
 
   /**
+   * -A q . s with the areas A of the nodes, a traction and a slip: power of
+   * friction over the speed that the slip is measured by. Units: Pa m^2.
+   */
+  double
+  dissipation(const ContactOperators &operators,
+              const NodalField       &traction,
+              const NodalField       &slip);
+
+  /**
    * True if a node touches whose surroundings are not all on the trace: the
    * candidate zone is too small for the patch.
    */

@@ -69,6 +69,17 @@ dposv_(const char *uplo,
        int        *info);
 
 void
+dpbsv_(const char *uplo,
+       const int  *n,
+       const int  *kd,
+       const int  *nrhs,
+       double     *ab,
+       const int  *ldab,
+       double     *b,
+       const int  *ldb,
+       int        *info);
+
+void
 dgesv_(const int *n,
        const int *nrhs,
        double    *a,

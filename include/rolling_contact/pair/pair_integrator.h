@@ -2,6 +2,7 @@
 #define rolling_contact_pair_pair_integrator_h
 
 #include <rolling_contact/dynamics/body_motion.h>
+#include <rolling_contact/pair/past_step.h>
 #include <rolling_contact/pair/rolling_pair.h>
 
 #include <memory>
@@ -19,15 +20,19 @@ namespace RollingContact
     std::vector<double> displacement; ///< tangential u1, which B1 acts on
     std::vector<double> velocity;     ///< tangential v1
     std::vector<double> gap;          ///< what the contact law adds to the gap
+
+    /** Change of the velocity over W r / h: 1, or more of a scheme that takes
+     * it from several steps. */
+    double velocity_factor = 1.;
   };
 
   /**
    * Motion of the bodies of a pair in time. Over a time step h nodal forces r
    * of the pair change, with W = compliance(), the gap by W r, the displacement
-   * by displacement_factor() W r and the velocity by W r / h. A step is
-   * begin_step(), the contact solve by the caller, end_step(). What concerns
-   * the pair is the same on all ranks. Functions are collective unless they say
-   * otherwise.
+   * by displacement_factor() W r and the velocity by
+   * FreeMotion::velocity_factor W r / h. A step is begin_step(), the contact
+   * solve by the caller, end_step(). What concerns the pair is the same on all
+   * ranks. Functions are collective unless they say otherwise.
    */
   template <int dim>
   class PairIntegrator
@@ -71,10 +76,11 @@ namespace RollingContact
     /**
      * Begin a step, in place of one that was begun and not ended, and return
      * the motion without reactions. @p hub_acceleration is that of the wheel's
-     * hub towards the rail. Units: m/s^2.
+     * hub towards the rail; @p smooth is false if what drives the pair jumps in
+     * this step, so that what was before it says nothing. Units: m/s^2.
      */
     virtual FreeMotion
-    begin_step(const double hub_acceleration) = 0;
+    begin_step(const double hub_acceleration, const bool smooth) = 0;
 
     /**
      * End the step with the reactions of a contact state, and return the sum of
@@ -160,6 +166,20 @@ namespace RollingContact
     restore(const PerSide<BodyMotion> &motion,
             const ContactProblem      &problem,
             const ContactState        &state) = 0;
+
+    /**
+     * What a scheme of two steps has beside the state, for a checkpoint, and to
+     * be set after restore(). Not collective.
+     */
+    virtual PastStep
+    past() const
+    {
+      return {};
+    }
+
+    virtual void
+    set_past(const PastStep &)
+    {}
   };
 
   /**
@@ -174,7 +194,11 @@ namespace RollingContact
                         const RollingPair<dim> &pair);
 
   /**
-   * Bodies without mass, with the static W: u1 = W r and v1 = (u1 - u0)/h.
+   * Bodies without mass, with the static W: u1 = W r, and v1 by BDF2. With the
+   * mean velocities d1 = (u1 - u0)/h of the step and d0 of the one before, of
+   * length h_0, and w = h/h_0,
+   *   v1 = d1 + w / (1 + w) (d1 - d0);
+   * in the first step from rest, and where what drives the pair jumps, v1 = d1.
    * Keeps a reference to the pair.
    */
   template <int dim>

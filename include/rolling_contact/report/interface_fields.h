@@ -13,12 +13,13 @@ namespace RollingContact
 {
   /**
    * Writes a VTU of the contact surface at z = @p surface_height(x, y):
-   * traction and slip of the wheel, their sizes and bounds, pressure, gap,
-   * nodal area and NodeState; zero traction and slip without friction; where it
-   * falls the friction coefficient and the sliding speed. Slip, gap and sliding
-   * speed are NaN unless @p step_is_known: they need what a step in time does
-   * without reactions. Units: Pa, m, m^2, m/s. Throws InputError if the file
-   * cannot be written. Collective: the root writes.
+   * traction and slip of the wheel, their sizes and bounds, pressure, both as
+   * RecoveredTractions too, gap, nodal area and NodeState; zero traction and
+   * slip without friction; where it falls the friction coefficient and the
+   * sliding speed. Slip, gap and sliding speed are NaN unless @p step_is_known:
+   * they need what a step in time does without reactions. Units: Pa, m, m^2,
+   * m/s. Throws InputError if the file cannot be written. Collective: the root
+   * writes.
    */
   template <int dim>
   void

@@ -10,6 +10,7 @@
 #include <rolling_contact/scene/load_curve_parameters.h>
 #include <rolling_contact/scene/mesh_parameters.h>
 #include <rolling_contact/scene/output_parameters.h>
+#include <rolling_contact/scene/profile_parameters.h>
 #include <rolling_contact/scene/solver_parameters.h>
 #include <rolling_contact/scene/study_parameters.h>
 #include <rolling_contact/scene/time_parameters.h>
@@ -82,6 +83,7 @@ namespace RollingContact
     LoadCurveParameters  load_curve;
     StudyParameters      study;
     TimeParameters       time;
+    ProfileParameters    profiles;
     OutputParameters     output;
 
   private:

@@ -51,6 +51,13 @@ namespace RollingContact
     bool
     is_constant() const;
 
+    /**
+     * True if more than half of what it does from @p begin to @p end it does
+     * within an eighth of that time: a jump, or as good as one. Units: s.
+     */
+    bool
+    jumps_between(const double begin, const double end) const;
+
     bool
     is_table() const
     {

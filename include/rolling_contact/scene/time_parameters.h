@@ -40,6 +40,19 @@ namespace RollingContact
     {
       return {creepage_x.value(time), creepage_y.value(time), spin.value(time)};
     }
+
+    /**
+     * True if one of them jumps, see TimeFunction. Units: s.
+     */
+    bool
+    jump_between(const double begin, const double end) const;
+
+    /**
+     * Acceleration of the wheel's hub towards the rail, by the approach before,
+     * at and after a time; 0 at the start. Units: s, m/s^2.
+     */
+    double
+    hub_acceleration(const double time, const double h) const;
   };
 
   /**

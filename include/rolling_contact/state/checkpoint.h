@@ -5,11 +5,13 @@
 #include <rolling_contact/contact/contact_problem.h>
 #include <rolling_contact/dynamics/body_motion.h>
 #include <rolling_contact/input/prm_entries.h>
+#include <rolling_contact/pair/past_step.h>
 #include <rolling_contact/run/history_table.h>
 #include <rolling_contact/run/pvd.h>
 #include <rolling_contact/run/run_folder.h>
 #include <rolling_contact/scene/scene_parameters.h>
 #include <rolling_contact/solvers/contact_solver.h>
+#include <rolling_contact/state/slip_memory.h>
 
 #include <cstdint>
 #include <string>
@@ -47,8 +49,11 @@ namespace RollingContact
     bool                is_known = false; ///< not after a failed one
     double              length   = 0.;
     double              speed    = 0.;
+    double              rate     = 0.; ///< see TimeScaling
     std::vector<double> gap;
     NodalField          free_slip, free_displacement;
+    std::vector<double> slip_share;
+    NodalField          slip_before;
     bool                edge_law       = true;
     bool                holds_friction = false;
     SolverReport        solver;
@@ -67,6 +72,8 @@ namespace RollingContact
     TransientProgress progress;
 
     PerSide<BodyMotion> bodies; ///< each of twins has its own motion
+    PastStep            past;
+    SlipMemory          slip;
     std::vector<double> pressure, traction;
     double              approach = 0.; ///< m
     SlipScheme          scheme;        ///< see edge_law.h

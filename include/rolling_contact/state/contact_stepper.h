@@ -22,7 +22,8 @@ namespace RollingContact
     StepEnergy   energy;
     double       friction   = 0.;
     double       speed      = 0.;
-    unsigned int n_impacts  = 0; ///< nodes that closed
+    double       force_lag  = 0.; ///< s: the forces act before the end by that
+    unsigned int n_impacts  = 0;  ///< nodes that closed
     unsigned int n_sticking = 0;
     unsigned int n_parts    = 0; ///< 1 unless halved
     Uniqueness   several;        ///< the worst of the parts
@@ -102,8 +103,19 @@ namespace RollingContact
     void
     apply_free_motion(const FreeMotion &free, const double speed);
 
+    /**
+     * Solve the contact laws of a part of a step; @p speed at its end. Units:
+     * m/s.
+     */
+    void
+    solve(const double speed);
+
+    /**
+     * Heat of friction in a part of a step that has ended; @p smooth as in
+     * PairIntegrator::begin_step(). Units: s, m/s, J.
+     */
     double
-    hub_acceleration(const double time, const double h) const;
+    friction_heat(const double h, const double speed, const bool smooth);
 
     /**
      * Take one part of a step; false, with the state as before, if the solver
@@ -125,6 +137,16 @@ namespace RollingContact
     restore_state(const Checkpoint &checkpoint);
 
     /**
+     * Theta of the scheme, 1 without inertia: at theta of a step its reactions
+     * act.
+     */
+    double
+    theta() const
+    {
+      return scene.time.inertia ? scene.time.theta : 1.;
+    }
+
+    /**
      * The slip of the state is known again.
      */
     void
@@ -133,6 +155,7 @@ namespace RollingContact
     void
     finish_part(const ContactState &previous,
                 const double        h,
+                const bool          smooth,
                 StepOutcome        &outcome);
 
     const SceneParameters               &scene;
@@ -141,6 +164,7 @@ namespace RollingContact
     SteadyState<dim>                     contact;
     std::unique_ptr<PairIntegrator<dim>> motion;
     std::unique_ptr<ContactSolver>       solver;
+    SlipMemory                           slip; ///< at the end of the last step
     std::vector<double>                  undeformed_gap;
     std::vector<bool>                    border;
     double                               time_step = 0.;

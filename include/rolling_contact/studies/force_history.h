@@ -8,27 +8,37 @@
 namespace RollingContact
 {
   /**
-   * Force on the wheel (x, y, and the load) at the times step, 2 step, ...
-   * Units: s, N.
+   * Force on the wheel (x, y, and the load) at the times step, 2 step, ...,
+   * each less the lag: (1 - theta) step with the theta-scheme, whose reactions
+   * act at theta of a step. Units: s, N.
    */
   struct ForceHistory
   {
     double                             step = 0.;
     std::vector<std::array<double, 3>> forces;
+    double                             lag = 0.;
+
+    double
+    time(const std::size_t i) const
+    {
+      return (i + 1) * step - lag;
+    }
   };
 
   /**
    * The limit of two histories, the coarse one with twice the step of the fine
-   * one, when errors are of first order in the step: 2 fine - coarse, at the
-   * times of the coarse one.
+   * one, when errors are of this order in the step, at the times of the coarse
+   * one: fine + (fine - coarse) / (2^order - 1).
    */
   ForceHistory
-  first_order_limit(const ForceHistory &coarse, const ForceHistory &fine);
+  limit_of(const ForceHistory &coarse,
+           const ForceHistory &fine,
+           const double        order);
 
   /**
-   * Differences at the times a history has in common with a reference whose
-   * step is a whole part of its own: of the tangential force, as a vector, and
-   * of the load, over the largest load of the reference.
+   * Differences from a reference, interpolated by cubics, at the times of a
+   * history which lie within those of the reference: of the tangential force,
+   * as a vector, and of the load, over the largest load of the reference.
    */
   struct HistoryErrors
   {

@@ -1,0 +1,62 @@
+#ifndef rolling_contact_analyses_contact_table_h
+#define rolling_contact_analyses_contact_table_h
+
+#include <rolling_contact/analyses/analysis.h>
+#include <rolling_contact/profiles/conicity.h>
+#include <rolling_contact/run/run_context.h>
+#include <rolling_contact/scene/scene_parameters.h>
+
+#include <vector>
+
+namespace RollingContact
+{
+  /**
+   * `Analysis = contact table`: where rigid profiles touch when the wheelset is
+   * shifted, and how it is steered by that: a row of results.csv for each shift
+   * and pictures; no finite elements. Units: m, rad.
+   */
+  class ContactTable : public Analysis
+  {
+  public:
+    ContactTable(const SceneParameters &scene, RunContext &context);
+
+    void
+    run() override;
+
+  private:
+    /**
+     * Both contacts of the wheelset at a shift.
+     */
+    struct Row
+    {
+      double                 shift, roll;
+      Profiles::RigidContact right, left;
+    };
+
+    Row
+    find(const double shift) const;
+
+    void
+    write_rows();
+
+    void
+    summarise() const;
+
+    void
+    plot_sections() const;
+
+    void
+    plot_gaps() const;
+
+    void
+    plot_steering() const;
+
+    const SceneParameters     &scene;
+    RunContext                &context;
+    Profiles::WheelOnRail      side;
+    std::vector<Row>           rows;
+    Profiles::RadiusDifference radius_difference;
+  };
+} // namespace RollingContact
+
+#endif

@@ -1,0 +1,331 @@
+#include <rolling_contact/analyses/contact_table.h>
+#include <rolling_contact/base/text.h>
+#include <rolling_contact/parallel/interrupt.h>
+#include <rolling_contact/plot/figure.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace RollingContact
+{
+  namespace
+  {
+    const char table_file[] = "contact_table.csv";
+
+    const double jump = 1e-3; // m, of a contact point from shift to shift
+
+    const double widest_gap = 1e-3; // m, that the picture of gaps shows
+
+
+
+    /**
+     * 1 / curvature, 0 where it is flat. Units: m.
+     */
+    double
+    radius_of(const double curvature)
+    {
+      return std::abs(curvature) < 1e-6 ? 0. : 1 / curvature;
+    }
+
+
+
+    void
+    set_contact(const std::string            &side,
+                const Profiles::RigidContact &contact,
+                const double                  sign,
+                ResultsTable                 &table)
+    {
+      table.set(side + "_x_m", contact.x);
+      table.set(side + "_y_track_m", sign * contact.y);
+      table.set(side + "_z_track_m", contact.z);
+      table.set(side + "_y_wheel_m", contact.y_wheel);
+      table.set(side + "_y_rail_m", contact.y_rail);
+      table.set(side + "_angle_rad", contact.angle);
+      table.set(side + "_rolling_radius_m", contact.rolling_radius);
+      table.set(side + "_wheel_lateral_radius_m",
+                radius_of(contact.wheel_curvature));
+      table.set(side + "_rail_lateral_radius_m",
+                radius_of(contact.rail_curvature));
+      table.set(side + "_spin_1/m",
+                -sign * std::sin(contact.angle) / contact.rolling_radius);
+    }
+
+
+
+    std::vector<double>
+    scaled(std::vector<double> values, const double factor)
+    {
+      for (double &value : values)
+        value *= factor;
+      return values;
+    }
+  } // namespace
+
+
+
+  ContactTable::ContactTable(const SceneParameters &scene, RunContext &context)
+    : scene(scene)
+    , context(context)
+    , side(scene.profiles.wheel(scene.prm_folder),
+           scene.profiles.rail(scene.prm_folder),
+           scene.wheel.radius,
+           scene.profiles.tape_circle())
+  {}
+
+
+
+  ContactTable::Row
+  ContactTable::find(const double shift) const
+  {
+    const double yaw  = scene.profiles.yaw;
+    const double roll = Profiles::resting_roll(side, shift, yaw);
+    return {shift,
+            roll,
+            side.first_contact({shift, roll, yaw}),
+            side.first_contact(Profiles::mirrored({shift, roll, yaw}))};
+  }
+
+
+
+  void
+  ContactTable::run()
+  {
+    {
+      PhaseTimer::Scope phase(context.timer, Phase::contact_solve);
+      for (const double shift : scene.profiles.shifts)
+        {
+          throw_if_interrupted();
+          rows.push_back(find(shift));
+          radius_difference.shift.push_back(shift);
+          radius_difference.difference.push_back(
+            rows.back().right.rolling_radius - rows.back().left.rolling_radius);
+        }
+    }
+    write_rows();
+    summarise();
+    if (!scene.output.plot)
+      return;
+    PhaseTimer::Scope phase(context.timer, Phase::fields);
+    plot_sections();
+    if (rows.size() > 1)
+      {
+        plot_gaps();
+        plot_steering();
+      }
+  }
+
+
+
+  void
+  ContactTable::write_rows()
+  {
+    ResultsTable table(context.folder, table_file);
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      {
+        const Row &row = rows[k];
+        table.set("lateral_shift_m", row.shift);
+        table.set("roll_rad", row.roll);
+        table.set("height_m", row.right.height);
+        set_contact("right", row.right, 1., table);
+        set_contact("left", row.left, -1., table);
+        table.set("rolling_radius_difference_m",
+                  radius_difference.difference[k]);
+        for (const char *column : {"conicity_harmonic", "conicity_en_15302"})
+          table.leave_empty(column);
+        const double amplitude = row.shift;
+        if (amplitude > 0. && radius_difference.covers(amplitude))
+          {
+            table.set("conicity_harmonic",
+                      Profiles::harmonic_conicity(radius_difference,
+                                                  amplitude));
+            const double equivalent =
+              Profiles::equivalent_conicity(radius_difference, amplitude);
+            if (!std::isnan(equivalent))
+              table.set("conicity_en_15302", equivalent);
+          }
+        table.end_row();
+      }
+    table.flush();
+    context.log.message(table.screen_table({"lateral_shift_m",
+                                            "right_y_wheel_m",
+                                            "right_angle_rad",
+                                            "left_y_wheel_m",
+                                            "left_angle_rad",
+                                            "rolling_radius_difference_m"}));
+  }
+
+
+
+  void
+  ContactTable::summarise() const
+  {
+    std::string jumps;
+    for (std::size_t k = 1; k < rows.size(); ++k)
+      if (std::abs(rows[k].right.y_wheel - rows[k - 1].right.y_wheel) > jump)
+        jumps += (jumps.empty() ? "" : ", ") +
+                 significant(1e3 * rows[k - 1].right.y_wheel, 4) + " to " +
+                 significant(1e3 * rows[k].right.y_wheel, 4) + " mm at " +
+                 significant(1e3 * rows[k].shift, 4) + " mm";
+    context.report.set_finding("touch",
+                               std::to_string(rows.size()) +
+                                 " shifts; the right contact jumps " +
+                                 (jumps.empty()
+                                    ? "nowhere by more than 1 mm"
+                                    : "on the wheel from " + jumps));
+    const bool measured = scene.profiles.has_files();
+    context.report.errors.push_back(
+      {"contact points",
+       std::nan(""),
+       "",
+       "rigid surfaces; the search is exact for the profiles" +
+         std::string(measured
+                       ? ", but 5 um of noise in a file move the contact "
+                         "of profiles that lie close by about 0.5 mm"
+                       : ""),
+       true,
+       ""});
+    const double amplitude = scene.profiles.conicity_amplitude;
+    if (!radius_difference.covers(amplitude))
+      {
+        context.report.set_finding("cone",
+                                   "conicity not known at an amplitude of " +
+                                     millimetres(amplitude) +
+                                     ": the shifts do not reach it on both "
+                                     "sides");
+        return;
+      }
+    const double equivalent =
+      Profiles::equivalent_conicity(radius_difference, amplitude);
+    context.report.set_finding(
+      "cone",
+      "conicity " +
+        significant(Profiles::harmonic_conicity(radius_difference, amplitude),
+                    4) +
+        " (harmonic), " +
+        (std::isnan(equivalent)
+           ? std::string("the wheelset is not driven back (EN 15302)")
+           : significant(equivalent, 4) + " (EN 15302)") +
+        " at an amplitude of " + millimetres(amplitude));
+  }
+
+
+
+  /**
+   * Both sections of the right-hand side in the first position of the wheelset
+   * without shift or the nearest to it, and where they touch at every shift.
+   */
+  void
+  ContactTable::plot_sections() const
+  {
+    const Profiles::ProfileCurve &rail  = side.rail_profile(),
+                                 &wheel = side.wheel_profile();
+    const Row &middle =
+      *std::min_element(rows.begin(),
+                        rows.end(),
+                        [](const Row &a, const Row &b) {
+                          return std::abs(a.shift) < std::abs(b.shift);
+                        });
+    std::vector<double> y, z, points_y, points_z;
+    Figure              figure("Contact points on the rail, right-hand side",
+                  "y from the middle of the track (mm)",
+                  "height (mm)");
+    const auto          add = [&](const std::string &label) {
+      figure.add_curve(label, y, z, CurveStyle::line);
+      y.clear();
+      z.clear();
+    };
+    for (const auto &point : rail.points())
+      {
+        y.push_back(1e3 * point.y);
+        z.push_back(-1e3 * point.z);
+      }
+    add("rail");
+    const Profiles::WheelsetPosition position{middle.shift,
+                                              middle.roll,
+                                              scene.profiles.yaw};
+    for (const double s : wheel.arc_lengths())
+      {
+        const auto [across, down] = side.section(position, s);
+        y.push_back(1e3 * across);
+        z.push_back(-1e3 * (down + middle.right.height));
+      }
+    add("wheel, shifted by " + millimetres(middle.shift));
+    for (const Row &row : rows)
+      {
+        points_y.push_back(1e3 * row.right.y);
+        points_z.push_back(-1e3 * row.right.z);
+      }
+    figure.add_curve("first contact of each shift",
+                     points_y,
+                     points_z,
+                     CurveStyle::points);
+    figure.draw(context, "contact_points");
+  }
+
+
+
+  /**
+   * The gap between wheel and rail over the place on the wheel and the shift.
+   */
+  void
+  ContactTable::plot_gaps() const
+  {
+    const unsigned int  n      = 400;
+    const double        length = side.wheel_profile().length();
+    std::vector<double> y, gaps;
+    for (unsigned int k = 0; k <= n; ++k)
+      y.push_back(1e3 * side.wheel_profile().at(length * k / n).y);
+    for (const Row &row : rows)
+      for (unsigned int k = 0; k <= n; ++k)
+        {
+          const auto gap =
+            side.gap({row.shift, row.roll, scene.profiles.yaw}, length * k / n);
+          gaps.push_back(gap
+                           ? 1e3 * std::min(*gap - row.right.height, widest_gap)
+                           : std::numeric_limits<double>::quiet_NaN());
+        }
+    Figure figure("Gap between wheel and rail, right-hand side",
+                  "y on the wheel's profile (mm)",
+                  "lateral shift (mm)");
+    figure.add_map("gap in mm, yellow: 1 mm and more",
+                   y,
+                   scaled(radius_difference.shift, 1e3),
+                   gaps);
+    figure.draw(context, "gaps");
+  }
+
+
+
+  /**
+   * The difference of the rolling radii and the conicities.
+   */
+  void
+  ContactTable::plot_steering() const
+  {
+    Figure figure("Steering of the wheelset",
+                  "lateral shift, amplitude (mm)",
+                  "r right \u2212 r left (mm)");
+    figure.add_curve("",
+                     scaled(radius_difference.shift, 1e3),
+                     scaled(radius_difference.difference, 1e3));
+    std::vector<double> amplitude, harmonic, equivalent;
+    for (const Row &row : rows)
+      {
+        const bool known =
+          row.shift > 0. && radius_difference.covers(row.shift);
+        amplitude.push_back(1e3 * row.shift);
+        harmonic.push_back(
+          known ? Profiles::harmonic_conicity(radius_difference, row.shift)
+                : std::nan(""));
+        equivalent.push_back(
+          known ? Profiles::equivalent_conicity(radius_difference, row.shift)
+                : std::nan(""));
+      }
+    Figure conicity("", "lateral shift, amplitude (mm)", "conicity");
+    conicity.add_curve("harmonic", amplitude, harmonic);
+    conicity.add_curve("EN 15302", amplitude, equivalent, CurveStyle::dashed);
+    figure.add_panel(conicity);
+    figure.draw(context, "steering");
+  }
+} // namespace RollingContact

@@ -1,0 +1,311 @@
+#include <boost/algorithm/string.hpp>
+
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/files.h>
+#include <rolling_contact/base/text.h>
+#include <rolling_contact/profiles/profile_file.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <optional>
+#include <sstream>
+
+namespace RollingContact::Profiles
+{
+  namespace
+  {
+    enum class Format
+    {
+      columns,
+      simpack,
+      miniprof
+    };
+
+    const std::size_t least_points = 10, most_points = 10'000;
+
+    const std::size_t most_bytes = 20'000'000;
+
+
+
+    Format
+    format_of(const std::filesystem::path &file)
+    {
+      const std::string ending =
+        boost::to_lower_copy(file.extension().string());
+      if (ending == ".prr" || ending == ".prw")
+        return Format::simpack;
+      if (ending == ".ban" || ending == ".whl")
+        return Format::miniprof;
+      return Format::columns;
+    }
+
+
+
+    std::string
+    at_line(const std::filesystem::path &file, const std::size_t line)
+    {
+      return file.string() + ", line " + std::to_string(line) + ": ";
+    }
+
+
+
+    std::optional<double>
+    number(const std::string &text)
+    {
+      char        *end   = nullptr;
+      const double value = std::strtod(text.c_str(), &end);
+      if (text.empty() || *end != '\0' || !std::isfinite(value))
+        return {};
+      return value;
+    }
+
+
+
+    /** The numbers of a line; nothing if it holds anything else. */
+    std::optional<std::vector<double>>
+    numbers(const std::string &line)
+    {
+      std::vector<std::string> words;
+      const std::string        trimmed =
+        boost::trim_copy_if(line, boost::is_any_of(" \t\r,;"));
+      if (trimmed.empty())
+        return std::vector<double>();
+      boost::split(words,
+                   trimmed,
+                   boost::is_any_of(" \t,;"),
+                   boost::token_compress_on);
+      std::vector<double> found;
+      for (const std::string &word : words)
+        if (const auto value = number(word))
+          found.push_back(*value);
+        else
+          return {};
+      return found;
+    }
+
+
+
+    std::vector<std::string>
+    lines_of(const std::filesystem::path &file)
+    {
+      const std::string why = why_unreadable(file);
+      if (!why.empty())
+        throw InputError(file.string() + ": " + why + ".");
+      if (size_of(file) > most_bytes)
+        throw InputError(file.string() + ": " +
+                         human_bytes(static_cast<double>(size_of(file))) +
+                         " are no profile; at most " + human_bytes(most_bytes) +
+                         " are read.");
+      std::vector<std::string> lines;
+      std::istringstream       content(read_bytes(file));
+      for (std::string line; std::getline(content, line);)
+        lines.push_back(line);
+      return lines;
+    }
+
+
+
+    /**
+     * The text in front of comments that begin with one of these characters.
+     */
+    std::string
+    without_comment(const std::string &line, const char *marks)
+    {
+      return boost::trim_copy(line.substr(0, line.find_first_of(marks)));
+    }
+
+
+
+    std::vector<MeasuredPoint>
+    read_columns(const std::filesystem::path &file, const double unit)
+    {
+      std::vector<MeasuredPoint> points;
+      const auto                 lines = lines_of(file);
+      for (std::size_t k = 0; k < lines.size(); ++k)
+        {
+          const std::string text = without_comment(lines[k], "#%!");
+          if (text.empty())
+            continue;
+          const auto found = numbers(text);
+          if (!found || found->size() != 2)
+            throw InputError(at_line(file, k + 1) + "\"" + quotable(text) +
+                             "\" is not two numbers, y and z, with decimal "
+                             "points, separated by blanks, a comma or a tab.");
+          points.push_back({unit * (*found)[0], unit * (*found)[1]});
+        }
+      return points;
+    }
+
+
+
+    /**
+     * The keys of a SIMPACK file and the points between point.begin and
+     * point.end.
+     */
+    class SimpackFile
+    {
+    public:
+      explicit SimpackFile(const std::filesystem::path &file)
+        : file(file)
+      {
+        bool       in_points = false;
+        const auto lines     = lines_of(file);
+        for (std::size_t k = 0; k < lines.size(); ++k)
+          {
+            const std::string text = without_comment(lines[k], "!");
+            if (boost::starts_with(text, "point.begin"))
+              in_points = true;
+            else if (boost::starts_with(text, "point.end"))
+              in_points = false;
+            else if (in_points && !text.empty())
+              add_point(text, k + 1);
+            else if (const auto equals = text.find('=');
+                     equals != std::string::npos)
+              keys[boost::trim_copy(text.substr(0, equals))] =
+                boost::trim_copy(text.substr(equals + 1));
+          }
+      }
+
+      /** Scaled, mirrored, in the other order, shifted, turned, cut. */
+      std::vector<MeasuredPoint>
+      points() const
+      {
+        const double unit = 1 / value("units.len.f", 1000.);
+        if (!(unit > 0.) || !std::isfinite(unit))
+          throw InputError(file.string() + ": units.len.f must be above 0.");
+        const double angle = value("rotate", 0.) / value("units.ang.f", 1.);
+        std::vector<MeasuredPoint> found;
+        for (MeasuredPoint point : raw)
+          {
+            if (value("mirror.y", 0.) != 0.)
+              point.y = -point.y;
+            if (value("mirror.z", 0.) != 0.)
+              point.z = -point.z;
+            point.y += value("shift.y", 0.);
+            point.z += value("shift.z", 0.);
+            point = {std::cos(angle) * point.y - std::sin(angle) * point.z,
+                     std::sin(angle) * point.y + std::cos(angle) * point.z};
+            if (inside("y", point.y) && inside("z", point.z))
+              found.push_back({unit * point.y, unit * point.z});
+          }
+        if (value("inversion", 0.) != 0.)
+          std::reverse(found.begin(), found.end());
+        return found;
+      }
+
+    private:
+      void
+      add_point(const std::string &text, const std::size_t line)
+      {
+        const auto found = numbers(text);
+        if (!found || found->size() < 2)
+          throw InputError(at_line(file, line) + "\"" + quotable(text) +
+                           "\" is not a point: y, z and perhaps a weight.");
+        raw.push_back({(*found)[0], (*found)[1]});
+      }
+
+      double
+      value(const std::string &key, const double otherwise) const
+      {
+        const auto found = keys.find(key);
+        if (found == keys.end() || found->second.empty())
+          return otherwise;
+        const auto read = number(found->second);
+        if (!read)
+          throw InputError(file.string() + ": " + key + " = " +
+                           quotable(found->second) + " is not a number.");
+        return *read;
+      }
+
+      /** Bounds of 0, 0 are none. */
+      bool
+      inside(const std::string &axis, const double coordinate) const
+      {
+        const double least = value("bound." + axis + ".min", 0.),
+                     most  = value("bound." + axis + ".max", 0.);
+        return !(least < most) || (coordinate >= least && coordinate <= most);
+      }
+
+      const std::filesystem::path        file;
+      std::map<std::string, std::string> keys;
+      std::vector<MeasuredPoint>         raw;
+    };
+
+
+
+    /**
+     * Lines of a key and a value, then two or three columns of numbers; y and z
+     * point the other way than here.
+     */
+    std::vector<MeasuredPoint>
+    read_miniprof(const std::filesystem::path &file, const double unit)
+    {
+      std::vector<MeasuredPoint> points;
+      const auto                 lines = lines_of(file);
+      for (std::size_t k = 0; k < lines.size(); ++k)
+        {
+          std::string text = boost::trim_copy(lines[k]);
+          boost::erase_all(text, "\"");
+          const auto found = numbers(text);
+          if (found && found->size() >= 2)
+            points.push_back({-unit * (*found)[0], -unit * (*found)[1]});
+          else if (!points.empty() && !text.empty())
+            throw InputError(at_line(file, k + 1) + "\"" + quotable(text) +
+                             "\" among the points is none: two or three "
+                             "numbers.");
+        }
+      return points;
+    }
+  } // namespace
+
+
+
+  std::vector<MeasuredPoint>
+  read_points(const std::filesystem::path &file, const FileOptions &options)
+  {
+    std::vector<MeasuredPoint> points;
+    switch (format_of(file))
+      {
+        case Format::columns:
+          points = read_columns(file, options.unit);
+          break;
+        case Format::simpack:
+          points = SimpackFile(file).points();
+          break;
+        case Format::miniprof:
+          points = read_miniprof(file, options.unit);
+          break;
+      }
+    if (points.size() < least_points)
+      throw InputError(file.string() + ": " + std::to_string(points.size()) +
+                       " points found; a profile needs " +
+                       std::to_string(least_points) + " or more.");
+    if (points.size() > most_points)
+      throw InputError(file.string() + ": " + std::to_string(points.size()) +
+                       " points found; at most " + std::to_string(most_points) +
+                       " are taken, a point every 0.02 mm of a profile.");
+    for (MeasuredPoint &point : points)
+      {
+        if (options.mirror_y)
+          point.y = -point.y;
+        if (options.mirror_z)
+          point.z = -point.z;
+      }
+    return points;
+  }
+
+
+
+  ProfileCurve
+  read_profile(const std::filesystem::path &file,
+               const ProfileKind            kind,
+               const FileOptions           &options)
+  {
+    return profile_of_points(read_points(file, options),
+                             kind,
+                             options.smoothing_length,
+                             file.string());
+  }
+} // namespace RollingContact::Profiles
