@@ -1,7 +1,7 @@
 #include <boost/algorithm/string.hpp>
 #include <boost/test/unit_test.hpp>
 
-#include <unistd.h>
+#include "scratch_folder.h"
 
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/profiles/conicity.h>
@@ -304,9 +304,8 @@ BOOST_AUTO_TEST_CASE(files_of_three_formats_hold_the_same_points)
       miniprof += std::to_string(-y) + '\t' + std::to_string(-z) + "\t0.5\n";
     }
   simpack += " point.end\nspline.end\n";
-  const auto folder = std::filesystem::temp_directory_path() /
-                      ("profiles_" + std::to_string(::getpid()));
-  std::filesystem::create_directory(folder);
+  const ScratchFolder          place;
+  const std::filesystem::path &folder = place.scratch;
   const auto points_of = [&](const std::string &name, const std::string &text) {
     std::ofstream(folder / name) << text;
     return read_points(folder / name, FileOptions());
@@ -346,7 +345,6 @@ BOOST_AUTO_TEST_CASE(files_of_three_formats_hold_the_same_points)
   BOOST_TEST(names(refusal("b.prr", "point.begin\n1\npoint.end\n"), "line 2"));
   BOOST_CHECK_THROW(read_points(folder / "none.txt", FileOptions()),
                     InputError);
-  std::filesystem::remove_all(folder);
 }
 
 BOOST_AUTO_TEST_CASE(profiles_the_wrong_way_round_are_refused_with_the_cure)
