@@ -122,7 +122,18 @@ namespace RollingContact
      * What the growth of the mesh adds, over Mesh/Growth, and the residual of
      * the solver, over itself.
      */
-    const double of_growth = 2e-3, of_residual = 2.;
+    const double of_growth = 2e-3, of_residual = 4.;
+
+    /**
+     * Change of the gap's curvature from which on waves count.
+     */
+    const double wavy = 0.1;
+
+    /**
+     * Factor of the bound where the edge law does not keep its order and the
+     * body is thin, the rim refined, or the gap has waves as well.
+     */
+    const double of_both = 2.5;
 
     /**
      * Factor of the bound where the one edge of a plane patch did not settle;
@@ -135,7 +146,8 @@ namespace RollingContact
     Bound
     force_bound(const int dim, const Circumstances &found)
     {
-      const bool plane = dim == 2;
+      const bool plane     = dim == 2;
+      const bool disturbed = found.thickness < thin || found.refined;
       if (found.kind == SlipOperatorKind::upwind_1)
         return {plane ? 0.65 : 1.1, 1.};
       if (found.kind == SlipOperatorKind::galerkin)
@@ -143,12 +155,12 @@ namespace RollingContact
       if (found.kind == SlipOperatorKind::upwind_2 || found.waves > unresolved)
         return {plane ? 0.4 : 0.65, 1.};
       if (!edge_law_holds(found))
-        return {(plane ? 0.5 : 0.65) + 2 * found.beta, 1.};
+        return {((plane ? 0.5 : 0.65) + 2 * found.beta) *
+                  (disturbed || found.waves > wavy ? of_both : 1.),
+                1.};
       if (plane)
-        return {found.thickness < thin || found.refined ? 5. : 1.3, 2.};
-      return found.spin
-               ? Bound{0.5, 1.5}
-               : Bound{found.thickness < thin || found.refined ? 2.6 : 1.3, 2.};
+        return {disturbed ? 5. : 1.3, 2.};
+      return found.spin ? Bound{0.5, 1.5} : Bound{disturbed ? 2.6 : 1.3, 2.};
     }
 
 
@@ -178,7 +190,7 @@ namespace RollingContact
       return bounds;
 
     const Bound  bound = force_bound(dim, found);
-    const double added = of_waves * (found.waves > 0.1 ? found.waves : 0.) +
+    const double added = of_waves * (found.waves > wavy ? found.waves : 0.) +
                          of_growth * scene.mesh.growth +
                          of_residual * steady.solver.residual.tangential;
     bounds.force =
@@ -187,12 +199,13 @@ namespace RollingContact
                    bound.at(found.n) +
                  added);
     bounds.text = in_words(bound, found.n) + ", and " + scientific(added, 1) +
-                  " for " + (found.waves > 0.1 ? "waves, " : "") +
+                  " for " + (found.waves > wavy ? "waves, " : "") +
                   "the growth of the mesh and the residual";
     if (dim == 3)
       bounds.moment = bounds.force;
     bounds.max_pressure =
-      Bound{2., 2.}.at(found.n) + (found.waves > 0.1 ? 0.3 * found.waves : 0.) +
+      Bound{2., 2.}.at(found.n) +
+      (found.waves > wavy ? 0.3 * found.waves : 0.) +
       4 * found.beta * scene.contact.friction_coefficient / found.n +
       of_growth * scene.mesh.growth +
       of_residual * steady.solver.residual.normal;

@@ -24,8 +24,10 @@ namespace RollingContact
     /** Half-length of the zone of contact nodes over the half-width of the
      * estimated patch, where the scene gives none. */
     double zone = 1.15;
-    /** Least distance from the patch to the zone's border, in elements. */
-    double margin = 1.;
+    /** Least distance from the estimated patch to the zone's border, in
+     * elements: nodes touch up to 0.4 elements outside of the patch, and bodies
+     * of finite size have patches a little larger than Hertz's. */
+    double margin = 1.2;
     /** Largest patch that may come, over the estimated one. */
     double growth = 1.;
     /** The flow keeps its direction: an element more on the upstream side. */
