@@ -152,12 +152,13 @@ namespace RollingContact
         return {plane ? 0.65 : 1.1, 1.};
       if (found.kind == SlipOperatorKind::galerkin)
         return {plane ? 1.6 : 0.8, 1.};
-      if (found.kind == SlipOperatorKind::upwind_2 || found.waves > unresolved)
-        return {plane ? 0.4 : 0.65, 1.};
-      if (!edge_law_holds(found))
-        return {((plane ? 0.5 : 0.65) + 2 * found.beta) *
+      const bool upwind_2 = found.kind == SlipOperatorKind::upwind_2;
+      if (found.beta > 1e-12 || !(upwind_2 || edge_law_holds(found)))
+        return {((plane ? 0.6 : 0.75) + 2.4 * found.beta) *
                   (disturbed || found.waves > wavy ? of_both : 1.),
                 1.};
+      if (upwind_2 || found.waves > unresolved)
+        return {plane ? 0.4 : 0.65, 1.};
       if (plane)
         return {disturbed ? 5. : 1.3, 2.};
       return found.spin ? Bound{0.5, 1.5} : Bound{disturbed ? 2.6 : 1.3, 2.};

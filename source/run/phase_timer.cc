@@ -125,10 +125,13 @@ namespace RollingContact
   void
   PhaseTimer::charge_start()
   {
-    const Instant made = last_change;
+    // a shell that becomes the program (exec) leaves it its own, longer age
+    const double  longest_start = 5.; // s
+    const Instant made          = last_change;
     const double  wall =
       std::max(0., age_of_process() - (now().wall - made.wall));
-    phases.push_back({Phase::start, 1, wall, made.cpu});
+    phases.push_back(
+      {Phase::start, 1, wall > longest_start ? made.cpu : wall, made.cpu});
   }
 
 
