@@ -102,6 +102,7 @@ namespace RollingContact
             rows.back().right.rolling_radius - rows.back().left.rolling_radius);
         }
     }
+    find_conicities();
     write_rows();
     summarise();
     if (!scene.output.plot)
@@ -112,6 +113,25 @@ namespace RollingContact
       {
         plot_gaps();
         plot_steering();
+      }
+  }
+
+
+
+  void
+  ContactTable::find_conicities()
+  {
+    PhaseTimer::Scope phase(context.timer, Phase::contact_solve);
+    for (const double amplitude : radius_difference.shift)
+      {
+        const bool known =
+          amplitude > 0. && radius_difference.covers(amplitude);
+        harmonic.push_back(
+          known ? Profiles::harmonic_conicity(radius_difference, amplitude)
+                : std::nan(""));
+        equivalent.push_back(
+          known ? Profiles::equivalent_conicity(radius_difference, amplitude)
+                : std::nan(""));
       }
   }
 
@@ -131,19 +151,13 @@ namespace RollingContact
         set_contact("left", row.left, -1., table);
         table.set("rolling_radius_difference_m",
                   radius_difference.difference[k]);
-        for (const char *column : {"conicity_harmonic", "conicity_en_15302"})
-          table.leave_empty(column);
-        const double amplitude = row.shift;
-        if (amplitude > 0. && radius_difference.covers(amplitude))
-          {
-            table.set("conicity_harmonic",
-                      Profiles::harmonic_conicity(radius_difference,
-                                                  amplitude));
-            const double equivalent =
-              Profiles::equivalent_conicity(radius_difference, amplitude);
-            if (!std::isnan(equivalent))
-              table.set("conicity_en_15302", equivalent);
-          }
+        for (const auto &[column, conicity] :
+             {std::pair("conicity_harmonic", harmonic[k]),
+              std::pair("conicity_en_15302", equivalent[k])})
+          if (std::isnan(conicity))
+            table.leave_empty(column);
+          else
+            table.set(column, conicity);
         table.end_row();
       }
     table.flush();
@@ -309,19 +323,7 @@ namespace RollingContact
     figure.add_curve("",
                      scaled(radius_difference.shift, 1e3),
                      scaled(radius_difference.difference, 1e3));
-    std::vector<double> amplitude, harmonic, equivalent;
-    for (const Row &row : rows)
-      {
-        const bool known =
-          row.shift > 0. && radius_difference.covers(row.shift);
-        amplitude.push_back(1e3 * row.shift);
-        harmonic.push_back(
-          known ? Profiles::harmonic_conicity(radius_difference, row.shift)
-                : std::nan(""));
-        equivalent.push_back(
-          known ? Profiles::equivalent_conicity(radius_difference, row.shift)
-                : std::nan(""));
-      }
+    const std::vector<double> amplitude = scaled(radius_difference.shift, 1e3);
     Figure conicity("", "lateral shift, amplitude (mm)", "conicity");
     conicity.add_curve("harmonic", amplitude, harmonic);
     conicity.add_curve("EN 15302", amplitude, equivalent, CurveStyle::dashed);

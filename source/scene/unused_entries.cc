@@ -18,7 +18,7 @@ namespace RollingContact
       if (scene.analysis != "load curve")
         idle["Load curve"] = "Analysis = load curve reads that section";
       if (scene.analysis == "contact table")
-        for (const char *section : {"Contact", "Mesh", "Solver"})
+        for (const char *section : {"Contact", "Mesh"})
           idle[section] = "an analysis with finite elements reads that section";
       else
         idle["Profiles"] = idle["Contact table"] =

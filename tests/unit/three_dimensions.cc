@@ -142,6 +142,7 @@ BOOST_AUTO_TEST_CASE(a_refined_rim_gives_the_force_of_the_uniform_mesh)
   BOOST_TEST(refined.steady.problem.n_nodes() >
              1.3 * uniform.steady.problem.n_nodes());
   BOOST_TEST(std::abs(refined.force_x() - uniform.force_x()) < 0.01);
+  BOOST_TEST(std::abs(refined.force_y() - uniform.force_y()) < 0.01);
   BOOST_TEST(std::abs(refined.force_x() - fine.force_x()) < 0.01);
   BOOST_TEST(std::abs(refined.force_y() - fine.force_y()) < 0.01);
 }

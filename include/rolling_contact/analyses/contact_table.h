@@ -36,6 +36,13 @@ namespace RollingContact
     Row
     find(const double shift) const;
 
+    /**
+     * The conicities with each positive shift as amplitude, NaN where they are
+     * not known.
+     */
+    void
+    find_conicities();
+
     void
     write_rows();
 
@@ -56,6 +63,7 @@ namespace RollingContact
     Profiles::WheelOnRail      side;
     std::vector<Row>           rows;
     Profiles::RadiusDifference radius_difference;
+    std::vector<double>        harmonic, equivalent; ///< conicities, 1
   };
 } // namespace RollingContact
 

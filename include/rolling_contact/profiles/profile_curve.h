@@ -59,18 +59,21 @@ namespace RollingContact::Profiles
 
     /**
      * d angle / ds there, positive where the curve turns downwards on its way
-     * to the field side: of a rail's head, and of a wheel's flange root
-     * negative. Units: 1/m.
+     * to the field side: on a rail's head and in a wheel's flange root, not at
+     * the tip of the flange. Units: m, 1/m.
      */
     double
     curvature(const double s) const;
 
     /**
-     * Turned by an angle from y towards z about the origin.
+     * Turned by an angle from y towards z about the origin. Units: rad.
      */
     ProfileCurve
     turned(const double angle) const;
 
+    /**
+     * Moved by these distances. Units: m.
+     */
     ProfileCurve
     shifted(const double dy, const double dz) const;
 
@@ -95,7 +98,8 @@ namespace RollingContact::Profiles
 
   /**
    * The arc length at which the curve reaches a coordinate y, on the part of it
-   * around @p inside where y increases; nothing if that part does not reach it.
+   * around its highest point where y increases. Does not own the curve. Units:
+   * m.
    */
   class ArcLengthAtY
   {
