@@ -7,6 +7,7 @@
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/parallel/interrupt.h>
 #include <rolling_contact/report/bodies_report.h>
+#include <rolling_contact/report/profile_columns.h>
 #include <rolling_contact/report/result_row.h>
 #include <rolling_contact/report/state_report.h>
 #include <rolling_contact/run/progress.h>
@@ -119,6 +120,7 @@ namespace RollingContact
                                "N = " +
                                  significant(steady.result.normal_force, 6) +
                                  " N at the last point");
+    note_profiles(scene, steady, context.report);
     context.report.set_finding(
       "curve",
       std::to_string(points.size()) + " points in " +
@@ -184,6 +186,8 @@ namespace RollingContact
           curve.references.push_back({label, saturates, {}});
         curve.references[n++].ratios.push_back(ratio);
       };
+    if (!scene.has_plain_surfaces())
+      return;
     if constexpr (dim == 3)
       for (const NamedForce &theory :
            reference_3d(scene, steady.result.normal_force, creepages).forces)

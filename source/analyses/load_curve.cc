@@ -6,6 +6,7 @@
 #include <rolling_contact/parallel/interrupt.h>
 #include <rolling_contact/plot/figure.h>
 #include <rolling_contact/report/bodies_report.h>
+#include <rolling_contact/report/profile_columns.h>
 #include <rolling_contact/report/result_row.h>
 #include <rolling_contact/report/state_report.h>
 #include <rolling_contact/state/adaptive_levels.h>
@@ -49,6 +50,7 @@ namespace RollingContact
     if (steady.result.normal_force <= 0.)
       throw InputError(needs_contact);
     describe_bodies(steady, context);
+    steady.problem.loads.inclined_load.reset();
     const double     largest = steady.result.normal_force;
     StateReview<dim> review(scene, context);
     for (const double share : scene.load_curve.load_fractions)
@@ -64,7 +66,7 @@ namespace RollingContact
         review.add(steady, significant(steady.result.normal_force, 4) + " N");
         loads.push_back(steady.result.normal_force);
         approaches.push_back(steady.state.approach);
-        if constexpr (dim == 3)
+        if (dim == 3 && scene.has_plain_surfaces())
           hertz.push_back(reference_3d(scene, loads.back(), {}).hertz.approach);
       }
     review.warn(steady);
@@ -74,6 +76,7 @@ namespace RollingContact
                                                       "half_width_x_m",
                                                       "max_pressure_Pa"}));
     note_state(steady, context.report);
+    note_profiles(scene, steady, context.report);
     context.report.set_finding("spring",
                                "k = " +
                                  significant(*steady.contact_stiffness, 5) +
@@ -130,7 +133,7 @@ namespace RollingContact
                      scaled(approaches, 1e6),
                      scaled(loads, 1e-3),
                      CurveStyle::line_and_points);
-    if (dim == 3)
+    if (!hertz.empty())
       figure.add_curve("Hertz, without bulk",
                        scaled(hertz, 1e6),
                        scaled(loads, 1e-3),

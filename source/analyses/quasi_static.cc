@@ -4,6 +4,7 @@
 #include <rolling_contact/report/bodies_report.h>
 #include <rolling_contact/report/body_fields.h>
 #include <rolling_contact/report/interface_fields.h>
+#include <rolling_contact/report/profile_columns.h>
 #include <rolling_contact/report/result_row.h>
 #include <rolling_contact/report/state_report.h>
 #include <rolling_contact/run/pvd.h>
@@ -114,6 +115,7 @@ namespace RollingContact
     review.add(steady);
     review.warn(steady);
     note_state(steady, context.report);
+    note_profiles(scene, steady, context.report);
   }
 
 

@@ -100,6 +100,29 @@ namespace RollingContact
 
 
 
+  namespace
+  {
+    /**
+     * Of the peak, where no closed form is near.
+     */
+    template <int dim>
+    ErrorStatement
+    pressure_error(const SceneParameters &scene, const SteadyState<dim> &steady)
+    {
+      const ErrorBounds bounds = error_bounds(scene, steady);
+      return {"pressure",
+              bounds.max_pressure.value_or(
+                std::numeric_limits<double>::quiet_NaN()),
+              "its peak",
+              bounds.max_pressure ? "2/n^2 and more where the surface has waves"
+                                  : bounds.text,
+              true,
+              ""};
+    }
+  } // namespace
+
+
+
   template <int dim>
   void
   note_error(const SceneParameters  &scene,
@@ -108,10 +131,15 @@ namespace RollingContact
   {
     if (steady.result.normal_force <= 0.)
       return;
-    const bool        friction = steady.problem.n_tangential() > 0;
-    const StateErrors errors   = state_errors<dim>(scene, steady, nullptr);
+    const bool friction = steady.problem.n_tangential() > 0;
     if (friction)
       keep_largest(force_error(scene, steady), report);
+    if (!scene.has_plain_surfaces())
+      {
+        keep_largest(pressure_error(scene, steady), report);
+        return;
+      }
+    const StateErrors errors = state_errors<dim>(scene, steady, nullptr);
     if (errors.load)
       keep_largest({"load",
                     std::abs(*errors.load),

@@ -11,6 +11,8 @@ namespace RollingContact
         const auto at_node = loads.creepages.at(operators.positions()[i]);
         for (unsigned int c = 0; c < n_tangential(); ++c)
           slip(c, i) = at_node[c];
+        if (!loads.slip_of_profile.empty() && n_tangential() > 0)
+          slip(0, i) += loads.slip_of_profile[i];
       }
     return slip;
   }

@@ -33,6 +33,18 @@ namespace RollingContact
   Grading<dim>::in_zone(const Point<dim - 1> &lower,
                         const Point<dim - 1> &upper) const
   {
+    if (!zone_boxes.empty())
+      {
+        // a node on a border belongs to neither box by rounding
+        const double x = (lower[0] + upper[0]) / 2,
+                     y = dim == 3 ? (lower[dim - 2] + upper[dim - 2]) / 2 : 0.,
+                     slack = zone_margin * element_size_x;
+        return std::any_of(zone_boxes.begin(),
+                           zone_boxes.end(),
+                           [&](const ZoneBox &box) {
+                             return box.grown(slack, slack).contains(x, y);
+                           });
+      }
     const std::array<double, 2> semi_axes{{semi_axis_x(), zone_y}},
       centre{{centre_x(), 0.}};
     double sum = 0.;
@@ -64,23 +76,50 @@ namespace RollingContact
 
   template <int dim>
   double
-  Grading<dim>::allowed_size(const Point<dim> &lower,
+  Grading<dim>::outside_zone(const Point<dim> &lower,
                              const Point<dim> &upper) const
   {
+    if (!zone_boxes.empty())
+      {
+        double least = infinity;
+        for (const ZoneBox &box : zone_boxes)
+          {
+            const double in_x = interval_distance(lower[0],
+                                                  upper[0],
+                                                  box.lower[0],
+                                                  box.upper[0]),
+                         in_y = interval_distance(lower[1],
+                                                  upper[1],
+                                                  box.lower[1],
+                                                  box.upper[1]);
+            least             = std::min(
+              least, std::hypot(in_x, in_y * element_size_x / element_size_y));
+          }
+        return std::max(0., least - element_size_x);
+      }
     const double fine_x = semi_axis_x() + element_size_x,
                  fine_y = zone_y + element_size_y;
     const auto nearest  = [&](const unsigned int d, const double centre) {
       return interval_distance(lower[d], upper[d], centre, centre);
     };
-    double outside = std::max(0., nearest(0, centre_x()) - fine_x);
-    if (dim == 3)
-      outside = std::max(0.,
-                         std::hypot(nearest(0, centre_x()) / fine_x,
-                                    nearest(1, 0.) / fine_y) -
-                           1) *
-                fine_x;
+    if (dim == 2)
+      return std::max(0., nearest(0, centre_x()) - fine_x);
+    return std::max(0.,
+                    std::hypot(nearest(0, centre_x()) / fine_x,
+                               nearest(1, 0.) / fine_y) -
+                      1) *
+           fine_x;
+  }
+
+
+
+  template <int dim>
+  double
+  Grading<dim>::allowed_size(const Point<dim> &lower,
+                             const Point<dim> &upper) const
+  {
     const double distance = std::hypot(
-      outside,
+      outside_zone(lower, upper),
       interval_distance(lower[dim - 1], upper[dim - 1], -zone_depth, 0.));
     return element_size_x + growth * std::min(distance, far_distance) +
            far_growth * std::max(0., distance - far_distance);

@@ -1,9 +1,13 @@
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/text.h>
 #include <rolling_contact/pair/patch_estimate.h>
+#include <rolling_contact/pair/profile_patch.h>
 #include <rolling_contact/references/hertz_ellipse.h>
 #include <rolling_contact/references/hertz_line.h>
 #include <rolling_contact/references/line_contact_approach.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace RollingContact
@@ -81,7 +85,7 @@ namespace RollingContact
     constants.relative_radius =
       References::relative_radius(finite_or_flat(wheel.radius),
                                   finite_or_flat(rail.radius));
-    if (scene.dimension == 3)
+    if (scene.dimension == 3 && !scene.profiles.in_use())
       constants.lateral_relative_radius =
         References::relative_radius(finite_or_flat(wheel.lateral_radius),
                                     finite_or_flat(rail.lateral_radius));
@@ -93,17 +97,15 @@ namespace RollingContact
   namespace
   {
     PatchEstimate
-    estimate_ellipse(const SceneParameters &scene)
+    estimate_ellipse(const SceneParameters       &scene,
+                     const std::optional<double> &load)
     {
       const PairConstants constants = pair_constants(scene);
       const double        A         = 0.5 / constants.relative_radius,
                    B                = 0.5 / constants.lateral_relative_radius;
       PatchEstimate estimate;
-      estimate.normal_force = scene.contact.normal_load.value_or(
-        References::load_of_hertz_ellipse(scene.contact.approach.value_or(0.),
-                                          A,
-                                          B,
-                                          constants.contact_modulus));
+      estimate.normal_force = load.value_or(References::load_of_hertz_ellipse(
+        scene.contact.approach.value_or(0.), A, B, constants.contact_modulus));
       if (estimate.normal_force > 0.)
         {
           const References::HertzEllipse hertz = References::hertz_ellipse(
@@ -117,11 +119,69 @@ namespace RollingContact
 
 
 
+  namespace
+  {
+    /// rad, between the normals of two patches in one plane
+    const double largest_angle_between = 0.26;
+
+
+
+    PatchEstimate
+    estimate_of_profiles(const SceneParameters       &scene,
+                         const std::optional<double> &load)
+    {
+      const ProfilePatch patch =
+        profile_patch(*scene.profiles.frame,
+                      pair_constants(scene).contact_modulus,
+                      load,
+                      scene.contact.approach.value_or(0.));
+      if (patch.angle_between > largest_angle_between)
+        throw InputError(
+          "Profiles/Lateral shift = " + significant(scene.profiles.shift, 6) +
+          " m: two patches whose normals differ by " +
+          significant(patch.angle_between * 180 / std::acos(-1.), 3) +
+          " degrees, and only up to 15 degrees share one plane of contact. "
+          "Take another shift or another load.");
+      return {patch.half_width_x,
+              patch.half_width_y,
+              patch.normal_force,
+              patch.boxes};
+    }
+  } // namespace
+
+
+
+  bool
+  PatchEstimate::contains(const double x, const double y) const
+  {
+    // a node at the very edge must not depend on rounding
+    const double inside = 1 - 1e-6;
+    if (boxes.empty())
+      return std::hypot(x / half_width_x,
+                        half_width_y > 0. ? y / half_width_y : 0.) < inside;
+    return std::any_of(boxes.begin(), boxes.end(), [&](const ZoneBox &box) {
+      return box.contains(x, y);
+    });
+  }
+
+
+
   PatchEstimate
   estimate_patch(const SceneParameters &scene)
   {
+    return estimate_patch(scene, scene.contact.normal_load);
+  }
+
+
+
+  PatchEstimate
+  estimate_patch(const SceneParameters       &scene,
+                 const std::optional<double> &load)
+  {
+    if (scene.profiles.in_use())
+      return estimate_of_profiles(scene, load);
     if (scene.dimension == 3)
-      return estimate_ellipse(scene);
+      return estimate_ellipse(scene, load);
     const PairConstants constants = pair_constants(scene);
     const auto          hertz     = [&](const double half_width) {
       return References::hertz_line_of_half_width(half_width,
@@ -129,7 +189,7 @@ namespace RollingContact
                                                   constants.contact_modulus);
     };
     PatchEstimate estimate;
-    if (const auto load = scene.contact.normal_load)
+    if (load)
       {
         if (*load > 0.)
           estimate.half_width_x =

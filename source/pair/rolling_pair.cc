@@ -211,6 +211,13 @@ namespace RollingContact
 
 
 
+  namespace
+  {
+    const double beyond_surface = 1e-2; // m, gap where a profile has ended
+  }
+
+
+
   template <int dim>
   ContactProblem
   RollingPair<dim>::contact_problem(const ContactParameters &contact,
@@ -242,17 +249,26 @@ namespace RollingContact
         return given.empty() ? shape.surface_height(at[i][0], at[i][1])
                              : given[i];
       };
-    ContactLoads &loads = problem.loads;
+    ContactLoads &loads    = problem.loads;
+    const auto   *profiles = scene.profiles.frame.get();
     for (std::size_t i = 0; i < at.size(); ++i)
-      loads.gap.push_back(-height(Side::wheel, *wheel, i) -
-                          height(Side::rail, *rail, i) +
-                          roughness.value(at[i][0], at[i][1]));
+      loads.gap.push_back(
+        (profiles
+           ? profiles->gap(at[i][0], at[i][1]).value_or(beyond_surface)
+           : -height(Side::wheel, *wheel, i) - height(Side::rail, *rail, i)) +
+        roughness.value(at[i][0], at[i][1]));
+    if (scene.profiles.gives_creepages())
+      for (const auto &point : at)
+        loads.slip_of_profile.push_back(contact.flow() *
+                                        profiles->slip_beyond_spin(point[1]));
     loads.friction.assign(at.size(), contact.friction_coefficient);
     loads.friction_law = contact.falling_friction();
     loads.speed        = std::abs(contact.rolling_speed());
     loads.creepages    = contact.creepages;
     loads.normal_load  = contact.normal_load;
     loads.approach     = contact.approach.value_or(0.);
+    if (contact.vertical_load)
+      loads.inclined_load = {*contact.vertical_load, profiles->angle()};
     return problem;
   }
 

@@ -117,7 +117,7 @@ namespace RollingContact::Profiles
     const double nearest = *std::min_element(gaps.begin(), gaps.end());
     if (nearest == std::numeric_limits<double>::max())
       throw InputError(
-        "Contact table/Lateral shift = " + significant(position.shift, 6) +
+        "Profiles, lateral shift of " + significant(position.shift, 6) +
         " m: the wheel is not above the rail; check Profiles/Gauge, Flange "
         "back distance and the profiles.");
     std::pair<double, double> found{0., std::numeric_limits<double>::max()};
@@ -194,10 +194,9 @@ namespace RollingContact::Profiles
     if (shift == 0. && yaw == 0.)
       return 0.;
     if (difference(-largest_roll) * difference(largest_roll) > 0.)
-      throw InputError(
-        "Contact table/Lateral shift = " + significant(shift, 6) +
-        " m: no roll within " + significant(largest_roll, 2) +
-        " rad lets both wheels touch.");
+      throw InputError("Profiles, lateral shift of " + significant(shift, 6) +
+                       " m: no roll within " + significant(largest_roll, 2) +
+                       " rad lets both wheels touch.");
     return root(difference, -largest_roll, largest_roll);
   }
 } // namespace RollingContact::Profiles

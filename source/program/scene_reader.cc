@@ -116,6 +116,7 @@ namespace RollingContact
       apply_setting(setting, declared, prm);
     scene.check();
     scene.read_meshes();
+    scene.read_profiles();
     check_mesh_units(scene);
     std::ostringstream used;
     prm.print_parameters(used, ParameterHandler::ShortText);

@@ -3,6 +3,7 @@
 #include <rolling_contact/assessment/reference_3d.h>
 #include <rolling_contact/contact/invariants.h>
 #include <rolling_contact/contact/uniqueness.h>
+#include <rolling_contact/report/profile_columns.h>
 #include <rolling_contact/report/result_row.h>
 
 namespace RollingContact
@@ -122,7 +123,7 @@ namespace RollingContact
                           const SteadyState<2>  &steady,
                           ResultsTable          &table)
     {
-      if (steady.result.normal_force <= 0. || !scene.contact.roughness.empty())
+      if (steady.result.normal_force <= 0. || !scene.has_plain_surfaces())
         return;
       const Reference2D reference = reference_2d(scene, steady);
       const Errors2D    errors    = errors_2d(scene, steady, reference);
@@ -150,7 +151,7 @@ namespace RollingContact
                         const SteadyState<3>  &steady,
                         ResultsTable          &table)
     {
-      if (steady.result.normal_force <= 0. || !scene.contact.roughness.empty())
+      if (steady.result.normal_force <= 0. || !scene.has_plain_surfaces())
         return;
       const Reference3D reference =
         reference_3d(scene,
@@ -233,6 +234,7 @@ namespace RollingContact
           set_reference_columns(scene, steady, table);
         else
           set_ellipse_columns(scene, steady, table);
+        set_profile_columns(scene, steady, table);
         set_level_columns(steady, table);
       }
     table.set("wall_s", steady.wall_s);

@@ -33,7 +33,15 @@ namespace RollingContact
                    normal_load,
                    "N",
                    "Force that presses the wheel on the rail; the approach "
-                   "follows. Give this or `Approach`. Units: N.");
+                   "follows. Give this, `Vertical load` or `Approach`. Units: "
+                   "N.");
+    declare_number(prm,
+                   "Contact/Vertical load",
+                   vertical_load,
+                   "N",
+                   "Vertical force of the rail on the wheel, which the normal "
+                   "load and friction share where profiles touch at an angle. "
+                   "Units: N.");
     declare_number(prm,
                    "Contact/Approach",
                    approach,
@@ -168,20 +176,37 @@ namespace RollingContact
 
 
   void
+  ContactParameters::check_load() const
+  {
+    std::vector<std::string> given;
+    for (const auto &[entry, value] :
+         {std::pair("Contact/Normal load", normal_load),
+          std::pair("Contact/Vertical load", vertical_load),
+          std::pair("Contact/Approach", approach)})
+      if (value)
+        given.push_back(std::string(entry) + " = " + text_of(*value));
+    if (given.size() > 1)
+      throw InputError(given[0] + " and " + given[1] +
+                       ": give one of them and leave the other empty.");
+    if (given.empty())
+      throw InputError("Contact/Normal load and Contact/Approach are both "
+                       "empty: give the load in N or the approach in m.");
+    for (const auto &[entry, load] :
+         {std::pair("Contact/Normal load", normal_load),
+          std::pair("Contact/Vertical load", vertical_load)})
+      if (load && *load < 0.)
+        throw InputError(std::string(entry) + " = " + text_of(*load) +
+                         ": contact cannot pull, give a load of at least 0 "
+                         "N.");
+  }
+
+
+
+  void
   ContactParameters::check(const unsigned int dimension) const
   {
     const Roughness understood(roughness);
-    if (normal_load && approach)
-      throw InputError("Contact/Normal load = " + text_of(*normal_load) +
-                       " and Contact/Approach = " + text_of(*approach) +
-                       ": give one of them and leave the other empty.");
-    if (!normal_load && !approach)
-      throw InputError(
-        "Contact/Normal load and Contact/Approach are both empty: "
-        "give the load in N or the approach in m.");
-    if (normal_load && *normal_load < 0.)
-      throw InputError("Contact/Normal load = " + text_of(*normal_load) +
-                       ": contact cannot pull, give a load of at least 0 N.");
+    check_load();
     check_friction_law();
     if (rolling_speed() == 0.)
       throw InputError("Contact/Speed = 0: rolling needs a direction, give a "

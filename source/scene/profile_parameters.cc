@@ -48,6 +48,7 @@ namespace RollingContact
     prm.enter_subsection("Profiles");
     declare_sections(prm);
     declare_track(prm);
+    declare_wheelset(prm);
     prm.leave_subsection();
     prm.enter_subsection("Contact table");
     declare_table(prm);
@@ -66,7 +67,9 @@ namespace RollingContact
                       wheel_profile,
                       "`S1002` (EN 13715)" + file +
                         " Its radius at the tape circle, y = 0, is "
-                        "Wheel/Radius.");
+                        "Wheel/Radius. Both profiles empty: the surfaces are "
+                        "those of Wheel and Rail, in a contact table S1002 on "
+                        "60E1.");
     prm.add_parameter("Rail profile",
                       rail_profile,
                       "`60E1` (EN 13674-1), `60E1 Manchester` (the variant of "
@@ -122,6 +125,73 @@ namespace RollingContact
                       "Turn of the wheelset about the vertical, right-handed "
                       "about z down. Units: rad.",
                       Patterns::Double());
+  }
+
+
+
+  namespace
+  {
+    /**
+     * Declare a number that may be `automatic`, the default.
+     */
+    void
+    declare_automatic(ParameterHandler      &prm,
+                      const std::string     &entry,
+                      std::optional<double> &value,
+                      const std::string     &unit,
+                      const std::string     &help)
+    {
+      prm.declare_entry(entry, "automatic", Patterns::Anything(), help);
+      prm.add_action(entry, [&value, entry, unit](const std::string &text) {
+        value = text == "automatic" ? std::nullopt : number(text);
+        if (!value && text != "automatic")
+          throw InputError("Profiles/" + entry + " = " + text +
+                           ": give a number in " + unit + ", or `automatic`.");
+      });
+    }
+  } // namespace
+
+
+
+  void
+  ProfileParameters::declare_wheelset(ParameterHandler &prm)
+  {
+    declare_choice(prm,
+                   "Side",
+                   is_left,
+                   std::vector<NamedValue<bool>>{{"right", false},
+                                                 {"left", true}},
+                   "Which wheel of the wheelset the bodies are.");
+    prm.add_parameter("Lateral shift",
+                      shift,
+                      "Of the wheelset to the right, but in a contact table, "
+                      "which has its own. Units: m.",
+                      Patterns::Double());
+    declare_automatic(prm,
+                      "Roll",
+                      roll,
+                      "rad",
+                      "Turn of the wheelset about the direction of travel, "
+                      "right-handed; `automatic`: both wheels touch. Units: "
+                      "rad.");
+    declare_choice(
+      prm,
+      "Creepages",
+      creepage_source,
+      std::vector<NamedValue<CreepageSource>>{{"given", CreepageSource::given},
+                                              {"from kinematics",
+                                               CreepageSource::kinematics}},
+      "`given`: those of section Contact, or of an analysis with its own; "
+      "`from kinematics`: what a wheelset in this place that moves along the "
+      "track with Contact/Speed has at the first contact, and the rolling "
+      "radius that changes over the patch as the profile does.");
+    declare_automatic(prm,
+                      "Pitch rate",
+                      pitch_rate,
+                      "rad/s",
+                      "Angular velocity of the axle for creepages from "
+                      "kinematics, negative when it rolls forwards; "
+                      "`automatic`: no longitudinal creepage. Units: rad/s.");
   }
 
 
@@ -187,8 +257,9 @@ namespace RollingContact
   bool
   ProfileParameters::has_files() const
   {
-    return wheel_profile != "S1002" ||
-           (rail_profile != "60E1" && rail_profile != "60E1 Manchester");
+    return (!wheel_profile.empty() && wheel_profile != "S1002") ||
+           (!rail_profile.empty() && rail_profile != "60E1" &&
+            rail_profile != "60E1 Manchester");
   }
 
 
@@ -196,7 +267,7 @@ namespace RollingContact
   Profiles::ProfileCurve
   ProfileParameters::wheel(const std::filesystem::path &prm_folder) const
   {
-    return wheel_profile == "S1002"
+    return wheel_profile.empty() || wheel_profile == "S1002"
              ? Profiles::s1002()
              : Profiles::read_profile(prm_folder / wheel_profile,
                                       Profiles::ProfileKind::wheel,
@@ -209,7 +280,7 @@ namespace RollingContact
   ProfileParameters::rail(const std::filesystem::path &prm_folder) const
   {
     const Profiles::ProfileCurve section =
-      rail_profile == "60E1" ? Profiles::rail_60e1()
+      rail_profile.empty() || rail_profile == "60E1" ? Profiles::rail_60e1()
       : rail_profile == "60E1 Manchester"
         ? Profiles::rail_60e1_manchester()
         : Profiles::read_profile(prm_folder / rail_profile,
@@ -237,6 +308,8 @@ namespace RollingContact
     check_range("Yaw", yaw, -0.1, 0.1, "rad");
     check_range("File unit", file_unit, 1e-6, 1., "m");
     check_range("Smoothing length", smoothing_length, 0., 0.05, "m");
+    check_range("Lateral shift", shift, -0.05, 0.05, "m");
+    check_range("Roll", roll.value_or(0.), -0.2, 0.2, "rad");
     for (std::size_t k = 1; k < shifts.size(); ++k)
       if (!(shifts[k] > shifts[k - 1]))
         throw InputError("Contact table/Lateral shift: " + text_of(shifts[k]) +
@@ -252,5 +325,19 @@ namespace RollingContact
         ": give metres, above 0 and at most 0.05.");
     wheel(prm_folder);
     rail(prm_folder);
+  }
+
+
+
+  void
+  ProfileParameters::find_frame(const double                 wheel_radius,
+                                const std::filesystem::path &prm_folder)
+  {
+    const auto pair = std::make_shared<const Profiles::WheelOnRail>(
+      wheel(prm_folder), rail(prm_folder), wheel_radius, tape_circle());
+    const double resting =
+      roll ? *roll : Profiles::resting_roll(*pair, shift, yaw);
+    frame = std::make_shared<const Profiles::ContactFrame>(
+      pair, Profiles::WheelsetPosition{shift, resting, yaw}, is_left);
   }
 } // namespace RollingContact

@@ -5,6 +5,8 @@
 #include <rolling_contact/input/prm_declarations.h>
 #include <rolling_contact/scene/scene_parameters.h>
 
+#include <cmath>
+
 namespace RollingContact
 {
   using namespace dealii;
@@ -164,6 +166,7 @@ namespace RollingContact
     check_pair();
     check_body_solver();
     check_profiles();
+    check_curvatures();
   }
 
 
@@ -222,6 +225,61 @@ namespace RollingContact
   void
   SceneParameters::check_profiles() const
   {
+    if (contact.vertical_load && !profiles.in_use())
+      throw InputError(
+        "Contact/Vertical load = " + text_of(*contact.vertical_load) +
+        ": without profiles the vertical is the normal; give "
+        "Contact/Normal load.");
+    if (!profiles.in_use())
+      return;
+    const std::string given =
+      "Profiles/Wheel profile = " + profiles.wheel_profile +
+      ", Profiles/Rail profile = " + profiles.rail_profile + ": ";
+    if (profiles.wheel_profile.empty() || profiles.rail_profile.empty())
+      throw InputError(given + "give both or none of them.");
+    if (dimension == 2)
+      throw InputError(given + "profiles are across the track, take "
+                               "Dimension = 3.");
+    if (analysis == "accuracy study")
+      throw InputError(given + "an accuracy study compares with radii; run "
+                               "states of several Mesh/Elements across "
+                               "patch.");
+    for (const BodyParameters *body : {&wheel, &rail})
+      if (body->is_from_file())
+        throw InputError(given + "a body from a mesh file (" + body->section +
+                         "/Shape) brings its own surface; leave the profiles "
+                         "empty.");
+    if (contact.vertical_load && is_transient())
+      throw InputError(
+        "Contact/Vertical load = " + text_of(*contact.vertical_load) +
+        ": in time the load is along the normal; give "
+        "Contact/Normal load.");
+    profiles.check(wheel.radius, prm_folder);
+  }
+
+
+
+  void
+  SceneParameters::read_profiles()
+  {
+    if (!profiles.in_use() || analysis == "contact table")
+      return;
+    profiles.find_frame(wheel.radius, prm_folder);
+    if (profiles.gives_creepages())
+      contact.creepages =
+        profiles.frame->creepages(contact.rolling_speed(), profiles.pitch_rate);
+    if (contact.vertical_load)
+      contact.normal_load =
+        *contact.vertical_load / std::cos(profiles.frame->angle());
+  }
+
+
+
+  void
+  SceneParameters::check_curvatures() const
+  {
+    if (profiles.in_use())
+      return;
     const auto curvature = [](const double radius) {
       return radius == 0. ? 0. : 1 / radius;
     };

@@ -21,8 +21,10 @@ namespace RollingContact
         for (const char *section : {"Contact", "Mesh"})
           idle[section] = "an analysis with finite elements reads that section";
       else
-        idle["Profiles"] = idle["Contact table"] =
-          "Analysis = contact table reads that section";
+        idle["Contact table"] = "Analysis = contact table reads that section";
+      if (scene.analysis != "contact table" && !scene.profiles.in_use())
+        idle["Profiles"] = "bodies with a Profiles/Wheel profile and Rail "
+                           "profile read that section";
       if (!is_study)
         idle["Accuracy study"] = "Analysis = accuracy study reads that section";
       if (scene.analysis != "transient" &&
@@ -57,6 +59,8 @@ namespace RollingContact
     std::string
     giver_of_creepages(const SceneParameters &scene)
     {
+      if (scene.profiles.gives_creepages())
+        return "Profiles/Creepages = from kinematics gives them";
       if (scene.analysis == "creep curve")
         return scene.mesh.adaptive_levels > 0 ? ""
                                               : // what the levels refine for

@@ -29,10 +29,11 @@ namespace RollingContact
       }
       PhaseTimer::Scope phase(context.timer, Phase::condensation);
       next.problem = next.pair->contact_problem(scene.contact);
-      next.problem.loads.normal_load = steady.problem.loads.normal_load;
-      next.problem.loads.approach    = steady.problem.loads.approach;
-      next.problem.loads.creepages   = steady.problem.loads.creepages;
-      next.state                     = transferred_state(steady, next.problem);
+      next.problem.loads.normal_load   = steady.problem.loads.normal_load;
+      next.problem.loads.approach      = steady.problem.loads.approach;
+      next.problem.loads.inclined_load = steady.problem.loads.inclined_load;
+      next.problem.loads.creepages     = steady.problem.loads.creepages;
+      next.state = transferred_state(steady, next.problem);
       return next;
     }
   } // namespace

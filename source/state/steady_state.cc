@@ -1,7 +1,6 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/stopwatch.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/pair/compliance_update.h>
 #include <rolling_contact/parallel/interrupt.h>
 #include <rolling_contact/state/steady_state.h>
 
@@ -21,6 +20,39 @@ namespace RollingContact
     demands.rough_responses = false;
     return demands;
   }
+
+
+
+  namespace
+  {
+    /**
+     * The boxes of the patch in place of its ellipse, with as much around them.
+     */
+    template <int dim>
+    void
+    set_zone_boxes(const PatchEstimate &patch, Grading<dim> &grading)
+    {
+      const double around_x = grading.zone_x - patch.half_width_x,
+                   around_y = grading.zone_y - patch.half_width_y,
+                   upstream = grading.element_size_x;
+      grading.zone_x = grading.zone_y = 0.;
+      for (const ZoneBox &touching : patch.boxes)
+        {
+          ZoneBox box = touching.grown(around_x, around_y);
+          if (grading.upstream < 0)
+            box.lower[0] -= upstream;
+          if (grading.upstream > 0)
+            box.upper[0] += upstream;
+          grading.zone_boxes.push_back(box);
+          for (const auto &corner : {box.lower, box.upper})
+            {
+              grading.zone_x = std::max(grading.zone_x, std::abs(corner[0]));
+              grading.zone_y = std::max(grading.zone_y, std::abs(corner[1]));
+            }
+        }
+      grading.upstream = 0;
+    }
+  } // namespace
 
 
 
@@ -57,6 +89,8 @@ namespace RollingContact
     grading.trailing_edge_x = -grading.leading_edge_x;
     grading.leading_edge_only = mesh.rim_edges == RimEdges::leading;
     grading.rim_width         = 2 * grading.element_size_x;
+    if (!patch.boxes.empty())
+      set_zone_boxes(patch, grading);
     return grading;
   }
 
@@ -66,17 +100,10 @@ namespace RollingContact
   initial_state(const ContactProblem &problem, const PatchEstimate &patch)
   {
     ContactState state = open_state(problem);
-    // a node at the very edge must not depend on rounding
-    const double inside = 1 - 1e-6;
     for (unsigned int i = 0; i < problem.n_nodes(); ++i)
       {
-        const double x =
-                       problem.operators.positions()[i][0] / patch.half_width_x,
-                     y = patch.half_width_y > 0.
-                           ? problem.operators.positions()[i][1] /
-                               patch.half_width_y
-                           : 0.;
-        if (std::hypot(x, y) < inside)
+        const auto &at = problem.operators.positions()[i];
+        if (patch.contains(at[0], at[1]))
           state.pressure[i] = 1.;
       }
     return state;
@@ -109,26 +136,6 @@ namespace RollingContact
       return shift - std::round(shift);
     }
   } // namespace
-
-
-
-  template <int dim>
-  void
-  solve_contact(const SceneParameters &scene,
-                const StateDemands    &demands,
-                SteadyState<dim>      &steady)
-  {
-    steady.solver = solve_updating_compliance(
-      *make_contact_solver(scene.solver.solver, scene.solver.controls),
-      [&](const auto &forces, const bool roughly) {
-        return steady.pair->response(forces,
-                                     roughly && demands.rough_responses);
-      },
-      steady.pair->compliance_is_exact(),
-      scene.solver.controls,
-      steady.problem,
-      steady.state);
-  }
 
 
 
@@ -209,7 +216,7 @@ namespace RollingContact
       {
         grading = make_grading<dim>(
           scene, demands, patch, scene.mesh.elements_across_patch, offset);
-        grading.enlarge_zone(is_enlarged ? 1 : 0);
+        grading.enlarge_zone(enlargement);
       }
 
       bool
@@ -221,8 +228,9 @@ namespace RollingContact
       bool
       align_for(const SteadyState<dim> &steady);
 
-      double offset; ///< in elements
-      bool   is_enlarged = false, is_resized = false, is_aligned;
+      double       offset; ///< in elements
+      bool         is_enlarged = false, is_resized = false, is_aligned;
+      unsigned int enlargement = 0; ///< of the zone, in elements
     };
 
 
@@ -234,12 +242,13 @@ namespace RollingContact
       if (!zone_too_small(steady))
         return false;
       // a zone a little too small needs no larger elements
-      if (is_enlarged)
+      if (is_enlarged && patch.boxes.empty())
         {
           patch.half_width_x *= 1.5;
           patch.half_width_y *= 1.5;
           is_aligned = !scene.mesh.aligned(); // for the new elements
         }
+      enlargement = is_enlarged && !patch.boxes.empty() ? 2 * enlargement : 1;
       is_enlarged = true;
       grade();
       log.message("The patch reaches the border of the candidate zone; the "
@@ -254,17 +263,25 @@ namespace RollingContact
     bool
     FittedMesh<dim>::resize_for(const SteadyState<dim> &steady)
     {
-      const Resultants &result   = steady.result;
-      const double      mismatch = result.half_width_x / patch.half_width_x;
+      const Resultants &result = steady.result;
+      const double      mismatch =
+        patch.boxes.empty()
+               ? result.half_width_x / patch.half_width_x
+               : std::cbrt(result.normal_force / patch.normal_force);
       if (is_resized || result.n_touching <= 5 ||
           (mismatch >= 0.8 && mismatch <= 1.2))
         return false;
       log.message("The patch is " + significant(mismatch, 3) +
                   " times as long as estimated: the mesh is made again for "
                   "it.");
-      patch.half_width_x = result.half_width_x;
-      if (dim == 3)
-        patch.half_width_y = result.half_width_y;
+      if (!patch.boxes.empty())
+        patch = estimate_patch(scene, result.normal_force);
+      else
+        {
+          patch.half_width_x = result.half_width_x;
+          if (dim == 3)
+            patch.half_width_y = result.half_width_y;
+        }
       grade();
       is_resized = true;
       is_aligned = !scene.mesh.aligned();
@@ -352,14 +369,6 @@ namespace RollingContact
 
 
   template struct SteadyState<2>;
-  template void
-  solve_contact(const SceneParameters &,
-                const StateDemands &,
-                SteadyState<2> &);
-  template void
-  solve_contact(const SceneParameters &,
-                const StateDemands &,
-                SteadyState<3> &);
   template Grading<2>
   make_grading(const SceneParameters &,
                const StateDemands &,

@@ -13,6 +13,17 @@
 namespace RollingContact
 {
   /**
+   * A load at an @p angle about x to the normal of the plane of contact, which
+   * normal force and friction share: load = N cos(angle) - T_y sin(angle).
+   * Units: N, rad.
+   */
+  struct InclinedLoad
+  {
+    double load;
+    double angle;
+  };
+
+  /**
    * What presses and drags the bodies: gap, load or approach, creepages,
    * friction, and the motion of a time step that needs no reactions. May be
    * changed at any time.
@@ -22,8 +33,14 @@ namespace RollingContact
     std::vector<double>   gap;           ///< undeformed, m
     std::optional<double> normal_load;   ///< N; the approach is unknown then
     double                approach = 0.; ///< m
+    /** The normal load is what this asks for, found anew with each state. */
+    std::optional<InclinedLoad> inclined_load;
 
-    Creepages  creepages;
+    Creepages creepages;
+    /** Of profiles whose radius does not change in proportion to y: rigid slip
+     * along x beyond that of the creepages. Empty for zero. */
+    std::vector<double> slip_of_profile;
+
     NodalField free_slip;         ///< besides the rigid slip; empty for zero
     NodalField free_displacement; ///< of convection; empty for zero, m
 
@@ -73,7 +90,7 @@ namespace RollingContact
     }
 
     /**
-     * The rigid slip of the creepages at the nodes. Units: 1.
+     * The rigid slip at the nodes. Units: 1.
      */
     NodalField
     rigid_slip() const;

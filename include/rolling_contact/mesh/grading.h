@@ -3,6 +3,8 @@
 
 #include <deal.II/base/point.h>
 
+#include <rolling_contact/mesh/zone_box.h>
+
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -32,8 +34,9 @@ namespace RollingContact
 
   /**
    * Element sizes around the patch, the same for both bodies. The nodes that
-   * may touch are those of the ellipse with semi-axes zone_x and zone_y, longer
-   * by an element on its upstream side. Elements have size element_size[] in it
+   * may touch are those of zone_boxes or, where there are none, of the ellipse
+   * with semi-axes zone_x and zone_y, longer by an element on its upstream
+   * side. Elements have size element_size[] in it
    * and one element around it, to zone_depth, growing by @p growth times the
    * distance from there, and beyond far_distance by far_growth. Towards the rim
    * of the patch, sizes are halved up to rim_levels more times, the leading
@@ -47,9 +50,9 @@ namespace RollingContact
 
     double       element_size_x  = 0.;
     double       element_size_y  = 0.; ///< 3D only
-    double       zone_x          = 0.;
-    double       zone_y          = 0.;
-    int          upstream        = 0; ///< its side: sign of x, 0 for none
+    double       zone_x          = 0.; ///< how far the zone reaches from the
+    double       zone_y          = 0.; ///< origin
+    int          upstream        = 0;  ///< its side: sign of x, 0 for none
     double       zone_depth      = 0.;
     double       growth          = 0.5;
     double       far_distance    = infinity; ///< from where on sizes grow by
@@ -62,6 +65,7 @@ namespace RollingContact
     double       rim_width         = 0.; ///< half-width of the refined band
 
     std::vector<RefinedBox<dim>> boxes;
+    std::vector<ZoneBox>         zone_boxes;
 
     /**
      * Elements across the patch that the mesh was made for.
@@ -103,6 +107,9 @@ namespace RollingContact
     {
       zone_x += n_elements * element_size_x;
       zone_y += n_elements * element_size_y;
+      for (ZoneBox &box : zone_boxes)
+        box =
+          box.grown(n_elements * element_size_x, n_elements * element_size_y);
     }
 
     /**
@@ -129,6 +136,14 @@ namespace RollingContact
                  const dealii::Point<dim> &upper) const;
 
   private:
+    /**
+     * Distance of the box [lower, upper] of the chart from the zone along the
+     * surface, measured in x.
+     */
+    double
+    outside_zone(const dealii::Point<dim> &lower,
+                 const dealii::Point<dim> &upper) const;
+
     bool
     exceeds_rim(const double              size,
                 const dealii::Point<dim> &lower,

@@ -1,21 +1,30 @@
 #ifndef rolling_contact_pair_patch_estimate_h
 #define rolling_contact_pair_patch_estimate_h
 
+#include <rolling_contact/mesh/zone_box.h>
 #include <rolling_contact/references/contact_modulus.h>
 #include <rolling_contact/scene/scene_parameters.h>
+
+#include <vector>
 
 namespace RollingContact
 {
   /**
    * Size of the patch by Hertz, for a given approach with approximate
-   * compressions of the bodies: what the mesh is graded for before anything is
-   * solved. All members are zero if the bodies do not touch. Units: m, N.
+   * compressions of the bodies, or by a half-space where profiles touch: what
+   * the mesh is graded for before anything is solved. All members are zero if
+   * the bodies do not touch. Units: m, N.
    */
   struct PatchEstimate
   {
-    double half_width_x = 0.;
-    double half_width_y = 0.; ///< 3D
-    double normal_force = 0.;
+    double               half_width_x = 0.;
+    double               half_width_y = 0.; ///< 3D
+    double               normal_force = 0.;
+    std::vector<ZoneBox> boxes; ///< of profiles; none: an ellipse
+
+    /** Whether a point of the plane of contact is in it. */
+    bool
+    contains(const double x, const double y) const;
   };
 
   /**
@@ -25,6 +34,14 @@ namespace RollingContact
   estimate_patch(const SceneParameters &scene);
 
   /**
+   * Under this load (N) in place of the scene's, or with its approach if there
+   * is none.
+   */
+  PatchEstimate
+  estimate_patch(const SceneParameters       &scene,
+                 const std::optional<double> &load);
+
+  /**
    * Constants of Hertzian and tangential contact of wheel and rail, a rigid one
    * with infinite moduli. Units: Pa, m.
    */
@@ -32,7 +49,7 @@ namespace RollingContact
   {
     double contact_modulus         = 0.; ///< E*
     double relative_radius         = 0.; ///< in the rolling direction
-    double lateral_relative_radius = 0.; ///< 3D
+    double lateral_relative_radius = 0.; ///< 3D, without profiles
     References::CombinedElasticity elasticity{0., 0.};
 
     /**

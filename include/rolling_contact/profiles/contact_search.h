@@ -96,6 +96,24 @@ namespace RollingContact::Profiles
       return rail;
     }
 
+    /**
+     * At the tape circle.
+     */
+    double
+    wheel_radius() const
+    {
+      return radius;
+    }
+
+    /**
+     * Distance of the tape circle from the middle of the wheelset.
+     */
+    double
+    tape_circle_place() const
+    {
+      return tape_circle;
+    }
+
   private:
     struct Point
     {

@@ -53,8 +53,10 @@ namespace RollingContact
       return rolling_speed() < 0. ? -1 : 1;
     }
 
-    /** Either the load or the approach is given. Units: N, m. */
-    std::optional<double> normal_load, approach;
+    /** One of them is given. Of a vertical load, the normal load is what it
+     * is without friction, see SceneParameters::read_profiles(), and a state
+     * finds its own. Units: N, m. */
+    std::optional<double> normal_load, vertical_load, approach;
     double                friction_coefficient = 0.3;
     std::string           friction_law         = "constant";
     double                kinetic_friction     = 0.; ///< of the laws that fall
@@ -77,6 +79,9 @@ namespace RollingContact
 
     void
     declare_operators(dealii::ParameterHandler &prm);
+
+    void
+    check_load() const;
 
     void
     check_friction_law() const;

@@ -1,10 +1,12 @@
 #ifndef rolling_contact_scene_profile_parameters_h
 #define rolling_contact_scene_profile_parameters_h
 
-#include <rolling_contact/profiles/contact_search.h>
+#include <rolling_contact/profiles/contact_frame.h>
 #include <rolling_contact/profiles/profile_file.h>
 
 #include <filesystem>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +19,7 @@ namespace RollingContact
 {
   /**
    * Sections `Profiles` and `Contact table`: the sections of wheel and rail,
-   * where they are, and the shifts of the wheelset. Units: m, rad, 1.
+   * where they are, and the shifts of the wheelset. Units: m, rad, rad/s, 1.
    */
   struct ProfileParameters
   {
@@ -31,6 +33,32 @@ namespace RollingContact
     void
     check(const double                 wheel_radius,
           const std::filesystem::path &prm_folder) const;
+
+    /**
+     * Whether the surfaces of the bodies are profiles.
+     */
+    bool
+    in_use() const
+    {
+      return !wheel_profile.empty() || !rail_profile.empty();
+    }
+
+    /**
+     * Whether the creepages are those of the wheelset's motion.
+     */
+    bool
+    gives_creepages() const
+    {
+      return in_use() && creepage_source == CreepageSource::kinematics;
+    }
+
+    /**
+     * Find the frame of the contact, from files in @p prm_folder. Throws
+     * InputError if the wheel is not above the rail.
+     */
+    void
+    find_frame(const double                 wheel_radius,
+               const std::filesystem::path &prm_folder);
 
     Profiles::ProfileCurve
     wheel(const std::filesystem::path &prm_folder) const;
@@ -51,6 +79,13 @@ namespace RollingContact
     double
     tape_circle() const;
 
+    /** Who gives the creepages. */
+    enum class CreepageSource
+    {
+      given,
+      kinematics
+    };
+
     /** Which axes of a file's points are turned round. */
     enum class Mirror
     {
@@ -60,15 +95,23 @@ namespace RollingContact
       y_and_z
     };
 
-    std::string wheel_profile = "S1002";
-    std::string rail_profile  = "60E1";
-    std::string inclination   = "1/40";
+    std::string wheel_profile, rail_profile; ///< none: the shapes of the bodies
+    std::string inclination = "1/40";
     double      gauge = 1.435, gauge_height = 0.014;
     double      flange_back_distance = 1.36;
     double      yaw                  = 0.;
     double      smoothing_length     = 4e-3;
     double      file_unit            = 1e-3;
     Mirror      wheel_mirror = Mirror::none, rail_mirror = Mirror::none;
+
+    bool                  is_left = false;
+    double                shift   = 0.;
+    std::optional<double> roll; ///< none: both wheels touch
+    CreepageSource        creepage_source = CreepageSource::given;
+    std::optional<double> pitch_rate; ///< none: no longitudinal creepage
+
+    /** Of the contact; none where the bodies have shapes. */
+    std::shared_ptr<const Profiles::ContactFrame> frame;
 
     std::vector<double> shifts;
     double              conicity_amplitude = 3e-3;
@@ -79,6 +122,9 @@ namespace RollingContact
 
     void
     declare_track(dealii::ParameterHandler &prm);
+
+    void
+    declare_wheelset(dealii::ParameterHandler &prm);
 
     void
     declare_table(dealii::ParameterHandler &prm);

@@ -51,6 +51,24 @@ namespace RollingContact
     read_meshes();
 
     /**
+     * Where the bodies have profiles: find their contact, and what follows from
+     * it for section Contact, the creepages of kinematics and the normal load
+     * of a vertical load without friction. Throws InputError.
+     */
+    void
+    read_profiles();
+
+    /**
+     * Whether the undeformed gap is that of the radii of wheel and rail, so
+     * that closed forms have something to say.
+     */
+    bool
+    has_plain_surfaces() const
+    {
+      return contact.roughness.empty() && !profiles.in_use();
+    }
+
+    /**
      * Thickness in 2D of the bodies that are not rigid. Units: m.
      */
     double
@@ -99,6 +117,9 @@ namespace RollingContact
 
     void
     check_pair() const;
+
+    void
+    check_curvatures() const;
 
     void
     check_profiles() const;

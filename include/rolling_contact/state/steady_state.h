@@ -85,7 +85,7 @@ namespace RollingContact
 
   /**
    * Solve the contact problem of a state with the scene's solver, from where it
-   * is.
+   * is; where its load is inclined, with the normal load that this gives.
    */
   template <int dim>
   void

@@ -1,0 +1,41 @@
+#ifndef rolling_contact_pair_profile_patch_h
+#define rolling_contact_pair_profile_patch_h
+
+#include <rolling_contact/mesh/zone_box.h>
+#include <rolling_contact/profiles/contact_frame.h>
+
+#include <optional>
+#include <vector>
+
+namespace RollingContact
+{
+  /**
+   * The patch, or patches, of half-spaces with the surfaces of profiles: what
+   * the mesh is made for. Units: m, N, rad.
+   */
+  struct ProfilePatch
+  {
+    std::vector<ZoneBox> boxes; ///< that touch, side by side
+    double half_width_x = 0.;   ///< half of the longest stretch along x
+    double half_width_y = 0.;   ///< of the widest patch
+    double normal_force = 0.;
+    double approach     = 0.;
+    /** Largest angle between the normals of the rail in the middle of two
+     * patches. */
+    double angle_between = 0.;
+  };
+
+  /**
+   * Of half-spaces with the contact modulus E* (Pa) on a coarse grid, under a
+   * load or with an approach if there is none. All members are zero if the
+   * surfaces do not touch. Throws InputError if the patch reaches the ends of
+   * the profiles.
+   */
+  ProfilePatch
+  profile_patch(const Profiles::ContactFrame &frame,
+                const double                  contact_modulus,
+                const std::optional<double>  &load,
+                const double                  approach);
+} // namespace RollingContact
+
+#endif

@@ -1,0 +1,131 @@
+#ifndef rolling_contact_profiles_contact_frame_h
+#define rolling_contact_profiles_contact_frame_h
+
+#include <rolling_contact/base/creepages.h>
+#include <rolling_contact/profiles/contact_search.h>
+
+#include <array>
+#include <memory>
+#include <optional>
+
+namespace RollingContact::Profiles
+{
+  /**
+   * The plane in which wheel and rail touch first, turned about x by the angle
+   * of the contact, and what the profiles are there. Its origin is the first
+   * rigid contact; x is against the way the wheel rolls forwards, y along the
+   * profiles to the right of the vehicle, z out of the rail. A wheel on the
+   * left rail is the mirror image of one on the right: y changes its sign.
+   * Units: m, rad.
+   */
+  class ContactFrame
+  {
+  public:
+    /**
+     * Of the right-hand wheel of a wheelset in this @p position, or of the
+     * left-hand one. Throws InputError if the wheel is not above the rail.
+     */
+    ContactFrame(std::shared_ptr<const WheelOnRail> profiles,
+                 const WheelsetPosition            &position,
+                 const bool                         is_left);
+
+    /**
+     * The first contact, as that of a right-hand wheel.
+     */
+    const RigidContact &
+    origin() const
+    {
+      return contact;
+    }
+
+    /**
+     * The contact's angle, slope of the rail towards the right of the vehicle.
+     */
+    double
+    angle() const;
+
+    /**
+     * The contact's place in the track: across, to the right.
+     */
+    double
+    track_y() const;
+
+    /**
+     * Distance of the rigid surfaces along z at (@p x, @p y), 0 at the origin;
+     * nothing where one of them does not reach.
+     */
+    std::optional<double>
+    gap(const double x, const double y) const;
+
+    /**
+     * Slope of the rail against the plane at @p y, 0 at the origin. Units: rad.
+     */
+    double
+    rail_angle(const double y) const;
+
+    /**
+     * What the rigid slip along x at (0, @p y) is beyond that of a spin about
+     * the origin, for a wheel that rolls forwards: the radius of the profile r
+     * does not change in proportion to y,
+     *
+     *   (r(y) - r(0)) / r(0) - y dr/dy(0) / r(0);
+     *
+     * 0 beyond the wheel. Units: 1.
+     */
+    double
+    slip_beyond_spin(const double y) const;
+
+    /**
+     * The spin of a wheel that rolls forwards on a profile inclined like this,
+     * -(dr/dy) / r at the origin. Units: 1/m.
+     */
+    double
+    spin_of_cone() const;
+
+    /**
+     * Rigid slip of the wheel over the rail at the origin, over the magnitude
+     * of the speed V (m/s) of the wheelset, whose axle turns by @p pitch_rate
+     * (rad/s, -V/r when it rolls freely), or so that there is no longitudinal
+     * creepage if that is not given.
+     */
+    Creepages
+    creepages(const double                 speed,
+              const std::optional<double> &pitch_rate) const;
+
+    /**
+     * A force in this frame in the axes of the track: across, to the right,
+     * and upwards. Units: N.
+     */
+    std::array<double, 2>
+    in_track(const double force_y, const double force_z) const;
+
+  private:
+    using Vector = std::array<double, 3>;
+
+    /** From axes of the track to those of the wheelset. */
+    Vector
+    to_wheelset(const Vector &vector) const;
+
+    /** Of the wheel's surface: depth under the plane and radius. */
+    struct WheelPoint
+    {
+      double depth, radius;
+    };
+
+    /**
+     * The wheel's surface over (@p x, @p along) in the plane of a right-hand
+     * wheel; nothing where it does not reach.
+     */
+    std::optional<WheelPoint>
+    wheel_point(const double x, const double along) const;
+
+    std::shared_ptr<const WheelOnRail> profiles;
+    WheelsetPosition                   position;
+    double                             sign; ///< of y, -1 on the left
+    RigidContact                       contact;
+    ProfileCurve                       rail; ///< y and z along and under it
+    ArcLengthAtY                       rail_at, wheel_at;
+  };
+} // namespace RollingContact::Profiles
+
+#endif

@@ -1,0 +1,280 @@
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/text.h>
+#include <rolling_contact/pair/profile_patch.h>
+#include <rolling_contact/references/half_space_pressure.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace RollingContact
+{
+  namespace
+  {
+    using References::ContactGrid;
+    using References::HalfSpacePressure;
+
+    /**
+     * The gap along a line across the plane: its least value, where that is
+     * and gap = least + curvature (x - place)^2.
+     */
+    struct Line
+    {
+      double y, least, place, curvature;
+    };
+
+
+
+    /**
+     * Lines over the whole of the profiles, with gaps of up to a millimetre.
+     */
+    std::vector<Line>
+    lines_across(const Profiles::ContactFrame &frame)
+    {
+      const double step = 2.5e-4, reach = 0.07, along = 5e-3, widest = 1e-3;
+      std::vector<Line> lines;
+      for (int k = -reach / step; k <= reach / step; ++k)
+        {
+          Line line{k * step, 0., 0., 0.};
+          for (unsigned int round = 0; round < 2; ++round)
+            {
+              const auto left   = frame.gap(line.place - along, line.y),
+                         middle = frame.gap(line.place, line.y),
+                         right  = frame.gap(line.place + along, line.y);
+              line.curvature    = 0.;
+              if (!left || !middle || !right)
+                break;
+              line.curvature =
+                (*left - 2 * *middle + *right) / (2 * along * along);
+              if (!(line.curvature > 0.))
+                break;
+              const double shift =
+                (*left - *right) / (4 * along * line.curvature);
+              line.least = *middle - line.curvature * shift * shift;
+              line.place += shift;
+            }
+          if (line.curvature > 0. && line.least < widest)
+            lines.push_back(line);
+        }
+      return lines;
+    }
+
+
+
+    /**
+     * The rectangle around all places where the gap is below @p depth; lower
+     * above upper if there is none.
+     */
+    ZoneBox
+    overlap(const std::vector<Line> &lines, const double depth)
+    {
+      ZoneBox box{{{1., 1.}}, {{-1., -1.}}};
+      for (const Line &line : lines)
+        if (line.least < depth)
+          {
+            const double half =
+              std::sqrt((depth - line.least) / line.curvature);
+            box.lower[0] = std::min(box.lower[0], line.place - half);
+            box.upper[0] = std::max(box.upper[0], line.place + half);
+            box.lower[1] = std::min(box.lower[1], line.y);
+            box.upper[1] = std::max(box.upper[1], line.y);
+          }
+      const double step = 2.5e-4; // between lines
+      return box.grown(0., step);
+    }
+
+
+
+    ContactGrid
+    grid_on(const ZoneBox &box, const std::size_t n_along)
+    {
+      const double widest = 5e-4, width = box.upper[1] - box.lower[1];
+      ContactGrid  grid;
+      grid.n_x     = n_along;
+      grid.n_y     = std::max<std::size_t>(n_along, std::ceil(width / widest));
+      grid.size_x  = (box.upper[0] - box.lower[0]) / grid.n_x;
+      grid.size_y  = width / grid.n_y;
+      grid.first_x = box.lower[0] + grid.size_x / 2;
+      grid.first_y = box.lower[1] + grid.size_y / 2;
+      return grid;
+    }
+
+
+
+    /** A grid, the gap there and the pressure. */
+    struct Solution
+    {
+      ContactGrid       grid;
+      HalfSpacePressure state;
+    };
+
+
+
+    /**
+     * Finds the pressure on a rectangle that holds the patch: the place where
+     * the surfaces would overlap.
+     */
+    class PatchSearch
+    {
+    public:
+      PatchSearch(const Profiles::ContactFrame &frame,
+                  const double                  contact_modulus)
+        : frame(frame)
+        , modulus(contact_modulus)
+        , lines(lines_across(frame))
+      {}
+
+      Solution
+      with_approach(const double approach, const std::size_t n_along) const
+      {
+        return solve(overlap(lines, approach), n_along, {}, approach);
+      }
+
+      /**
+       * By the approach that gives about the load, and then under it.
+       */
+      Solution
+      under_load(const double load, const std::size_t n_along) const
+      {
+        const std::size_t coarse = 20;
+        double            depth  = 2e-5;
+        for (unsigned int round = 0; round < 12; ++round)
+          {
+            const double found  = with_approach(depth, coarse).state.load,
+                         change = std::pow(load / std::max(found, 1e-3 * load),
+                                           2. / 3);
+            depth *= change;
+            if (std::abs(change - 1) < 0.02)
+              break;
+          }
+        const double ample = 1.1;
+        return solve(overlap(lines, ample * depth), n_along, load, 0.);
+      }
+
+    private:
+      Solution
+      solve(const ZoneBox               &box,
+            const std::size_t            n_along,
+            const std::optional<double> &load,
+            const double                 approach) const
+      {
+        const double        beyond = 1e-2; // m, where a surface ends
+        Solution            solution{grid_on(box, n_along), {}};
+        const ContactGrid  &grid = solution.grid;
+        std::vector<double> gap;
+        for (std::size_t j = 0; j < grid.n_y; ++j)
+          for (std::size_t i = 0; i < grid.n_x; ++i)
+            gap.push_back(frame.gap(grid.x(i), grid.y(j)).value_or(beyond));
+        solution.state =
+          References::half_space_pressure(grid, gap, modulus, load, approach);
+        return solution;
+      }
+
+      const Profiles::ContactFrame &frame;
+      const double                  modulus;
+      const std::vector<Line>       lines;
+    };
+
+
+
+    /** Rows that touch, from .. to .., without one between that does not. */
+    struct Rows
+    {
+      std::size_t begin, end;
+      double      load, moment; ///< of the pressure, moment about x
+    };
+
+
+
+    std::vector<Rows>
+    touching_rows(const Solution &found)
+    {
+      std::vector<Rows>  patches;
+      const ContactGrid &grid = found.grid;
+      for (std::size_t j = 0; j < grid.n_y; ++j)
+        {
+          double load = 0.;
+          for (std::size_t i = 0; i < grid.n_x; ++i)
+            load += found.state.pressure[j * grid.n_x + i];
+          if (load == 0.)
+            continue;
+          if (patches.empty() || patches.back().end != j)
+            patches.push_back({j, j, 0., 0.});
+          patches.back().end = j + 1;
+          patches.back().load += load;
+          patches.back().moment += load * grid.y(j);
+        }
+      return patches;
+    }
+
+
+
+    /**
+     * Stretches along x that touch, as boxes, and the half of the longest.
+     */
+    void
+    add_boxes(const Solution &found, ProfilePatch &patch)
+    {
+      const ContactGrid &grid = found.grid;
+      for (std::size_t j = 0; j < grid.n_y; ++j)
+        for (std::size_t i = 0; i < grid.n_x; ++i)
+          {
+            const auto touches = [&](const std::size_t k) {
+              return k < grid.n_x &&
+                     found.state.pressure[j * grid.n_x + k] > 0.;
+            };
+            const std::size_t begin = i;
+            while (touches(i))
+              ++i;
+            if (i == begin)
+              continue;
+            patch.boxes.push_back(
+              {{{grid.x(begin) - grid.size_x / 2, grid.y(j) - grid.size_y / 2}},
+               {{grid.x(i - 1) + grid.size_x / 2,
+                 grid.y(j) + grid.size_y / 2}}});
+            patch.half_width_x =
+              std::max(patch.half_width_x, (i - begin) * grid.size_x / 2);
+          }
+    }
+  } // namespace
+
+
+
+  ProfilePatch
+  profile_patch(const Profiles::ContactFrame &frame,
+                const double                  contact_modulus,
+                const std::optional<double>  &load,
+                const double                  approach)
+  {
+    ProfilePatch patch;
+    if (!(load.value_or(approach) > 0.))
+      return patch;
+    const std::size_t n_along = 40;
+    const PatchSearch search(frame, contact_modulus);
+    const Solution    found = load ? search.under_load(*load, n_along)
+                                   : search.with_approach(approach, n_along);
+    patch.normal_force      = found.state.load;
+    patch.approach          = found.state.approach;
+    add_boxes(found, patch);
+    double least_angle = 1., largest_angle = -1.;
+    for (const Rows &rows : touching_rows(found))
+      {
+        patch.half_width_y =
+          std::max(patch.half_width_y,
+                   (rows.end - rows.begin) * found.grid.size_y / 2);
+        const double angle = frame.rail_angle(rows.moment / rows.load);
+        least_angle        = std::min(least_angle, angle);
+        largest_angle      = std::max(largest_angle, angle);
+        for (const std::size_t row : {rows.begin, rows.end - 1})
+          if (!frame.gap(0.,
+                         found.grid.y(row) +
+                           (row == rows.begin ? -1 : 1) * found.grid.size_y))
+            throw InputError(
+              "Profiles: the patch reaches the end of a profile, " +
+              millimetres(found.grid.y(row)) +
+              " from the first contact. Take another Profiles/Lateral shift, "
+              "less load or longer profiles.");
+      }
+    patch.angle_between = std::max(0., largest_angle - least_angle);
+    return patch;
+  }
+} // namespace RollingContact

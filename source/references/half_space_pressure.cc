@@ -1,0 +1,254 @@
+#include <rolling_contact/references/half_space_pressure.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+namespace RollingContact::References
+{
+  namespace
+  {
+    /**
+     * The integral of 1/r over the rectangle that has a corner at the origin
+     * and the opposite one at (x, y), with the sign of x y. Units: m.
+     */
+    double
+    integral_to_corner(const double x, const double y)
+    {
+      return x * std::asinh(y / std::abs(x)) + y * std::asinh(x / std::abs(y));
+    }
+
+
+
+    /**
+     * What a pressure of 1 Pa on one rectangle moves the middle of the others,
+     * a Toeplitz matrix kept by distances.
+     */
+    class Influence
+    {
+    public:
+      Influence(const ContactGrid &grid, const double contact_modulus)
+        : grid(grid)
+      {
+        const double constant = 1 / (std::acos(-1.) * contact_modulus);
+        for (std::size_t j = 0; j < grid.n_y; ++j)
+          for (std::size_t i = 0; i < grid.n_x; ++i)
+            {
+              const double left   = (i - 0.5) * grid.size_x,
+                           right  = (i + 0.5) * grid.size_x,
+                           lower  = (j - 0.5) * grid.size_y,
+                           higher = (j + 0.5) * grid.size_y;
+              by_distance.push_back(constant *
+                                    (integral_to_corner(right, higher) -
+                                     integral_to_corner(left, higher) -
+                                     integral_to_corner(right, lower) +
+                                     integral_to_corner(left, lower)));
+            }
+      }
+
+      /**
+       * The displacements under these pressures. Units: Pa to m.
+       */
+      std::vector<double>
+      multiply(const std::vector<double> &pressure) const
+      {
+        std::vector<double> result(pressure.size(), 0.);
+        for (std::size_t from = 0; from < pressure.size(); ++from)
+          if (pressure[from] != 0.)
+            add(from, pressure[from], result);
+        return result;
+      }
+
+    private:
+      void
+      add(const std::size_t    from,
+          const double         pressure,
+          std::vector<double> &result) const
+      {
+        const std::size_t at_x = from % grid.n_x, at_y = from / grid.n_x;
+        for (std::size_t j = 0; j < grid.n_y; ++j)
+          {
+            const double *row =
+              &by_distance[grid.n_x * (j > at_y ? j - at_y : at_y - j)];
+            double *line = &result[grid.n_x * j];
+            for (std::size_t i = 0; i < at_x; ++i)
+              line[i] += pressure * row[at_x - i];
+            for (std::size_t i = at_x; i < grid.n_x; ++i)
+              line[i] += pressure * row[i - at_x];
+          }
+      }
+
+      const ContactGrid   grid;
+      std::vector<double> by_distance;
+    };
+
+
+
+    /**
+     * Polonsky and Keer's iteration.
+     */
+    class Iteration
+    {
+    public:
+      Iteration(const ContactGrid           &grid,
+                const std::vector<double>   &gap,
+                const double                 contact_modulus,
+                const std::optional<double> &load,
+                const double                 approach)
+        : influence(grid, contact_modulus)
+        , area(grid.size_x * grid.size_y)
+        , gap(gap)
+        , load(load)
+        , state{std::vector<double>(gap.size(), 0.), approach, 0.}
+        , direction(gap.size(), 0.)
+      {
+        start(contact_modulus * std::sqrt(area));
+      }
+
+      HalfSpacePressure
+      solve()
+      {
+        const unsigned int max_rounds = 1000;
+        const double       accuracy   = 1e-4;
+        for (unsigned int k = 0; k < max_rounds; ++k)
+          {
+            if (state.load == 0.)
+              return state;
+            if (advance() < accuracy)
+              return state;
+          }
+        throw std::runtime_error(
+          "The contact of half-spaces was not found in " +
+          std::to_string(max_rounds) + " rounds.");
+      }
+
+    private:
+      /**
+       * Pressure where the surfaces would overlap, in proportion.
+       */
+      void
+      start(const double stiffness)
+      {
+        double level = state.approach;
+        if (load)
+          {
+            std::vector<double> sorted = gap;
+            const auto          middle = sorted.begin() + sorted.size() / 4;
+            std::nth_element(sorted.begin(), middle, sorted.end());
+            level = *middle;
+          }
+        for (std::size_t i = 0; i < gap.size(); ++i)
+          state.pressure[i] = std::max(0., level - gap[i]) * stiffness / area;
+        rescale();
+      }
+
+      void
+      rescale()
+      {
+        state.load =
+          area *
+          std::accumulate(state.pressure.begin(), state.pressure.end(), 0.);
+        if (!load || state.load == 0.)
+          return;
+        for (double &p : state.pressure)
+          p *= *load / state.load;
+        state.load = *load;
+      }
+
+      double
+      mean_of_touching(const std::vector<double> &values) const
+      {
+        double      sum = 0.;
+        std::size_t n   = 0;
+        for (std::size_t i = 0; i < values.size(); ++i)
+          if (state.pressure[i] > 0.)
+            {
+              sum += values[i];
+              ++n;
+            }
+        return sum / n;
+      }
+
+      double
+      advance();
+
+      const Influence             influence;
+      const double                area;
+      const std::vector<double>  &gap;
+      const std::optional<double> load;
+      HalfSpacePressure           state;
+      std::vector<double>         direction;
+      double                      old_square = 1.;
+      bool                        restarts   = true;
+    };
+
+
+
+    /**
+     * One round; what it changed of the load, over the load.
+     */
+    double
+    Iteration::advance()
+    {
+      std::vector<double> opening = influence.multiply(state.pressure);
+      for (std::size_t i = 0; i < gap.size(); ++i)
+        opening[i] += gap[i];
+      if (load)
+        state.approach = mean_of_touching(opening);
+      double square = 0.;
+      for (std::size_t i = 0; i < gap.size(); ++i)
+        {
+          opening[i] -= state.approach;
+          if (state.pressure[i] > 0.)
+            square += opening[i] * opening[i];
+        }
+      for (std::size_t i = 0; i < gap.size(); ++i)
+        direction[i] =
+          state.pressure[i] > 0.
+            ? opening[i] + (restarts ? 0. : square / old_square * direction[i])
+            : 0.;
+      old_square                 = square;
+      std::vector<double> change = influence.multiply(direction);
+      const double        mean   = load ? mean_of_touching(change) : 0.;
+      double              above = 0., below = 0.;
+      for (std::size_t i = 0; i < gap.size(); ++i)
+        if (state.pressure[i] > 0.)
+          {
+            above += opening[i] * direction[i];
+            below += (change[i] - mean) * direction[i];
+          }
+      const double              step = below > 0. ? above / below : 0.;
+      const std::vector<double> old  = state.pressure;
+      restarts                       = false;
+      for (std::size_t i = 0; i < gap.size(); ++i)
+        {
+          double &p = state.pressure[i];
+          if (p > 0.)
+            p = std::max(0., p - step * direction[i]);
+          if (p == 0. && opening[i] < 0.)
+            {
+              p        = -step * opening[i];
+              restarts = true;
+            }
+        }
+      rescale();
+      double changed = 0.;
+      for (std::size_t i = 0; i < gap.size(); ++i)
+        changed += std::abs(state.pressure[i] - old[i]);
+      return changed * area / state.load;
+    }
+  } // namespace
+
+
+
+  HalfSpacePressure
+  half_space_pressure(const ContactGrid           &grid,
+                      const std::vector<double>   &gap,
+                      const double                 contact_modulus,
+                      const std::optional<double> &load,
+                      const double                 approach)
+  {
+    return Iteration(grid, gap, contact_modulus, load, approach).solve();
+  }
+} // namespace RollingContact::References
