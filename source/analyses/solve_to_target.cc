@@ -21,10 +21,34 @@ namespace RollingContact
 
 
     /**
+     * What entries of the scene left to choose from, if that decided.
+     */
+    std::string
+    limits_of(const MeshParameters &given, const TargetMesh &mesh)
+    {
+      const MeshParameters standard;
+      std::string          limits;
+      if (given.elements_across_patch != standard.elements_across_patch &&
+          given.elements_across_patch == mesh.elements)
+        limits +=
+          "; Mesh/Elements across patch = " + std::to_string(mesh.elements) +
+          " is the least";
+      if (given.growth != standard.growth && given.growth == mesh.growth)
+        limits +=
+          "; Mesh/Growth = " + significant(mesh.growth, 3) + " is the largest";
+      return limits;
+    }
+
+
+
+    /**
      * Gives the scene the mesh, says so and notes it for run.json.
      */
     void
-    take(const TargetMesh &mesh, SceneParameters &scene, RunContext &context)
+    take(const TargetMesh     &mesh,
+         const MeshParameters &given,
+         SceneParameters      &scene,
+         RunContext           &context)
     {
       scene.mesh.elements_across_patch = mesh.elements;
       scene.mesh.growth                = mesh.growth;
@@ -36,12 +60,13 @@ namespace RollingContact
       item.object = "mesh with " + std::to_string(mesh.elements) +
                     " elements across the patch and a growth of " +
                     significant(mesh.growth, 3);
-      item.reason = entry_of(scene) + ": expected bound " +
-                    scientific(*mesh.bounds.force, 2) + ", " + mesh.bounds.text;
+      const std::string why = "expected bound " +
+                              scientific(*mesh.bounds.force, 2) + " (" +
+                              mesh.bounds.text + ')' + limits_of(given, mesh);
+      item.reason = entry_of(scene) + ": " + why;
       context.report.objects.push_back(item);
-      context.log.message(
-        entry_of(scene) + " takes a " + item.object + ": expected bound " +
-        scientific(*mesh.bounds.force, 2) + " (" + mesh.bounds.text + ").");
+      context.log.message(entry_of(scene) + " takes a " + item.object + ": " +
+                          why + ".");
     }
 
 
@@ -81,13 +106,14 @@ namespace RollingContact
   {
     if (!scene.mesh.target_error)
       return AdaptiveLevels<dim>(scene, demands, context).run(on_level);
-    const double       target   = *scene.mesh.target_error;
-    const unsigned int n_meshes = 3;
-    TargetError        chooser(scene, targets);
+    const MeshParameters given    = scene.mesh;
+    const double         target   = *given.target_error;
+    const unsigned int   n_meshes = 3;
+    TargetError          chooser(scene, targets);
     for (unsigned int k = 1;; ++k)
       {
         const TargetMesh mesh = chooser.cheapest_mesh();
-        take(mesh, scene, context);
+        take(mesh, given, scene, context);
         SteadyState<dim> steady =
           solve_on_taken<dim>(scene, demands, context, [](const auto &) {});
         const ErrorBounds bounds = chooser.bounds_on(mesh, steady);
