@@ -61,7 +61,7 @@ namespace RollingContact
       "creep curve (its worst point) and load curve: elements and growth that "
       "keep it at the least cost are chosen. `Elements across patch` is then "
       "the least and `Growth` the largest, where they are not the default. "
-      "Errors are mostly a third to a tenth of the bound. Empty: the elements "
+      "Errors are mostly below half of the bound. Empty: the elements "
       "and the growth given. Units: 1.");
     prm.add_parameter(
       "Elements across patch",
