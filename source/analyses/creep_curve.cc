@@ -1,4 +1,5 @@
 #include <rolling_contact/analyses/creep_curve.h>
+#include <rolling_contact/analyses/solve_to_target.h>
 #include <rolling_contact/assessment/reference_2d.h>
 #include <rolling_contact/assessment/reference_3d.h>
 #include <rolling_contact/assessment/uniqueness_warning.h>
@@ -11,7 +12,6 @@
 #include <rolling_contact/report/result_row.h>
 #include <rolling_contact/report/state_report.h>
 #include <rolling_contact/run/progress.h>
-#include <rolling_contact/state/adaptive_levels.h>
 #include <rolling_contact/state/enlarged_zone.h>
 
 #include <algorithm>
@@ -106,9 +106,11 @@ namespace RollingContact
     SceneParameters start = scene;
     if (scene.mesh.adaptive_levels == 0)
       start.contact.creepages = Creepages();
-    SteadyState<dim> steady =
-      AdaptiveLevels<dim>(start, StateDemands(), context).run([](const auto &) {
-      });
+    TargetDemands targets;
+    targets.spin            = any(Path(points).spin);
+    SteadyState<dim> steady = solve_to_target<dim>(
+      start, StateDemands(), targets, context, [](const auto &) {});
+    scene.mesh = start.mesh;
     require_solved(scene, steady, "Creep curve, the state to start from");
     if (steady.result.normal_force <= 0.)
       throw InputError(needs_contact);
@@ -159,6 +161,7 @@ namespace RollingContact
         progress.report(k + 1);
       }
     review.warn(steady);
+    warn_of_missed_target(scene, context);
   }
 
 

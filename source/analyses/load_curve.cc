@@ -1,4 +1,5 @@
 #include <rolling_contact/analyses/load_curve.h>
+#include <rolling_contact/analyses/solve_to_target.h>
 #include <rolling_contact/assessment/reference_3d.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/stopwatch.h>
@@ -9,7 +10,8 @@
 #include <rolling_contact/report/profile_columns.h>
 #include <rolling_contact/report/result_row.h>
 #include <rolling_contact/report/state_report.h>
-#include <rolling_contact/state/adaptive_levels.h>
+
+#include <cmath>
 
 namespace RollingContact
 {
@@ -34,6 +36,22 @@ namespace RollingContact
       demands.growth = 1.05;
       return demands;
     }
+
+
+
+    /**
+     * By Hertz, half-widths go with the root of the load in 2D, with its third
+     * root in 3D.
+     */
+    TargetDemands
+    targets(const std::vector<double> &load_fractions, const int dim)
+    {
+      TargetDemands targets;
+      targets.patches.clear();
+      for (const double share : load_fractions)
+        targets.patches.push_back(std::pow(share, 1. / dim));
+      return targets;
+    }
   } // namespace
 
 
@@ -45,7 +63,11 @@ namespace RollingContact
     if (estimate_patch(scene).half_width_x <= 0.)
       throw InputError(needs_contact);
     SteadyState<dim> steady =
-      AdaptiveLevels<dim>(scene, demands(), context).run([](const auto &) {});
+      solve_to_target<dim>(scene,
+                           demands(),
+                           targets(scene.load_curve.load_fractions, dim),
+                           context,
+                           [](const auto &) {});
     require_solved(scene, steady, "Load curve, the largest load");
     if (steady.result.normal_force <= 0.)
       throw InputError(needs_contact);
@@ -77,6 +99,7 @@ namespace RollingContact
                                                       "max_pressure_Pa"}));
     note_state(steady, context.report);
     note_profiles(scene, steady, context.report);
+    warn_of_missed_target(scene, context);
     context.report.set_finding("spring",
                                "k = " +
                                  significant(*steady.contact_stiffness, 5) +

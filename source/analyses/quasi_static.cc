@@ -1,4 +1,5 @@
 #include <rolling_contact/analyses/quasi_static.h>
+#include <rolling_contact/analyses/solve_to_target.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/report/bodies_report.h>
@@ -8,7 +9,6 @@
 #include <rolling_contact/report/result_row.h>
 #include <rolling_contact/report/state_report.h>
 #include <rolling_contact/run/pvd.h>
-#include <rolling_contact/state/adaptive_levels.h>
 
 namespace RollingContact
 {
@@ -22,11 +22,15 @@ namespace RollingContact
         return;
       }
     StateDemands demands;
-    demands.pair.displacements    = scene.output.body_fields;
-    const SteadyState<dim> steady = AdaptiveLevels<dim>(scene, demands, context)
-                                      .run([&](const SteadyState<dim> &level) {
-                                        add_result_row(scene, level, context);
-                                      });
+    demands.pair.displacements = scene.output.body_fields;
+    const SteadyState<dim> steady =
+      solve_to_target<dim>(scene,
+                           demands,
+                           TargetDemands(),
+                           context,
+                           [&](const SteadyState<dim> &level) {
+                             add_result_row(scene, level, context);
+                           });
     describe_bodies(steady, context);
     context.report.objects.push_back(
       {"body fields (one backward solve each)",
@@ -116,6 +120,7 @@ namespace RollingContact
     review.warn(steady);
     note_state(steady, context.report);
     note_profiles(scene, steady, context.report);
+    warn_of_missed_target(scene, context);
   }
 
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace RollingContact
 {
@@ -28,68 +27,11 @@ namespace RollingContact
 
 
     /**
-     * What decides which bound holds.
-     */
-    struct Circumstances
-    {
-      SlipOperatorKind kind  = SlipOperatorKind::calibrated;
-      double           n     = 0.; ///< elements across the patch
-      double           beta  = 0.; ///< |Dundurs' constant|
-      double           waves = 0.; ///< largest change_of_curvature()
-      double thickness = std::numeric_limits<double>::infinity(); ///< over a
-      bool   edges_settled = true, edge_law = true;
-      bool   nearly_incompressible = false, spin = false;
-      bool   refined = false; ///< lines end at smaller elements
-    };
-
-
-
-    template <int dim>
-    Circumstances
-    circumstances(const SceneParameters &scene, const SteadyState<dim> &steady)
-    {
-      const ContactProblem &problem = steady.problem;
-      const double          a       = steady.result.half_width_x;
-      Circumstances         found;
-      found.kind          = problem.operators.slip_operator().kind();
-      found.n             = a > 0. ? 2 * a / steady.grading.element_size_x
-                                   : steady.grading.elements_across();
-      found.beta          = std::abs(pair_constants(scene).dundurs_beta);
-      found.spin          = problem.loads.creepages.spin != 0.;
-      found.edge_law      = steady.state.edge_law;
-      found.edges_settled = steady.solver.edges_settled;
-      for (const BodyParameters *body : {&scene.wheel, &scene.rail})
-        if (!body->rigid)
-          {
-            found.nearly_incompressible = found.nearly_incompressible ||
-                                          body->material.poisson_ratio > 0.45;
-            if (a > 0.)
-              found.thickness =
-                std::min(found.thickness,
-                         body->body_shape()->thickness_below() / a);
-          }
-      for (const TouchingRun &run :
-           touching_runs(problem.operators.slip_operator(),
-                         steady.state.pressure))
-        {
-          found.refined = found.refined || run.cut;
-          found.waves =
-            std::max(found.waves,
-                     change_of_curvature(run,
-                                         places(run, problem.operators),
-                                         problem.loads.gap));
-        }
-      return found;
-    }
-
-
-
-    /**
      * The edge law keeps its order for one material that is not nearly
      * incompressible.
      */
     bool
-    edge_law_holds(const Circumstances &found)
+    edge_law_holds(const BoundCircumstances &found)
     {
       return found.beta < 1e-12 && !found.nearly_incompressible &&
              found.edge_law;
@@ -125,6 +67,51 @@ namespace RollingContact
     const double of_growth = 2e-3, of_residual = 4.;
 
     /**
+     * What it adds to the force of a body under a given approach, whose load
+     * has an error then, and of one half-width of thickness, as much over its
+     * thickness in half-widths, at most half of it; 3D: half of that.
+     */
+    const double of_growth_under_approach = 1e-2, of_growth_of_layer = 2.5e-2,
+                 most_of_layer = 1e-2;
+
+    /**
+     * What it adds to the peak pressure.
+     */
+    const double of_growth_on_peak                = 4e-3,
+                 of_growth_on_peak_under_approach = 1.6e-2;
+
+    /**
+     * Growth below which the bulk has an error of second order in it.
+     */
+    const double small_growth = 0.25;
+
+
+
+    double
+    growth_in_bulk(const BoundCircumstances &found)
+    {
+      return found.growth * std::min(1., found.growth / small_growth);
+    }
+
+
+
+    /**
+     * What the growth of the mesh adds to the bound of the force.
+     */
+    double
+    share_of_growth(const BoundCircumstances &found)
+    {
+      const double layer =
+        std::min(most_of_layer, of_growth_of_layer / found.thickness);
+      return of_growth * found.growth +
+             ((found.approach_given ? of_growth_under_approach : 0.) +
+              (found.dim == 2 ? 1. : 0.5) * layer) *
+               growth_in_bulk(found);
+    }
+
+
+
+    /**
      * Change of the gap's curvature from which on waves count.
      */
     const double wavy = 0.1;
@@ -144,9 +131,9 @@ namespace RollingContact
 
 
     Bound
-    force_bound(const int dim, const Circumstances &found)
+    force_bound(const BoundCircumstances &found)
     {
-      const bool plane     = dim == 2;
+      const bool plane     = found.dim == 2;
       const bool disturbed = found.thickness < thin || found.refined;
       if (found.kind == SlipOperatorKind::upwind_1)
         return {plane ? 0.65 : 1.1, 1.};
@@ -177,12 +164,10 @@ namespace RollingContact
 
 
 
-  template <int dim>
   ErrorBounds
-  error_bounds(const SceneParameters &scene, const SteadyState<dim> &steady)
+  error_bounds(const BoundCircumstances &found)
   {
-    const Circumstances found = circumstances(scene, steady);
-    ErrorBounds         bounds;
+    ErrorBounds bounds;
     if (found.thickness < thinnest)
       bounds.text = "a body is thinner than half the patch";
     else if (found.waves > roughest)
@@ -190,31 +175,109 @@ namespace RollingContact
     if (!bounds.text.empty())
       return bounds;
 
-    const Bound  bound = force_bound(dim, found);
+    const Bound  bound = force_bound(found);
     const double added = of_waves * (found.waves > wavy ? found.waves : 0.) +
-                         of_growth * scene.mesh.growth +
-                         of_residual * steady.solver.residual.tangential;
+                         share_of_growth(found) +
+                         of_residual * found.residual_tangential;
     bounds.force =
       std::min(1.,
-               (dim == 3 || found.edges_settled ? 1. : of_unsettled) *
+               (found.dim == 3 || found.edges_settled ? 1. : of_unsettled) *
                    bound.at(found.n) +
                  added);
     bounds.text = in_words(bound, found.n) + ", and " + scientific(added, 1) +
                   " for " + (found.waves > wavy ? "waves, " : "") +
                   "the growth of the mesh and the residual";
-    if (dim == 3)
+    if (found.dim == 3)
       bounds.moment = bounds.force;
     bounds.max_pressure =
       Bound{2., 2.}.at(found.n) +
       (found.waves > wavy ? 0.3 * found.waves : 0.) +
-      4 * found.beta * scene.contact.friction_coefficient / found.n +
-      of_growth * scene.mesh.growth +
-      of_residual * steady.solver.residual.normal;
+      4 * found.beta * found.friction / found.n +
+      of_growth_on_peak * found.growth +
+      (found.approach_given
+         ? of_growth_on_peak_under_approach * growth_in_bulk(found)
+         : 0.) +
+      of_residual * found.residual_normal;
     return bounds;
   }
 
 
 
+  BoundCircumstances
+  expected_circumstances(const SceneParameters &scene, const double half_width)
+  {
+    BoundCircumstances found;
+    found.dim                 = static_cast<int>(scene.dimension);
+    found.kind                = scene.contact.slip_operator;
+    found.beta                = std::abs(pair_constants(scene).dundurs_beta);
+    found.spin                = scene.contact.creepages.spin != 0.;
+    found.refined             = scene.mesh.rim_levels > 0;
+    found.approach_given      = !scene.contact.normal_load;
+    found.friction            = scene.contact.friction_coefficient;
+    found.growth              = scene.mesh.growth;
+    found.residual_normal     = scene.solver.controls.tolerance;
+    found.residual_tangential = scene.solver.controls.tolerance;
+    for (const BodyParameters *body : {&scene.wheel, &scene.rail})
+      if (!body->rigid)
+        {
+          found.nearly_incompressible =
+            found.nearly_incompressible || body->material.poisson_ratio > 0.45;
+          if (half_width > 0.)
+            found.thickness =
+              std::min(found.thickness,
+                       body->body_shape()->thickness_below() / half_width);
+        }
+    return found;
+  }
+
+
+
+  template <int dim>
+  BoundCircumstances
+  bound_circumstances(const SceneParameters  &scene,
+                      const SteadyState<dim> &steady)
+  {
+    const ContactProblem &problem = steady.problem;
+    const double          a       = steady.result.half_width_x;
+    BoundCircumstances    found   = expected_circumstances(scene, a);
+    found.kind                    = problem.operators.slip_operator().kind();
+    found.n                   = a > 0. ? 2 * a / steady.grading.element_size_x
+                                       : steady.grading.elements_across();
+    found.spin                = problem.loads.creepages.spin != 0.;
+    found.edge_law            = steady.state.edge_law;
+    found.edges_settled       = steady.solver.edges_settled;
+    found.residual_normal     = steady.solver.residual.normal;
+    found.residual_tangential = steady.solver.residual.tangential;
+    found.refined             = false;
+    for (const TouchingRun &run :
+         touching_runs(problem.operators.slip_operator(),
+                       steady.state.pressure))
+      {
+        found.refined = found.refined || run.cut;
+        found.waves =
+          std::max(found.waves,
+                   change_of_curvature(run,
+                                       places(run, problem.operators),
+                                       problem.loads.gap));
+      }
+    return found;
+  }
+
+
+
+  template <int dim>
+  ErrorBounds
+  error_bounds(const SceneParameters &scene, const SteadyState<dim> &steady)
+  {
+    return error_bounds(bound_circumstances(scene, steady));
+  }
+
+
+
+  template BoundCircumstances
+  bound_circumstances(const SceneParameters &, const SteadyState<2> &);
+  template BoundCircumstances
+  bound_circumstances(const SceneParameters &, const SteadyState<3> &);
   template ErrorBounds
   error_bounds(const SceneParameters &, const SteadyState<2> &);
   template ErrorBounds

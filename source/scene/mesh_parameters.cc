@@ -52,6 +52,17 @@ namespace RollingContact
   void
   MeshParameters::declare_patch(ParameterHandler &prm)
   {
+    declare_number(
+      prm,
+      "Mesh/Target error",
+      target_error,
+      "parts of mu N",
+      "Largest bound of the error of the force, over mu N, for quasi-static, "
+      "creep curve (its worst point) and load curve: elements and growth that "
+      "keep it at the least cost are chosen. `Elements across patch` is then "
+      "the least and `Growth` the largest, where they are not the default. "
+      "Errors are mostly below half of the bound. Empty: the elements "
+      "and the growth given. Units: 1.");
     prm.add_parameter(
       "Elements across patch",
       elements_across_patch,
@@ -75,6 +86,18 @@ namespace RollingContact
     prm.add_action("Patch offset", [this](const std::string &text) {
       patch_offset = offset_of(text);
     });
+  }
+
+
+
+  void
+  MeshParameters::check() const
+  {
+    if (target_error && (*target_error <= 0. || *target_error >= 1.))
+      throw InputError(
+        "Mesh/Target error = " + text_of(*target_error) +
+        ": give a number above 0 and below 1, parts of mu N such as 5e-3, or "
+        "leave it empty.");
   }
 
 

@@ -153,6 +153,8 @@ namespace RollingContact
     wheel.check(dimension);
     rail.check(dimension);
     contact.check(dimension);
+    mesh.check();
+    check_target_error();
     check_study();
     creep_curve.check();
     if (analysis == "creep curve" && dimension == 2)
@@ -167,6 +169,34 @@ namespace RollingContact
     check_body_solver();
     check_profiles();
     check_curvatures();
+  }
+
+
+
+  void
+  SceneParameters::check_target_error() const
+  {
+    if (!mesh.target_error || is_transient() || analysis == "accuracy study")
+      return;
+    const std::string target =
+      "Mesh/Target error = " + text_of(*mesh.target_error);
+    if (contact.friction_coefficient <= 0.)
+      throw InputError(
+        target + " and Contact/Friction coefficient = 0: it is an error of "
+                 "the friction force. Leave it empty and give Mesh/Elements "
+                 "across patch.");
+    if (mesh.adaptive_levels > 0)
+      throw InputError(
+        target +
+        " and Mesh/Adaptive levels = " + std::to_string(mesh.adaptive_levels) +
+        ": the target chooses one mesh, levels refine it. Leave the target "
+        "empty, or set the levels to 0.");
+    for (const BodyParameters *body : {&wheel, &rail})
+      if (body->is_from_file())
+        throw InputError(target + ": a body from a mesh file (" +
+                         body->section +
+                         "/Shape) has elements of its own, whose error is not "
+                         "known. Leave it empty.");
   }
 
 

@@ -97,6 +97,13 @@ namespace RollingContact
     };
     for (const auto &[path, why] : entries_of_other_dimension(scene))
       check(path, why);
+    if (scene.analysis == "transient" || scene.analysis == "accuracy study")
+      check("Mesh/Target error",
+            scene.analysis == "transient"
+              ? "the error of a time step is not known beforehand; "
+                "Mesh/Elements across patch gives the mesh"
+              : "a study has its own meshes, Accuracy study/Elements across "
+                "patch");
     const std::string giver = giver_of_creepages(scene);
     if (!giver.empty())
       for (const char *path :

@@ -38,9 +38,9 @@ namespace RollingContact
     void
     solve_point(const Creepages &creepages, SteadyState<dim> &steady);
 
-    const SceneParameters &scene;
-    RunContext            &context;
-    CreepCurveForces       curve;
+    SceneParameters  scene; ///< its own, with the mesh of a target error
+    RunContext      &context;
+    CreepCurveForces curve;
   };
 } // namespace RollingContact
 

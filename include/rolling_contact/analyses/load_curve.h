@@ -43,9 +43,9 @@ namespace RollingContact
     void
     plot() const;
 
-    const SceneParameters &scene;
-    RunContext            &context;
-    std::vector<double>    loads, approaches, hertz; ///< N, m, m
+    SceneParameters     scene; ///< its own, with the mesh of a target error
+    RunContext         &context;
+    std::vector<double> loads, approaches, hertz; ///< N, m, m
   };
 } // namespace RollingContact
 

@@ -36,8 +36,8 @@ namespace RollingContact
     void
     write_fields(const SteadyState<dim> &steady);
 
-    const SceneParameters &scene;
-    RunContext            &context;
+    SceneParameters scene; ///< its own, with the mesh of a target error
+    RunContext     &context;
   };
 } // namespace RollingContact
 

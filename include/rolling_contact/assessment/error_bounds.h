@@ -3,11 +3,33 @@
 
 #include <rolling_contact/state/steady_state.h>
 
+#include <limits>
 #include <optional>
 #include <string>
 
 namespace RollingContact
 {
+  /**
+   * What decides which bounds hold for a state. Lengths over the half-width of
+   * the patch, residuals over N and mu N.
+   */
+  struct BoundCircumstances
+  {
+    int              dim   = 2;
+    SlipOperatorKind kind  = SlipOperatorKind::calibrated;
+    double           n     = 0.; ///< elements across the patch
+    double           beta  = 0.; ///< |Dundurs' constant|
+    double           waves = 0.; ///< largest change_of_curvature()
+    double thickness = std::numeric_limits<double>::infinity(); ///< smallest
+    bool   edges_settled = true, edge_law = true;
+    bool   nearly_incompressible = false, spin = false;
+    bool   refined         = false; ///< lines end at smaller elements
+    bool   approach_given  = false; ///< the load is found, and has an error
+    double friction        = 0.;    ///< mu
+    double growth          = 0.;    ///< of the mesh
+    double residual_normal = 0., residual_tangential = 0.;
+  };
+
   /**
    * How far a state may be off from that of an infinitely fine mesh of the same
    * bodies, and from what that is concluded. Bounds c / n^p measured by
@@ -24,6 +46,23 @@ namespace RollingContact
     std::optional<double> max_pressure; ///< over the peak pressure
     std::string           text;         ///< what that of the force is made of
   };
+
+  ErrorBounds
+  error_bounds(const BoundCircumstances &found);
+
+  /**
+   * What is known without a state, of a patch with this half-width. Units: m.
+   */
+  BoundCircumstances
+  expected_circumstances(const SceneParameters &scene, const double half_width);
+
+  /**
+   * What a state turned out to be.
+   */
+  template <int dim>
+  BoundCircumstances
+  bound_circumstances(const SceneParameters  &scene,
+                      const SteadyState<dim> &steady);
 
   template <int dim>
   ErrorBounds

@@ -54,8 +54,15 @@ namespace RollingContact
       return patch_offset.value_or(0.);
     }
 
-    unsigned int elements_across_patch   = 48;
-    unsigned int elements_across_patch_y = 0;
+    /**
+     * Largest error bound of the force that the mesh is chosen for, over mu N;
+     * none: the mesh is that of the other entries. With it, the number of
+     * elements is the least and the growth the largest, unless they are the
+     * defaults.
+     */
+    std::optional<double> target_error;
+    unsigned int          elements_across_patch   = 48;
+    unsigned int          elements_across_patch_y = 0;
     /** None: aligned. Units: elements. */
     std::optional<double> patch_offset        = 0.;
     double                candidate_zone      = 0.;
@@ -67,6 +74,12 @@ namespace RollingContact
     LevelMarking          level_marking       = LevelMarking::adaptive;
     unsigned int          contact_node_budget = 2000;
     double                target_change       = 1e-3;
+
+    /**
+     * Throws InputError if the target of the error cannot be one.
+     */
+    void
+    check() const;
 
   private:
     void

@@ -131,6 +131,9 @@ namespace RollingContact
     check_study() const;
 
     void
+    check_target_error() const;
+
+    void
     check_hubs() const;
 
     void

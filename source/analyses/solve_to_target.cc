@@ -1,0 +1,165 @@
+#include <rolling_contact/analyses/solve_to_target.h>
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/text.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace RollingContact
+{
+  namespace
+  {
+    /**
+     * "Mesh/Target error = 0.005".
+     */
+    std::string
+    entry_of(const SceneParameters &scene)
+    {
+      return "Mesh/Target error = " + significant(*scene.mesh.target_error, 6);
+    }
+
+
+
+    /**
+     * What entries of the scene left to choose from, if that decided.
+     */
+    std::string
+    limits_of(const MeshParameters &given, const TargetMesh &mesh)
+    {
+      const MeshParameters standard;
+      std::string          limits;
+      if (given.elements_across_patch != standard.elements_across_patch &&
+          given.elements_across_patch == mesh.elements)
+        limits +=
+          "; Mesh/Elements across patch = " + std::to_string(mesh.elements) +
+          " is the least";
+      if (given.growth != standard.growth && given.growth == mesh.growth)
+        limits +=
+          "; Mesh/Growth = " + significant(mesh.growth, 3) + " is the largest";
+      return limits;
+    }
+
+
+
+    /**
+     * Gives the scene the mesh, says so and notes it for run.json.
+     */
+    void
+    take(const TargetMesh     &mesh,
+         const MeshParameters &given,
+         SceneParameters      &scene,
+         RunContext           &context)
+    {
+      scene.mesh.elements_across_patch = mesh.elements;
+      scene.mesh.growth                = mesh.growth;
+      if (scene.mesh.elements_across_patch_y > 0) // see its help
+        scene.mesh.elements_across_patch_y =
+          std::max(scene.mesh.elements_across_patch_y,
+                   static_cast<unsigned int>(std::ceil(0.8 * mesh.elements)));
+      BuiltItem item;
+      item.object = "mesh with " + std::to_string(mesh.elements) +
+                    " elements across the patch and a growth of " +
+                    significant(mesh.growth, 3);
+      const std::string why = "expected bound " +
+                              scientific(*mesh.bounds.force, 2) + " (" +
+                              mesh.bounds.text + ')' + limits_of(given, mesh);
+      item.reason = entry_of(scene) + ": " + why;
+      context.report.objects.push_back(item);
+      context.log.message(entry_of(scene) + " takes a " + item.object + ": " +
+                          why + ".");
+    }
+
+
+
+    template <int dim>
+    SteadyState<dim>
+    solve_on_taken(
+      const SceneParameters                               &scene,
+      const StateDemands                                  &demands,
+      RunContext                                          &context,
+      const std::function<void(const SteadyState<dim> &)> &on_level)
+    {
+      try
+        {
+          return AdaptiveLevels<dim>(scene, demands, context).run(on_level);
+        }
+      catch (const MemoryError &error)
+        {
+          throw MemoryError(entry_of(scene) + " takes " +
+                            std::to_string(scene.mesh.elements_across_patch) +
+                            " elements across the patch and a growth of " +
+                            significant(scene.mesh.growth, 3) +
+                            ", give a larger one. " + error.what());
+        }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  SteadyState<dim>
+  solve_to_target(SceneParameters                                     &scene,
+                  const StateDemands                                  &demands,
+                  const TargetDemands                                 &targets,
+                  RunContext                                          &context,
+                  const std::function<void(const SteadyState<dim> &)> &on_level)
+  {
+    if (!scene.mesh.target_error)
+      return AdaptiveLevels<dim>(scene, demands, context).run(on_level);
+    const MeshParameters given    = scene.mesh;
+    const double         target   = *given.target_error;
+    const unsigned int   n_meshes = 3;
+    TargetError          chooser(scene, targets);
+    for (unsigned int k = 1;; ++k)
+      {
+        const TargetMesh mesh = chooser.cheapest_mesh();
+        take(mesh, given, scene, context);
+        SteadyState<dim> steady =
+          solve_on_taken<dim>(scene, demands, context, [](const auto &) {});
+        const ErrorBounds bounds = chooser.bounds_on(mesh, steady);
+        if (k == n_meshes || !steady.solver.converged ||
+            steady.result.n_touching == 0 ||
+            (bounds.force && *bounds.force <= target))
+          {
+            on_level(steady);
+            return steady;
+          }
+        context.log.message("The bound is " +
+                            (bounds.force ? scientific(*bounds.force, 2) +
+                                              " (" + bounds.text + ')'
+                                          : "not known (" + bounds.text + ')') +
+                            ": the mesh is made again.");
+        chooser.learn(mesh, steady);
+      }
+  }
+
+
+
+  void
+  warn_of_missed_target(const SceneParameters &scene, RunContext &context)
+  {
+    if (!scene.mesh.target_error)
+      return;
+    for (const ErrorStatement &error : context.report.errors)
+      if (error.quantity == "force" &&
+          !(error.value <= *scene.mesh.target_error))
+        context.log.warning(
+          entry_of(scene) + " is missed: " + error.text() +
+          ". Give a smaller target, or more Mesh/Elements across patch.");
+  }
+
+
+
+  template SteadyState<2>
+  solve_to_target(SceneParameters &,
+                  const StateDemands &,
+                  const TargetDemands &,
+                  RunContext &,
+                  const std::function<void(const SteadyState<2> &)> &);
+  template SteadyState<3>
+  solve_to_target(SceneParameters &,
+                  const StateDemands &,
+                  const TargetDemands &,
+                  RunContext &,
+                  const std::function<void(const SteadyState<3> &)> &);
+} // namespace RollingContact
