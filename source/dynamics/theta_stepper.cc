@@ -56,7 +56,7 @@ namespace RollingContact
 
 
   void
-  ThetaStepper::begin_step()
+  ThetaStepper::begin_momentum()
   {
     begun_step         = matrices->time_step();
     const double scale = matrices->scheme().theta * begun_step;
@@ -65,8 +65,32 @@ namespace RollingContact
       work[i] = Mv[i] - scale * Ku[i];
     for (std::size_t i = 0; i < f.size(); ++i)
       work[i] += scale * f[i];
+  }
+
+
+
+  void
+  ThetaStepper::begin_step()
+  {
+    begin_momentum();
     matrices->factorisation().solve_forward(work, z);
     free_theta_velocity = matrices->columns().transposed_product(z);
+  }
+
+
+
+  void
+  ThetaStepper::begin_steps(ThetaStepper &first, ThetaStepper &second)
+  {
+    first.require_same_matrices(second);
+    first.begin_momentum();
+    second.begin_momentum();
+    const ThetaSystem &system = *first.matrices;
+    system.factorisation().solve_forward({&first.work, &second.work},
+                                         {&first.z, &second.z});
+    for (ThetaStepper *stepper : {&first, &second})
+      stepper->free_theta_velocity =
+        system.columns().transposed_product(stepper->z);
   }
 
 
@@ -75,34 +99,58 @@ namespace RollingContact
   ThetaStepper::end_step(const std::vector<double> &reactions)
   {
     require_begun();
-    const double h             = begun_step;
-    const double energy_before = step_energy.kinetic + step_energy.strain;
-    matrices->columns().add_product(matrices->scheme().theta * h, reactions, z);
+    matrices->columns().add_product(matrices->scheme().theta * begun_step,
+                                    reactions,
+                                    z);
     matrices->factorisation().solve_backward(z, work);
-    abandon_step();
-
-    step_energy              = StepEnergy();
-    step_energy.contact_work = h * dot(reactions, on_contact(work));
-    step_energy.load_work    = f.empty() ? 0. : h * dot(f, work);
-    move_displacement();
+    const double energy_before = move_displacement(reactions);
+    matrices->stiffness().multiply(u, z);
     change_velocity();
-    step_energy.balance(energy_before);
+    matrices->mass().multiply(v, z);
+    finish_step(energy_before);
   }
 
 
 
   void
-  ThetaStepper::move_displacement()
+  ThetaStepper::end_steps(ThetaStepper              &first,
+                          const std::vector<double> &first_reactions,
+                          ThetaStepper              &second,
+                          const std::vector<double> &second_reactions)
   {
-    const double h = matrices->time_step();
+    first.require_same_matrices(second);
+    first.require_begun();
+    second.require_begun();
+    const ThetaSystem &system = *first.matrices;
+    const double       scale  = system.scheme().theta * first.begun_step;
+    system.columns().add_product(scale, first_reactions, first.z);
+    system.columns().add_product(scale, second_reactions, second.z);
+    system.factorisation().solve_backward({&first.z, &second.z},
+                                          {&first.work, &second.work});
+    const double energy_of_first  = first.move_displacement(first_reactions),
+                 energy_of_second = second.move_displacement(second_reactions);
+    system.stiffness().multiply(first.u, first.z, second.u, second.z);
+    first.change_velocity();
+    second.change_velocity();
+    system.mass().multiply(first.v, first.z, second.v, second.z);
+    first.finish_step(energy_of_first);
+    second.finish_step(energy_of_second);
+  }
+
+
+
+  double
+  ThetaStepper::move_displacement(const std::vector<double> &reactions)
+  {
+    const double h             = begun_step;
+    const double energy_before = step_energy.kinetic + step_energy.strain;
+    abandon_step();
+    step_energy              = StepEnergy();
+    step_energy.contact_work = h * dot(reactions, on_contact(work));
+    step_energy.load_work    = f.empty() ? 0. : h * dot(f, work);
     for (std::size_t i = 0; i < u.size(); ++i)
       u[i] += h * work[i];
-    matrices->stiffness().multiply(u, z);
-    double v_K_du = 0.;
-    for (std::size_t i = 0; i < u.size(); ++i)
-      v_K_du += work[i] * (z[i] - Ku[i]);
-    std::swap(z, Ku);
-    step_energy.add_displacement(matrices->scheme(), h, dot(u, Ku), v_K_du);
+    return energy_before;
   }
 
 
@@ -110,26 +158,40 @@ namespace RollingContact
   void
   ThetaStepper::change_velocity()
   {
-    const double theta = matrices->scheme().theta;
-    for (std::size_t i = 0; i < v.size(); ++i)
+    const double theta  = matrices->scheme().theta;
+    double       v_K_du = 0., u_K_u = 0.;
+    for (std::size_t i = 0; i < u.size(); ++i)
       {
+        v_K_du += work[i] * (z[i] - Ku[i]);
+        u_K_u += u[i] * z[i];
         work[i] = (work[i] - v[i]) / theta;
         v[i] += work[i];
       }
-    matrices->mass().multiply(v, z);
-    double dv_M_dv = 0., theta_v_M_v = 0.;
+    std::swap(z, Ku);
+    step_energy.add_displacement(matrices->scheme(),
+                                 matrices->time_step(),
+                                 u_K_u,
+                                 v_K_du);
+  }
+
+
+
+  void
+  ThetaStepper::finish_step(const double energy_before)
+  {
+    const double theta   = matrices->scheme().theta;
+    double       dv_M_dv = 0., theta_v_M_v = 0., v_M_v = 0.;
     for (std::size_t i = 0; i < v.size(); ++i)
       {
         dv_M_dv += work[i] * (z[i] - Mv[i]);
         theta_v_M_v +=
           (v[i] - (1 - theta) * work[i]) * (theta * z[i] + (1 - theta) * Mv[i]);
+        v_M_v += v[i] * z[i];
       }
     std::swap(z, Mv);
-    step_energy.add_velocity(matrices->scheme(),
-                             matrices->time_step(),
-                             dot(v, Mv),
-                             dv_M_dv,
-                             theta_v_M_v);
+    step_energy.add_velocity(
+      matrices->scheme(), matrices->time_step(), v_M_v, dv_M_dv, theta_v_M_v);
+    step_energy.balance(energy_before);
   }
 
 
@@ -186,6 +248,15 @@ namespace RollingContact
     if (begun_step == 0. || begun_step != matrices->time_step())
       throw std::logic_error(
         "No time step has begun, or it was changed since.");
+  }
+
+
+
+  void
+  ThetaStepper::require_same_matrices(const ThetaStepper &other) const
+  {
+    if (matrices != other.matrices || this == &other)
+      throw std::logic_error("Not two states of the same body.");
   }
 
 

@@ -131,6 +131,31 @@ namespace RollingContact
 
 
   template <int dim>
+  void
+  DirectMotion<dim>::begin_step_with(BodyDynamics &other)
+  {
+    ThetaStepper::begin_steps(stepper,
+                              dynamic_cast<DirectMotion &>(other).stepper);
+  }
+
+
+
+  template <int dim>
+  void
+  DirectMotion<dim>::end_step_with(
+    BodyDynamics              &other,
+    const std::vector<double> &reactions,
+    const std::vector<double> &reactions_of_other)
+  {
+    ThetaStepper::end_steps(stepper,
+                            reactions,
+                            dynamic_cast<DirectMotion &>(other).stepper,
+                            reactions_of_other);
+  }
+
+
+
+  template <int dim>
   std::vector<double>
   DirectMotion<dim>::contact_displacement() const
   {

@@ -2,6 +2,7 @@
 
 #include <rolling_contact/linear_algebra/blas.h>
 #include <rolling_contact/linear_algebra/condensation.h>
+#include <rolling_contact/linear_algebra/supernodes.h>
 
 #include <algorithm>
 #include <numeric>
@@ -81,60 +82,17 @@ namespace RollingContact
     using Index = std::int64_t;
 
     /**
-     * Read access to CHOLMOD's supernodes.
+     * The supernodes, and which of them a row is in.
      */
-    class Supernodes
+    class SupernodesOfRows : public Supernodes
     {
     public:
-      explicit Supernodes(const cholmod_factor &L)
-        : super(static_cast<const Index *>(L.super))
-        , pi(static_cast<const Index *>(L.pi))
-        , px(static_cast<const Index *>(L.px))
-        , s(static_cast<const Index *>(L.s))
-        , x(static_cast<const double *>(L.x))
+      explicit SupernodesOfRows(const cholmod_factor &L)
+        : Supernodes(L)
         , of_row(L.n)
-        , n_supernodes(L.nsuper)
       {
-        for (Index k = 0; k < n_supernodes; ++k)
-          std::fill(of_row.begin() + super[k],
-                    of_row.begin() + super[k + 1],
-                    k);
-      }
-
-      Index
-      size() const
-      {
-        return n_supernodes;
-      }
-
-      Index
-      first_row(const Index k) const
-      {
-        return super[k];
-      }
-
-      int
-      n_diagonal_rows(const Index k) const
-      {
-        return super[k + 1] - super[k];
-      }
-
-      int
-      n_rows(const Index k) const
-      {
-        return pi[k + 1] - pi[k];
-      }
-
-      const Index *
-      rows_below(const Index k) const
-      {
-        return s + pi[k] + n_diagonal_rows(k);
-      }
-
-      const double *
-      values(const Index k) const
-      {
-        return x + px[k];
+        for (Index k = 0; k < size(); ++k)
+          std::fill_n(of_row.begin() + first_row(k), n_diagonal_rows(k), k);
       }
 
       Index
@@ -144,10 +102,7 @@ namespace RollingContact
       }
 
     private:
-      const Index       *super, *pi, *px, *s;
-      const double      *x;
       std::vector<Index> of_row;
-      Index              n_supernodes;
     };
 
 
@@ -159,7 +114,8 @@ namespace RollingContact
      * with the range of columns alive in it; unreached blocks have no columns.
      */
     std::vector<Block>
-    reach(const Supernodes &supernodes, const std::vector<Index> &sorted_rows)
+    reach(const SupernodesOfRows   &supernodes,
+          const std::vector<Index> &sorted_rows)
     {
       std::vector<Block> blocks(supernodes.size());
       const auto widen = [](Block &block, const Index begin, const Index end) {
@@ -203,7 +159,7 @@ namespace RollingContact
      * its ancestors.
      */
     void
-    subtract_from_ancestors(const Supernodes          &supernodes,
+    subtract_from_ancestors(const SupernodesOfRows    &supernodes,
                             const Index                k,
                             const std::vector<double> &below,
                             std::vector<Block>        &blocks)
@@ -240,10 +196,10 @@ namespace RollingContact
      * share from the blocks of its ancestors.
      */
     void
-    eliminate(const Supernodes    &supernodes,
-              const Index          k,
-              std::vector<Block>  &blocks,
-              std::vector<double> &buffer)
+    eliminate(const SupernodesOfRows &supernodes,
+              const Index             k,
+              std::vector<Block>     &blocks,
+              std::vector<double>    &buffer)
     {
       Block    &block      = blocks[k];
       const int n_diagonal = block.n_rows, n_columns = block.n_columns,
@@ -311,7 +267,7 @@ namespace RollingContact
 
 
     void
-    put_ones(const Supernodes         &supernodes,
+    put_ones(const SupernodesOfRows   &supernodes,
              const std::vector<Index> &rows,
              std::vector<Block>       &blocks)
     {
@@ -372,11 +328,11 @@ namespace RollingContact
                        const std::vector<std::size_t> &unknowns,
                        CondensedColumns               *columns)
   {
-    const Supernodes    supernodes(L);
-    SortedColumns       sorted(L, unknowns);
-    std::vector<Block>  blocks = reach(supernodes, sorted.rows);
-    DenseMatrix         W(unknowns.size(), unknowns.size());
-    std::vector<double> buffer;
+    const SupernodesOfRows supernodes(L);
+    SortedColumns          sorted(L, unknowns);
+    std::vector<Block>     blocks = reach(supernodes, sorted.rows);
+    DenseMatrix            W(unknowns.size(), unknowns.size());
+    std::vector<double>    buffer;
     put_ones(supernodes, sorted.rows, blocks);
     for (Index k = 0; k < supernodes.size(); ++k)
       if (blocks[k].n_columns > 0)

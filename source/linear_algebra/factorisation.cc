@@ -6,6 +6,7 @@
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/linear_algebra/dissection.h>
 #include <rolling_contact/linear_algebra/factorisation.h>
+#include <rolling_contact/linear_algebra/half_solves.h>
 
 #include <atomic>
 #include <new>
@@ -37,23 +38,6 @@ namespace RollingContact
           human_bytes(available_memory()) +
           " free: take fewer Mesh/Elements across patch or a larger "
           "Mesh/Growth.");
-    }
-
-
-
-    /**
-     * CHOLMOD's view of a vector.
-     */
-    cholmod_dense
-    view(std::vector<double> &vector)
-    {
-      cholmod_dense view{};
-      view.nrow = view.d = view.nzmax = vector.size();
-      view.ncol                       = 1;
-      view.x                          = vector.data();
-      view.xtype                      = CHOLMOD_REAL;
-      view.dtype                      = CHOLMOD_DOUBLE;
-      return view;
     }
   } // namespace
 
@@ -163,7 +147,6 @@ namespace RollingContact
         "): the body is not held, or the material is unstable.");
     own.matrix = SymmetricSparseMatrix();
     release_free_memory();
-    own.workspace.resize(own.L->maxesize);
     own.size.factor_s = watch.seconds();
     ++n_factorisations;
   }
@@ -207,15 +190,7 @@ namespace RollingContact
   Factorisation::solve_forward(const std::vector<double> &b,
                                std::vector<double>       &z) const
   {
-    auto &own = *implementation;
-    require_factor(own.L);
-    const Index *permutation = static_cast<const Index *>(own.L->Perm);
-    z.resize(b.size());
-    for (std::size_t i = 0; i < z.size(); ++i)
-      z[i] = b[permutation[i]];
-    cholmod_dense solution = view(z), workspace = view(own.workspace);
-    if (!cholmod_l_super_lsolve(own.L, &solution, &workspace, &own.common))
-      throw std::runtime_error("CHOLMOD could not solve.");
+    solve_forward({&b}, {&z});
   }
 
 
@@ -224,15 +199,45 @@ namespace RollingContact
   Factorisation::solve_backward(std::vector<double> &z,
                                 std::vector<double> &x) const
   {
+    solve_backward({&z}, {&x});
+  }
+
+
+
+  void
+  Factorisation::solve_forward(
+    const std::vector<const std::vector<double> *> &b,
+    const std::vector<std::vector<double> *>       &z) const
+  {
     auto &own = *implementation;
     require_factor(own.L);
-    cholmod_dense solution = view(z), workspace = view(own.workspace);
-    if (!cholmod_l_super_ltsolve(own.L, &solution, &workspace, &own.common))
-      throw std::runtime_error("CHOLMOD could not solve.");
     const Index *permutation = static_cast<const Index *>(own.L->Perm);
-    x.resize(z.size());
-    for (std::size_t i = 0; i < x.size(); ++i)
-      x[permutation[i]] = z[i];
+    for (std::size_t r = 0; r < b.size(); ++r)
+      {
+        z[r]->resize(own.L->n);
+        for (std::size_t i = 0; i < own.L->n; ++i)
+          (*z[r])[i] = (*b[r])[permutation[i]];
+      }
+    RollingContact::solve_forward(*own.L, z, own.workspace);
+  }
+
+
+
+  void
+  Factorisation::solve_backward(
+    const std::vector<std::vector<double> *> &z,
+    const std::vector<std::vector<double> *> &x) const
+  {
+    auto &own = *implementation;
+    require_factor(own.L);
+    RollingContact::solve_backward(*own.L, z, own.workspace);
+    const Index *permutation = static_cast<const Index *>(own.L->Perm);
+    for (std::size_t r = 0; r < z.size(); ++r)
+      {
+        x[r]->resize(own.L->n);
+        for (std::size_t i = 0; i < own.L->n; ++i)
+          (*x[r])[permutation[i]] = (*z[r])[i];
+      }
   }
 
 

@@ -27,6 +27,36 @@ namespace RollingContact
 
 
 
+  void
+  SymmetricSparseMatrix::multiply(const std::vector<double> &x,
+                                  std::vector<double>       &result,
+                                  const std::vector<double> &y,
+                                  std::vector<double>       &result_of_y) const
+  {
+    std::fill(result.begin(), result.end(), 0.);
+    std::fill(result_of_y.begin(), result_of_y.end(), 0.);
+    for (std::size_t j = 0; j < size(); ++j)
+      {
+        const std::int64_t diagonal = column_starts[j],
+                           end      = column_starts[j + 1];
+        const double x_j = x[j], y_j = y[j];
+        double sum = values[diagonal] * x_j, sum_y = values[diagonal] * y_j;
+        for (std::int64_t k = diagonal + 1; k < end; ++k)
+          {
+            const std::int64_t i     = row_indices[k];
+            const double       value = values[k];
+            sum += value * x[i];
+            sum_y += value * y[i];
+            result[i] += value * x_j;
+            result_of_y[i] += value * y_j;
+          }
+        result[j] += sum;
+        result_of_y[j] += sum_y;
+      }
+  }
+
+
+
   SymmetricSparseMatrix
   diagonal_matrix(const std::vector<double> &entries)
   {

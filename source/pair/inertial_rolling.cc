@@ -67,11 +67,12 @@ namespace RollingContact
       FreeMotion
       begin_step(const double hub_acceleration, const bool) override
       {
-        for_each([&](BodyDynamics &body, const Side side) {
-          if (side == Side::wheel) // towards the rail: along z of its own frame
-            body.accelerate_hub(hub_acceleration);
-          body.begin_step();
-        });
+        if (bodies.wheel) // towards the rail: along z of its own frame
+          bodies.wheel->accelerate_hub(hub_acceleration);
+        if (bodies.wheel && pair.bodies().twins())
+          bodies.wheel->begin_step_with(*bodies.rail);
+        else
+          for_each([](BodyDynamics &body, Side) { body.begin_step(); });
         const auto u0 = relative(
           [](const auto &body) { return body.contact_displacement(); });
         const auto v0 =
@@ -110,10 +111,17 @@ namespace RollingContact
       end_step(const ContactProblem &problem,
                const ContactState   &state) override
       {
-        for_each([&](BodyDynamics &body, const Side side) {
-          body.end_step(
-            pair.forces_on_body(side, nodal_forces(problem, state)));
-        });
+        const auto forces = [&](const Side side) {
+          return pair.forces_on_body(side, nodal_forces(problem, state));
+        };
+        if (bodies.wheel && pair.bodies().twins())
+          bodies.wheel->end_step_with(*bodies.rail,
+                                      forces(Side::wheel),
+                                      forces(Side::rail));
+        else
+          for_each([&](BodyDynamics &body, const Side side) {
+            body.end_step(forces(side));
+          });
         return energy();
       }
 

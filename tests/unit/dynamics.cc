@@ -325,4 +325,59 @@ BOOST_AUTO_TEST_CASE(what_no_step_can_be_made_of_is_refused)
   BOOST_CHECK_THROW(stepper.set_state({1.}, {1.}), std::logic_error);
 }
 
+BOOST_AUTO_TEST_CASE(two_states_at_once_are_those_one_by_one)
+{
+  Bar               bar;
+  const ThetaScheme scheme{0.6, 2., 1e-3};
+  const auto        make = [&]() { return bar.stepper(scheme, 0.02, {0, 50}); };
+  const ThetaStepper origin = make();
+  ThetaStepper       first = origin, second = origin, alone_first = make(),
+               alone_second = make();
+  std::vector<double> bump(bar.n_unknowns()), still(bump), load(bump);
+  for (std::size_t i = 0; i < bump.size(); ++i)
+    {
+      bump[i] = std::sin(0.1 * i);
+      load[i] = 0.01 * std::cos(0.3 * i);
+    }
+  for (ThetaStepper *stepper : {&first, &alone_first})
+    stepper->set_state(bump, still);
+  for (ThetaStepper *stepper : {&second, &alone_second})
+    {
+      stepper->set_state(still, bump);
+      stepper->set_loads(load);
+    }
+  for (int step = 0; step < 5; ++step)
+    {
+      const std::vector<double> r{0.1 * step, -0.2}, q{0.3, 0.05 * step};
+      ThetaStepper::begin_steps(first, second);
+      alone_first.begin_step();
+      alone_second.begin_step();
+      BOOST_CHECK(first.free_contact_theta_velocity() ==
+                  alone_first.free_contact_theta_velocity());
+      BOOST_CHECK(second.free_contact_theta_velocity() ==
+                  alone_second.free_contact_theta_velocity());
+      ThetaStepper::end_steps(first, r, second, q);
+      alone_first.end_step(r);
+      alone_second.end_step(q);
+    }
+  const auto check_same = [](const ThetaStepper &a, const ThetaStepper &b) {
+    BOOST_CHECK(a.displacement() == b.displacement());
+    BOOST_CHECK(a.velocity() == b.velocity());
+    BOOST_TEST(a.energy().kinetic == b.energy().kinetic);
+    BOOST_TEST(a.energy().strain == b.energy().strain);
+    BOOST_TEST(a.energy().contact_work == b.energy().contact_work);
+    BOOST_TEST(a.energy().load_work == b.energy().load_work);
+    BOOST_TEST(a.energy().damping == b.energy().damping);
+    BOOST_TEST(a.energy().balance_error == b.energy().balance_error);
+  };
+  check_same(first, alone_first);
+  check_same(second, alone_second);
+
+  BOOST_CHECK_THROW(ThetaStepper::begin_steps(first, alone_first),
+                    std::logic_error);
+  BOOST_CHECK_THROW(ThetaStepper::begin_steps(first, first), std::logic_error);
+  BOOST_CHECK_THROW(ThetaStepper::end_steps(first, {0., 0.}, second, {0., 0.}),
+                    std::logic_error);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

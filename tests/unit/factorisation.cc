@@ -99,6 +99,47 @@ BOOST_AUTO_TEST_CASE(order_does_not_depend_on_other_threads)
 
 
 
+BOOST_AUTO_TEST_CASE(two_columns_at_once_are_those_one_by_one)
+{
+  using Columns = std::vector<std::vector<double>>;
+  for (const int n : {1, 2, 3, 5, 6, 7}) // fronts of all widths and remainders
+    {
+      const Problem problem = grid(n);
+      Factorisation factor(problem.matrix, problem.node_of_unknown);
+      factor.factorise();
+      Columns b(2, std::vector<double>(problem.matrix.size())), z(2), x(2),
+        z_alone(2), x_alone(2), product(2, b[0]);
+      for (std::size_t i = 0; i < b[0].size(); ++i)
+        {
+          b[0][i] = std::sin(1. + i);
+          b[1][i] = 1e3 * std::cos(2. * i);
+        }
+      factor.solve_forward({&b[0], &b[1]}, {&z[0], &z[1]});
+      for (const int r : {0, 1})
+        factor.solve_forward(b[r], z_alone[r]);
+      BOOST_CHECK(z == z_alone);
+      factor.solve_backward({&z[0], &z[1]}, {&x[0], &x[1]});
+      for (const int r : {0, 1})
+        factor.solve_backward(z_alone[r], x_alone[r]);
+      BOOST_CHECK(x == x_alone);
+
+      problem.matrix.multiply(x[0], product[0], x[1], product[1]);
+      for (const int r : {0, 1})
+        {
+          std::vector<double> alone(b[r].size());
+          problem.matrix.multiply(x[r], alone);
+          BOOST_CHECK(alone == product[r]);
+          for (std::size_t i = 0; i < alone.size(); ++i)
+            BOOST_TEST(std::abs(alone[i] - b[r][i]) < (r ? 1e-9 : 1e-12));
+        }
+      BOOST_CHECK_THROW(factor.solve_forward({&b[0], &b[0], &b[0]},
+                                             {&z[0], &z[1], &x[0]}),
+                        std::logic_error);
+    }
+}
+
+
+
 BOOST_AUTO_TEST_CASE(solve_satisfies_the_equations)
 {
   const Problem problem = grid(6);

@@ -95,6 +95,29 @@ namespace RollingContact
     end_step(const std::vector<double> &reactions) = 0;
 
     /**
+     * Begin the step of this state and of another one of the same body, see
+     * clone_state(): what both have in common may be gone through once.
+     */
+    virtual void
+    begin_step_with(BodyDynamics &other)
+    {
+      begin_step();
+      other.begin_step();
+    }
+
+    /**
+     * Take the step of this state and of the one begun with it. Units: N.
+     */
+    virtual void
+    end_step_with(BodyDynamics              &other,
+                  const std::vector<double> &reactions,
+                  const std::vector<double> &reactions_of_other)
+    {
+      end_step(reactions);
+      other.end_step(reactions_of_other);
+    }
+
+    /**
      * Displacement of the contact nodes in the state. Units: m.
      */
     virtual std::vector<double>

@@ -49,6 +49,14 @@ namespace RollingContact
     begin_step();
 
     /**
+     * Begin the step of two states of the same body, with the same loads or
+     * others: the factor is read once for both, the digits are those of
+     * begin_step(). Throws std::logic_error unless they share their matrices.
+     */
+    static void
+    begin_steps(ThetaStepper &first, ThetaStepper &second);
+
+    /**
      * Forget a step that has begun; the state is that before it.
      */
     void
@@ -62,6 +70,15 @@ namespace RollingContact
      */
     void
     end_step(const std::vector<double> &reactions);
+
+    /**
+     * Take the step of two states of the same body, as begin_steps().
+     */
+    static void
+    end_steps(ThetaStepper              &first,
+              const std::vector<double> &first_reactions,
+              ThetaStepper              &second,
+              const std::vector<double> &second_reactions);
 
     const std::vector<double> &
     displacement() const
@@ -117,19 +134,35 @@ namespace RollingContact
     void
     require_begun() const;
 
-    /**
-     * Set u and K u at the end of the step from v_th in `work`, with the
-     * energies that K takes part in.
-     */
     void
-    move_displacement();
+    require_same_matrices(const ThetaStepper &other) const;
 
     /**
-     * Set v and M v at the end of the step from v_th in `work`, which becomes
-     * dv, with the energies that M takes part in.
+     * Set `work` to the momentum that the step begins with.
+     */
+    void
+    begin_momentum();
+
+    /**
+     * Set u at the end of the step from v_th in `work`, with the work of the
+     * reactions and loads; returns the energy before.
+     */
+    double
+    move_displacement(const std::vector<double> &reactions);
+
+    /**
+     * Take K u at the end of the step from `z`, with the energies that K takes
+     * part in, and v from v_th in `work`, which becomes dv.
      */
     void
     change_velocity();
+
+    /**
+     * Take M v at the end of the step from `z`, with the energies that M takes
+     * part in.
+     */
+    void
+    finish_step(const double energy_before);
 
     std::vector<double>
     on_contact(const std::vector<double> &values) const;

@@ -48,6 +48,14 @@ namespace RollingContact
     void
     end_step(const std::vector<double> &reactions) override;
 
+    void
+    begin_step_with(BodyDynamics &other) override;
+
+    void
+    end_step_with(BodyDynamics              &other,
+                  const std::vector<double> &reactions,
+                  const std::vector<double> &reactions_of_other) override;
+
     std::vector<double>
     contact_displacement() const override;
 

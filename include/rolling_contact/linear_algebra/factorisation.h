@@ -99,6 +99,21 @@ namespace RollingContact
     solve_backward(std::vector<double> &z, std::vector<double> &x) const;
 
     /**
+     * Forward solves of one or two columns at once, for hardly more time than
+     * one takes, with the same digits.
+     */
+    void
+    solve_forward(const std::vector<const std::vector<double> *> &b,
+                  const std::vector<std::vector<double> *>       &z) const;
+
+    /**
+     * Backward solves of one or two columns at once.
+     */
+    void
+    solve_backward(const std::vector<std::vector<double> *> &z,
+                   const std::vector<std::vector<double> *> &x) const;
+
+    /**
      * Compliance W = E^T K^-1 E = Y^T Y for the given unknowns, in their order.
      * Y is computed supernode by supernode with BLAS-3; kept in @p columns if
      * that is given, released on the way otherwise.

@@ -29,6 +29,15 @@ namespace RollingContact
     void
     multiply(const std::vector<double> &x, std::vector<double> &result) const;
 
+    /**
+     * Products with two vectors, reading the matrix once.
+     */
+    void
+    multiply(const std::vector<double> &x,
+             std::vector<double>       &result,
+             const std::vector<double> &y,
+             std::vector<double>       &result_of_y) const;
+
     std::size_t
     memory_consumption() const
     {
