@@ -121,8 +121,8 @@ namespace RollingContact
 
   namespace
   {
-    /// rad, between the normals of two patches in one plane
-    const double largest_angle_between = 0.26;
+    /// rad, of the normals over one plane of contact
+    const double largest_turn = 0.53;
 
 
 
@@ -135,13 +135,16 @@ namespace RollingContact
                       pair_constants(scene).contact_modulus,
                       load,
                       scene.contact.approach.value_or(0.));
-      if (patch.angle_between > largest_angle_between)
+      const double degree = std::acos(-1.) / 180;
+      if (patch.turn_of_normal > largest_turn)
         throw InputError(
           "Profiles/Lateral shift = " + significant(scene.profiles.shift, 6) +
-          " m: two patches whose normals differ by " +
-          significant(patch.angle_between * 180 / std::acos(-1.), 3) +
-          " degrees, and only up to 15 degrees share one plane of contact. "
-          "Take another shift or another load.");
+          " m: the rail's normal turns by " +
+          significant(patch.turn_of_normal / degree, 3) +
+          " degrees over the contact, as where tread and flange touch at the "
+          "same time; one plane of contact holds for " +
+          significant(largest_turn / degree, 2) +
+          " degrees. Take another shift or a smaller load.");
       return {patch.half_width_x,
               patch.half_width_y,
               patch.normal_force,

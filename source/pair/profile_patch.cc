@@ -180,29 +180,41 @@ namespace RollingContact
     struct Rows
     {
       std::size_t begin, end;
-      double      load, moment; ///< of the pressure, moment about x
     };
 
 
 
-    std::vector<Rows>
-    touching_rows(const Solution &found)
+    /**
+     * The load of each row, with its place.
+     */
+    std::vector<std::pair<double, double>>
+    load_across(const Solution &found)
     {
-      std::vector<Rows>  patches;
-      const ContactGrid &grid = found.grid;
+      std::vector<std::pair<double, double>> load;
+      const ContactGrid                     &grid = found.grid;
       for (std::size_t j = 0; j < grid.n_y; ++j)
         {
-          double load = 0.;
+          double sum = 0.;
           for (std::size_t i = 0; i < grid.n_x; ++i)
-            load += found.state.pressure[j * grid.n_x + i];
-          if (load == 0.)
-            continue;
-          if (patches.empty() || patches.back().end != j)
-            patches.push_back({j, j, 0., 0.});
-          patches.back().end = j + 1;
-          patches.back().load += load;
-          patches.back().moment += load * grid.y(j);
+            sum += found.state.pressure[j * grid.n_x + i];
+          load.emplace_back(grid.y(j), sum * grid.size_x * grid.size_y);
         }
+      return load;
+    }
+
+
+
+    std::vector<Rows>
+    touching_rows(const std::vector<std::pair<double, double>> &load)
+    {
+      std::vector<Rows> patches;
+      for (std::size_t j = 0; j < load.size(); ++j)
+        if (load[j].second > 0.)
+          {
+            if (patches.empty() || patches.back().end != j)
+              patches.push_back({j, j});
+            patches.back().end = j + 1;
+          }
       return patches;
     }
 
@@ -255,15 +267,12 @@ namespace RollingContact
     patch.normal_force      = found.state.load;
     patch.approach          = found.state.approach;
     add_boxes(found, patch);
-    double least_angle = 1., largest_angle = -1.;
-    for (const Rows &rows : touching_rows(found))
+    const auto load_of_rows = load_across(found);
+    for (const Rows &rows : touching_rows(load_of_rows))
       {
         patch.half_width_y =
           std::max(patch.half_width_y,
                    (rows.end - rows.begin) * found.grid.size_y / 2);
-        const double angle = frame.rail_angle(rows.moment / rows.load);
-        least_angle        = std::min(least_angle, angle);
-        largest_angle      = std::max(largest_angle, angle);
         for (const std::size_t row : {rows.begin, rows.end - 1})
           if (!frame.gap(0.,
                          found.grid.y(row) +
@@ -274,7 +283,7 @@ namespace RollingContact
               " from the first contact. Take another Profiles/Lateral shift, "
               "less load or longer profiles.");
       }
-    patch.angle_between = std::max(0., largest_angle - least_angle);
+    patch.turn_of_normal = frame.turn_of_normal(load_of_rows);
     return patch;
   }
 } // namespace RollingContact

@@ -1,5 +1,6 @@
 #include <rolling_contact/profiles/contact_frame.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace RollingContact::Profiles
@@ -126,6 +127,29 @@ namespace RollingContact::Profiles
   {
     const double along = sign * y;
     return rail_at.covers(along) ? sign * rail.at(rail_at(along)).angle : 0.;
+  }
+
+
+
+  double
+  ContactFrame::turn_of_normal(
+    std::vector<std::pair<double, double>> load) const
+  {
+    std::sort(load.begin(), load.end());
+    double total = 0.;
+    for (const auto &entry : load)
+      total += entry.second;
+    const double share = 0.05;
+    double       below = 0., first = 0., last = 0.;
+    for (const auto &[y, force] : load)
+      {
+        if (below <= share * total)
+          first = y;
+        if (below < (1 - share) * total)
+          last = y;
+        below += force;
+      }
+    return std::abs(rail_angle(last) - rail_angle(first));
   }
 
 

@@ -244,12 +244,35 @@ namespace RollingContact
 
   template <int dim>
   void
+  StateReview<dim>::warn_of_turning_normal(const SteadyState<dim> &last) const
+  {
+    if (!scene.profiles.frame)
+      return;
+    std::vector<std::pair<double, double>> load;
+    for (unsigned int i = 0; i < last.problem.n_nodes(); ++i)
+      load.emplace_back(last.problem.operators.positions()[i][1],
+                        last.problem.operators.areas()[i] *
+                          last.state.pressure[i]);
+    const double turn  = scene.profiles.frame->turn_of_normal(load),
+                 large = 0.26, degree = std::acos(-1.) / 180;
+    if (turn > large)
+      context.log.warning(
+        "The rail's normal turns by " + significant(turn / degree, 3) +
+        " degrees over the contact, which is taken as plane: forces are off "
+        "by the sines and cosines of half of that.");
+  }
+
+
+
+  template <int dim>
+  void
   StateReview<dim>::warn(const SteadyState<dim> &last) const
   {
     if (fewest < 5)
       context.log.warning("Only " + std::to_string(fewest) +
                           " nodes touch: the patch is unresolved, take more "
                           "elements (Mesh/Elements across patch).");
+    warn_of_turning_normal(last);
     if (n_unresolved > 0)
       context.log.warning(
         "At " + std::to_string(n_unresolved) + " of " +

@@ -46,6 +46,7 @@ namespace RollingContact
       standard(scene);
       change(scene);
       scene.check();
+      scene.read_profiles();
       StateDemands demands;
       demands.pair.displacements = scene.output.body_fields;
       steady = solve_steady_state<dim>(scene, demands, context);

@@ -20,9 +20,8 @@ namespace RollingContact
     double half_width_y = 0.;   ///< of the widest patch
     double normal_force = 0.;
     double approach     = 0.;
-    /** Largest angle between the normals of the rail in the middle of two
-     * patches. */
-    double angle_between = 0.;
+    /** By how much the rail's normal turns over 90 % of the load. */
+    double turn_of_normal = 0.;
   };
 
   /**

@@ -7,6 +7,8 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace RollingContact::Profiles
 {
@@ -62,6 +64,14 @@ namespace RollingContact::Profiles
      */
     double
     rail_angle(const double y) const;
+
+    /**
+     * By how much the rail's normal turns from where 5 % of a load lies to the
+     * right to where 95 % do; the load as pairs of y and a force (N). Units:
+     * rad.
+     */
+    double
+    turn_of_normal(std::vector<std::pair<double, double>> load) const;
 
     /**
      * What the rigid slip along x at (0, @p y) is beyond that of a spin about

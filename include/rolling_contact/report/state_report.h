@@ -55,13 +55,17 @@ namespace RollingContact
     /**
      * Warn where fewer than five nodes touched or several solutions must be
      * expected, where the edge law was left out or did not settle, where
-     * another solver stood in, and of the strains of the last state if they are
+     * another solver stood in, where the normals of profiles turn over the
+     * plane of contact, and of the strains of the last state if they are
      * large.
      */
     void
     warn(const SteadyState<dim> &last) const;
 
   private:
+    void
+    warn_of_turning_normal(const SteadyState<dim> &last) const;
+
     void
     note_slip_rows(const SteadyState<dim> &steady);
 
