@@ -130,6 +130,14 @@ namespace RollingContact
 
 
 
+    /**
+     * Length over width of elements from which on it raises the bound, and by
+     * which share of it.
+     */
+    const double longest_element = 1.5, of_long_elements = 1.3;
+
+
+
     Bound
     force_bound(const BoundCircumstances &found)
     {
@@ -175,7 +183,10 @@ namespace RollingContact
     if (!bounds.text.empty())
       return bounds;
 
-    const Bound  bound = force_bound(found);
+    Bound bound = force_bound(found);
+    bound.constant *=
+      1. +
+      of_long_elements * std::max(0., found.element_aspect - longest_element);
     const double added = of_waves * (found.waves > wavy ? found.waves : 0.) +
                          share_of_growth(found) +
                          of_residual * found.residual_tangential;
@@ -249,6 +260,9 @@ namespace RollingContact
     found.residual_normal     = steady.solver.residual.normal;
     found.residual_tangential = steady.solver.residual.tangential;
     found.refined             = false;
+    if (dim == 3)
+      found.element_aspect =
+        steady.grading.element_size_x / steady.grading.element_size_y;
     for (const TouchingRun &run :
          touching_runs(problem.operators.slip_operator(),
                        steady.state.pressure))

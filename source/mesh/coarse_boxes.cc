@@ -135,14 +135,16 @@ namespace RollingContact
                                         grows,
                                         grading));
       std::vector<double> &in_depth = boxes.breaks[dim - 1];
-      in_depth                      = growing_parts(
-        0.,
-        -depth,
-        cells_along<dim>(
-          {dim - 1, element, 0., largest_coarse_depth * depth, growth_in_depth},
-          size,
-          grows,
-          grading));
+      in_depth                      = growing_parts(0.,
+                               -depth,
+                               cells_along<dim>({dim - 1,
+                                                                      grading.element_size_z(),
+                                                                      0.,
+                                                                      largest_coarse_depth * depth,
+                                                                      growth_in_depth},
+                                                size,
+                                                grows,
+                                                grading));
       std::reverse(in_depth.begin(), in_depth.end());
       return boxes;
     }

@@ -64,8 +64,9 @@ namespace RollingContact
   Grading<dim>::size_in_x(const Point<dim> &lower,
                           const Point<dim> &upper) const
   {
-    double size =
-      std::max(upper[0] - lower[0], upper[dim - 1] - lower[dim - 1]);
+    double size = std::max(upper[0] - lower[0],
+                           (upper[dim - 1] - lower[dim - 1]) * element_size_x /
+                             element_size_z());
     if (dim == 3)
       size =
         std::max(size, (upper[1] - lower[1]) * element_size_x / element_size_y);
@@ -120,7 +121,8 @@ namespace RollingContact
   {
     const double distance = std::hypot(
       outside_zone(lower, upper),
-      interval_distance(lower[dim - 1], upper[dim - 1], -zone_depth, 0.));
+      interval_distance(lower[dim - 1], upper[dim - 1], -zone_depth, 0.) *
+        element_size_x / element_size_z());
     return element_size_x + growth * std::min(distance, far_distance) +
            far_growth * std::max(0., distance - far_distance);
   }

@@ -26,6 +26,24 @@ namespace RollingContact
   namespace
   {
     /**
+     * As many as along x, but on a patch that is slender along x fewer: long
+     * thin elements make tractions worse.
+     */
+    unsigned int
+    elements_across_y(const PatchEstimate &patch,
+                      const unsigned int   elements_across_patch)
+    {
+      const double       longest = 2.5; // over the width of an element
+      const unsigned int least   = 6;
+      const double       enough  = std::ceil(longest * elements_across_patch *
+                                      patch.half_width_y / patch.half_width_x);
+      return std::min<unsigned int>(elements_across_patch,
+                                    std::max<double>(least, enough));
+    }
+
+
+
+    /**
      * The boxes of the patch in place of its ellipse, with as much around them.
      */
     template <int dim>
@@ -66,10 +84,11 @@ namespace RollingContact
   {
     const MeshParameters &mesh = scene.mesh;
     Grading<dim>          grading;
-    const unsigned int    elements_y = mesh.elements_across_patch_y > 0
-                                         ? mesh.elements_across_patch_y
-                                         : elements_across_patch;
-    const double          factor =
+    const unsigned int    elements_y =
+      mesh.elements_across_patch_y > 0
+           ? mesh.elements_across_patch_y
+           : elements_across_y(patch, elements_across_patch);
+    const double factor =
       mesh.candidate_zone > 0. ? mesh.candidate_zone : demands.zone;
     const auto zone = [&](const double half_width, const double size) {
       return std::max(factor * demands.growth * half_width,
@@ -81,12 +100,13 @@ namespace RollingContact
     grading.zone_x          = zone(half_width, grading.element_size_x);
     grading.upstream        = demands.one_direction ? -scene.contact.flow() : 0;
     grading.zone_y          = zone(patch.half_width_y, grading.element_size_y);
-    grading.zone_depth      = mesh.zone_depth * half_width;
-    grading.growth          = mesh.growth;
-    grading.offset          = offset;
-    grading.rim_levels      = mesh.rim_levels;
-    grading.leading_edge_x  = -scene.contact.flow() * half_width;
-    grading.trailing_edge_x = -grading.leading_edge_x;
+    grading.zone_depth      = mesh.zone_depth * half_width *
+                         grading.element_size_z() / grading.element_size_x;
+    grading.growth            = mesh.growth;
+    grading.offset            = offset;
+    grading.rim_levels        = mesh.rim_levels;
+    grading.leading_edge_x    = -scene.contact.flow() * half_width;
+    grading.trailing_edge_x   = -grading.leading_edge_x;
     grading.leading_edge_only = mesh.rim_edges == RimEdges::leading;
     grading.rim_width         = 2 * grading.element_size_x;
     if (!patch.boxes.empty())

@@ -29,7 +29,7 @@ class Scene:
         self.random = random.Random(f"{options.seed} {number}")
         self.number = number
         drawn = 3 if self.random.random() < 0.2 else 2
-        self.dimension = drawn if options.dimension == "both" else int(options.dimension)
+        self.dimension = {"both": drawn, "profiles": 3}.get(options.dimension) or int(options.dimension)
         self.entries = dict(ALWAYS)
         self.kinds = [f"{self.dimension}D"]
         self.n = self.random.randint(*((12, 48) if self.dimension == 2 else (8, 14)))
@@ -142,6 +142,51 @@ class Scene:
         short = (3 * (1 + 0.5968 * flat / steep) * self.load
                  / (math.pi * ratio * self.modulus() * (flat + steep))) ** (1 / 3)
         return [short, ratio * short] if in_x == steep else [ratio * short, short]
+
+
+class ProfileScene(Scene):
+    """A random wheel on a random rail: profiles, place of the wheelset, load, creepages."""
+
+    def draw_profiles(self):
+        track = self.random.choice
+        self.entries.update({
+            "Wheel/Lateral radius": 0, "Rail/Lateral radius": 0, "Rail/Radius": 0, "Rail/Shape": "block",
+            "Rail/Block length": 0.3, "Rail/Block depth": 0.15, "Wheel/Width": 0.1, "Rail/Width": 0.1,
+            "Wheel/Hub radius": 0.1, "Wheel/Radius": self.random.uniform(0.35, 0.5),
+            "Profiles/Wheel profile": self.kind({"S1002": 3, "profiles/worn_wheel.txt": 1}),
+            "Profiles/Rail profile": self.kind({"60E1": 3, "60E1 Manchester": 1}),
+            "Profiles/Rail inclination": track(["1/40", "1/20"]), "Profiles/Side": track(["right", "left"]),
+            "Profiles/Lateral shift": self.random.uniform(-7e-3, 7e-3),
+            "Profiles/Yaw": self.random.uniform(-5e-3, 5e-3)})
+
+    def draw_materials(self):
+        pass
+
+    def draw_load_and_depths(self):
+        self.load = self.scale(1e4, 1e5)
+        self.entries["Contact/Normal load"] = self.load
+
+    def draw_roughness(self):
+        pass
+
+    def draw_creepages(self):
+        self.mu = self.entries["Contact/Friction coefficient"] = self.random.uniform(0.1, 0.6)
+        if self.kind({"given": 3, "kinematics": 1}) == "kinematics":
+            self.entries["Profiles/Creepages"] = "from kinematics"
+            for entry in ("Creepage x", "Creepage y", "Spin"):
+                self.entries[f"Contact/{entry}"] = 0
+            return
+        kind = self.kind(DIRECTIONS)
+        angle = {"longitudinal": 0, "lateral": math.pi / 2}.get(kind, self.random.uniform(0, 6.28))
+        size = 0 if kind == "spin" else self.scale(2e-4, 5e-3)
+        self.entries["Contact/Creepage x"] = size * math.cos(angle)
+        self.entries["Contact/Creepage y"] = size * math.sin(angle)
+        self.entries["Contact/Spin"] = (
+            self.scale(0.02, 1) * self.random.choice([-1, 1]) if kind in ("spin", "combined") else 0)
+
+    def draw_method(self):
+        self.entries.update({"Mesh/Elements across patch": self.n, "Mesh/Growth": 0.8,
+                             "Mesh/Patch offset": self.random.uniform(-0.5, 0.5)})
 
 
 def settings(entries):

@@ -28,6 +28,7 @@ namespace RollingContact
     double friction        = 0.;    ///< mu
     double growth          = 0.;    ///< of the mesh
     double residual_normal = 0., residual_tangential = 0.;
+    double element_aspect = 1.; ///< 3D: length in x over width of elements
   };
 
   /**
@@ -35,9 +36,10 @@ namespace RollingContact
    * bodies, and from what that is concluded. Bounds c / n^p measured by
    * tests/campaigns/error_bounds, n the elements across the patch in the
    * direction of rolling, with what adds to them: thin bodies, materials that
-   * differ, surfaces with waves, the growth of the mesh, the residual of the
-   * solver, edges of the patch that did not settle. A bound that is not known
-   * is empty. The time step of a transient run is not in them.
+   * differ, surfaces with waves, long elements, the growth of the mesh, the
+   * residual of the solver, edges of the patch that did not settle. A bound
+   * that is not known is empty. The time step of a transient run is not in
+   * them.
    */
   struct ErrorBounds
   {

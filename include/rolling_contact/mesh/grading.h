@@ -5,6 +5,7 @@
 
 #include <rolling_contact/mesh/zone_box.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -77,6 +78,19 @@ namespace RollingContact
     }
 
     /**
+     * Size of the elements in depth: that along x, but at most a few times that
+     * across, as stresses fade over the width of a slender patch.
+     */
+    double
+    element_size_z() const
+    {
+      const double largest = 2.5;
+      return dim == 3 && element_size_y > 0.
+               ? std::min(element_size_x, largest * element_size_y)
+               : element_size_x;
+    }
+
+    /**
      * Centre and semi-axis in x of the ellipse of nodes that may touch.
      */
     double
@@ -121,7 +135,8 @@ namespace RollingContact
            const dealii::Point<dim> &upper) const;
 
     /**
-     * Size of a cell, or of a face of the surface, measured in x.
+     * Size of a cell, or of a face of the surface, measured in x: the largest
+     * of its extents over the element sizes, times that in x.
      */
     double
     size_in_x(const dealii::Point<dim> &lower,
