@@ -9,11 +9,11 @@ namespace RollingContact
   {
     /**
      * Rounds that take the whole step, the first round that adds no edges, the
-     * part of the step that others take, rounds with one set of edges before
-     * acceleration, and withdrawals after which an edge is excluded. Empirical;
-     * calls for more than a few rounds are rare.
+     * part of the step that others take, rounds before acceleration, and
+     * withdrawals after which an edge is excluded. Empirical; calls for more
+     * than a few rounds are rare.
      */
-    const unsigned int full_rounds = 2, last_growth = 8, plain_rounds = 3,
+    const unsigned int full_rounds = 2, last_growth = 8, plain_rounds = 12,
                        max_withdrawals = 2;
     const double part_of_step          = 0.7;
 
@@ -70,7 +70,7 @@ namespace RollingContact
       return asked;
     if (n_rounds == max_rounds)
       return common(now, asked);
-    if (n_rounds_of_set > plain_rounds)
+    if (n_rounds_of_set > 1 && n_rounds > plain_rounds)
       return accelerated(now, asked);
     return moved(now, asked, part_of_step);
   }
