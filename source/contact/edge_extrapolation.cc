@@ -91,7 +91,7 @@ namespace RollingContact
     for (const ContactEdge &edge : problem.rows.edges)
       {
         const std::size_t slipping = first_slipping(edge, problem, traction);
-        if (edge.nodes.size() < 4 || slipping < 2)
+        if (edge.nodes.size() < 4 || slipping < 2 || edge.slender)
           continue;
         const auto g = [&](const std::size_t k) {
           return scaled_traction(edge, traction, k);

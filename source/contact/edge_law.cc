@@ -308,7 +308,8 @@ namespace RollingContact
       take_inside_derivative(run);
       const EdgeExtrapolation *given = find_edge(scheme.edges, run.nodes[0]);
       ContactEdge              edge;
-      edge.nodes = run.nodes;
+      edge.nodes   = run.nodes;
+      edge.slender = EdgePressure(contact, run, 0).across_first().size() > 1;
       for (unsigned int c = 0; c < contact.n_tangential(); ++c)
         {
           const EdgePressure line(contact, run, c);
@@ -337,8 +338,7 @@ namespace RollingContact
     {
       const auto  &nodes = line.nodes();
       const double h     = line.along(1) - line.along(0);
-      const double kappa =
-        2 * std::abs(line.compliance(0, 0) - line.compliance(1, 0)) / h;
+      const double kappa = 2 * std::abs(line.fall_of_compliance()) / h;
       const std::array<double, 3> weights{
         {kappa,
          -kappa * extrapolation.a * p[0] / p[1],

@@ -96,6 +96,38 @@ namespace RollingContact
 
 
 
+  std::vector<unsigned int>
+  EdgePressure::across_first() const
+  {
+    const auto               &positions = operators.positions();
+    const unsigned int        first     = run.nodes[0];
+    const double              h         = along(1) - along(0);
+    std::vector<unsigned int> nodes{first};
+    for (unsigned int j = 0; j < operators.n_nodes(); ++j)
+      if (j != first &&
+          std::abs(positions[j][0] - positions[first][0]) < 1e-6 * h &&
+          std::abs(positions[j][1] - positions[first][1]) < (0.5 - 1e-6) * h)
+        nodes.push_back(j);
+    return nodes;
+  }
+
+
+
+  double
+  EdgePressure::fall_of_compliance() const
+  {
+    const std::size_t offset = direction * operators.n_nodes();
+    double            sum    = 0.;
+    for (const unsigned int node : across_first())
+      for (const auto &entry : operators.H_column(node))
+        sum += (operators.W()(offset + run.nodes[0], offset + entry.first) -
+                operators.W()(offset + run.nodes[1], offset + entry.first)) *
+               entry.second;
+    return sum;
+  }
+
+
+
   std::vector<double>
   EdgePressure::on_run(const std::vector<double> &nodal) const
   {

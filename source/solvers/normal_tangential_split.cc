@@ -1,5 +1,6 @@
 #include <rolling_contact/solvers/anderson.h>
 #include <rolling_contact/solvers/normal_tangential_split.h>
+#include <rolling_contact/solvers/scheme_rounds.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,10 +21,11 @@ namespace RollingContact
 
   bool
   NormalTangentialSplit::solve_with_any(const TangentialProblem &problem,
+                                        const std::size_t        n_solvers,
                                         ContactState            &state,
                                         SolverReport            &report) const
   {
-    for (std::size_t k = 0; k < tangential.size(); ++k)
+    for (std::size_t k = 0; k < n_solvers; ++k)
       {
         const NodalField   start    = state.traction;
         const SolverReport friction = tangential[k]->solve(problem, state);
@@ -38,7 +40,7 @@ namespace RollingContact
             return true;
           }
         report.reason = friction.reason;
-        if (k + 1 < tangential.size())
+        if (k + 1 < n_solvers)
           state.traction = start;
       }
     return false;
@@ -48,15 +50,6 @@ namespace RollingContact
 
   namespace
   {
-    /**
-     * Rounds with new edge extrapolations. They tend to alternate between two
-     * sets: the first take the whole step, later ones a part of it, which is
-     * less than 1 and settles them, and let nodes no more be added to those
-     * that slide. Empirical; calls for more than a few rounds are rare.
-     */
-    const unsigned int full_rounds = 2, last_growth = 8, max_rounds = 24;
-    const double       part_of_step = 0.7;
-
     /**
      * Change of the coefficients of the extrapolations at which they are
      * settled: changes the force by less than discretisation by far.
@@ -82,35 +75,40 @@ namespace RollingContact
     SolverReport report;
     report.solver = "active set";
     complete(problem, state);
-    SlipScheme asked = alternate(problem, state, report);
+    // a scheme that the first solver fails with is worth no other solver: it
+    // may leave no solution
+    const auto n_solvers = [&] {
+      return state.scheme.empty() ? tangential.size() : 1;
+    };
+    SlipScheme asked = alternate(problem, n_solvers(), state, report);
     if (!report.converged && !state.scheme.empty())
       {
         // those of another state
         state.scheme = {};
-        asked        = alternate(problem, state, report);
+        asked        = alternate(problem, n_solvers(), state, report);
       }
-    for (unsigned int round = 0; report.converged && round < max_rounds;
-         ++round)
+    SchemeRounds rounds;
+    while (report.converged && rounds.round() < SchemeRounds::max_rounds)
       {
-        if (round >= full_rounds)
-          asked = without_new_sliding(state.scheme, asked);
-        // an edge that comes and goes does not come back
-        if (round >= last_growth)
-          asked = without_new_edges(state.scheme, asked);
+        asked = rounds.admitted(state.scheme, asked);
         if (difference(asked, state.scheme) <= settled)
           return report;
-        const ContactState solved = state;
-        state.scheme              = round < full_rounds ? asked
-                                    : round + 1 < max_rounds
-                                      ? moved(state.scheme, asked, part_of_step)
-                                      : common(state.scheme, asked);
-        asked                     = alternate(problem, state, report);
+        const ContactState solved       = state;
+        const SlipScheme   asked_before = asked;
+        state.scheme                    = rounds.next(state.scheme, asked);
+        asked = alternate(problem, n_solvers(), state, report);
         if (report.converged)
           continue;
         // a node that barely touches may come and go with what is asked of the
         // next one: go back to a law that had a solution
-        state = solved;
-        alternate(problem, state, report);
+        const SlipScheme failed = state.scheme;
+        state                   = solved;
+        alternate(problem, tangential.size(), state, report);
+        if (rounds.exclude_new_edges(solved.scheme, failed))
+          {
+            asked = asked_before;
+            continue;
+          }
         report.solver += ", edges of an earlier round";
         report.edges_settled = false;
         return report;
@@ -127,6 +125,7 @@ namespace RollingContact
 
   SlipScheme
   NormalTangentialSplit::alternate(const ContactProblem &problem,
+                                   const std::size_t     n_solvers,
                                    ContactState         &state,
                                    SolverReport         &report) const
   {
@@ -145,8 +144,9 @@ namespace RollingContact
         const NodalField        start    = state.traction;
         const TangentialProblem friction = tangential_problem(problem, state);
         const bool              solved =
-          pressure.converged && (problem.n_tangential() == 0 ||
-                                 solve_with_any(friction, state, report));
+          pressure.converged &&
+          (problem.n_tangential() == 0 ||
+           solve_with_any(friction, n_solvers, state, report));
         if (!pressure.converged)
           report.reason = pressure.reason;
         const bool ended =

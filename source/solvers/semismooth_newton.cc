@@ -93,6 +93,21 @@ namespace RollingContact
       }
 
       /**
+       * Cut the nodal tractions back to the traction bound.
+       */
+      void
+      project(std::vector<double> &traction) const
+      {
+        for (std::size_t k = 0; k < traction.size(); k += 2)
+          {
+            const double size = std::hypot(traction[k], traction[k + 1]);
+            if (size > bound[k])
+              for (unsigned int c = 0; c < 2; ++c)
+                traction[k + c] *= bound[k] / size;
+          }
+      }
+
+      /**
        * The natural residual, over mu N.
        */
       double
@@ -170,8 +185,11 @@ namespace RollingContact
 
 
     /**
-     * Add the part 1, 1/2, ..., 1/64 of a step to the traction: the first that
-     * lowers the residual by a tenth of the part, else the best of them.
+     * Add the part 1, 1/2, ..., 1/64 of a step to the traction, cut back to the
+     * traction bound: the first that lowers the residual by a tenth of the
+     * part, else the best of them. Tractions beyond the bound, which a full
+     * step may have tenfold, would be where the step's linearisation does not
+     * hold.
      */
     void
     take_damped_step(const TouchingProblem &problem,
@@ -186,6 +204,7 @@ namespace RollingContact
         {
           for (std::size_t k = 0; k < traction.size(); ++k)
             traction[k] = start[k] + part * step(k, 0);
+          problem.project(traction);
           const double now = problem.residual(traction);
           if (now < (1 - 0.1 * part) * residual_now)
             return;

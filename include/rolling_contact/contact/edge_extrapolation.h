@@ -72,7 +72,10 @@ namespace RollingContact
    * and what is given is its tangent, a = (1 + r) |rho2|/|rho1|, b = r
    * |rho3|/|rho1|, c = e (1 - a + b). On lines that stick throughout g itself
    * is linear; where node 1 or 2 slips and on lines of less than four nodes g1
-   * = g2, and there is no entry.
+   * = g2, and there is no entry. So it is where elements are more than twice as
+   * long as wide: there nodes of other lines are nearer than those of the line
+   * itself, which is taken to act alone, and the slip would no longer grow with
+   * the traction, so that short stick zones come and go without end.
    */
   EdgeExtrapolations
   extrapolate_edges(const TangentialProblem &problem,

@@ -16,6 +16,7 @@ namespace RollingContact
     std::vector<double>                along;    ///< coordinates
     std::array<std::vector<double>, 2> pressure; ///< tangentially equivalent
     std::array<std::vector<double>, 2> coupling; ///< q_n
+    bool slender = false; ///< elements more than twice as long as wide
   };
 
   /**
@@ -56,7 +57,8 @@ namespace RollingContact
    *
    *   node 1:  s = s_0 + u'(x1) from nodes 1, 2, 3
    *                + kappa [q1 - p1 (a g2 - b g3 + c)],
-   *            kappa = 2 |A_11 - A_21| / h, A = W_tt H;
+   *            kappa = 2 |A_11 - A_21| / h, A = W_tt H, for a traction spread
+   *            across the flow over the length h;
    *   next nodes whose second upstream point lies outside the contact:
    *            s = s_0 + (u(x) - u(x-d)) / d, all at x - d/2;
    *   nodes that slide behind a node that slides, inside a run:

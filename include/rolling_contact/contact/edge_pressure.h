@@ -66,6 +66,21 @@ namespace RollingContact
     compliance(const std::size_t k, const std::size_t j) const;
 
     /**
+     * The nodes across the flow around the first node over the length of its
+     * element: the first node alone unless elements are more than twice as long
+     * as wide.
+     */
+    std::vector<unsigned int>
+    across_first() const;
+
+    /**
+     * How much less a traction at the nodes across the first one moves the
+     * second node than the first. Units: m/Pa.
+     */
+    double
+    fall_of_compliance() const;
+
+    /**
      * The values of a scalar nodal field on the run.
      */
     std::vector<double>

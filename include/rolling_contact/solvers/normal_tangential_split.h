@@ -11,7 +11,8 @@ namespace RollingContact
    * coupling, Anderson acceleration on the traction once ten passes were not
    * enough. A tangential solver that fails is followed by the next one given.
    * All that again with the edge extrapolations the traction asks for, until
-   * these settle; where they do not, the edges of both last rounds keep theirs.
+   * these settle, see SchemeRounds; where they do not, the edges of both last
+   * rounds keep theirs.
    * Reported as `active set`.
    */
   class NormalTangentialSplit : public ContactSolver
@@ -27,11 +28,12 @@ namespace RollingContact
 
   private:
     /**
-     * Solve for the traction by the first tangential solver that succeeds;
-     * false if none does.
+     * Solve for the traction by the first that succeeds of the first @p
+     * n_solvers tangential solvers; false if none does.
      */
     bool
     solve_with_any(const TangentialProblem &problem,
+                   const std::size_t        n_solvers,
                    ContactState            &state,
                    SolverReport            &report) const;
 
@@ -41,6 +43,7 @@ namespace RollingContact
      */
     SlipScheme
     alternate(const ContactProblem &problem,
+              const std::size_t     n_solvers,
               ContactState         &state,
               SolverReport         &report) const;
 
