@@ -134,7 +134,7 @@ namespace RollingContact
      * Length over width of elements from which on it raises the bound, and by
      * which share of it.
      */
-    const double longest_element = 1.5, of_long_elements = 1.3;
+    const double longest_element = 1.5, of_long_elements = 4.;
 
 
 
@@ -201,7 +201,7 @@ namespace RollingContact
     if (found.dim == 3)
       bounds.moment = bounds.force;
     bounds.max_pressure =
-      Bound{2., 2.}.at(found.n) +
+      std::max(Bound{2., 2.}.at(found.n), found.bend_of_peak) +
       (found.waves > wavy ? 0.3 * found.waves : 0.) +
       4 * found.beta * found.friction / found.n +
       of_growth_on_peak * found.growth +
@@ -243,6 +243,30 @@ namespace RollingContact
 
 
 
+  namespace
+  {
+    /**
+     * |p(y + h) - 2 p(y) + p(y - h)| / p at the node with the largest pressure.
+     */
+    template <int dim>
+    double
+    bend_of_peak(const SteadyState<dim> &steady)
+    {
+      const std::vector<double> &p = steady.state.pressure;
+      const std::size_t peak = std::max_element(p.begin(), p.end()) - p.begin();
+      const auto       &at   = steady.problem.operators.positions()[peak];
+      const double      step = steady.grading.element_size_y;
+      double            bend = -2 * p[peak];
+      for (const double side : {-step, step})
+        if (const auto weights =
+              steady.pair->trace().interpolation(at[0], at[1] + side))
+          bend += apply(*weights, p);
+      return std::abs(bend) / p[peak];
+    }
+  } // namespace
+
+
+
   template <int dim>
   BoundCircumstances
   bound_circumstances(const SceneParameters  &scene,
@@ -260,6 +284,8 @@ namespace RollingContact
     found.residual_normal     = steady.solver.residual.normal;
     found.residual_tangential = steady.solver.residual.tangential;
     found.refined             = false;
+    if (scene.profiles.in_use())
+      found.bend_of_peak = bend_of_peak(steady);
     if (dim == 3)
       found.element_aspect =
         steady.grading.element_size_x / steady.grading.element_size_y;

@@ -114,8 +114,10 @@ namespace RollingContact
               bounds.max_pressure.value_or(
                 std::numeric_limits<double>::quiet_NaN()),
               "its peak",
-              bounds.max_pressure ? "2/n^2 and more where the surface has waves"
-                                  : bounds.text,
+              bounds.max_pressure
+                ? "2/n^2, more where the surface has waves or the "
+                  "pressure bends more across"
+                : bounds.text,
               true,
               ""};
     }

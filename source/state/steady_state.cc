@@ -27,7 +27,9 @@ namespace RollingContact
   {
     /**
      * As many as along x, but on a patch that is slender along x fewer: long
-     * thin elements make tractions worse.
+     * thin elements make tractions worse; and of the same size as along x on
+     * patches of profiles that are wider, as their pressure varies across more
+     * than that of an ellipse.
      */
     unsigned int
     elements_across_y(const PatchEstimate &patch,
@@ -37,6 +39,9 @@ namespace RollingContact
       const unsigned int least   = 6;
       const double       enough  = std::ceil(longest * elements_across_patch *
                                       patch.half_width_y / patch.half_width_x);
+      if (!patch.boxes.empty() && patch.half_width_y > patch.half_width_x)
+        return std::ceil(elements_across_patch * patch.half_width_y /
+                         patch.half_width_x);
       return std::min<unsigned int>(elements_across_patch,
                                     std::max<double>(least, enough));
     }

@@ -59,8 +59,8 @@ class Scene:
         self.entries["Wheel/Radius"] = self.random.uniform(0.3, 0.6)
         self.entries["Rail/Radius"] = 0 if block else self.random.uniform(0.3, 0.6)
         self.entries["Rail/Shape"] = "block" if block else "disc"
-        if self.dimension == 3:  # a/b of 0.3 to 4
-            lateral = self.scale(0.3, 4) ** (-1 / 0.636) / self.curvature("Radius")
+        if self.dimension == 3:  # a/b of 0.3 to 8
+            lateral = self.scale(0.3, 8) ** (-1 / 0.636) / self.curvature("Radius")
             self.entries["Wheel/Lateral radius"] = lateral if block else 2 * lateral
             self.entries["Rail/Lateral radius"] = 0 if block else 2 * lateral
             for body in BOTH:

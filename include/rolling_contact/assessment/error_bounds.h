@@ -28,6 +28,9 @@ namespace RollingContact
     double friction        = 0.;    ///< mu
     double growth          = 0.;    ///< of the mesh
     double residual_normal = 0., residual_tangential = 0.;
+    /** Of profiles, whose pressure varies across as it will: how much it bends
+     * at its peak from node to node across, over the peak. */
+    double bend_of_peak   = 0.;
     double element_aspect = 1.; ///< 3D: length in x over width of elements
   };
 
