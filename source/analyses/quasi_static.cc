@@ -6,6 +6,7 @@
 #include <rolling_contact/report/body_fields.h>
 #include <rolling_contact/report/interface_fields.h>
 #include <rolling_contact/report/profile_columns.h>
+#include <rolling_contact/report/profile_plot.h>
 #include <rolling_contact/report/result_row.h>
 #include <rolling_contact/report/state_report.h>
 #include <rolling_contact/run/pvd.h>
@@ -104,6 +105,9 @@ namespace RollingContact
     if constexpr (dim == 2)
       if (scene.output.plot && steady.result.normal_force > 0.)
         plot_line_tractions(scene, steady, context);
+    if constexpr (dim == 3)
+      if (scene.output.plot)
+        plot_profiles(scene, steady, context);
   }
 
 

@@ -142,6 +142,18 @@ namespace RollingContact
 
 
 
+  void
+  Figure::add_separate_panel(const Figure &panel)
+  {
+    if (!maps.empty() || !panel.maps.empty() || !panel.panels.empty())
+      throw std::invalid_argument('"' + panel.y_label +
+                                  "\" cannot be a panel of this figure.");
+    panels.push_back(panel);
+    panels.back().has_own_x = true;
+  }
+
+
+
   std::vector<const Figure *>
   Figure::all_panels() const
   {

@@ -4,6 +4,7 @@
 #include <rolling_contact/plot/figure.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -52,7 +53,8 @@ set palette defined (0 "#440154", 1 "#472D7B", 2 "#3B528B", 3 "#2C728E", \
     // pixels; a panel below the first one and its distance from the one above
     constexpr double plot_width = 640., figure_height = 430.,
                      figure_bottom = 60., figure_top = 386.,
-                     panel_height = 150., panel_step = 170.;
+                     panel_height = 150., panel_step = 170., left_edge = 96.,
+                     right_edge = 618., x_axis_height = 56.;
     constexpr unsigned int many_points = 80;
 
 
@@ -110,8 +112,10 @@ set palette defined (0 "#440154", 1 "#472D7B", 2 "#3B528B", 3 "#2C728E", \
       {
         if (!panels.empty())
           text += panel_layout(k);
-        text += all[k]->axis('x', k + 1 == all.size() ? x_label : "") +
+        text += all[k]->axis('x', shows_x_axis(k) ? all[k]->x_label : "") +
                 all[k]->axis('y', all[k]->y_label);
+        if (all[k]->equal_scales)
+          text += all[k]->equal_ranges();
         for (std::size_t i = 0; i < all[k]->bands.size(); ++i)
           text += all[k]->band(i);
         text += all[k]->items(name, block);
@@ -173,22 +177,88 @@ set palette defined (0 "#440154", 1 "#472D7B", 2 "#3B528B", 3 "#2C728E", \
     const double width      = plot_width + (has_legend     ? 60. + 7. * longest
                                             : maps.empty() ? 0.
                                                            : 110.),
-                 height     = figure_height + panel_step * panels.size();
+                 first      = bottom_of(0),
+                 height     = figure_height - figure_bottom + first;
     return fmt::format(
       "set terminal svg size {0},{1} font \"Helvetica,Arial,sans-serif,13\" "
       "background \"white\"\n"
       "set output picture\n"
-      "set rmargin at screen 618./{0}\n{3}"
+      "set rmargin at screen {6}./{0}\n{3}"
       "set bmargin at screen {2}./{1}\nset tmargin at screen {4}./{1}\n{5}",
       width,
       height,
-      figure_bottom + panel_step * panels.size(),
-      panels.empty() ? ""
-                     : fmt::format("set lmargin at screen 96./{}\n", width),
-      figure_top + panel_step * panels.size(),
+      first,
+      panels.empty() && !equal_scales
+        ? ""
+        : fmt::format("set lmargin at screen {}./{}\n", left_edge, width),
+      figure_top - figure_bottom + first,
       has_legend ? "set key at graph 1.03, graph 1 left top Left reverse "
                    "noenhanced samplen 2.2 spacing 1.2\n"
-                 : "unset key\n");
+                 : "unset key\n",
+      right_edge);
+  }
+
+
+
+  /** Pixels from the bottom of the picture to that of a panel. */
+  double
+  Figure::bottom_of(const std::size_t index) const
+  {
+    double bottom = figure_bottom;
+    for (std::size_t k = index; k < panels.size(); ++k)
+      bottom += panel_step + (panels[k].has_own_x ? x_axis_height : 0.);
+    return bottom;
+  }
+
+
+
+  /** Panels over the same x have the axis of the lowest of them. */
+  bool
+  Figure::shows_x_axis(const std::size_t index) const
+  {
+    return index == panels.size() || panels[index].has_own_x;
+  }
+
+
+
+  /**
+   * Ranges that hold all curves with units of equal length in both directions,
+   * in the first panel.
+   */
+  std::string
+  Figure::equal_ranges() const
+  {
+    const double                far = std::numeric_limits<double>::max();
+    std::array<double, 2>       lower{{far, far}}, upper{{-far, -far}};
+    const std::array<double, 2> pixels{
+      {right_edge - left_edge, figure_top - figure_bottom}};
+    for (const Curve &curve : curves)
+      for (std::size_t i = 0; i < curve.x.size(); ++i)
+        for (const unsigned int d : {0, 1})
+          {
+            const double value = d == 0 ? curve.x[i] : curve.y[i];
+            if (!can_be_drawn(value, AxisScale::linear))
+              continue;
+            lower[d] = std::min(lower[d], value);
+            upper[d] = std::max(upper[d], value);
+          }
+    const double margin = 1.08;
+    double       unit   = 0.; // for a pixel
+    for (const unsigned int d : {0, 1})
+      unit = std::max(unit, margin * (upper[d] - lower[d]) / pixels[d]);
+    if (!(unit > 0.) || !(unit < far))
+      return "";
+    std::string text;
+    for (const unsigned int d : {0, 1})
+      {
+        const double middle = (lower[d] + upper[d]) / 2,
+                     half   = unit * pixels[d] / 2;
+        text += fmt::format("set {}range [{}:{}]\n",
+                            d == 0 ? 'x' : 'y',
+                            significant(middle - half, 9),
+                            significant(middle + half, 9));
+      }
+    return text;
   }
 
 
@@ -196,21 +266,20 @@ set palette defined (0 "#440154", 1 "#472D7B", 2 "#3B528B", 3 "#2C728E", \
   std::string
   Figure::panel_layout(const std::size_t index) const
   {
-    const double height = figure_height + panel_step * panels.size(),
-                 first  = figure_bottom + panel_step * panels.size();
-    const bool  is_last = index == panels.size();
-    std::string text;
+    const double height = figure_height - figure_bottom + bottom_of(0);
+    std::string  text;
     if (index > 0)
       text +=
         fmt::format("unset title\nunset object\nunset logscale\nset autoscale\n"
                     "set autoscale noextend\nset bmargin at screen {}./{}\n"
                     "set tmargin at screen {}./{}\n",
-                    first - panel_step * index,
+                    bottom_of(index),
                     height,
-                    first - panel_step * index + panel_height,
+                    bottom_of(index) + panel_height,
                     height);
-    return text + (is_last ? "set format \"%h\"\n"
-                           : "set format x \"\"\nset format y \"%h\"\n");
+    return text + (shows_x_axis(index)
+                     ? "set format \"%h\"\n"
+                     : "set format x \"\"\nset format y \"%h\"\n");
   }
 
 
@@ -292,13 +361,14 @@ set palette defined (0 "#440154", 1 "#472D7B", 2 "#3B528B", 3 "#2C728E", \
                             curve.style == CurveStyle::line_and_points ||
                             curve.x.size() == 1,
                has_line = curve.style != CurveStyle::points;
-    return fmt::format("with {}{} linetype {}{}{}",
+    return fmt::format("with {}{} linetype {}{}{}{}",
                        has_line ? "lines" : "",
                        has_points ? "points" : "",
                        index - n_references + 1,
                        curve.style == CurveStyle::dashed
                          ? " dashtype " + dashes[0]
                          : "",
+                       curve.style == CurveStyle::thick ? " linewidth 5.5" : "",
                        !has_points                    ? ""
                        : curve.x.size() > many_points ? " pointsize 0.35"
                                                       : " pointsize 0.55");

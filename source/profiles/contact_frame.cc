@@ -203,4 +203,49 @@ namespace RollingContact::Profiles
     // y along (c, s) and z along (s, -c) of (right, down)
     return {{c * force_y + s * force_z, -s * force_y + c * force_z}};
   }
+
+
+
+  std::array<double, 2>
+  ContactFrame::point_in_track(const double y, const double z) const
+  {
+    const auto [across, upwards] = in_track(y, z);
+    return {{track_y() + across, upwards - contact.z}};
+  }
+
+
+
+  std::optional<double>
+  ContactFrame::rail_height(const double y) const
+  {
+    const double along = sign * y;
+    if (!rail_at.covers(along))
+      return {};
+    return -rail.at(rail_at(along)).z;
+  }
+
+
+
+  std::vector<std::array<double, 2>>
+  ContactFrame::rail_section() const
+  {
+    std::vector<std::array<double, 2>> section;
+    for (const CurvePoint &point : profiles->rail_profile().points())
+      section.push_back({{sign * point.y, -point.z}});
+    return section;
+  }
+
+
+
+  std::vector<std::array<double, 2>>
+  ContactFrame::wheel_section() const
+  {
+    std::vector<std::array<double, 2>> section;
+    for (const double s : profiles->wheel_profile().arc_lengths())
+      {
+        const auto [across, down] = profiles->section(position, s);
+        section.push_back({{sign * across, -(down + contact.height)}});
+      }
+    return section;
+  }
 } // namespace RollingContact::Profiles

@@ -78,7 +78,7 @@ namespace RollingContact
     std::string text = std::to_string(patches.size()) +
                        (patches.size() == 1 ? " patch: " : " patches: ");
     for (std::size_t k = 0; k < patches.size(); ++k)
-      text += (k == 0 ? "" : "; ") + significant(patches[k].normal_force, 4) +
+      text += (k == 0 ? "" : "; ") + significant(patches[k].normal_force, 6) +
               " N on " + significant(1e6 * patches[k].area, 3) +
               " mm2 at y = " + millimetres(patches[k].centre_y, 3);
     report.set_finding("patch", text);
@@ -86,9 +86,9 @@ namespace RollingContact
       frame->in_track(steady.result.force_y, steady.result.normal_force);
     report.set_finding("track",
                        "forces on the wheel, forwards " +
-                         significant(-steady.result.force_x, 5) +
-                         " N, to the right " + significant(across, 5) +
-                         " N, upwards " + significant(upwards, 5) + " N");
+                         significant(-steady.result.force_x, 6) +
+                         " N, to the right " + significant(across, 6) +
+                         " N, upwards " + significant(upwards, 6) + " N");
   }
 
 

@@ -279,6 +279,17 @@ namespace RollingContact
         throw InputError(given + "a body from a mesh file (" + body->section +
                          "/Shape) brings its own surface; leave the profiles "
                          "empty.");
+    if (!rail.rigid && (rail.shape != "block" || rail.radius != 0.))
+      throw InputError("Rail/Shape = " + rail.shape +
+                       ", Rail/Radius = " + text_of(rail.radius) +
+                       ": a rail with a profile is straight; take Rail/Shape "
+                       "= block and Rail/Radius = 0.");
+    for (const BodyParameters *body : {&wheel, &rail})
+      if (body->lateral_radius != 0.)
+        throw InputError(body->section +
+                         "/Lateral radius = " + text_of(body->lateral_radius) +
+                         ": the surface across the track is that of Profiles/" +
+                         body->section + " profile; set it to 0 m.");
     if (contact.vertical_load && is_transient())
       throw InputError(
         "Contact/Vertical load = " + text_of(*contact.vertical_load) +

@@ -55,6 +55,32 @@ namespace RollingContact
 
 
 
+    /** Entries on profiles that this scene has no use for, and why. */
+    std::map<std::string, std::string>
+    idle_profile_entries(const SceneParameters &scene)
+    {
+      std::map<std::string, std::string> idle;
+      const bool is_table = scene.analysis == "contact table";
+      if (is_table)
+        for (const char *entry :
+             {"Side", "Lateral shift", "Roll", "Creepages", "Pitch rate"})
+          idle["Profiles/" + std::string(entry)] =
+            "a contact table has both sides, its own shifts and no creepages";
+      if (!is_table && !scene.profiles.in_use())
+        return idle;
+      if (!is_table && !scene.profiles.gives_creepages())
+        idle["Profiles/Pitch rate"] =
+          "Profiles/Creepages = from kinematics reads it";
+      if (!scene.profiles.has_files())
+        for (const char *entry :
+             {"Smoothing length", "File unit", "Wheel mirror", "Rail mirror"})
+          idle["Profiles/" + std::string(entry)] =
+            "neither Profiles/Wheel profile nor Rail profile is a file";
+      return idle;
+    }
+
+
+
     /** Who gives the creepages in place of section Contact; empty if none. */
     std::string
     giver_of_creepages(const SceneParameters &scene)
@@ -96,6 +122,8 @@ namespace RollingContact
         warn(path + " = " + entry->second, why);
     };
     for (const auto &[path, why] : entries_of_other_dimension(scene))
+      check(path, why);
+    for (const auto &[path, why] : idle_profile_entries(scene))
       check(path, why);
     if (scene.analysis == "transient" || scene.analysis == "accuracy study")
       check("Mesh/Target error",

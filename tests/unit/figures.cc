@@ -152,4 +152,31 @@ BOOST_FIXTURE_TEST_CASE(programs_are_found_and_stopped, ScratchFolder)
   BOOST_TEST(watch.seconds() < 9.);
 }
 
+
+
+/** A millimetre is as long in both directions; another panel may be over
+ * another x. */
+BOOST_FIXTURE_TEST_CASE(equal_scales_and_separate_panels, DrawingRun)
+{
+  Figure figure("", "y (mm)", "height (mm)");
+  figure.set_equal_scales();
+  figure.add_curve("wide", {0., 522.}, {10., 20.}, CurveStyle::thick);
+  Figure panel("", "along the rail (mm)", "p (MPa)");
+  panel.add_curve("p", {-5., 5.}, {0., 900.});
+  figure.add_separate_panel(panel);
+  figure.draw(drawing, "a");
+  BOOST_TEST(is_drawn("a"));
+  // 522 pixels by 326, 1.08 units for each
+  BOOST_TEST(contains(script("a"), "set xrange [-20.88:542.88]\n"));
+  BOOST_TEST(contains(script("a"), "set yrange [-161.04:191.04]\n"));
+  BOOST_TEST(contains(script("a"), "linetype 1 linewidth 5.5 title 'wide'"));
+  const std::string svg = read(files.folder / "a.svg");
+  for (const char *label : {"y (mm)", "along the rail (mm)", "p (MPa)"})
+    BOOST_TEST(contains(svg, label), label);
+  BOOST_CHECK_THROW(figure.add_panel(panel), std::invalid_argument);
+  Figure with_map("", "x", "y");
+  with_map.add_map("", {1., 2.}, {1., 2.}, {1., 2., 3., 4.});
+  BOOST_CHECK_THROW(figure.add_separate_panel(with_map), std::invalid_argument);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

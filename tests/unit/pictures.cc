@@ -4,12 +4,14 @@
 #include <rolling_contact/analyses/creep_curve.h>
 #include <rolling_contact/analyses/creep_curve_plot.h>
 #include <rolling_contact/analyses/load_curve.h>
+#include <rolling_contact/analyses/quasi_static.h>
 #include <rolling_contact/analyses/transient.h>
 #include <rolling_contact/assessment/reference_2d.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/report/state_report.h>
 #include <rolling_contact/studies/error_cost_report.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace
@@ -312,6 +314,71 @@ BOOST_FIXTURE_TEST_CASE(error_against_seconds, DrawingRun)
   check_equal(fine[1], {2e-2, 1e-4}, 1.);
   check_equal(front[0], {0.1, 0.4, 0.9}, 1.);
   check_equal(front[1], {1e-2, 3e-3, 1e-4}, 1.);
+}
+
+
+
+BOOST_FIXTURE_TEST_CASE(profiles_in_the_track, DrawingRun)
+{
+  standard<3>(scene);
+  scene.rail.shape             = "block";
+  scene.rail.radius            = 0.;
+  scene.rail.lateral_radius    = 0.;
+  scene.wheel.lateral_radius   = 0.;
+  scene.profiles.wheel_profile = "S1002";
+  scene.profiles.rail_profile  = "60E1";
+  scene.profiles.is_left       = true;
+  scene.profiles.shift         = -4e-3;
+  scene.profiles.roll          = 0.;
+  scene.contact.approach       = {};
+  scene.contact.normal_load    = 20e3;
+  scene.contact.creepages      = {};
+  scene.output.body_fields     = false;
+  scene.check();
+  scene.read_profiles();
+  QuasiStatic<3>(scene, drawing).run();
+  table.flush();
+  BOOST_TEST(is_drawn("profiles"));
+  const auto first = block("profiles", "first contact");
+  const auto place = column("results.csv", "contact_y_track_m");
+  BOOST_TEST(place[0] < -0.73);
+  check_equal(first[0], place, 1e3);
+  // wheel and rail meet there, and the wheel is nowhere in the rail
+  const auto rail  = block("profiles", "rail"),
+             wheel = block("profiles", "wheel");
+  double least     = 1.;
+  for (std::size_t i = 0; i < wheel[0].size(); ++i)
+    for (std::size_t k = 1; k < rail[0].size(); ++k)
+      if ((wheel[0][i] - rail[0][k - 1]) * (wheel[0][i] - rail[0][k]) <= 0.)
+        {
+          const double share =
+            (wheel[0][i] - rail[0][k - 1]) / (rail[0][k] - rail[0][k - 1]);
+          const double height =
+            rail[1][k - 1] + share * (rail[1][k] - rail[1][k - 1]);
+          if (height > -10.) // of the head, not of its sides
+            least = std::min(least, wheel[1][i] - height);
+        }
+  BOOST_TEST(std::abs(least) < 1e-3);
+  // the patch lies around the contact, on the plane's slope
+  const auto patch  = block("profiles", "patch"),
+             plane  = block("profiles", "plane of contact"),
+             normal = block("profiles", "its normal");
+  BOOST_TEST(patch[0].front() < first[0][0]);
+  BOOST_TEST(patch[0].back() > first[0][0]);
+  const double angle = column("results.csv", "contact_angle_rad")[0];
+  BOOST_TEST(angle > 0.09);
+  BOOST_TEST((plane[1][1] - plane[1][0]) / (plane[0][1] - plane[0][0]) ==
+               -std::tan(angle),
+             boost::test_tools::tolerance(1e-6));
+  BOOST_TEST((normal[0][1] - normal[0][0]) / (normal[1][1] - normal[1][0]) ==
+               std::tan(angle),
+             boost::test_tools::tolerance(1e-6));
+  const auto peaks = block("profiles", "peak pressure along x");
+  check_equal({*std::max_element(peaks[1].begin(), peaks[1].end())},
+              column("results.csv", "max_pressure_Pa"),
+              1e-6);
+  BOOST_TEST(peaks[0][0] < 0.);
+  BOOST_TEST(peaks[1][0] == 0.);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -15,7 +15,9 @@ namespace RollingContact
     points,
     line_and_points,
     /** Black, each dashed in its way; takes no colour of the palette. */
-    reference
+    reference,
+    /** A line that stands out of others on which it lies. */
+    thick
   };
 
   enum class AxisScale
@@ -41,6 +43,16 @@ namespace RollingContact
 
     void
     set_scales(const AxisScale x_scale, const AxisScale y_scale);
+
+    /**
+     * One unit of x is as long as one of y, for sections and maps of places.
+     * Linear axes only, not for maps.
+     */
+    void
+    set_equal_scales()
+    {
+      equal_scales = true;
+    }
 
     /** A curve without label is not in the legend. Throws std::invalid_argument
      * if x and y have different lengths. */
@@ -74,6 +86,12 @@ namespace RollingContact
      */
     void
     add_panel(const Figure &panel);
+
+    /**
+     * The same with an x axis of its own, whose label is drawn below it.
+     */
+    void
+    add_separate_panel(const Figure &panel);
 
     /**
      * Tab-separated values with 9 significant digits, one block for each map
@@ -129,6 +147,12 @@ namespace RollingContact
     layout() const;
     std::string
     panel_layout(const std::size_t index) const;
+    double
+    bottom_of(const std::size_t index) const;
+    bool
+    shows_x_axis(const std::size_t index) const;
+    std::string
+    equal_ranges() const;
     std::string
     items(const std::string &name, std::size_t &block) const;
     std::string
@@ -141,8 +165,10 @@ namespace RollingContact
     std::string         title;
     std::string         x_label;
     std::string         y_label;
-    AxisScale           x_scale = AxisScale::linear;
-    AxisScale           y_scale = AxisScale::linear;
+    AxisScale           x_scale      = AxisScale::linear;
+    AxisScale           y_scale      = AxisScale::linear;
+    bool                equal_scales = false;
+    bool                has_own_x    = false; ///< as a panel
     std::vector<Curve>  curves;
     std::vector<Band>   bands;
     std::vector<Map>    maps;

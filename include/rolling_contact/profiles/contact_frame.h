@@ -109,6 +109,32 @@ namespace RollingContact::Profiles
     std::array<double, 2>
     in_track(const double force_y, const double force_z) const;
 
+    /**
+     * A point of this frame (x = 0) in the track: from its middle to the right,
+     * and from the top of the rails upwards.
+     */
+    std::array<double, 2>
+    point_in_track(const double y, const double z) const;
+
+    /**
+     * z of the rail's surface at @p y, 0 at the origin; nothing where it does
+     * not reach.
+     */
+    std::optional<double>
+    rail_height(const double y) const;
+
+    /**
+     * The section of the rail as points in the track, as of point_in_track().
+     */
+    std::vector<std::array<double, 2>>
+    rail_section() const;
+
+    /**
+     * The section of the wheel through its axle, when it touches first.
+     */
+    std::vector<std::array<double, 2>>
+    wheel_section() const;
+
   private:
     using Vector = std::array<double, 3>;
 

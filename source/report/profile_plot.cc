@@ -1,0 +1,159 @@
+#include <rolling_contact/base/text.h>
+#include <rolling_contact/contact/patches.h>
+#include <rolling_contact/plot/figure.h>
+#include <rolling_contact/report/profile_plot.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace RollingContact
+{
+  namespace
+  {
+    const double plane_length = 0.03, normal_length = 0.015; // m, as drawn
+
+    using Points = std::vector<std::array<double, 2>>;
+
+
+
+    /** In mm. */
+    void
+    add_points(const std::string &label,
+               const Points      &points,
+               const CurveStyle   style,
+               Figure            &figure)
+    {
+      std::vector<double> across, upwards;
+      for (const auto &point : points)
+        {
+          across.push_back(1e3 * point[0]);
+          upwards.push_back(1e3 * point[1]);
+        }
+      figure.add_curve(label, across, upwards, style);
+    }
+
+
+
+    /**
+     * The rail under a patch, from its first line of nodes to its last.
+     */
+    Points
+    rail_under(const ContactPatch           &patch,
+               const SteadyState<3>         &steady,
+               const Profiles::ContactFrame &frame)
+    {
+      std::vector<double> y;
+      for (const unsigned int node : patch.nodes)
+        y.push_back(steady.problem.operators.positions()[node][1]);
+      const auto [first, last]     = std::minmax_element(y.begin(), y.end());
+      const double half_an_element = steady.grading.element_size_y / 2,
+                   from            = *first - half_an_element,
+                   to              = *last + half_an_element;
+      Points             points;
+      const unsigned int n = 40;
+      for (unsigned int k = 0; k <= n; ++k)
+        {
+          const double at = from + (to - from) * k / n;
+          if (const auto height = frame.rail_height(at))
+            points.push_back(frame.point_in_track(at, *height));
+        }
+      return points;
+    }
+
+
+
+    Figure
+    sections(const SceneParameters &scene, const SteadyState<3> &steady)
+    {
+      const Profiles::ContactFrame   &frame = *scene.profiles.frame;
+      const std::vector<ContactPatch> patches =
+        contact_patches(steady.pair->trace(), steady.problem, steady.state);
+      const double degree = std::acos(-1.) / 180;
+      Figure figure("N = " + significant(1e-3 * steady.result.normal_force, 4) +
+                      " kN on " + std::to_string(patches.size()) +
+                      (patches.size() == 1 ? " patch" : " patches") + " at " +
+                      (frame.angle() < 0. ? "\u2212" : "") +
+                      significant(std::abs(frame.angle()) / degree, 3) +
+                      "\u00b0, " + (scene.profiles.is_left ? "left" : "right") +
+                      " side",
+                    "y from the middle of the track, to the right (mm)",
+                    "height (mm)");
+      figure.set_equal_scales();
+      add_points("rail", frame.rail_section(), CurveStyle::line, figure);
+      add_points("wheel", frame.wheel_section(), CurveStyle::line, figure);
+      for (std::size_t k = 0; k < patches.size(); ++k)
+        add_points(patches.size() == 1 ? "patch"
+                                       : "patch " + std::to_string(k + 1),
+                   rail_under(patches[k], steady, frame),
+                   CurveStyle::thick,
+                   figure);
+      add_points("plane of contact",
+                 {frame.point_in_track(-plane_length, 0.),
+                  frame.point_in_track(plane_length, 0.)},
+                 CurveStyle::reference,
+                 figure);
+      add_points("its normal",
+                 {frame.point_in_track(0., 0.),
+                  frame.point_in_track(0., normal_length)},
+                 CurveStyle::reference,
+                 figure);
+      add_points("first contact",
+                 {frame.point_in_track(0., 0.)},
+                 CurveStyle::points,
+                 figure);
+      return figure;
+    }
+
+
+
+    /**
+     * The largest pressure of all nodes with nearly the same y.
+     */
+    Figure
+    peaks_across(const SteadyState<3> &steady)
+    {
+      std::map<long, std::array<double, 2>> peaks; // y and pressure
+      for (unsigned int i = 0; i < steady.problem.n_nodes(); ++i)
+        {
+          const double y = steady.problem.operators.positions()[i][1];
+          auto        &peak =
+            peaks
+              .try_emplace(std::lround(y / steady.grading.element_size_y),
+                           std::array<double, 2>{{y, 0.}})
+              .first->second;
+          if (steady.state.pressure[i] > peak[1])
+            peak = {{y, steady.state.pressure[i]}};
+        }
+      std::vector<double> y, pressure;
+      for (const auto &[line, peak] : peaks)
+        {
+          y.push_back(1e3 * peak[0]);
+          pressure.push_back(1e-6 * peak[1]);
+        }
+      Figure figure("",
+                    "y in the plane of contact, to the right (mm)",
+                    "max p (MPa)");
+      figure.add_curve("peak pressure along x",
+                       y,
+                       pressure,
+                       CurveStyle::line_and_points);
+      return figure;
+    }
+  } // namespace
+
+
+
+  void
+  plot_profiles(const SceneParameters &scene,
+                const SteadyState<3>  &steady,
+                RunContext            &context)
+  {
+    if (!scene.profiles.frame || !steady.solver.converged ||
+        steady.result.n_touching == 0)
+      return;
+    Figure figure = sections(scene, steady);
+    figure.add_separate_panel(peaks_across(steady));
+    figure.draw(context, "profiles");
+  }
+} // namespace RollingContact
