@@ -134,7 +134,7 @@ namespace RollingContact
      * Length over width of elements from which on it raises the bound, and by
      * which share of it.
      */
-    const double longest_element = 1.5, of_long_elements = 4.;
+    const double longest_element = 2., of_long_elements = 6.;
 
 
 

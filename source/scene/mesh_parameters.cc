@@ -73,7 +73,7 @@ namespace RollingContact
       "Elements across patch y",
       elements_across_patch_y,
       "The same across the rolling direction, 3D only; 0: as many "
-      "as in it, but 6 or more and elements at most 2.5 times as long as wide "
+      "as in it, but 6 or more and elements at most 1.9 times as long as wide "
       "on patches that are slender along it, and as long as wide on those "
       "of profiles that are wider. 0.8 times as many serve the forces as well, the "
       "spin moment less. Units: 1.",

@@ -35,10 +35,10 @@ namespace RollingContact
     elements_across_y(const PatchEstimate &patch,
                       const unsigned int   elements_across_patch)
     {
-      const double       longest = 2.5; // over the width of an element
+      const double       longest = 1.9; // over the width of an element
       const unsigned int least   = 6;
-      const double       enough  = std::ceil(longest * elements_across_patch *
-                                      patch.half_width_y / patch.half_width_x);
+      const double       enough  = std::floor(longest * elements_across_patch *
+                                       patch.half_width_y / patch.half_width_x);
       if (!patch.boxes.empty() && patch.half_width_y > patch.half_width_x)
         return std::ceil(elements_across_patch * patch.half_width_y /
                          patch.half_width_x);
