@@ -24,6 +24,9 @@ namespace RollingContact
 
     const double flange_back_to_tape_circle = 0.07; // m
 
+    const std::vector<std::string> wheel_names{"S1002"},
+      rail_names{"60E1", "60E1 Manchester"};
+
 
 
     void
@@ -264,12 +267,44 @@ namespace RollingContact
 
 
 
+  namespace
+  {
+    /**
+     * The file of a profile that has none of the names. Throws InputError if
+     * there is none, with the names.
+     */
+    std::filesystem::path
+    file_of_profile(const std::string              &entry,
+                    const std::string              &profile,
+                    const std::vector<std::string> &names,
+                    const std::filesystem::path    &prm_folder)
+    {
+      const std::filesystem::path file = prm_folder / profile;
+      std::error_code             failed;
+      if (std::filesystem::exists(file, failed))
+        return file;
+      std::string known;
+      for (const std::string &name : names)
+        known += (known.empty() ? "" : " or ") + name;
+      throw InputError("Profiles/" + entry + " = " + profile + ": give " +
+                       known +
+                       ", or the name of a file; there is no such "
+                       "file as " +
+                       file.string() + ".");
+    }
+  } // namespace
+
+
+
   Profiles::ProfileCurve
   ProfileParameters::wheel(const std::filesystem::path &prm_folder) const
   {
     return wheel_profile.empty() || wheel_profile == "S1002"
              ? Profiles::s1002()
-             : Profiles::read_profile(prm_folder / wheel_profile,
+             : Profiles::read_profile(file_of_profile("Wheel profile",
+                                                      wheel_profile,
+                                                      wheel_names,
+                                                      prm_folder),
                                       Profiles::ProfileKind::wheel,
                                       file_options(wheel_mirror));
   }
@@ -283,7 +318,10 @@ namespace RollingContact
       rail_profile.empty() || rail_profile == "60E1" ? Profiles::rail_60e1()
       : rail_profile == "60E1 Manchester"
         ? Profiles::rail_60e1_manchester()
-        : Profiles::read_profile(prm_folder / rail_profile,
+        : Profiles::read_profile(file_of_profile("Rail profile",
+                                                 rail_profile,
+                                                 rail_names,
+                                                 prm_folder),
                                  Profiles::ProfileKind::rail,
                                  file_options(rail_mirror));
     return Profiles::placed_rail(section,
