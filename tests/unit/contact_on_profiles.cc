@@ -10,7 +10,10 @@
 #include <rolling_contact/references/half_space_pressure.h>
 #include <rolling_contact/references/hertz_ellipse.h>
 
+#include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <sstream>
 
 using namespace RollingContact;
 using namespace RollingContact::Profiles;
@@ -285,6 +288,54 @@ BOOST_AUTO_TEST_CASE(a_state_on_profiles_is_that_of_a_half_space)
              boost::test_tools::tolerance(0.01));
   BOOST_TEST(std::hypot(found.force_x + 2707., found.force_y + 1636.6) <
              0.015 * run.friction_force());
+}
+
+
+
+BOOST_AUTO_TEST_CASE(states_are_those_of_contact)
+{
+  // the Manchester benchmark on the tread and on the flange, both sides
+  std::ifstream file(std::string(TEST_DATA) + "/manchester_a22_forces.csv");
+  BOOST_REQUIRE(file.is_open());
+  unsigned int n_compared = 0;
+  for (std::string line; std::getline(file, line);)
+    {
+      if (line[0] == '#')
+        continue;
+      std::replace(line.begin(), line.end(), ',', ' ');
+      std::istringstream words(line);
+      double             side, shift, yaw, roll, pitch, load, x, s, peak, area;
+      words >> side >> shift >> yaw >> roll >> pitch >> load >> x >> s >>
+        peak >> area;
+      BOOST_REQUIRE(words);
+      const bool taken = side > 0. ? shift == 3. || shift == 8. : shift == 7.;
+      if (!taken)
+        continue;
+      ++n_compared;
+      const SceneRun<3> run(
+        [](SceneParameters &scene) { s1002_on_60e1(scene); },
+        [&](SceneParameters &scene) {
+          scene.profiles.rail_profile = "60E1 Manchester";
+          scene.profiles.is_left      = side < 0.;
+          scene.profiles.shift        = shift * mm;
+          scene.profiles.yaw          = yaw;
+          scene.profiles.roll         = roll;
+          scene.profiles.pitch_rate   = pitch;
+          scene.profiles.creepage_source =
+            ProfileParameters::CreepageSource::kinematics;
+          scene.contact.speed       = 2.;
+          scene.contact.normal_load = load;
+          for (BodyParameters *body : {&scene.wheel, &scene.rail})
+            body->material = {2 * 82e9 * 1.28, 0.28};
+          scene.mesh.elements_across_patch = 14;
+        });
+      const Resultants &found = run.steady.result;
+      BOOST_TEST(found.max_pressure == peak * 1e6,
+                 boost::test_tools::tolerance(0.01));
+      BOOST_TEST(std::hypot(found.force_x - x, found.force_y + s) <
+                 0.005 * run.friction_force());
+    }
+  BOOST_TEST(n_compared == 3u);
 }
 
 
