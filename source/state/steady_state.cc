@@ -23,104 +23,6 @@ namespace RollingContact
 
 
 
-  namespace
-  {
-    /**
-     * As many as along x, but on a patch that is slender along x fewer: long
-     * thin elements make tractions worse; and of the same size as along x on
-     * patches of profiles that are wider, as their pressure varies across more
-     * than that of an ellipse.
-     */
-    unsigned int
-    elements_across_y(const PatchEstimate &patch,
-                      const unsigned int   elements_across_patch)
-    {
-      const double       longest = 1.9; // over the width of an element
-      const unsigned int least   = 6;
-      const double       enough  = std::floor(longest * elements_across_patch *
-                                       patch.half_width_y / patch.half_width_x);
-      if (!patch.boxes.empty() && patch.half_width_y > patch.half_width_x)
-        return std::ceil(elements_across_patch * patch.half_width_y /
-                         patch.half_width_x);
-      return std::min<unsigned int>(elements_across_patch,
-                                    std::max<double>(least, enough));
-    }
-
-
-
-    /**
-     * The boxes of the patch in place of its ellipse, with as much around them.
-     */
-    template <int dim>
-    void
-    set_zone_boxes(const PatchEstimate &patch, Grading<dim> &grading)
-    {
-      const double around_x = grading.zone_x - patch.half_width_x,
-                   around_y = grading.zone_y - patch.half_width_y,
-                   upstream = grading.element_size_x;
-      grading.zone_x = grading.zone_y = 0.;
-      for (const ZoneBox &touching : patch.boxes)
-        {
-          ZoneBox box = touching.grown(around_x, around_y);
-          if (grading.upstream < 0)
-            box.lower[0] -= upstream;
-          if (grading.upstream > 0)
-            box.upper[0] += upstream;
-          grading.zone_boxes.push_back(box);
-          for (const auto &corner : {box.lower, box.upper})
-            {
-              grading.zone_x = std::max(grading.zone_x, std::abs(corner[0]));
-              grading.zone_y = std::max(grading.zone_y, std::abs(corner[1]));
-            }
-        }
-      grading.upstream = 0;
-    }
-  } // namespace
-
-
-
-  template <int dim>
-  Grading<dim>
-  make_grading(const SceneParameters &scene,
-               const StateDemands    &demands,
-               const PatchEstimate   &patch,
-               const unsigned int     elements_across_patch,
-               const double           offset)
-  {
-    const MeshParameters &mesh = scene.mesh;
-    Grading<dim>          grading;
-    const unsigned int    elements_y =
-      mesh.elements_across_patch_y > 0
-           ? mesh.elements_across_patch_y
-           : elements_across_y(patch, elements_across_patch);
-    const double factor =
-      mesh.candidate_zone > 0. ? mesh.candidate_zone : demands.zone;
-    const auto zone = [&](const double half_width, const double size) {
-      return std::max(factor * demands.growth * half_width,
-                      demands.growth * half_width + demands.margin * size);
-    };
-    const double half_width = patch.half_width_x;
-    grading.element_size_x  = 2 * half_width / elements_across_patch;
-    grading.element_size_y  = 2 * patch.half_width_y / elements_y;
-    grading.zone_x          = zone(half_width, grading.element_size_x);
-    grading.upstream        = demands.one_direction ? -scene.contact.flow() : 0;
-    grading.zone_y          = zone(patch.half_width_y, grading.element_size_y);
-    grading.zone_depth      = mesh.zone_depth * half_width *
-                         grading.element_size_z() / grading.element_size_x;
-    grading.growth            = mesh.growth;
-    grading.offset            = offset;
-    grading.rim_levels        = mesh.rim_levels;
-    grading.leading_edge_x    = -scene.contact.flow() * half_width;
-    grading.trailing_edge_x   = -grading.leading_edge_x;
-    grading.leading_edge_only = mesh.rim_edges == RimEdges::leading;
-    grading.rim_width         = 2 * grading.element_size_x;
-    if (!patch.boxes.empty())
-      set_zone_boxes(patch, grading);
-    return grading;
-  }
-
-
-
   ContactState
   initial_state(const ContactProblem &problem, const PatchEstimate &patch)
   {
@@ -293,7 +195,8 @@ namespace RollingContact
         patch.boxes.empty()
                ? result.half_width_x / patch.half_width_x
                : std::cbrt(result.normal_force / patch.normal_force);
-      if (is_resized || result.n_touching <= 5 ||
+      // lines of one touching node have no length
+      if (is_resized || result.n_touching <= 5 || !(mismatch > 0.) ||
           (mismatch >= 0.8 && mismatch <= 1.2))
         return false;
       log.message("The patch is " + significant(mismatch, 3) +
@@ -394,12 +297,6 @@ namespace RollingContact
 
 
   template struct SteadyState<2>;
-  template Grading<2>
-  make_grading(const SceneParameters &,
-               const StateDemands &,
-               const PatchEstimate &,
-               const unsigned int,
-               const double);
   template SteadyState<2>
   solve_on(const SceneParameters &,
            const StateDemands &,
@@ -417,12 +314,6 @@ namespace RollingContact
                      const StateDemands &,
                      RunContext &);
   template struct SteadyState<3>;
-  template Grading<3>
-  make_grading(const SceneParameters &,
-               const StateDemands &,
-               const PatchEstimate &,
-               const unsigned int,
-               const double);
   template SteadyState<3>
   solve_steady_state(const SceneParameters &,
                      const StateDemands &,
