@@ -1,11 +1,9 @@
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <rolling_contact/contact/patches.h>
-#include <rolling_contact/contact/resultants.h>
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 
 namespace RollingContact
 {

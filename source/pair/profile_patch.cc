@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace RollingContact
 {
@@ -12,6 +13,8 @@ namespace RollingContact
   {
     using References::ContactGrid;
     using References::HalfSpacePressure;
+
+    const double deepest = 1e-3; // m, approach that is looked for
 
     /**
      * The gap along a line across the plane: its least value, where that is
@@ -30,7 +33,7 @@ namespace RollingContact
     std::vector<Line>
     lines_across(const Profiles::ContactFrame &frame)
     {
-      const double step = 2.5e-4, reach = 0.07, along = 5e-3, widest = 1e-3;
+      const double      step = 2.5e-4, reach = 0.07, along = 5e-3;
       std::vector<Line> lines;
       for (int k = -reach / step; k <= reach / step; ++k)
         {
@@ -52,7 +55,7 @@ namespace RollingContact
               line.least = *middle - line.curvature * shift * shift;
               line.place += shift;
             }
-          if (line.curvature > 0. && line.least < widest)
+          if (line.curvature > 0. && line.least < deepest)
             lines.push_back(line);
         }
       return lines;
@@ -146,6 +149,11 @@ namespace RollingContact
             if (std::abs(change - 1) < 0.02)
               break;
           }
+        if (depth > deepest)
+          throw InputError("Profiles: a load of " + significant(load, 4) +
+                           " N presses the surfaces by more than " +
+                           millimetres(deepest) +
+                           " into each other. Give less of it, in N.");
         const double ample = 1.1;
         return solve(overlap(lines, ample * depth), n_along, load, 0.);
       }
@@ -164,8 +172,17 @@ namespace RollingContact
         for (std::size_t j = 0; j < grid.n_y; ++j)
           for (std::size_t i = 0; i < grid.n_x; ++i)
             gap.push_back(frame.gap(grid.x(i), grid.y(j)).value_or(beyond));
-        solution.state =
-          References::half_space_pressure(grid, gap, modulus, load, approach);
+        try
+          {
+            solution.state = References::half_space_pressure(
+              grid, gap, modulus, load, approach);
+          }
+        catch (const std::runtime_error &error)
+          {
+            throw ConvergenceError(
+              std::string("Profiles, estimate of the patch: ") + error.what() +
+              " Take another Profiles/Lateral shift or smoother profiles.");
+          }
         return solution;
       }
 

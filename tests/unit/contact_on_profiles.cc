@@ -424,6 +424,18 @@ BOOST_AUTO_TEST_CASE(patches_add_up_to_the_state)
 
 
 
+BOOST_AUTO_TEST_CASE(a_load_beyond_all_bodies_is_refused)
+{
+  const ContactFrame frame(s1002_on_60e1(), {3 * mm, 0., 0.}, false);
+  BOOST_TEST(
+    contains(complaint([&]() { profile_patch(frame, steel, 4e6, 0.); }),
+             "a load of 4e+06 N"));
+  BOOST_TEST(profile_patch(frame, steel, 1e-3, 0.).normal_force == 1e-3,
+             boost::test_tools::tolerance(1e-9));
+}
+
+
+
 BOOST_AUTO_TEST_CASE(tread_and_flange_at_once_are_refused)
 {
   SceneParameters scene;
