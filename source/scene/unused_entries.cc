@@ -62,8 +62,12 @@ namespace RollingContact
       std::map<std::string, std::string> idle;
       const bool is_table = scene.analysis == "contact table";
       if (is_table)
-        for (const char *entry :
-             {"Side", "Lateral shift", "Roll", "Creepages", "Pitch rate"})
+        for (const char *entry : {"Side",
+                                  "Contact surface",
+                                  "Lateral shift",
+                                  "Roll",
+                                  "Creepages",
+                                  "Pitch rate"})
           idle["Profiles/" + std::string(entry)] =
             "a contact table has both sides, its own shifts and no creepages";
       if (!is_table && !scene.profiles.in_use())

@@ -104,8 +104,9 @@ namespace RollingContact
     double      file_unit            = 1e-3;
     Mirror      wheel_mirror = Mirror::none, rail_mirror = Mirror::none;
 
-    bool                  is_left = false;
-    double                shift   = 0.;
+    Profiles::SurfaceKind surface_kind = Profiles::SurfaceKind::plane;
+    bool                  is_left      = false;
+    double                shift        = 0.;
     std::optional<double> roll; ///< none: both wheels touch
     CreepageSource        creepage_source = CreepageSource::given;
     std::optional<double> pitch_rate; ///< none: no longitudinal creepage
