@@ -148,6 +148,32 @@ namespace RollingContact
       std::reverse(in_depth.begin(), in_depth.end());
       return boxes;
     }
+
+
+
+    /**
+     * Whether halving the coarse cells gives the elements of the zone of
+     * contact nodes right across it, as it does but for the last cells at the
+     * edges of a body, which are longer or shorter.
+     */
+    template <int dim>
+    bool
+    has_elements_of_zone(const CoarseBoxes<dim> &boxes,
+                         const Grading<dim>     &grading)
+    {
+      if (dim == 2)
+        return true;
+      const double size = boxes.size * grading.element_size_y /
+                          grading.element_size_x,
+                   reach    = grading.zone_y + grading.element_size_y,
+                   rounding = 1e-6 * size;
+      const std::vector<double> &breaks = boxes.breaks[1];
+      for (std::size_t k = 1; k < breaks.size(); ++k)
+        if (breaks[k] > -reach && breaks[k - 1] < reach &&
+            std::abs(breaks[k] - breaks[k - 1] - size) > rounding)
+          return false;
+      return true;
+    }
   } // namespace
 
 
@@ -163,18 +189,26 @@ namespace RollingContact
                std::floor(std::log2(largest_coarse_size<dim>(*shape, grading) /
                                     grading.element_size_x)));
     CoarseBoxes<dim> best;
-    double           fewest = std::numeric_limits<double>::infinity();
-    const auto       try_it = [&](const int k, const bool grows) {
+    double           fewest  = std::numeric_limits<double>::infinity();
+    bool             matches = false; // the best has the elements of the zone
+    const auto       try_it  = [&](const int k, const bool grows) {
       CoarseBoxes<dim> boxes = coarse_boxes<dim>(
         shape, grading, std::ldexp(grading.element_size_x, k), grows);
+      const bool this_matches = has_elements_of_zone(boxes, grading);
+      if (matches && !this_matches)
+        return;
+      const double to_beat = matches == this_matches
+                                      ? fewest
+                                      : std::numeric_limits<double>::infinity();
       const double n_cells = count_cells<dim>(boxes.breaks,
                                               *boxes.chart,
                                               grading,
-                                              std::min(fewest, enough));
-      if (n_cells < fewest)
+                                              std::min(to_beat, enough));
+      if (n_cells < to_beat)
         {
-          best   = std::move(boxes);
-          fewest = n_cells;
+          best    = std::move(boxes);
+          fewest  = n_cells;
+          matches = this_matches;
         }
     };
     try_it(most, false);

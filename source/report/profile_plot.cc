@@ -108,20 +108,20 @@ namespace RollingContact
 
 
     /**
-     * The largest pressure of all nodes with nearly the same y.
+     * The largest pressure of all nodes with the same y.
      */
     Figure
     peaks_across(const SteadyState<3> &steady)
     {
+      const double same_place = 1e-3 * steady.grading.element_size_y;
       std::map<long, std::array<double, 2>> peaks; // y and pressure
       for (unsigned int i = 0; i < steady.problem.n_nodes(); ++i)
         {
-          const double y = steady.problem.operators.positions()[i][1];
-          auto        &peak =
-            peaks
-              .try_emplace(std::lround(y / steady.grading.element_size_y),
-                           std::array<double, 2>{{y, 0.}})
-              .first->second;
+          const double y    = steady.problem.operators.positions()[i][1];
+          auto        &peak = peaks
+                         .try_emplace(std::lround(y / same_place),
+                                      std::array<double, 2>{{y, 0.}})
+                         .first->second;
           if (steady.state.pressure[i] > peak[1])
             peak = {{y, steady.state.pressure[i]}};
         }
