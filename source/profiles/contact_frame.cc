@@ -28,16 +28,19 @@ namespace RollingContact::Profiles
 
   ContactFrame::ContactFrame(std::shared_ptr<const WheelOnRail> profiles,
                              const WheelsetPosition            &position,
-                             const bool                         is_left)
+                             const bool                         is_left,
+                             const SurfaceKind                  kind)
     : profiles(std::move(profiles))
     , position(is_left ? mirrored(position) : position)
     , sign(is_left ? -1. : 1.)
+    , surface_kind(kind)
     , contact(this->profiles->first_contact(this->position))
     , rail(this->profiles->rail_profile()
              .shifted(-contact.y, -contact.z)
              .turned(-contact.angle))
     , rail_at(rail)
     , wheel_at(this->profiles->wheel_profile())
+    , rail_origin(rail_at(0.))
   {}
 
 
@@ -71,17 +74,20 @@ namespace RollingContact::Profiles
 
 
   std::optional<ContactFrame::WheelPoint>
-  ContactFrame::wheel_point(const double x, const double along) const
+  ContactFrame::wheel_point(const double x, const CurvePoint &point) const
   {
     const double c = std::cos(contact.angle), s = std::sin(contact.angle),
+                 c_n          = std::cos(contact.angle + point.angle),
+                 s_n          = std::sin(contact.angle + point.angle),
                  wheel_radius = profiles->wheel_radius();
-    // z into the rail, and the plane's point from the middle of the axle
-    const Vector normal = to_wheelset({{0., -s, c}}),
+    // the normal into the rail, and the point from the middle of the axle
+    const Vector normal = to_wheelset({{0., -s_n, c_n}}),
                  from   = to_wheelset(
                    {{contact.x - x,
-                       contact.y + along * c - position.shift,
-                       contact.z + along * s - contact.height + wheel_radius}});
-    WheelPoint found{0., 0.};
+                       contact.y + point.y * c - point.z * s - position.shift,
+                       contact.z + point.y * s + point.z * c - contact.height +
+                         wheel_radius}});
+    WheelPoint found{0., 0., 0.};
     for (unsigned int round = 0; round < 30; ++round)
       {
         Vector at;
@@ -91,13 +97,15 @@ namespace RollingContact::Profiles
                      distance = std::hypot(at[0], at[2]);
         if (!wheel_at.covers(y))
           return {};
-        const CurvePoint point = profiles->wheel_profile().at(wheel_at(y));
-        const double     steepness =
+        found.arc_length = wheel_at(y);
+        const CurvePoint profile =
+          profiles->wheel_profile().at(found.arc_length);
+        const double steepness =
           (at[0] * normal[0] + at[2] * normal[2]) / distance -
-          std::tan(point.angle) * normal[1];
+          std::tan(profile.angle) * normal[1];
         if (!(steepness > least_steepness))
           return {};
-        found.radius      = wheel_radius + point.z;
+        found.radius      = wheel_radius + profile.z;
         const double step = (distance - found.radius) / steepness;
         found.depth -= step;
         if (std::abs(step) < accuracy)
@@ -108,25 +116,77 @@ namespace RollingContact::Profiles
 
 
 
-  std::optional<double>
-  ContactFrame::gap(const double x, const double y) const
+  bool
+  ContactFrame::covers(const double s) const
   {
-    const double along = sign * y;
-    if (!rail_at.covers(along))
+    const double along = sign * s;
+    if (surface_kind == SurfaceKind::plane)
+      return rail_at.covers(along);
+    return rail_origin + along >= 0. && rail_origin + along <= rail.length();
+  }
+
+
+
+  CurvePoint
+  ContactFrame::rail_point(const double s) const
+  {
+    const double along = sign * s;
+    return rail.at(surface_kind == SurfaceKind::plane ? rail_at(along)
+                                                      : rail_origin + along);
+  }
+
+
+
+  CurvePoint
+  ContactFrame::surface_point(const double s) const
+  {
+    return surface_kind == SurfaceKind::plane ? CurvePoint{sign * s, 0., 0.}
+                                              : rail_point(s);
+  }
+
+
+
+  SurfacePoint
+  ContactFrame::surface(const double s) const
+  {
+    const CurvePoint point = surface_point(s);
+    return {sign * point.y, -point.z, sign * point.angle};
+  }
+
+
+
+  std::optional<double>
+  ContactFrame::gap(const double x, const double s) const
+  {
+    if (!covers(s))
       return {};
-    const auto wheel = wheel_point(x, along);
+    const auto wheel = wheel_point(x, surface_point(s));
     if (!wheel)
       return {};
-    return rail.at(rail_at(along)).z - wheel->depth;
+    return (surface_kind == SurfaceKind::plane ? rail_point(s).z : 0.) -
+           wheel->depth;
+  }
+
+
+
+  std::optional<double>
+  ContactFrame::wheel_arc_length(const double s) const
+  {
+    if (!covers(s))
+      return {};
+    const auto wheel = wheel_point(0., surface_point(s));
+    if (!wheel)
+      return {};
+    return wheel->arc_length;
   }
 
 
 
   double
-  ContactFrame::rail_angle(const double y) const
+  ContactFrame::rail_angle(const double s) const
   {
-    const double along = sign * y;
-    return rail_at.covers(along) ? sign * rail.at(rail_at(along)).angle : 0.;
+    return covers(s) ? sign * (rail_point(s).angle - surface_point(s).angle)
+                     : 0.;
   }
 
 
@@ -163,13 +223,50 @@ namespace RollingContact::Profiles
 
 
   double
-  ContactFrame::slip_beyond_spin(const double y) const
+  ContactFrame::slip_beyond_spin(const double s) const
   {
-    const auto wheel = wheel_point(0., sign * y);
+    if (!covers(s))
+      return 0.;
+    const CurvePoint point = surface_point(s);
+    const auto       wheel = wheel_point(0., point);
     return wheel ? (wheel->radius - contact.rolling_radius) /
                        contact.rolling_radius +
-                     y * spin_of_cone()
+                     sign * point.y * spin_of_cone()
                  : 0.;
+  }
+
+
+
+  ContactFrame::Turning
+  ContactFrame::turning() const
+  {
+    const double cr = std::cos(position.roll), sr = std::sin(position.roll),
+                 cy = std::cos(position.yaw), sy = std::sin(position.yaw);
+    const Vector axle{{-sy, cr * cy, sr * cy}};
+    const Vector arm{{contact.x,
+                      contact.y - position.shift,
+                      contact.z - contact.height + profiles->wheel_radius()}};
+    return {axle, arm, cross(axle, arm)};
+  }
+
+
+
+  double
+  ContactFrame::slip_of_rolling(const double x, const double s) const
+  {
+    const Turning turns = turning();
+    const double  c = std::cos(contact.angle), sine = std::sin(contact.angle);
+    const CurvePoint point = surface_point(s);
+    const Vector     velocity =
+      cross(turns.axle,
+            {{-x, point.y * c - point.z * sine, point.y * sine + point.z * c}});
+    // for a turn about the axle by 1, that about the plane's normal apart
+    const double about  = -sine * turns.axle[1] + c * turns.axle[2],
+                 across = c * velocity[1] + sine * velocity[2] + about * x,
+                 down   = -sine * velocity[1] + c * velocity[2];
+    return sign *
+           (across * std::cos(point.angle) + down * std::sin(point.angle)) /
+           -turns.velocity[0];
   }
 
 
@@ -178,19 +275,14 @@ namespace RollingContact::Profiles
   ContactFrame::creepages(const double                 speed,
                           const std::optional<double> &pitch_rate) const
   {
-    const double cr = std::cos(position.roll), sr = std::sin(position.roll),
-                 cy = std::cos(position.yaw), sy = std::sin(position.yaw);
-    const Vector axle{{-sy, cr * cy, sr * cy}};
-    const Vector arm{{contact.x,
-                      contact.y - position.shift,
-                      contact.z - contact.height + profiles->wheel_radius()}};
-    const Vector turning = cross(axle, arm);
-    const double rate    = pitch_rate.value_or(-speed / turning[0]);
-    const double c = std::cos(contact.angle), s = std::sin(contact.angle);
-    const double forwards = speed + rate * turning[0],
-                 across   = rate * (c * turning[1] + s * turning[2]),
-                 about    = rate * (-s * axle[1] + c * axle[2]);
-    const double scale    = 1 / std::abs(speed);
+    const Turning turns = turning();
+    const double  rate  = pitch_rate.value_or(-speed / turns.velocity[0]);
+    const double  c = std::cos(contact.angle), s = std::sin(contact.angle);
+    const double  forwards = speed + rate * turns.velocity[0],
+                 across =
+                   rate * (c * turns.velocity[1] + s * turns.velocity[2]),
+                 about = rate * (-s * turns.axle[1] + c * turns.axle[2]);
+    const double scale = 1 / std::abs(speed);
     return {-forwards * scale, sign * across * scale, -sign * about * scale};
   }
 
@@ -215,13 +307,13 @@ namespace RollingContact::Profiles
 
 
 
-  std::optional<double>
-  ContactFrame::rail_height(const double y) const
+  std::optional<std::array<double, 2>>
+  ContactFrame::rail_in_track(const double s) const
   {
-    const double along = sign * y;
-    if (!rail_at.covers(along))
+    if (!covers(s))
       return {};
-    return -rail.at(rail_at(along)).z;
+    const CurvePoint point = rail_point(s);
+    return point_in_track(sign * point.y, -point.z);
   }
 
 

@@ -55,8 +55,8 @@ namespace RollingContact
       for (unsigned int k = 0; k <= n; ++k)
         {
           const double at = from + (to - from) * k / n;
-          if (const auto height = frame.rail_height(at))
-            points.push_back(frame.point_in_track(at, *height));
+          if (const auto point = frame.rail_in_track(at))
+            points.push_back(*point);
         }
       return points;
     }

@@ -150,6 +150,20 @@ BOOST_AUTO_TEST_CASE(the_left_side_is_the_mirror_image_of_the_right)
       BOOST_TEST(left.gap(2 * mm, -y).value() == right.gap(2 * mm, y).value());
       BOOST_TEST(left.slip_beyond_spin(-y) == right.slip_beyond_spin(y));
     }
+  const ContactFrame right_rail(profiles,
+                                {3 * mm, 1e-4, 5e-3},
+                                false,
+                                SurfaceKind::curved),
+    left_rail(profiles, {-3 * mm, -1e-4, -5e-3}, true, SurfaceKind::curved);
+  for (const double s : {-3 * mm, 1 * mm})
+    {
+      BOOST_TEST(left_rail.gap(2 * mm, -s).value() ==
+                 right_rail.gap(2 * mm, s).value());
+      BOOST_TEST(left_rail.surface(-s).angle == -right_rail.surface(s).angle);
+      BOOST_TEST(left_rail.surface(-s).z == right_rail.surface(s).z);
+      BOOST_TEST(left_rail.slip_of_rolling(2 * mm, -s) ==
+                 -right_rail.slip_of_rolling(2 * mm, s));
+    }
   const Creepages of_left  = left.creepages(20., {}),
                   of_right = right.creepages(20., {});
   BOOST_TEST(of_left.y == -of_right.y);
@@ -158,6 +172,59 @@ BOOST_AUTO_TEST_CASE(the_left_side_is_the_mirror_image_of_the_right)
              other = right.in_track(100., 1000.);
   BOOST_TEST(force[0] == -other[0]);
   BOOST_TEST(force[1] == other[1]);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(a_curved_surface_follows_the_rail)
+{
+  // a cylinder on an arc: the gap along the normal of the arc
+  const double       r = 0.05;
+  const ContactFrame frame(pair(cone(0.), arc(0.03, r)),
+                           {},
+                           false,
+                           SurfaceKind::curved);
+  for (const double s : {-12 * mm, 0., 5 * mm})
+    {
+      const double angle = s / r, gap = r / std::cos(angle) - r, x = 3 * mm;
+      const SurfacePoint at = frame.surface(s);
+      BOOST_TEST(std::abs(at.y - r * std::sin(angle)) < 1e-9);
+      BOOST_TEST(std::abs(at.z + r - r * std::cos(angle)) < 1e-9);
+      BOOST_TEST(std::abs(at.angle - angle) < 1e-7);
+      BOOST_TEST(std::abs(frame.gap(0., s).value() - gap) < 1e-9);
+      BOOST_TEST(std::abs(frame.gap(x, s).value() - gap -
+                          x * x / (2 * radius * std::cos(angle))) < 2e-9);
+      // wheel and rail face each other
+      const auto [y, z, slope] = cone(0.).at(frame.wheel_arc_length(s).value());
+      BOOST_TEST(std::abs(y - at.y - gap * std::sin(angle)) < 5e-9);
+      BOOST_TEST(frame.rail_angle(s) == 0.);
+      // behind the contact the wheel goes up, along an inclined rail to its top
+      BOOST_TEST(std::abs(frame.slip_of_rolling(x, s) +
+                          x * std::sin(angle) / radius) < 1e-9);
+      BOOST_TEST(std::abs(frame.slip_of_rolling(0., s)) < 1e-12);
+    }
+  BOOST_TEST(!frame.covers(100 * mm));
+  BOOST_TEST(frame.turn_of_normal({{-1 * mm, 10.}, {1 * mm, 10.}}) == 0.);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(a_spin_on_the_flange_is_that_of_its_own_plane)
+{
+  // slip on the flange, seen from the tread, against that in its own plane
+  const auto         profiles = s1002_on_60e1();
+  const ContactFrame flange(profiles, {6.5 * mm, 0., 0.}, false),
+    tread(profiles, {3 * mm, 0., 0.}, false, SurfaceKind::curved);
+  const double turn = flange.angle() - tread.angle();
+  double       s    = 0.; // where the rail has the flange's slope
+  for (double from = -40 * mm, to = 0.; to - from > 1e-9;)
+    (tread.surface(s = (from + to) / 2).angle < turn ? from : to) = s;
+  const double x    = 2 * mm,
+               spin = -std::sin(flange.angle()) / tread.origin().rolling_radius,
+               of_tread = tread.creepages(20., {}).spin;
+  BOOST_TEST(of_tread * x * std::cos(turn) + tread.slip_of_rolling(x, s) ==
+               spin * x,
+             boost::test_tools::tolerance(1e-6));
 }
 
 
