@@ -61,6 +61,27 @@ namespace RollingContact
 
 
 
+    /**
+     * Points from side to side: columns from -1 to 1 over the inner half-width,
+     * and so many beside them.
+     */
+    Row
+    with_sides(const SectionPoint        &left,
+               const SectionPoint        &right,
+               const double               inner_half,
+               const std::vector<double> &columns,
+               const unsigned int         beside)
+    {
+      Row points = equal_parts(left, at(-inner_half, left[1]), beside);
+      for (std::size_t i = 1; i + 1 < columns.size(); ++i)
+        points.push_back(at(inner_half * columns[i], left[1]));
+      const Row others = equal_parts(at(inner_half, left[1]), right, beside);
+      points.insert(points.end(), others.begin(), others.end());
+      return points;
+    }
+
+
+
     /** The outline below the head by its height: half the web. */
     class Web
     {
@@ -77,24 +98,25 @@ namespace RollingContact
         for (std::size_t k = 1; k < points.size(); ++k)
           if (points[k][1] <= height)
             {
-              const double t = (height - points[k - 1][1]) /
-                               (points[k][1] - points[k - 1][1]);
-              return points[k - 1][0] +
-                     t * (points[k][0] - points[k - 1][0]);
+              const double t =
+                (height - points[k - 1][1]) / (points[k][1] - points[k - 1][1]);
+              return points[k - 1][0] + t * (points[k][0] - points[k - 1][0]);
             }
         return points.back()[0];
       }
 
-      /** Points of the web from side to side with these columns inside. */
+      /** Points of the web from side to side: so many columns beside these. */
       Row
-      row(const double height, const std::vector<double> &columns) const
+      row(const double               height,
+          const std::vector<double> &columns,
+          const unsigned int         beside) const
       {
         const double half_here = half(height);
-        Row          points{at(-half_here, height)};
-        for (const double column : columns)
-          points.push_back(at(inner_web * half_here * column, height));
-        points.push_back(at(half_here, height));
-        return points;
+        return with_sides(at(-half_here, height),
+                          at(half_here, height),
+                          inner_web * half_here,
+                          columns,
+                          beside);
       }
 
     private:
@@ -130,13 +152,15 @@ namespace RollingContact
       void
       add_foot();
 
-      const RunningSurface     &surface;
-      const Outline             half;
-      const Web                 web;
-      std::vector<double>       breaks;
-      unsigned int              first_corner, last_corner; ///< breaks
-      std::vector<double>       columns; ///< of the core, from -1 to 1
-      SectionMesh               result;
+      const RunningSurface &surface;
+      const Outline         half;
+      const Web             web;
+      double                deepest; ///< cell of the strip
+      unsigned int          strip_rows = 1;
+      std::vector<double>   breaks;
+      unsigned int          first_corner, last_corner; ///< breaks
+      std::vector<double>   columns; ///< of the core, from -1 to 1
+      SectionMesh           result;
     };
 
 
@@ -146,6 +170,7 @@ namespace RollingContact
       : surface(surface)
       , half(Profiles::half_section_60e1())
       , web(half)
+      , deepest(across.largest)
     {
       divide_sides(across);
       for (unsigned int i = first_corner; i <= last_corner; ++i)
@@ -163,12 +188,11 @@ namespace RollingContact
     void
     RailMesher::divide_sides(const CoarseCells &across)
     {
-      const auto ends = surface.ends();
-      breaks          = strip_breaks(ends[0], ends[1], across);
+      const auto ends   = surface.ends();
+      breaks            = strip_breaks(ends[0], ends[1], across);
       const double drop = rail_60e1_height - head_corner[1];
       first_corner      = std::max(
-        1u,
-        nearest_break(breaks, surface.nearest({{-head_corner[0], drop}})));
+        1u, nearest_break(breaks, surface.nearest({{-head_corner[0], drop}})));
       last_corner = std::min<unsigned int>(
         breaks.size() - 2,
         nearest_break(breaks, surface.nearest({{head_corner[0], drop}})));
@@ -176,9 +200,8 @@ namespace RollingContact
                          n_after  = breaks.size() - 1 - last_corner;
       if (n_before == n_after)
         return;
-      const bool contact_before =
-        -breaks[first_corner] < breaks[last_corner];
-      const unsigned int n = contact_before ? n_before : n_after;
+      const bool contact_before = -breaks[first_corner] < breaks[last_corner];
+      const unsigned int  n     = contact_before ? n_before : n_after;
       std::vector<double> other;
       if (contact_before)
         {
@@ -214,15 +237,13 @@ namespace RollingContact
                                   double(n - i) / (n - last_corner)));
         else
           inner.push_back(at(core_half * columns[i - first_corner], core_top));
-      add_strip(
-        breaks,
-        inner,
-        [running = std::make_shared<const RunningSurface>(surface)](
-          const double c) {
-          const auto point = running->at(c);
-          return at(point[0], rail_60e1_height - point[1]);
-        },
-        result);
+      const auto on_surface = [running = std::make_shared<const RunningSurface>(
+                                 surface)](const double c) {
+        const auto point = running->at(c);
+        return at(point[0], rail_60e1_height - point[1]);
+      };
+      strip_rows = rows_of_strip(breaks, inner, on_surface, deepest);
+      add_strip(breaks, inner, on_surface, strip_rows, result);
       std::vector<Row> core;
       for (unsigned int j = 0; j <= rows; ++j)
         {
@@ -246,8 +267,8 @@ namespace RollingContact
           rows[0].push_back(at(core_half * column, core_bottom));
           rows[1].push_back(at(neck_half * column, neck_height));
         }
-      const Row top = web.row(web_top, columns);
-      rows[2].assign(top.begin() + 1, top.end() - 1);
+      const Row top = web.row(web_top, columns, strip_rows);
+      rows[2].assign(top.begin() + strip_rows, top.end() - strip_rows);
       add_rows(rows, result);
       const double begin =
                      half.nearest(Profiles::landmarks_60e1().lower_corner),
@@ -258,13 +279,12 @@ namespace RollingContact
             const double cut[3]{begin,
                                 begin + neck_on_outline * (end - begin),
                                 end};
-            const auto   curve = curve_on(half, cut[k], cut[k + 1], side);
+            const auto   curve     = curve_on(half, cut[k], cut[k + 1], side);
             const auto   on_column = [&](const unsigned int row) {
               return side < 0 ? rows[row].front() : rows[row].back();
             };
-            const unsigned int quad = result.add(
-              {{on_column(k), curve(0.), on_column(k + 1), curve(1.)}});
-            result.set_curve(quad, curve(0.), curve(1.), curve);
+            add_ring_cells(
+              on_column(k), on_column(k + 1), curve, strip_rows, result);
           }
     }
 
@@ -279,22 +299,21 @@ namespace RollingContact
       std::vector<double> heights{levels[0]};
       for (std::size_t k = 1; k < levels.size(); ++k)
         {
-          const auto part =
-            equal_parts(levels[k - 1],
-                        levels[k],
-                        std::ceil((levels[k - 1] - levels[k]) /
-                                  longest_web_cell));
+          const auto part = equal_parts(levels[k - 1],
+                                        levels[k],
+                                        std::ceil((levels[k - 1] - levels[k]) /
+                                                  longest_web_cell));
           heights.insert(heights.end(), part.begin() + 1, part.end());
         }
       for (std::size_t j = 1; j < heights.size(); ++j)
         {
           const double upper = heights[j - 1], lower = heights[j];
-          const Row    above = web.row(upper, columns),
-                    below    = web.row(lower, columns);
+          const Row    above = web.row(upper, columns, strip_rows),
+                    below    = web.row(lower, columns, strip_rows);
           for (std::size_t i = 0; i + 1 < above.size(); ++i)
             {
-              const unsigned int quad = result.add(
-                {{below[i], below[i + 1], above[i], above[i + 1]}});
+              const unsigned int quad =
+                result.add({{below[i], below[i + 1], above[i], above[i + 1]}});
               const auto side_curve = [&](const double side) {
                 return [side, lower, upper, outline = web](const double t) {
                   const double height = lower + t * (upper - lower);
@@ -302,11 +321,15 @@ namespace RollingContact
                 };
               };
               if (i == 0)
-                result.set_curve(
-                  quad, below.front(), above.front(), side_curve(-1.));
+                result.set_curve(quad,
+                                 below.front(),
+                                 above.front(),
+                                 side_curve(-1.));
               if (i + 2 == above.size())
-                result.set_curve(
-                  quad, below.back(), above.back(), side_curve(1.));
+                result.set_curve(quad,
+                                 below.back(),
+                                 above.back(),
+                                 side_curve(1.));
             }
         }
     }
@@ -316,11 +339,9 @@ namespace RollingContact
     void
     RailMesher::add_foot()
     {
-      const Row top = web.row(web_bottom, columns);
-      Row       sole{at(-17 * mm, 0.)};
-      for (const double column : columns)
-        sole.push_back(at(8.5 * mm * column, 0.));
-      sole.push_back(at(17 * mm, 0.));
+      const Row top  = web.row(web_bottom, columns, strip_rows);
+      const Row sole = with_sides(
+        at(-17 * mm, 0.), at(17 * mm, 0.), 8.5 * mm, columns, strip_rows);
       Row middle;
       for (std::size_t i = 0; i < top.size(); ++i)
         middle.push_back(between(top[i], sole[i], 0.5));
@@ -328,14 +349,13 @@ namespace RollingContact
         {
           const unsigned int quad =
             result.add({{sole[i], sole[i + 1], middle[i], middle[i + 1]}});
-          result.set_boundary(
-            quad, sole[i], sole[i + 1], SectionBoundary::hub);
+          result.set_boundary(quad, sole[i], sole[i + 1], SectionBoundary::hub);
         }
       add_rows({middle, top}, result);
 
-      const double first = half.nearest({{web.half(web_bottom), web_bottom}}),
-                   toe   = half.nearest({{74.2 * mm, 10.5 * mm}}),
-                   edge  = half.nearest({{75 * mm, 5.5 * mm}}),
+      const double first  = half.nearest({{web.half(web_bottom), web_bottom}}),
+                   toe    = half.nearest({{74.2 * mm, 10.5 * mm}}),
+                   edge   = half.nearest({{75 * mm, 5.5 * mm}}),
                    corner = half.nearest({{74.4 * mm, 0.6 * mm}});
       const std::vector<double> cut{first,
                                     half.nearest({{27 * mm, 21.7 * mm}}),
@@ -356,33 +376,37 @@ namespace RollingContact
           for (unsigned int k = 0; k < 4; ++k)
             {
               const auto half_way = [&](const unsigned int i) {
-                return i == 4 ? on_outline(edge) :
-                                between(upper[i], lower[i], 0.5);
+                return i == 4 ? on_outline(edge)
+                              : between(upper[i], lower[i], 0.5);
               };
               const SectionPoint m0 = half_way(k), m1 = half_way(k + 1);
-              const unsigned int above =
-                                   result.add({{m0, m1, upper[k], upper[k + 1]}}),
-                                 below =
-                                   result.add({{lower[k], lower[k + 1], m0, m1}});
+              const unsigned int above = result.add(
+                                   {{m0, m1, upper[k], upper[k + 1]}}),
+                                 below = result.add(
+                                   {{lower[k], lower[k + 1], m0, m1}});
               result.set_curve(above,
                                upper[k],
                                upper[k + 1],
                                curve_on(half, cut[k], cut[k + 1], side));
-              result.set_boundary(
-                below, lower[k], lower[k + 1], SectionBoundary::hub);
+              result.set_boundary(below,
+                                  lower[k],
+                                  lower[k + 1],
+                                  SectionBoundary::hub);
               if (k < 3)
                 continue;
-              result.set_curve(
-                above, upper[4], m1, curve_on(half, toe, edge, side));
-              result.set_curve(
-                below, m1, lower[4], curve_on(half, edge, corner, side));
+              result.set_curve(above,
+                               upper[4],
+                               m1,
+                               curve_on(half, toe, edge, side));
               result.set_curve(below,
-                               lower[3],
+                               m1,
                                lower[4],
-                               curve_on(half,
-                                        half.nearest({{57 * mm, 0.}}),
-                                        corner,
-                                        side));
+                               curve_on(half, edge, corner, side));
+              result.set_curve(
+                below,
+                lower[3],
+                lower[4],
+                curve_on(half, half.nearest({{57 * mm, 0.}}), corner, side));
             }
         }
     }
@@ -408,21 +432,19 @@ namespace RollingContact
     std::vector<Outline::Point>
     line_to_lower_corner(const Outline::Point &end, const double side)
     {
-      const Outline half  = Profiles::half_section_60e1();
-      const double  last  = half.nearest(Profiles::landmarks_60e1().lower_corner);
-      const Outline::Point there{
-        {side * end[0], rail_60e1_height - end[1]}};
-      const double nearest = half.nearest(there);
-      const auto   on      = half.at(nearest);
-      const double misfit =
-        std::hypot(on[0] - there[0], on[1] - there[1]);
+      const Outline half = Profiles::half_section_60e1();
+      const double last = half.nearest(Profiles::landmarks_60e1().lower_corner);
+      const Outline::Point there{{side * end[0], rail_60e1_height - end[1]}};
+      const double         nearest = half.nearest(there);
+      const auto           on      = half.at(nearest);
+      const double misfit = std::hypot(on[0] - there[0], on[1] - there[1]);
       if (misfit > largest_misfit)
         throw InputError(
           "Profiles/Body sections = true: the rail's profile ends " +
           significant(misfit, 3) +
           " m from the head of a 60E1 in its place, whose web and foot it would "
           "have; take Body sections = plain.");
-      const double                skip = misfit < 1e-2 * mm ? 0. : 2 * mm + misfit;
+      const double skip = misfit < 1e-2 * mm ? 0. : 2 * mm + misfit;
       std::vector<Outline::Point> line{end};
       if (nearest + skip >= last)
         return line;

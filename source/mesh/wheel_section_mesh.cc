@@ -59,16 +59,15 @@ namespace RollingContact
     double
     begin_of_strip(const ProfileCurve &profile)
     {
-      const auto  &points  = profile.points();
-      const auto   away    = [](const auto &point) {
+      const auto &points = profile.points();
+      const auto  away   = [](const auto &point) {
         return std::hypot(point.y - flange_tip[0], point.z - flange_tip[1]);
       };
-      const auto nearest =
-        std::min_element(points.begin(),
-                         points.end(),
-                         [&](const auto &p, const auto &q) {
-                           return away(p) < away(q);
-                         });
+      const auto nearest = std::min_element(points.begin(),
+                                            points.end(),
+                                            [&](const auto &p, const auto &q) {
+                                              return away(p) < away(q);
+                                            });
       return profile.arc_lengths()[nearest - points.begin()];
     }
 
@@ -127,6 +126,8 @@ namespace RollingContact
       std::vector<double>   breaks;
       unsigned int          root; ///< break
       double                rim_end;
+      double                deepest; ///< cell of the strip
+      unsigned int          strip_rows = 1;
       Row                   inner; ///< line of the strip
       Row                   web_at_rim, hub_of_web;
       SectionMesh           result;
@@ -149,6 +150,7 @@ namespace RollingContact
           2,
           breaks.size() - 2))
       , rim_end(surface.at(surface.ends()[1])[0])
+      , deepest(across.largest)
     {}
 
 
@@ -163,21 +165,20 @@ namespace RollingContact
       const unsigned int n      = breaks.size() - 1;
       inner                     = {over_tape(flange_core)};
       for (unsigned int i = 1; i <= n; ++i)
-        inner.push_back(over_tape(line.at(
-          i < root ? corner * (i - 1) / (root - 1) :
-                     corner + (line.length() - corner) *
-                                (breaks[i] - breaks[root]) /
-                                (breaks[n] - breaks[root]))));
-      add_strip(
-        breaks,
-        inner,
+        inner.push_back(
+          over_tape(line.at(i < root ? corner * (i - 1) / (root - 1)
+                                     : corner + (line.length() - corner) *
+                                                  (breaks[i] - breaks[root]) /
+                                                  (breaks[n] - breaks[root]))));
+      const auto on_surface =
         [running = std::make_shared<const RunningSurface>(surface),
          radius  = measures.radius](const double c) {
-          const auto point = running->at(c);
-          return SectionPoint{
-            {point[0], radius + point[1], radius + point[1]}};
-        },
-        result);
+          const auto   point = running->at(c);
+          const double r     = radius + point[1];
+          return SectionPoint{{point[0], r, r}};
+        };
+      strip_rows = rows_of_strip(breaks, inner, on_surface, deepest);
+      add_strip(breaks, inner, on_surface, strip_rows, result);
     }
 
 
@@ -193,12 +194,11 @@ namespace RollingContact
       std::vector<Outline::Point> points{
         {{measures.flange_back, measures.radius + back_begin}}};
       if (profile.at(0.).z > back_end + 0.1 * mm)
-        points.push_back(
-          {{measures.flange_back, measures.radius + back_end}});
+        points.push_back({{measures.flange_back, measures.radius + back_end}});
       for (std::size_t k = 0; k < profile.points().size(); ++k)
         if (profile.arc_lengths()[k] < tip)
-          points.push_back({{profile.points()[k].y,
-                             measures.radius + profile.points()[k].z}});
+          points.push_back(
+            {{profile.points()[k].y, measures.radius + profile.points()[k].z}});
       const auto end = profile.at(tip);
       points.push_back({{end.y, measures.radius + end.z}});
       return Outline(points);
@@ -211,31 +211,31 @@ namespace RollingContact
     {
       const Outline      back = back_of_flange();
       const unsigned int n    = root - 1;
-      const Row core = equal_parts(over_tape(rim_core), over_tape(flange_core), n);
+      const Row          core =
+        equal_parts(over_tape(rim_core), over_tape(flange_core), n);
       const SectionPoint tip = [&]() {
         const auto point = surface.at(breaks[0]);
-        return SectionPoint{{point[0],
-                             measures.radius + point[1],
-                             measures.radius + point[1]}};
+        return SectionPoint{
+          {point[0], measures.radius + point[1], measures.radius + point[1]}};
       }();
       // the radius of x goes over to that of the tip along the back
-      const auto on_back = [back, tip, radius = rolling_radius](
-                             const double length) {
-        const auto   point = back.at(length);
-        const double t     = length / back.length();
-        return SectionPoint{
-          {point[0], point[1], (1 - t) * radius + t * tip[2]}};
-      };
+      const auto on_back =
+        [back, tip, radius = rolling_radius](const double length) {
+          const auto   point = back.at(length);
+          const double t     = length / back.length();
+          return SectionPoint{
+            {point[0], point[1], (1 - t) * radius + t * tip[2]}};
+        };
       for (unsigned int j = 0; j < n; ++j)
         {
-          const double       begin = back.length() * j / n,
-                             end   = back.length() * (j + 1) / n;
-          const SectionPoint p0 = on_back(begin), p1 = on_back(end);
-          const unsigned int quad =
-            result.add({{p0, core[j], p1, core[j + 1]}});
-          result.set_curve(quad, p0, p1, [=](const double t) {
-            return on_back(begin + t * (end - begin));
-          });
+          const double begin = back.length() * j / n,
+                       end   = back.length() * (j + 1) / n;
+          add_ring_cells(
+            core[j],
+            core[j + 1],
+            [=](const double t) { return on_back(begin + t * (end - begin)); },
+            strip_rows,
+            result);
           result.add(
             {{core[j], inner[root - j], core[j + 1], inner[root - j - 1]}});
         }
@@ -246,15 +246,17 @@ namespace RollingContact
     void
     WheelMesher::add_rim()
     {
-      Row top{at(measures.flange_back, measures.radius + back_begin),
-              over_tape(rim_core)};
+      Row top =
+        equal_parts(at(measures.flange_back, measures.radius + back_begin),
+                    over_tape(rim_core),
+                    strip_rows);
       top.insert(top.end(), inner.begin() + root, inner.end());
-      const unsigned int n = top.size() - 1;
-      const double half = measures.web_at_rim / 2 + rim_widening,
-                   left = measures.middle_at_rim - half,
-                   right = measures.middle_at_rim + half;
-      const double       share = (left - measures.flange_back) /
-                           (rim_end - measures.flange_back);
+      const unsigned int n    = top.size() - 1;
+      const double       half = measures.web_at_rim / 2 + rim_widening,
+                   left       = measures.middle_at_rim - half,
+                   right      = measures.middle_at_rim + half;
+      const double share =
+        (left - measures.flange_back) / (rim_end - measures.flange_back);
       const unsigned int first =
         std::clamp<int>(std::lround(n * share), 1, n - 1 - web_columns);
       const unsigned int last = first + web_columns;
@@ -264,12 +266,13 @@ namespace RollingContact
           const auto part = [](const double a,
                                const double b,
                                const double k,
-                               const double of) { return a + (b - a) * k / of; };
+                               const double of) {
+            return a + (b - a) * k / of;
+          };
           const double across =
-            i < first ?
-              part(measures.flange_back, left, i, first) :
-            i <= last ? part(left, right, i - first, web_columns) :
-                        part(right, rim_end, i - last, n - last);
+            i < first   ? part(measures.flange_back, left, i, first)
+            : i <= last ? part(left, right, i - first, web_columns)
+                        : part(right, rim_end, i - last, n - last);
           const SectionPoint low = at(across, measures.rim_inside);
           for (unsigned int j = 0; j <= rim_rows; ++j)
             rows[j].push_back(between(low, top[i], double(j) / rim_rows));
@@ -291,17 +294,17 @@ namespace RollingContact
                    s = std::sin(M_PI * t);
       const double to_rim =
                      std::max(0., outwards - (rim - rim_fillet)) / rim_fillet,
-                   to_hub = std::max(0., hub + hub_fillet - outwards) /
-                            hub_fillet;
+                   to_hub =
+                     std::max(0., hub + hub_fillet - outwards) / hub_fillet;
       const double half = (measures.web_at_rim +
                            (measures.web_at_hub - measures.web_at_rim) * t) /
                             2 +
                           rim_widening * to_rim * to_rim +
                           hub_widening * to_hub * to_hub,
-                   middle = measures.middle_at_rim +
-                            (measures.middle_at_hub - measures.middle_at_rim) *
-                              t +
-                            placed.bow * s * s;
+                   middle =
+                     measures.middle_at_rim +
+                     (measures.middle_at_hub - measures.middle_at_rim) * t +
+                     placed.bow * s * s;
       return equal_parts(at(middle - half, outwards),
                          at(middle + half, outwards),
                          web_columns);
@@ -315,7 +318,7 @@ namespace RollingContact
       std::vector<double> radii{measures.rim_inside};
       const auto          down_to = [&](const double end) {
         const double begin = radii.back();
-        const int    n     = std::ceil((begin - end) / longest_web_cell);
+        const int    n = std::ceil((begin - end) / longest_web_cell);
         for (int k = 1; k <= n; ++k)
           radii.push_back(begin + (end - begin) * k / n);
       };
@@ -336,7 +339,7 @@ namespace RollingContact
     {
       const SectionPoint left  = at(measures.hub_begin, measures.hub_outside),
                          right = at(measures.hub_end, measures.hub_outside);
-      Row                top = equal_parts(left, hub_of_web.front(), hub_columns);
+      Row top = equal_parts(left, hub_of_web.front(), hub_columns);
       top.insert(top.end(), hub_of_web.begin() + 1, hub_of_web.end());
       const Row rest = equal_parts(hub_of_web.back(), right, hub_columns);
       top.insert(top.end(), rest.begin() + 1, rest.end());
@@ -350,8 +353,10 @@ namespace RollingContact
       const unsigned int first = result.quads().size();
       add_rows(rows, result);
       for (unsigned int i = 0; i + 1 < top.size(); ++i)
-        result.set_boundary(
-          first + i, rows[0][i], rows[0][i + 1], SectionBoundary::hub);
+        result.set_boundary(first + i,
+                            rows[0][i],
+                            rows[0][i + 1],
+                            SectionBoundary::hub);
     }
 
 
@@ -384,8 +389,8 @@ namespace RollingContact
   {
     const ProfileCurve &profile = placed.profile;
     const double        tip     = begin_of_strip(profile);
-    const auto          begin = profile.at(0.), end = profile.at(profile.length());
-    const double        least_back = 2 * mm;
+    const auto   begin = profile.at(0.), end = profile.at(profile.length());
+    const double least_back = 2 * mm;
     if (!(tip > least_back && begin.y < flange_core[0] - 2 * mm))
       throw InputError(
         "Profiles/Body sections = true: the wheel's profile ends at y = " +
