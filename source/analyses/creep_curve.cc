@@ -180,8 +180,7 @@ namespace RollingContact
     curve.force_y.push_back(result.force_y);
     curve.moment.push_back(result.spin_moment);
     curve.half_width = std::max(curve.half_width, result.half_width_x);
-    curve.force_ratio.push_back(std::hypot(result.force_x, result.force_y) /
-                                friction_force);
+    curve.force_ratio.push_back(result.tangential_force / friction_force);
     std::size_t n = 0;
     const auto  keep =
       [&](const std::string &label, const bool saturates, const double ratio) {

@@ -72,7 +72,8 @@ namespace RollingContact
     if (steady.result.normal_force <= 0.)
       throw InputError(needs_contact);
     describe_bodies(steady, context);
-    steady.problem.loads.inclined_load.reset();
+    if (steady.problem.operators.frames().nodes.empty())
+      steady.problem.loads.inclined_load.reset();
     const double     largest = steady.result.normal_force;
     StateReview<dim> review(scene, context);
     for (const double share : scene.load_curve.load_fractions)
@@ -115,6 +116,8 @@ namespace RollingContact
   LoadCurve<dim>::solve_at(const double load, SteadyState<dim> &steady) const
   {
     steady.problem.loads.normal_load = load;
+    if (steady.problem.loads.inclined_load)
+      steady.problem.loads.inclined_load = {load, 0.};
     solve_contact(scene, demands(), steady);
     steady.result = resultants(steady.problem, steady.state);
     require_solved(scene, steady, "Load curve, " + significant(load, 6) + " N");
@@ -126,17 +129,18 @@ namespace RollingContact
   double
   LoadCurve<dim>::stiffness(SteadyState<dim> &steady) const
   {
-    const double load = *steady.problem.loads.normal_load, change = 0.1;
+    const double load = steady.result.normal_force, change = 0.1;
+    const auto   loads  = steady.problem.loads;
     const auto   solver = steady.solver;
     const auto   state  = steady.state;
     solve_at((1 + change) * load, steady);
     const double above = steady.state.approach;
     solve_at((1 - change) * load, steady);
-    const double below               = steady.state.approach;
-    steady.problem.loads.normal_load = load;
-    steady.state                     = state;
-    steady.solver                    = solver;
-    steady.result                    = resultants(steady.problem, state);
+    const double below   = steady.state.approach;
+    steady.problem.loads = loads;
+    steady.state         = state;
+    steady.solver        = solver;
+    steady.result        = resultants(steady.problem, state);
     return 2 * change * load / (above - below);
   }
 

@@ -88,16 +88,40 @@ namespace RollingContact
                                      SparseRows   H,
                                      DenseMatrix  W,
                                      SlipOperator slip_operator,
-                                     const NormalTangentialCoupling &coupling)
+                                     const NormalTangentialCoupling &coupling,
+                                     SurfaceFrames                   frames)
     : n_tangential_components(W.n_rows() / H.size() - 1)
     , node_positions(std::move(positions))
     , contact_matrix(std::move(H))
     , H_columns(contact_matrix.transposed())
     , B1(std::move(slip_operator))
     , normal_tangential(coupling)
+    , surface_frames(std::move(frames))
     , node_areas(contact_matrix.multiply(std::vector<double>(n_nodes(), 1.)))
   {
+    for (const SurfaceFrames::Node &node : surface_frames.nodes)
+      shares.push_back(std::cos(node.angle + surface_frames.load_angle));
+    if (!shares.empty())
+      areas_of_load = contact_matrix.multiply_transposed(shares);
     set_compliance(std::move(W));
+  }
+
+
+
+  std::array<double, 2>
+  ContactOperators::place(const unsigned int i) const
+  {
+    return {{node_positions[i][0],
+             surface_frames.nodes.empty() ? node_positions[i][1]
+                                          : surface_frames.nodes[i].y}};
+  }
+
+
+
+  double
+  ContactOperators::load(const std::vector<double> &pressure) const
+  {
+    return dot(load_areas(), pressure);
   }
 
 

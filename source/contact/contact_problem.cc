@@ -1,5 +1,7 @@
 #include <rolling_contact/contact/contact_problem.h>
 
+#include <cmath>
+
 namespace RollingContact
 {
   NodalField
@@ -8,12 +10,14 @@ namespace RollingContact
     NodalField slip(n_nodes(), n_tangential());
     for (unsigned int i = 0; i < n_nodes(); ++i)
       {
-        const auto at_node = loads.creepages.at(operators.positions()[i]);
+        const auto at_node = loads.creepages.at(operators.place(i));
         for (unsigned int c = 0; c < n_tangential(); ++c)
           slip(c, i) = at_node[c];
-        if (!loads.slip_of_profile.empty() && n_tangential() > 0)
-          slip(0, i) += loads.slip_of_profile[i];
+        if (!operators.frames().nodes.empty() && n_tangential() > 1)
+          slip(1, i) *= std::cos(operators.frames().nodes[i].angle);
       }
+    if (!loads.slip_of_profile.empty())
+      slip += loads.slip_of_profile;
     return slip;
   }
 
@@ -54,6 +58,31 @@ namespace RollingContact
 
 
 
+  std::vector<NodalForce>
+  forces_in_plane(const ContactProblem &contact, const ContactState &state)
+  {
+    const std::vector<double> forces = nodal_forces(contact, state);
+    const unsigned int        n      = contact.n_nodes(),
+                       n_tangential  = contact.n_tangential();
+    const auto             &frames   = contact.operators.frames().nodes;
+    std::vector<NodalForce> result(n);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const double along  = n_tangential > 0 ? forces[i] : 0.,
+                     across = n_tangential > 1 ? forces[n + i] : 0.,
+                     normal = forces[n_tangential * n + i];
+        result[i]           = {along, across, normal};
+        if (frames.empty())
+          continue;
+        const double c = std::cos(frames[i].angle),
+                     s = std::sin(frames[i].angle);
+        result[i] = {along, c * across + s * normal, c * normal - s * across};
+      }
+    return result;
+  }
+
+
+
   std::vector<double>
   normal_gap(const ContactProblem &contact, const ContactState &state)
   {
@@ -62,7 +91,9 @@ namespace RollingContact
     const std::vector<double> coupling =
       contact.operators.normal_displacement_of_traction(state.traction);
     for (unsigned int i = 0; i < contact.n_nodes(); ++i)
-      u_n[i] += contact.loads.gap[i] - state.approach + coupling[i];
+      u_n[i] += contact.loads.gap[i] -
+                state.approach * contact.operators.approach_share(i) +
+                coupling[i];
     return u_n;
   }
 } // namespace RollingContact

@@ -34,12 +34,12 @@ namespace RollingContact
                const ContactState   &state,
                Invariants           &result)
     {
-      const std::vector<double> u_n = normal_gap(problem, state);
-      const double              rho = problem.operators.normal_norm() > 0.
-                                        ? 1 / problem.operators.normal_norm()
-                                        : 0.;
-      const double load    = problem.operators.resultant(state.pressure);
-      double       largest = 0.;
+      const std::vector<double> u_n  = normal_gap(problem, state);
+      const double              rho  = problem.operators.normal_norm() > 0.
+                                         ? 1 / problem.operators.normal_norm()
+                                         : 0.;
+      const double              load = problem.operators.load(state.pressure);
+      double                    largest = 0.;
       for (unsigned int i = 0; i < problem.n_nodes(); ++i)
         {
           const double area = problem.operators.areas()[i],

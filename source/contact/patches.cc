@@ -49,8 +49,10 @@ namespace RollingContact
                   const ContactProblem &problem,
                   const ContactState   &state)
   {
-    const auto               &at     = problem.operators.positions();
-    const std::vector<double> forces = nodal_forces(problem, state);
+    const auto                   &at     = problem.operators.positions();
+    const std::vector<double>     forces = nodal_forces(problem, state);
+    const std::vector<NodalForce> plane_forces =
+      forces_in_plane(problem, state);
     const unsigned int n = problem.n_nodes(), first_normal = forces.size() - n;
     const NodalField   slip =
       problem.n_tangential() > 0
@@ -66,6 +68,9 @@ namespace RollingContact
                          area   = problem.operators.areas()[i];
             patch.area += area;
             patch.normal_force += normal;
+            patch.in_plane.x += plane_forces[i].x;
+            patch.in_plane.y += plane_forces[i].y;
+            patch.in_plane.z += plane_forces[i].z;
             patch.centre_x += normal * at[i][0];
             patch.centre_y += normal * at[i][1];
             patch.max_pressure =

@@ -15,26 +15,35 @@ namespace RollingContact
                const ContactState   &state,
                Resultants           &result)
     {
-      result.normal_force = problem.operators.resultant(state.pressure);
-      if (problem.n_tangential() == 0)
+      const ContactOperators &operators = problem.operators;
+      const bool              is_plane  = operators.frames().nodes.empty();
+      if (is_plane)
+        result.normal_force = operators.resultant(state.pressure);
+      if (is_plane && problem.n_tangential() == 0)
         return;
-      const NodalField force   = problem.operators.H() * state.traction;
-      const bool       lateral = problem.n_tangential() == 2;
+      const std::vector<double>     friction = nodal_forces(problem, state);
+      const std::vector<NodalForce> forces   = forces_in_plane(problem, state);
+      const unsigned int            n        = problem.n_nodes();
+      std::array<double, 2>         tangential{};
       for (unsigned int i = 0; i < problem.n_nodes(); ++i)
         {
-          result.friction_force += problem.operators.areas()[i] *
+          result.friction_force += operators.areas()[i] *
                                    problem.loads.friction[i] *
                                    state.pressure[i];
-          const auto  &position = problem.operators.positions()[i];
-          const double force_x  = force(0, i),
-                       force_y  = lateral ? force(1, i) : 0.;
-          result.force_x += force_x;
-          result.force_y += force_y;
-          result.spin_moment += position[0] * force_y - position[1] * force_x;
+          const auto        place = operators.place(i);
+          const NodalForce &force = forces[i];
+          result.force_x += force.x;
+          result.force_y += force.y;
+          if (!is_plane)
+            result.normal_force += force.z;
+          result.spin_moment += place[0] * force.y - place[1] * force.x;
+          for (unsigned int c = 0; c < problem.n_tangential(); ++c)
+            tangential[c] += friction[c * n + i];
         }
-      if (result.normal_force > 0.)
-        result.traction_coefficient =
-          std::hypot(result.force_x, result.force_y) / result.normal_force;
+      const double pressed    = operators.resultant(state.pressure);
+      result.tangential_force = std::hypot(tangential[0], tangential[1]);
+      if (pressed > 0.)
+        result.traction_coefficient = result.tangential_force / pressed;
     }
 
 

@@ -268,7 +268,7 @@ namespace RollingContact
         sum += operators.areas()[i] *
                std::abs(state.pressure[i] -
                         std::max(0., state.pressure[i] - rho * u_n[i]));
-      double load = operators.resultant(state.pressure);
+      double load = operators.load(state.pressure);
       if (contact.loads.normal_load)
         {
           sum += std::abs(load - *contact.loads.normal_load);

@@ -1,19 +1,42 @@
 #include <rolling_contact/interface/surface_coupling.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace RollingContact
 {
+  void
+  SurfaceCoupling::turn_values(double           *across,
+                               double           *normal,
+                               const std::size_t stride,
+                               const bool        backwards) const
+  {
+    for (std::size_t i = 0; i < angles.size(); ++i)
+      {
+        const double c = std::cos(angles[i]),
+                     s = std::sin(backwards ? -angles[i] : angles[i]);
+        double      &y = across[i * stride], &z = normal[i * stride];
+        const double along_tangent = c * y - s * z;
+        z                          = s * y + c * z;
+        y                          = along_tangent;
+      }
+  }
+
+
+
   std::vector<double>
   SurfaceCoupling::to_interface(std::vector<double> body_values) const
   {
-    if (is_identity())
-      return body_values;
     std::vector<double> values;
-    for (std::size_t offset = 0; offset < body_values.size();
-         offset += n_body_nodes)
-      for (unsigned int i = 0; i < P.size(); ++i)
-        values.push_back(apply(P[i], body_values, offset));
+    if (is_identity())
+      values = std::move(body_values);
+    else
+      for (std::size_t offset = 0; offset < body_values.size();
+           offset += n_body_nodes)
+        for (unsigned int i = 0; i < P.size(); ++i)
+          values.push_back(apply(P[i], body_values, offset));
+    if (const std::size_t n = angles.size(); n > 0 && !values.empty())
+      turn_values(&values[n], &values[2 * n], 1, false);
     return values;
   }
 
@@ -22,6 +45,8 @@ namespace RollingContact
   std::vector<double>
   SurfaceCoupling::to_body(std::vector<double> interface_forces) const
   {
+    if (const std::size_t n = angles.size(); n > 0)
+      turn_values(&interface_forces[n], &interface_forces[2 * n], 1, true);
     if (is_identity())
       return interface_forces;
     const std::size_t   n_components = interface_forces.size() / P.size();
@@ -37,10 +62,8 @@ namespace RollingContact
 
 
   DenseMatrix
-  SurfaceCoupling::to_interface(DenseMatrix W) const
+  SurfaceCoupling::projected(const DenseMatrix &W) const
   {
-    if (is_identity() || W.n_rows() == 0)
-      return W;
     const std::size_t n_components = W.n_rows() / n_body_nodes,
                       n            = n_components * P.size();
     DenseMatrix         result(n, n);
@@ -59,5 +82,25 @@ namespace RollingContact
         }
     result.mirror_lower_triangle();
     return result;
+  }
+
+
+
+  DenseMatrix
+  SurfaceCoupling::to_interface(DenseMatrix W) const
+  {
+    if (W.n_rows() == 0)
+      return W;
+    if (!is_identity())
+      W = projected(W);
+    const std::size_t n = angles.size(), n_rows = W.n_rows();
+    if (n == 0)
+      return W;
+    for (std::size_t j = 0; j < n_rows; ++j)
+      turn_values(&W(n, j), &W(2 * n, j), 1, false);
+    for (std::size_t i = 0; i < n_rows; ++i)
+      turn_values(&W(i, n), &W(i, 2 * n), n_rows, false);
+    W.mirror_lower_triangle();
+    return W;
   }
 } // namespace RollingContact

@@ -158,7 +158,9 @@ namespace RollingContact
 
 
   std::shared_ptr<const SweptMesh>
-  BodyShape::swept_mesh(const CoarseCells &, const CoarseCells &) const
+  BodyShape::swept_mesh(const CoarseCells &,
+                        const CoarseCells &,
+                        const double) const
   {
     return nullptr;
   }

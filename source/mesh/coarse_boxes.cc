@@ -218,13 +218,14 @@ namespace RollingContact
                                              true,
                                              grading);
         along_x.origin       = grading.offset * element;
-        CoarseCells across_y = cells_along<3>(
-          {1, across, grading.zone_y, largest_section_cell, growth_across},
-          size,
-          false,
-          grading);
-        across_y.largest = size * grading.element_size_z() / element;
-        const auto mesh  = shape->swept_mesh(along_x, across_y);
+        const auto mesh      = shape->swept_mesh(
+          along_x,
+          cells_along<3>(
+            {1, across, grading.zone_y, largest_section_cell, growth_across},
+            size,
+            false,
+            grading),
+          size * grading.element_size_z() / element);
         if (!mesh)
           continue;
         const double n_cells =

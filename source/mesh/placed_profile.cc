@@ -54,16 +54,15 @@ namespace RollingContact
     : placed(placed)
     , profile_ends(ends)
     , known(facing_coordinates(placed))
-    , known_arcs{
-        {*placed.arc_length(known[0]), *placed.arc_length(known[1])}}
+    , known_arcs{{*placed.arc_length(known[0]), *placed.arc_length(known[1])}}
   {
     if (before.size() > 1)
       this->before.emplace_back(before);
     if (after.size() > 1)
       this->after.emplace_back(after);
     for (unsigned int side = 0; side < 2; ++side)
-      known[side] = side == 0 ? std::max(known[0], this->ends()[0]) :
-                                std::min(known[1], this->ends()[1]);
+      known[side] = side == 0 ? std::max(known[0], this->ends()[0])
+                              : std::min(known[1], this->ends()[1]);
     for (unsigned int side = 0; side < 2; ++side)
       known_arcs[side] = *placed.arc_length(known[side]);
   }
@@ -95,7 +94,7 @@ namespace RollingContact
     double lower = known[0], upper = known[1];
     for (unsigned int round = 0; round < 60; ++round)
       {
-        const double middle = (lower + upper) / 2;
+        const double middle                    = (lower + upper) / 2;
         (arc(middle) < wanted ? lower : upper) = middle;
       }
     return (lower + upper) / 2;
@@ -121,10 +120,9 @@ namespace RollingContact
   std::array<double, 2>
   RunningSurface::ends() const
   {
-    return {{coordinate(profile_ends[0] -
-                        (before.empty() ? 0. : before[0].length())),
-             coordinate(profile_ends[1] +
-                        (after.empty() ? 0. : after[0].length()))}};
+    return {
+      {coordinate(profile_ends[0] - (before.empty() ? 0. : before[0].length())),
+       coordinate(profile_ends[1] + (after.empty() ? 0. : after[0].length()))}};
   }
 
 
@@ -134,7 +132,7 @@ namespace RollingContact
   {
     const auto   range = ends();
     double       found = range[0], least = -1.;
-    const double n     = std::ceil((range[1] - range[0]) / step);
+    const double n = std::ceil((range[1] - range[0]) / step);
     for (unsigned int k = 0; k <= n; ++k)
       {
         const double c    = range[0] + (range[1] - range[0]) * k / n;

@@ -25,7 +25,9 @@ namespace RollingContact
     /// where a corner of the core is opposite that of the head
     const Outline::Point head_corner{{31.6 * mm, 168.9 * mm}};
 
-    /// of the core of the head
+    /// of the core of the head; its columns are closer at the sides, by this,
+    /// so that the strip's cells in the middle are nearly upright
+    const double crowding  = 0.2;
     const double core_half = 20 * mm, core_bottom = 141 * mm,
                  core_top = 157 * mm;
 
@@ -131,7 +133,9 @@ namespace RollingContact
     class RailMesher
     {
     public:
-      RailMesher(const RunningSurface &surface, const CoarseCells &across);
+      RailMesher(const RunningSurface &surface,
+                 const CoarseCells    &across,
+                 const double          deepest);
 
       SectionMesh
       mesh();
@@ -166,17 +170,21 @@ namespace RollingContact
 
 
     RailMesher::RailMesher(const RunningSurface &surface,
-                           const CoarseCells    &across)
+                           const CoarseCells    &across,
+                           const double          deepest)
       : surface(surface)
       , half(Profiles::half_section_60e1())
       , web(half)
-      , deepest(across.largest)
+      , deepest(deepest)
     {
       divide_sides(across);
       for (unsigned int i = first_corner; i <= last_corner; ++i)
-        columns.push_back(2 * (breaks[i] - breaks[first_corner]) /
-                            (breaks[last_corner] - breaks[first_corner]) -
-                          1);
+        {
+          const double u = 2 * (breaks[i] - breaks[first_corner]) /
+                             (breaks[last_corner] - breaks[first_corner]) -
+                           1;
+          columns.push_back(u + crowding * (u - u * u * u));
+        }
     }
 
 
@@ -489,8 +497,10 @@ namespace RollingContact
 
 
   SectionMesh
-  rail_section_mesh(const RunningSurface &surface, const CoarseCells &across)
+  rail_section_mesh(const RunningSurface &surface,
+                    const CoarseCells    &across,
+                    const double          deepest)
   {
-    return RailMesher(surface, across).mesh();
+    return RailMesher(surface, across, deepest).mesh();
   }
 } // namespace RollingContact

@@ -70,9 +70,8 @@ namespace RollingContact
   SectionMesh::add(const std::array<SectionPoint, 4> &corners)
   {
     std::array<SectionPoint, 4> c = corners;
-    const double                area =
-      (c[3][0] - c[0][0]) * (c[2][1] - c[1][1]) -
-      (c[3][1] - c[0][1]) * (c[2][0] - c[1][0]);
+    const double area             = (c[3][0] - c[0][0]) * (c[2][1] - c[1][1]) -
+                        (c[3][1] - c[0][1]) * (c[2][0] - c[1][0]);
     if (area < 0.)
       {
         std::swap(c[0], c[1]);
@@ -117,8 +116,8 @@ namespace RollingContact
     bool               reversed;
     const unsigned int edge = edge_between(quad, begin, end, reversed);
     cells[quad].curves[edge] =
-      reversed ? Curve([curve](const double t) { return curve(1 - t); }) :
-                 curve;
+      reversed ? Curve([curve](const double t) { return curve(1 - t); })
+               : curve;
   }
 
 
@@ -158,9 +157,8 @@ namespace RollingContact
     std::array<SectionPoint, 4> c;
     for (unsigned int v = 0; v < 4; ++v)
       c[v] = points[cell.corners[v]];
-    SectionPoint result = straight(straight(c[0], c[1], a),
-                                   straight(c[2], c[3], a),
-                                   b);
+    SectionPoint result =
+      straight(straight(c[0], c[1], a), straight(c[2], c[3], a), b);
     const std::array<double, 4> weight{{1 - a, a, 1 - b, b}};
     for (unsigned int e = 0; e < 4; ++e)
       if (cell.curves[e] && weight[e] != 0.)

@@ -68,9 +68,10 @@ namespace RollingContact
 
   std::shared_ptr<const SweptMesh>
   SectionShape::swept_mesh(const CoarseCells &along,
-                           const CoarseCells &across) const
+                           const CoarseCells &across,
+                           const double       deepest) const
   {
-    const SectionMesh quads = section(across);
+    const SectionMesh quads = section(across, deepest);
     if (!(quads.least_quality(quality_parts) > least_quality))
       return nullptr;
     const auto [placement, ends_x] = sweep(along);
@@ -128,9 +129,9 @@ namespace RollingContact
 
 
   SectionMesh
-  RailShape::section(const CoarseCells &across) const
+  RailShape::section(const CoarseCells &across, const double deepest) const
   {
-    return rail_section_mesh(surface, across);
+    return rail_section_mesh(surface, across, deepest);
   }
 
 
@@ -223,13 +224,14 @@ namespace RollingContact
 
 
   SectionMesh
-  WheelShape::section(const CoarseCells &across) const
+  WheelShape::section(const CoarseCells &across, const double deepest) const
   {
     return wheel_section_mesh(placed,
                               surface,
                               {placed.radius, parameters.hub_radius},
                               surface_point(0.)[1],
-                              across);
+                              across,
+                              deepest);
   }
 
 

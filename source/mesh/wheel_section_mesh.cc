@@ -42,6 +42,9 @@ namespace RollingContact
                                                  {{-20 * mm, -19 * mm}},
                                                  {{-5 * mm, -22 * mm}}};
 
+    /// length across over which the inner line is not opposite the tread
+    const double fading = 25 * mm;
+
     const unsigned int rim_rows = 3, web_columns = 4, hub_rows = 2,
                        hub_columns = 3;
 
@@ -73,6 +76,23 @@ namespace RollingContact
 
 
 
+    /**
+     * Where a line that runs towards the field side reaches a place across.
+     */
+    double
+    length_at(const Outline &line, const double across)
+    {
+      double lower = 0., upper = line.length();
+      for (unsigned int round = 0; round < 60; ++round)
+        {
+          const double middle                           = (lower + upper) / 2;
+          (line.at(middle)[0] < across ? lower : upper) = middle;
+        }
+      return upper;
+    }
+
+
+
     class WheelMesher
     {
     public:
@@ -80,7 +100,8 @@ namespace RollingContact
                   const RunningSurface &surface,
                   const WheelMeasures  &measures,
                   const double          rolling_radius,
-                  const CoarseCells    &across);
+                  const CoarseCells    &across,
+                  const double          deepest);
 
       SectionMesh
       mesh();
@@ -139,7 +160,8 @@ namespace RollingContact
                              const RunningSurface &surface,
                              const WheelMeasures  &measures,
                              const double          rolling_radius,
-                             const CoarseCells    &across)
+                             const CoarseCells    &across,
+                             const double          deepest)
       : placed(placed)
       , surface(surface)
       , measures(measures)
@@ -150,7 +172,7 @@ namespace RollingContact
           2,
           breaks.size() - 2))
       , rim_end(surface.at(surface.ends()[1])[0])
-      , deepest(across.largest)
+      , deepest(deepest)
     {}
 
 
@@ -164,12 +186,20 @@ namespace RollingContact
       const double       corner = line.nearest(inner_root);
       const unsigned int n      = breaks.size() - 1;
       inner                     = {over_tape(flange_core)};
-      for (unsigned int i = 1; i <= n; ++i)
-        inner.push_back(
-          over_tape(line.at(i < root ? corner * (i - 1) / (root - 1)
-                                     : corner + (line.length() - corner) *
-                                                  (breaks[i] - breaks[root]) /
-                                                  (breaks[n] - breaks[root]))));
+      for (unsigned int i = 1; i < root; ++i)
+        inner.push_back(over_tape(line.at(corner * (i - 1) / (root - 1))));
+      // under the tread opposite its points, so that cells are upright, with
+      // what the corner is beside the root fading away
+      const double root_across = surface.at(breaks[root])[0],
+                   beside      = line.at(corner)[0] - root_across;
+      for (unsigned int i = root; i <= n; ++i)
+        {
+          const double across = surface.at(breaks[i])[0],
+                       share =
+                         std::max(0., 1 - (across - root_across) / fading);
+          inner.push_back(
+            over_tape(line.at(length_at(line, across + share * beside))));
+        }
       const auto on_surface =
         [running = std::make_shared<const RunningSurface>(surface),
          radius  = measures.radius](const double c) {
@@ -418,9 +448,11 @@ namespace RollingContact
                      const RunningSurface &surface,
                      const WheelMeasures  &measures,
                      const double          rolling_radius,
-                     const CoarseCells    &across)
+                     const CoarseCells    &across,
+                     const double          deepest)
   {
-    return WheelMesher(placed, surface, measures, rolling_radius, across)
+    return WheelMesher(
+             placed, surface, measures, rolling_radius, across, deepest)
       .mesh();
   }
 } // namespace RollingContact

@@ -134,7 +134,8 @@ namespace RollingContact
         profile_patch(*scene.profiles.frame,
                       pair_constants(scene).contact_modulus,
                       load,
-                      scene.contact.approach.value_or(0.));
+                      scene.contact.approach.value_or(0.),
+                      scene.load_angle());
       const double degree = std::acos(-1.) / 180;
       if (patch.turn_of_normal > largest_turn)
         throw InputError(
@@ -144,7 +145,8 @@ namespace RollingContact
           " degrees over the contact, as where tread and flange touch at the "
           "same time; one plane of contact holds for " +
           significant(largest_turn / degree, 2) +
-          " degrees. Take another shift or a smaller load.");
+          " degrees. Take Profiles/Contact surface = curved, another shift or a "
+          "smaller load.");
       return {patch.half_width_x,
               patch.half_width_y,
               patch.normal_force,

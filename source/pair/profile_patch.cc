@@ -16,6 +16,9 @@ namespace RollingContact
 
     const double deepest = 1e-3; // m, approach that is looked for
 
+    /// of the approach: steeper surfaces are beside the contact
+    const double least_share = 0.05;
+
     /**
      * The gap along a line across the plane: its least value, where that is
      * and gap = least + curvature (x - place)^2.
@@ -27,17 +30,51 @@ namespace RollingContact
 
 
 
+    /** What share of an approach closes the gap at a place. */
+    class ApproachShare
+    {
+    public:
+      ApproachShare(const Profiles::ContactFrame &frame,
+                    const double                  load_angle)
+        : frame(frame)
+        , load_angle(load_angle)
+      {}
+
+      /** Whether approach and load have one direction with all normals. */
+      bool
+      is_one() const
+      {
+        return frame.kind() == Profiles::SurfaceKind::plane;
+      }
+
+      double
+      operator()(const double s) const
+      {
+        return is_one() ? 1. : std::cos(frame.surface(s).angle + load_angle);
+      }
+
+    private:
+      const Profiles::ContactFrame &frame;
+      const double                  load_angle;
+    };
+
+
+
     /**
-     * Lines over the whole of the profiles, with gaps of up to a millimetre.
+     * Lines over the whole of the profiles, with gaps of up to a millimetre
+     * along the approach.
      */
     std::vector<Line>
-    lines_across(const Profiles::ContactFrame &frame)
+    lines_across(const Profiles::ContactFrame &frame,
+                 const ApproachShare          &share)
     {
       const double      step = 2.5e-4, reach = 0.07, along = 5e-3;
       std::vector<Line> lines;
       for (int k = -reach / step; k <= reach / step; ++k)
         {
           Line line{k * step, 0., 0., 0.};
+          if (!frame.covers(line.y) || share(line.y) < least_share)
+            continue;
           for (unsigned int round = 0; round < 2; ++round)
             {
               const auto left   = frame.gap(line.place - along, line.y),
@@ -55,6 +92,8 @@ namespace RollingContact
               line.least = *middle - line.curvature * shift * shift;
               line.place += shift;
             }
+          line.least /= share(line.y);
+          line.curvature /= share(line.y);
           if (line.curvature > 0. && line.least < deepest)
             lines.push_back(line);
         }
@@ -120,10 +159,12 @@ namespace RollingContact
     {
     public:
       PatchSearch(const Profiles::ContactFrame &frame,
-                  const double                  contact_modulus)
+                  const double                  contact_modulus,
+                  const double                  load_angle)
         : frame(frame)
+        , share(frame, load_angle)
         , modulus(contact_modulus)
-        , lines(lines_across(frame))
+        , lines(lines_across(frame, share))
       {}
 
       Solution
@@ -168,14 +209,20 @@ namespace RollingContact
         const double        beyond = 1e-2; // m, where a surface ends
         Solution            solution{grid_on(box, n_along), {}};
         const ContactGrid  &grid = solution.grid;
-        std::vector<double> gap;
+        std::vector<double> gap, shares;
         for (std::size_t j = 0; j < grid.n_y; ++j)
           for (std::size_t i = 0; i < grid.n_x; ++i)
-            gap.push_back(frame.gap(grid.x(i), grid.y(j)).value_or(beyond));
+            {
+              const double s = grid.y(j);
+              gap.push_back(frame.gap(grid.x(i), s).value_or(beyond));
+              if (!share.is_one())
+                shares.push_back(
+                  frame.covers(s) ? std::max(least_share, share(s)) : 1.);
+            }
         try
           {
             solution.state = References::half_space_pressure(
-              grid, gap, modulus, load, approach);
+              grid, gap, modulus, load, approach, shares);
           }
         catch (const std::runtime_error &error)
           {
@@ -187,6 +234,7 @@ namespace RollingContact
       }
 
       const Profiles::ContactFrame &frame;
+      const ApproachShare           share;
       const double                  modulus;
       const std::vector<Line>       lines;
     };
@@ -272,13 +320,14 @@ namespace RollingContact
   profile_patch(const Profiles::ContactFrame &frame,
                 const double                  contact_modulus,
                 const std::optional<double>  &load,
-                const double                  approach)
+                const double                  approach,
+                const double                  load_angle)
   {
     ProfilePatch patch;
     if (!(load.value_or(approach) > 0.))
       return patch;
     const std::size_t n_along = 40;
-    const PatchSearch search(frame, contact_modulus);
+    const PatchSearch search(frame, contact_modulus, load_angle);
     const Solution    found = load ? search.under_load(*load, n_along)
                                    : search.with_approach(approach, n_along);
     patch.normal_force      = found.state.load;

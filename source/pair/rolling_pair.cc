@@ -4,6 +4,7 @@
 #include <rolling_contact/pair/mesh_limits.h>
 #include <rolling_contact/pair/parallel_bodies.h>
 #include <rolling_contact/pair/patch_estimate.h>
+#include <rolling_contact/pair/profile_surface.h>
 #include <rolling_contact/pair/rolling_pair.h>
 
 #include <algorithm>
@@ -211,13 +212,6 @@ namespace RollingContact
 
 
 
-  namespace
-  {
-    const double beyond_surface = 1e-2; // m, gap where a profile has ended
-  }
-
-
-
   template <int dim>
   ContactProblem
   RollingPair<dim>::contact_problem(const ContactParameters &contact,
@@ -240,7 +234,8 @@ namespace RollingContact
                                 : SlipOperator(contact.slip_operator),
                        {!body_pair.twins() && friction,
                         constants.dundurs_beta,
-                        1 / (1 - constants.elasticity.poisson_ratio)});
+                        1 / (1 - constants.elasticity.poisson_ratio)},
+                       surface_frames(scene, at));
     const auto wheel = scene.wheel.body_shape(), rail = scene.rail.body_shape();
     const Roughness roughness(contact.roughness);
     const auto      height =
@@ -252,15 +247,11 @@ namespace RollingContact
     ContactLoads &loads    = problem.loads;
     const auto   *profiles = scene.profiles.frame.get();
     for (std::size_t i = 0; i < at.size(); ++i)
-      loads.gap.push_back(
-        (profiles
-           ? profiles->gap(at[i][0], at[i][1]).value_or(beyond_surface)
-           : -height(Side::wheel, *wheel, i) - height(Side::rail, *rail, i)) +
-        roughness.value(at[i][0], at[i][1]));
-    if (scene.profiles.gives_creepages())
-      for (const auto &point : at)
-        loads.slip_of_profile.push_back(contact.flow() *
-                                        profiles->slip_beyond_spin(point[1]));
+      loads.gap.push_back((profiles ? gap_of_profiles(scene, at[i])
+                                    : -height(Side::wheel, *wheel, i) -
+                                        height(Side::rail, *rail, i)) +
+                          roughness.value(at[i][0], at[i][1]));
+    loads.slip_of_profile = slip_of_profiles(scene, at, friction ? dim - 1 : 0);
     loads.friction.assign(at.size(), contact.friction_coefficient);
     loads.friction_law = contact.falling_friction();
     loads.speed        = std::abs(contact.rolling_speed());
@@ -269,6 +260,8 @@ namespace RollingContact
     loads.approach     = contact.approach.value_or(0.);
     if (contact.vertical_load)
       loads.inclined_load = {*contact.vertical_load, profiles->angle()};
+    else if (contact.normal_load && !problem.operators.frames().nodes.empty())
+      loads.inclined_load = {*contact.normal_load, 0.};
     return problem;
   }
 

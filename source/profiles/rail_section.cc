@@ -12,7 +12,7 @@ namespace RollingContact::Profiles
 
     /// all in mm; slopes are those of the drawing
     const double underside_slope = 1 / 2.75, toe_slope = 1. / 14,
-                 side_slope      = 1. / 20;
+                 side_slope     = 1. / 20;
     const double head_underside = 121., foot_top = 31.5, toe_top = 11.5,
                  half_foot = 75., half_web = 8.25;
     const double web_radius = 120., fillet_radius = 35., inner_radius = 7.,
@@ -90,7 +90,7 @@ namespace RollingContact::Profiles
     struct Head
     {
       std::vector<Point> points;
-      Point              corner_13, side_end, lower_corner, underside;
+      Point              side_end, lower_corner, underside;
     };
 
 
@@ -101,19 +101,17 @@ namespace RollingContact::Profiles
       Head         head;
       const double a1 = std::asin(first_joint / 300),
                    a3 = M_PI / 2 - std::atan(side_slope);
-      const Point  c1{{0., rail_60e1_height / mm - 300}},
-        c2        = plus(c1, 220., {{std::sin(a1), std::cos(a1)}});
+      const Point c1{{0., rail_60e1_height / mm - 300}},
+        c2            = plus(c1, 220., {{std::sin(a1), std::cos(a1)}});
       const double a2 = std::asin((second_joint - c2[0]) / 80);
       const Point  c3 = plus(c2, 67., {{std::sin(a2), std::cos(a2)}});
       add_arc(c1, 300., M_PI / 2, M_PI / 2 - a1, head.points);
       add_arc(c2, 80., M_PI / 2 - a1, M_PI / 2 - a2, head.points);
       add_arc(c3, 13., M_PI / 2 - a2, M_PI / 2 - a3, head.points);
-      const double middle = M_PI / 2 - (a2 + a3) / 2;
-      head.corner_13 = plus(c3, 13., {{std::cos(middle), std::sin(middle)}});
 
       const double slope = std::atan(underside_slope);
-      const Point  into_side{{-std::cos(std::atan(side_slope)),
-                             -std::sin(std::atan(side_slope))}},
+      const Point  into_side{
+        {-std::cos(std::atan(side_slope)), -std::sin(std::atan(side_slope))}},
         into_underside{{-std::sin(slope), std::cos(slope)}};
       const Point centre = centre_between(into_side,
                                           head.points.back(),
@@ -151,30 +149,26 @@ namespace RollingContact::Profiles
         c35    = plus(c120, web_radius - fillet_radius, towards);
       // the centre of the arc of 7 mm: 28 mm from that of 35 mm, 7 mm from the
       // line on its open side
-      const Point  open{{std::sin(slope), -way * std::cos(slope)}},
+      const Point open{{std::sin(slope), -way * std::cos(slope)}},
         along{{std::cos(slope), way * std::sin(slope)}};
       const Point  start = plus({{0., line_height}}, inner_radius, open);
       const double dx = start[0] - c35[0], dy = start[1] - c35[1],
                    b = dx * along[0] + dy * along[1],
                    d = fillet_radius - inner_radius,
                    t = -b - std::sqrt(b * b - (dx * dx + dy * dy - d * d));
-      const Point  c7 = plus(start, t, along),
+      const Point c7 = plus(start, t, along),
                   joint{{c35[0] + (c7[0] - c35[0]) * fillet_radius / d,
                          c35[1] + (c7[1] - c35[1]) * fillet_radius / d}},
                   on_line = plus(c7, -inner_radius, open);
       std::vector<Point> points;
-      add_arc(
-        c120, web_radius, M_PI, angle_of(on_120, c120), points);
+      add_arc(c120, web_radius, M_PI, angle_of(on_120, c120), points);
       add_arc(c35,
               fillet_radius,
               angle_of(on_120, c35),
               angle_of(joint, c35),
               points);
-      add_arc(c7,
-              inner_radius,
-              angle_of(joint, c7),
-              angle_of(on_line, c7),
-              points);
+      add_arc(
+        c7, inner_radius, angle_of(joint, c7), angle_of(on_line, c7), points);
       return points;
     }
 
@@ -185,13 +179,12 @@ namespace RollingContact::Profiles
     {
       const double steep = std::atan(underside_slope),
                    flat  = std::atan(toe_slope);
-      const Point  up_steep{{std::sin(steep), std::cos(steep)}},
+      const Point up_steep{{std::sin(steep), std::cos(steep)}},
         up_flat{{std::sin(flat), std::cos(flat)}};
-      const Point  toe_line{{half_foot, toe_top}};
-      const Point  blend = centre_between(
-         up_steep, {{0., foot_top}}, up_flat, toe_line, foot_radius);
-      add_arc(
-        blend, foot_radius, -M_PI / 2 - steep, -M_PI / 2 - flat, points);
+      const Point toe_line{{half_foot, toe_top}};
+      const Point blend = centre_between(
+        up_steep, {{0., foot_top}}, up_flat, toe_line, foot_radius);
+      add_arc(blend, foot_radius, -M_PI / 2 - steep, -M_PI / 2 - flat, points);
       Point toe{{half_foot - toe_radius, 0.}};
       toe[1] = (up_flat[0] * toe_line[0] + up_flat[1] * toe_line[1] -
                 toe_radius - up_flat[0] * toe[0]) /
@@ -229,8 +222,6 @@ namespace RollingContact::Profiles
     const auto scaled  = [](const Point &point) {
       return Point{{mm * point[0], mm * point[1]}};
     };
-    return {scaled(head_mm.corner_13),
-            scaled(head_mm.side_end),
-            scaled(head_mm.lower_corner)};
+    return {scaled(head_mm.side_end), scaled(head_mm.lower_corner)};
   }
 } // namespace RollingContact::Profiles

@@ -95,8 +95,10 @@ namespace RollingContact::References
                 const std::vector<double>   &gap,
                 const double                 contact_modulus,
                 const std::optional<double> &load,
-                const double                 approach)
+                const double                 approach,
+                const std::vector<double>   &shares)
         : influence(grid, contact_modulus)
+        , shares(shares)
         , area(grid.size_x * grid.size_y)
         , gap(gap)
         , load(load)
@@ -173,7 +175,20 @@ namespace RollingContact::References
       double
       advance();
 
+      /** What pressures times shares move, over the shares. */
+      std::vector<double>
+      displacement(std::vector<double> pressure) const
+      {
+        for (std::size_t i = 0; i < shares.size(); ++i)
+          pressure[i] /= shares[i];
+        std::vector<double> result = influence.multiply(pressure);
+        for (std::size_t i = 0; i < shares.size(); ++i)
+          result[i] /= shares[i];
+        return result;
+      }
+
       const Influence             influence;
+      const std::vector<double>  &shares;
       const double                area;
       const std::vector<double>  &gap;
       const std::optional<double> load;
@@ -191,7 +206,7 @@ namespace RollingContact::References
     double
     Iteration::advance()
     {
-      std::vector<double> opening = influence.multiply(state.pressure);
+      std::vector<double> opening = displacement(state.pressure);
       for (std::size_t i = 0; i < gap.size(); ++i)
         opening[i] += gap[i];
       if (load)
@@ -209,7 +224,7 @@ namespace RollingContact::References
             ? opening[i] + (restarts ? 0. : square / old_square * direction[i])
             : 0.;
       old_square                 = square;
-      std::vector<double> change = influence.multiply(direction);
+      std::vector<double> change = displacement(direction);
       const double        mean   = load ? mean_of_touching(change) : 0.;
       double              above = 0., below = 0.;
       for (std::size_t i = 0; i < gap.size(); ++i)
@@ -247,8 +262,18 @@ namespace RollingContact::References
                       const std::vector<double>   &gap,
                       const double                 contact_modulus,
                       const std::optional<double> &load,
-                      const double                 approach)
+                      const double                 approach,
+                      const std::vector<double>   &shares)
   {
-    return Iteration(grid, gap, contact_modulus, load, approach).solve();
+    // with gaps and displacements over the shares and pressures times them it
+    // is the problem of a plane with another, still symmetric, influence
+    std::vector<double> scaled = gap;
+    for (std::size_t i = 0; i < shares.size(); ++i)
+      scaled[i] /= shares[i];
+    HalfSpacePressure found =
+      Iteration(grid, scaled, contact_modulus, load, approach, shares).solve();
+    for (std::size_t i = 0; i < shares.size(); ++i)
+      found.pressure[i] /= shares[i];
+    return found;
   }
 } // namespace RollingContact::References

@@ -15,7 +15,7 @@ namespace RollingContact
               ResultsTable                 &table)
     {
       const auto [across, upwards] =
-        frame.in_track(found.force_y, found.normal_force);
+        frame.in_track(found.in_plane.y, found.in_plane.z);
       table.set(patch + "_x_m", found.centre_x);
       table.set(patch + "_y_m", found.centre_y);
       table.set(patch + "_area_m2", found.area);

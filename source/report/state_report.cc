@@ -65,8 +65,7 @@ namespace RollingContact
         (steady.problem.loads.friction_law
            ? ""
            : ", |T|/(mu N) = " +
-               significant(std::hypot(result.force_x, result.force_y) /
-                             result.friction_force,
+               significant(result.tangential_force / result.friction_force,
                            5)) +
         "; stick on " +
         significant(100 * result.stick_area / result.contact_area, 3) +
@@ -259,7 +258,8 @@ namespace RollingContact
       context.log.warning(
         "The rail's normal turns by " + significant(turn / degree, 3) +
         " degrees over the contact, which is taken as plane: forces are off "
-        "by the sines and cosines of half of that.");
+        "by the sines and cosines of half of that; Profiles/Contact surface = "
+        "curved has a normal for each node.");
   }
 
 

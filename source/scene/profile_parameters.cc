@@ -79,6 +79,16 @@ namespace RollingContact
                       "`60E1` (EN 13674-1), `60E1 Manchester` (the variant of "
                       "the Manchester benchmarks)" +
                         file);
+    declare_choice(
+      prm,
+      "Contact surface",
+      surface_kind,
+      std::vector<NamedValue<Profiles::SurfaceKind>>{
+        {"plane", Profiles::SurfaceKind::plane},
+        {"curved", Profiles::SurfaceKind::curved}},
+      "`plane`: pressure acts along the normal of the first contact; `curved`: "
+      "along the rail's normal at each node, on the length of its section, so "
+      "that conformal contacts, and tread and flange at once, have an answer.");
     prm.add_parameter("Smoothing length",
                       smoothing_length,
                       "Waves of this length in the points of a file are "
@@ -399,6 +409,9 @@ namespace RollingContact
     const double resting =
       roll ? *roll : Profiles::resting_roll(*pair, shift, yaw);
     frame = std::make_shared<const Profiles::ContactFrame>(
-      pair, Profiles::WheelsetPosition{shift, resting, yaw}, is_left);
+      pair,
+      Profiles::WheelsetPosition{shift, resting, yaw},
+      is_left,
+      surface_kind);
   }
 } // namespace RollingContact

@@ -299,6 +299,10 @@ namespace RollingContact
         "Contact/Vertical load = " + text_of(*contact.vertical_load) +
         ": in time the load is along the normal; give "
         "Contact/Normal load.");
+    if (profiles.surface_kind == Profiles::SurfaceKind::curved &&
+        is_transient())
+      throw InputError("Profiles/Contact surface = curved: in time the surface "
+                       "of contact is plane; take Contact surface = plane.");
     profiles.check(wheel.radius, prm_folder);
   }
 
@@ -323,8 +327,19 @@ namespace RollingContact
       contact.creepages =
         profiles.frame->creepages(contact.rolling_speed(), profiles.pitch_rate);
     if (contact.vertical_load)
-      contact.normal_load =
-        *contact.vertical_load / std::cos(profiles.frame->angle());
+      contact.normal_load = *contact.vertical_load /
+                            std::cos(profiles.frame->angle() - load_angle());
+  }
+
+
+
+  double
+  SceneParameters::load_angle() const
+  {
+    return contact.vertical_load &&
+               profiles.frame->kind() == Profiles::SurfaceKind::curved
+             ? profiles.frame->angle()
+             : 0.;
   }
 
 

@@ -63,6 +63,7 @@ namespace RollingContact
       const bool is_table = scene.analysis == "contact table";
       if (is_table)
         for (const char *entry : {"Side",
+                                  "Contact surface",
                                   "Lateral shift",
                                   "Roll",
                                   "Creepages",
@@ -70,7 +71,8 @@ namespace RollingContact
                                   "Body sections",
                                   "Web bow"})
           idle["Profiles/" + std::string(entry)] =
-            "a contact table has both sides, its own shifts, no creepages and no bodies";
+            "a contact table has both sides, its own shifts, no creepages and no "
+            "bodies";
       if (!is_table && !scene.profiles.in_use())
         return idle;
       if (!is_table && !scene.profiles.gives_creepages())

@@ -219,12 +219,13 @@ namespace RollingContact
         {
           for (std::size_t k = 0; k < nodes.size(); ++k)
             {
-              matrix(place(k, n_tangential), n - 1) = -1.;
+              matrix(place(k, n_tangential), n - 1) =
+                -problem.operators.approach_share(nodes[k]);
               matrix(n - 1, place(k, n_tangential)) =
-                problem.operators.areas()[nodes[k]];
+                problem.operators.load_areas()[nodes[k]];
             }
-          right(n - 1, 0) = *problem.loads.normal_load -
-                            problem.operators.resultant(now.pressure);
+          right(n - 1, 0) =
+            *problem.loads.normal_load - problem.operators.load(now.pressure);
         }
       if (n == 0 || !solve_general(matrix, right))
         return false;

@@ -8,26 +8,32 @@ namespace RollingContact
   namespace
   {
     /**
-     * The approach for which sum areas max(0, p - rho (u + gap - approach)) is
-     * the load: the sum is piecewise linear and increasing in the approach.
+     * The approach for which the load of max(0, p - rho (u + gap - share
+     * approach)) is the given one: it is piecewise linear and increasing in the
+     * approach.
      */
     double
     approach_for_load(const ContactProblem      &problem,
                       const std::vector<double> &trial,
                       const double               rho)
     {
+      const ContactOperators &operators = problem.operators;
+      // where a node leaves contact
+      const auto limit = [&](const unsigned int i) {
+        return trial[i] / operators.approach_share(i);
+      };
       std::vector<unsigned int> order(trial.size());
       std::iota(order.begin(), order.end(), 0);
       std::sort(order.begin(), order.end(), [&](const auto i, const auto j) {
-        return trial[i] > trial[j];
+        return limit(i) > limit(j);
       });
       double area = 0., force = 0., level = 0.;
       for (const unsigned int i : order)
         {
-          if (area > 0. && trial[i] <= level)
+          if (area > 0. && limit(i) <= level)
             break;
-          area += problem.operators.areas()[i];
-          force += problem.operators.areas()[i] * trial[i];
+          area += operators.load_areas()[i] * operators.approach_share(i);
+          force += operators.load_areas()[i] * trial[i];
           level = (force - *problem.loads.normal_load) / area;
         }
       return -level / rho;
@@ -40,14 +46,19 @@ namespace RollingContact
                      const double          rho,
                      ContactState         &state)
     {
+      const auto share = [&](const unsigned int i) {
+        return problem.operators.approach_share(i);
+      };
       std::vector<double> trial = normal_gap(problem, state);
       for (unsigned int i = 0; i < problem.n_nodes(); ++i)
-        trial[i] = state.pressure[i] - rho * (trial[i] + state.approach);
+        trial[i] =
+          state.pressure[i] - rho * (trial[i] + share(i) * state.approach);
       state.approach = problem.loads.normal_load
                          ? approach_for_load(problem, trial, rho)
                          : problem.loads.approach;
       for (unsigned int i = 0; i < problem.n_nodes(); ++i)
-        state.pressure[i] = std::max(0., trial[i] + rho * state.approach);
+        state.pressure[i] =
+          std::max(0., trial[i] + rho * share(i) * state.approach);
     }
   } // namespace
 

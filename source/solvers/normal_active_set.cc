@@ -31,7 +31,7 @@ namespace RollingContact
           matrix(i, j) = pressure_compliance(nodes[i], nodes[j]);
       for (std::size_t i = 0; i < n; ++i)
         {
-          columns(i, 0) = 1.;
+          columns(i, 0) = problem.operators.approach_share(nodes[i]);
           columns(i, 1) = gap[nodes[i]];
         }
       if (!solve_general(matrix, columns))
@@ -40,9 +40,9 @@ namespace RollingContact
       double load_of_unit_approach = 0., load_of_gap = 0.;
       for (std::size_t i = 0; i < n; ++i)
         {
-          load_of_unit_approach +=
-            problem.operators.areas()[nodes[i]] * columns(i, 0);
-          load_of_gap += problem.operators.areas()[nodes[i]] * columns(i, 1);
+          const double area = problem.operators.load_areas()[nodes[i]];
+          load_of_unit_approach += area * columns(i, 0);
+          load_of_gap += area * columns(i, 1);
         }
       if (problem.loads.normal_load && n > 0)
         state.approach =
@@ -71,8 +71,10 @@ namespace RollingContact
         return active;
       const double lowest = *std::min_element(gap.begin(), gap.end());
       for (unsigned int i = 0; i < problem.n_nodes(); ++i)
-        active[i] = problem.loads.normal_load ? gap[i] <= lowest
-                                              : gap[i] < state.approach;
+        active[i] =
+          problem.loads.normal_load
+            ? gap[i] <= lowest
+            : gap[i] < state.approach * problem.operators.approach_share(i);
       return active;
     }
 
@@ -134,7 +136,8 @@ namespace RollingContact
         for (unsigned int i = 0; i < problem.n_nodes(); ++i)
           {
             largest = std::max(largest, u_n[i]);
-            u_n[i] += gap[i] - state.approach;
+            u_n[i] +=
+              gap[i] - state.approach * problem.operators.approach_share(i);
           }
         const auto wrong = violations(active, u_n, state, 1e-14 * largest);
         if (wrong.empty())

@@ -28,7 +28,8 @@ namespace RollingContact
 
 
     /**
-     * The normal load by secants: the force of friction changes little with it.
+     * The load of the pressure by secants: the force of friction changes little
+     * with it.
      */
     template <int dim>
     void
@@ -38,6 +39,9 @@ namespace RollingContact
     {
       const InclinedLoad asked = *steady.problem.loads.inclined_load;
       const double cosine = std::cos(asked.angle), sine = std::sin(asked.angle),
+                   first_slope =
+                     std::cos(asked.angle -
+                              steady.problem.operators.frames().load_angle),
                    accuracy         = 1e-10;
       const unsigned int max_rounds = 30;
       double            &load       = *steady.problem.loads.normal_load;
@@ -58,7 +62,7 @@ namespace RollingContact
           const double most = 2., next = load - excess / slope;
           load = slope > 0. && next > load / most && next < load * most
                    ? next
-                   : (asked.load + found.force_y * sine) / cosine;
+                   : load - excess / first_slope;
         }
       steady.solver.converged = false;
       steady.solver.reason =

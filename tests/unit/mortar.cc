@@ -280,4 +280,39 @@ BOOST_AUTO_TEST_CASE(a_coupled_compliance_is_that_of_forces_and_displacements)
   BOOST_TEST(none.to_interface(r) == r);
 }
 
+
+
+BOOST_AUTO_TEST_CASE(turned_nodes_see_the_same_body)
+{
+  const std::size_t   n = 4;
+  SurfaceCoupling     coupling;
+  std::vector<double> angles;
+  for (std::size_t i = 0; i < n; ++i)
+    angles.push_back(0.4 * i - 0.5);
+  coupling.turn(angles);
+  DenseMatrix W(3 * n, 3 * n);
+  for (std::size_t i = 0; i < 3 * n; ++i)
+    for (std::size_t j = 0; j < 3 * n; ++j)
+      W(i, j) = 1 / (1. + i + j);
+  const DenseMatrix   turned = coupling.to_interface(W);
+  std::vector<double> r(3 * n), u(3 * n, 0.), direct(3 * n, 0.);
+  for (std::size_t i = 0; i < r.size(); ++i)
+    r[i] = std::cos(2. * i);
+  const std::vector<double> f = coupling.to_body(r);
+  for (std::size_t i = 0; i < n; ++i)
+    {
+      // along the tangent (cos, -sin) and the normal (sin, cos) in (y, z)
+      const double c = std::cos(angles[i]), s = std::sin(angles[i]);
+      BOOST_TEST(f[i] == r[i]);
+      BOOST_TEST(std::abs(f[n + i] - c * r[n + i] - s * r[2 * n + i]) < 1e-15);
+      BOOST_TEST(std::abs(f[2 * n + i] + s * r[n + i] - c * r[2 * n + i]) <
+                 1e-15);
+    }
+  W.multiply_block(0, 0, f, u);
+  turned.multiply_block(0, 0, r, direct);
+  const std::vector<double> by_body = coupling.to_interface(u);
+  for (std::size_t i = 0; i < r.size(); ++i)
+    BOOST_TEST(std::abs(direct[i] - by_body[i]) < 1e-13);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

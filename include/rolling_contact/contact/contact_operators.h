@@ -1,6 +1,7 @@
 #ifndef rolling_contact_contact_contact_operators_h
 #define rolling_contact_contact_contact_operators_h
 
+#include <rolling_contact/contact/surface_frames.h>
 #include <rolling_contact/interface/slip_operator.h>
 #include <rolling_contact/linear_algebra/nodal_field.h>
 
@@ -56,14 +57,16 @@ namespace RollingContact
     ContactOperators() = default;
 
     /**
-     * @p positions are (x, y) of the nodes in m, @p H has N rows (m^2) and @p W
-     * (T + 1) N (m/N), tangential components first, normal last.
+     * @p positions are (x, y) of the nodes in m, y along the surface of
+     * contact, @p H has N rows (m^2) and @p W (T + 1) N (m/N), tangential
+     * components first, normal last.
      */
     ContactOperators(Positions                       positions,
                      SparseRows                      H,
                      DenseMatrix                     W,
                      SlipOperator                    slip_operator = {},
-                     const NormalTangentialCoupling &coupling      = {});
+                     const NormalTangentialCoupling &coupling      = {},
+                     SurfaceFrames                   frames        = {});
 
     /**
      * Replace W.
@@ -119,6 +122,46 @@ namespace RollingContact
     {
       return node_positions;
     }
+
+    const SurfaceFrames &
+    frames() const
+    {
+      return surface_frames;
+    }
+
+    /**
+     * The place of a node in the plane of creepages and resultants, (x, y).
+     * Units: m.
+     */
+    std::array<double, 2>
+    place(const unsigned int i) const;
+
+    /**
+     * What share of the approach of the bodies closes the gap of a node, and of
+     * its normal force is load: the cosine between its normal and the direction
+     * of both; 1 in a plane.
+     */
+    double
+    approach_share(const unsigned int i) const
+    {
+      return shares.empty() ? 1. : shares[i];
+    }
+
+    /**
+     * The load of unit pressure at each node, H^T of the approach_share():
+     * areas() in a plane. Units: m^2.
+     */
+    const std::vector<double> &
+    load_areas() const
+    {
+      return shares.empty() ? node_areas : areas_of_load;
+    }
+
+    /**
+     * The load of a pressure. Units: Pa to N.
+     */
+    double
+    load(const std::vector<double> &pressure) const;
 
     const SparseRows &
     H() const
@@ -314,7 +357,9 @@ namespace RollingContact
     SlipOperator             B1;
     NormalTangentialCoupling normal_tangential;
     TimeScaling              scaling;
-    std::vector<double>      node_areas;
+    SurfaceFrames            surface_frames;
+    std::vector<double>      shares; ///< of the approach; empty for ones
+    std::vector<double>      node_areas, areas_of_load;
     double                   largest_normal = 0., largest_tangential = 0.;
     bool                     corrected = false;
   };

@@ -13,9 +13,9 @@
 namespace RollingContact
 {
   /**
-   * A load at an @p angle about x to the normal of the plane of contact, which
-   * normal force and friction share: load = N cos(angle) - T_y sin(angle).
-   * Units: N, rad.
+   * A load at an @p angle about x to the normal of the plane in which the
+   * resultants N and T_y are given, which pressure and friction share: load = N
+   * cos(angle) - T_y sin(angle). Units: N, rad.
    */
   struct InclinedLoad
   {
@@ -30,16 +30,17 @@ namespace RollingContact
    */
   struct ContactLoads
   {
-    std::vector<double>   gap;           ///< undeformed, m
-    std::optional<double> normal_load;   ///< N; the approach is unknown then
+    std::vector<double> gap; ///< undeformed, m
+    /** N, as ContactOperators::load(); the approach is unknown then. */
+    std::optional<double> normal_load;
     double                approach = 0.; ///< m
     /** The normal load is what this asks for, found anew with each state. */
     std::optional<InclinedLoad> inclined_load;
 
     Creepages creepages;
-    /** Of profiles whose radius does not change in proportion to y: rigid slip
-     * along x beyond that of the creepages. Empty for zero. */
-    std::vector<double> slip_of_profile;
+    /** Rigid slip of profiles beyond that of the creepages, as where a radius
+     * does not change in proportion to y. Empty for zero. */
+    NodalField slip_of_profile;
 
     NodalField free_slip;         ///< besides the rigid slip; empty for zero
     NodalField free_displacement; ///< of convection; empty for zero, m
@@ -61,12 +62,13 @@ namespace RollingContact
    * reduced to their compliance. Knows no mesh and no solver.
    *
    * Pressure p >= 0 and traction q act on the wheel, -p and -q on the rail:
-   *   u_n = gap - approach + W_nn H p + W_nt H q                      (m)
+   *   u_n = gap - share approach + W_nn H p + W_nt H q                (m)
    *   w   = W_tt H q + W_tn H p                                      (m)
    *   s   = rigid_slip + free_slip
    *         + flow B1 (free_displacement + convection w) + rate w    (1)
    *   p = Proj_{>=0}(p - rho_n u_n),  q = Proj_{|.| <= mu p}(q - rho_t s)
-   * eqs. (8) and (12) of Lai et al. 2017. For convection and rate see
+   * eqs. (8) and (12) of Lai et al. 2017; the share is 1 in a plane, see
+   * SurfaceFrames. For convection and rate see
    * TimeScaling; what a time step does without reactions is in gap, free_slip
    * and free_displacement. With a friction law mu falls with the sliding speed
    * |s| |V|, s the slip that the traction answers, and p, q, s and mu hold at
@@ -115,6 +117,21 @@ namespace RollingContact
    */
   std::vector<double>
   nodal_forces(const ContactProblem &contact, const ContactState &state);
+
+  /**
+   * Force on the wheel at a node. Units: N.
+   */
+  struct NodalForce
+  {
+    double x = 0., y = 0., z = 0.;
+  };
+
+  /**
+   * The forces H q and H p of a state at the nodes in the axes of the plane of
+   * resultants, see SurfaceFrames. Units: N.
+   */
+  std::vector<NodalForce>
+  forces_in_plane(const ContactProblem &contact, const ContactState &state);
 
   /**
    * The gap u_n of a state at the nodes. Units: m.

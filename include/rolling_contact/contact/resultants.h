@@ -21,14 +21,17 @@ namespace RollingContact
 
   /**
    * Integrals and sizes of a state; forces are those on the wheel, moments
-   * about the origin of the contact plane. Units: N, N m, Pa, m^2, m.
+   * about the origin of the contact plane, both in its axes: where the surface
+   * of contact is curved (SurfaceFrames), pressure has a part in all but
+   * force_x. Units: N, N m, Pa, m^2, m.
    */
   struct Resultants
   {
     double       normal_force = 0.;
     double       force_x = 0., force_y = 0., spin_moment = 0.;
-    double       friction_force = 0.; ///< integral of mu p, mu_s if it falls
-    double       traction_coefficient = 0.; ///< |T| / N
+    double       friction_force   = 0.; ///< integral of mu p, mu_s if it falls
+    double       tangential_force = 0.; ///< |T|, of friction alone
+    double       traction_coefficient = 0.; ///< that over the sum of pressure
     double       max_pressure         = 0.;
     double       contact_area = 0., stick_area = 0.;
     unsigned int n_touching = 0;

@@ -10,7 +10,9 @@ namespace RollingContact
   /**
    * How a body's contact nodes hang together with the nodes of the interface:
    * they are the same, or values go over by P (see MortarProjection) and nodal
-   * forces back by P^T. Values are given component by component.
+   * forces back by P^T; and on a curved surface the components of the interface
+   * are those along the tangents and normals of its nodes. Values are given
+   * component by component.
    */
   class SurfaceCoupling
   {
@@ -26,10 +28,24 @@ namespace RollingContact
       , n_body_nodes(n_body_nodes)
     {}
 
+    /**
+     * Whether nodes are the same.
+     */
     bool
     is_identity() const
     {
       return n_body_nodes == 0;
+    }
+
+    /**
+     * From now on, let the last two of three components on the interface be
+     * those along the tangent across, (cos, - sin) of the angle of a node in
+     * the body's (y, z), and along its normal (sin, cos). Units: rad.
+     */
+    void
+    turn(std::vector<double> node_angles)
+    {
+      angles = std::move(node_angles);
     }
 
     /**
@@ -52,8 +68,22 @@ namespace RollingContact
     to_interface(DenseMatrix W) const;
 
   private:
-    SparseRows  P;
-    std::size_t n_body_nodes = 0;
+    /**
+     * Turn the values of two components, of one node after the other @p stride
+     * apart, from axes of the body to those of the nodes, or backwards.
+     */
+    void
+    turn_values(double           *across,
+                double           *normal,
+                const std::size_t stride,
+                const bool        backwards) const;
+
+    DenseMatrix
+    projected(const DenseMatrix &W) const;
+
+    SparseRows          P;
+    std::size_t         n_body_nodes = 0;
+    std::vector<double> angles; ///< empty: axes of the body
   };
 } // namespace RollingContact
 

@@ -107,12 +107,14 @@ namespace RollingContact
     is_swept() const;
 
     /**
-     * The coarse cells of a swept section with these sizes along x and across;
-     * nullptr for other shapes, and if cells of these sizes would be too
-     * distorted.
+     * The coarse cells of a swept section with these sizes along x and across,
+     * under its running surface at most so deep; nullptr for other shapes, and
+     * if cells of these sizes would be too distorted.
      */
     virtual std::shared_ptr<const SweptMesh>
-    swept_mesh(const CoarseCells &along, const CoarseCells &across) const;
+    swept_mesh(const CoarseCells &along,
+               const CoarseCells &across,
+               const double       deepest) const;
 
     /**
      * The mesh that the shape brings; nullptr if the program meshes it.

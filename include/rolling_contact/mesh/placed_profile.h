@@ -28,9 +28,9 @@ namespace RollingContact
      */
     std::function<std::optional<double>(double)> arc_length;
 
-    double turn   = 0.; ///< of the section's axes against those of the body
-    double radius = 0.; ///< at the tape circle, of a wheel
-    double bow    = 0.; ///< of a wheel's web
+    double turn    = 0.; ///< of the section's axes against those of the body
+    double radius  = 0.; ///< at the tape circle, of a wheel
+    double bow     = 0.; ///< of a wheel's web
     bool   is_left = false;
   };
 
@@ -47,8 +47,8 @@ namespace RollingContact
      * The profile between two of its arc lengths, with lines from there on
      * (across, down), each from its end of the profile outwards.
      */
-    RunningSurface(const PlacedProfile                       &placed,
-                   const std::array<double, 2>               &ends,
+    RunningSurface(const PlacedProfile                         &placed,
+                   const std::array<double, 2>                 &ends,
                    const std::vector<Profiles::Outline::Point> &before,
                    const std::vector<Profiles::Outline::Point> &after);
 

@@ -18,11 +18,13 @@ namespace RollingContact
   /**
    * The section of a rail: a strip under the running surface with corners at
    * multiples of a cell's size near the contact, the core of the head, and
-   * neck, web and foot of a 60E1. Points are across and up from the sole; the
-   * sole is its hub. Units: m.
+   * neck, web and foot of a 60E1. Cells of the strip are at most so deep.
+   * Points are across and up from the sole; the sole is its hub. Units: m.
    */
   SectionMesh
-  rail_section_mesh(const RunningSurface &surface, const CoarseCells &across);
+  rail_section_mesh(const RunningSurface &surface,
+                    const CoarseCells    &across,
+                    const double          deepest);
 } // namespace RollingContact
 
 #endif

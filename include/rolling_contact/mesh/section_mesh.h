@@ -25,8 +25,8 @@ namespace RollingContact
   };
 
   /**
-   * Coarse quadrilaterals of a section. Each is the image (a, b) -> point of the
-   * unit square between its four edges, straight ones or curves (Coons):
+   * Coarse quadrilaterals of a section. Each is the image (a, b) -> point of
+   * the unit square between its four edges, straight ones or curves (Coons):
    *
    *   P = (1-b) E_2(a) + b E_3(a) + (1-a) E_0(b) + a E_1(b) - bilinear part,
    *
@@ -83,7 +83,7 @@ namespace RollingContact
      * Places of the corners, in the order in which add() was given them.
      */
     void
-    set_chart(const unsigned int                quad,
+    set_chart(const unsigned int                 quad,
               const std::array<SectionPoint, 4> &corners,
               const std::array<ChartPoint, 4>   &chart);
 

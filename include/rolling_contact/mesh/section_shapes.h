@@ -30,7 +30,8 @@ namespace RollingContact
 
     std::shared_ptr<const SweptMesh>
     swept_mesh(const CoarseCells &along,
-               const CoarseCells &across) const override;
+               const CoarseCells &across,
+               const double       deepest) const override;
 
     const RunningSurface &
     running_surface() const
@@ -46,10 +47,11 @@ namespace RollingContact
     dimensions() const override;
 
     /**
-     * The section's coarse quadrilaterals.
+     * The section's coarse quadrilaterals, under the running surface at most so
+     * deep.
      */
     virtual SectionMesh
-    section(const CoarseCells &across) const = 0;
+    section(const CoarseCells &across, const double deepest) const = 0;
 
     /**
      * Where the section is in the body's frame, and the ends of coarse cells
@@ -88,7 +90,7 @@ namespace RollingContact
 
   protected:
     SectionMesh
-    section(const CoarseCells &across) const override;
+    section(const CoarseCells &across, const double deepest) const override;
 
     std::pair<SectionPlacement, std::vector<double>>
     sweep(const CoarseCells &along) const override;
@@ -122,7 +124,7 @@ namespace RollingContact
 
   protected:
     SectionMesh
-    section(const CoarseCells &across) const override;
+    section(const CoarseCells &across, const double deepest) const override;
 
     std::pair<SectionPlacement, std::vector<double>>
     sweep(const CoarseCells &along) const override;

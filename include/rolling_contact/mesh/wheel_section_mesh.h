@@ -37,17 +37,18 @@ namespace RollingContact
 
   /**
    * The section of a wheel: a strip under the running surface with corners at
-   * multiples of a cell's size near the contact, flange, rim, web and hub.
-   * Points are across and outwards from the axle; the bore is its hub. The
-   * third number is the radius on which x is measured, on the running surface
-   * its own, elsewhere @p rolling_radius. Units: m.
+   * multiples of a cell's size near the contact, at most so deep, flange, rim,
+   * web and hub. Points are across and outwards from the axle; the bore is its
+   * hub. The third number is the radius on which x is measured, on the running
+   * surface its own, elsewhere @p rolling_radius. Units: m.
    */
   SectionMesh
   wheel_section_mesh(const PlacedProfile  &placed,
                      const RunningSurface &surface,
                      const WheelMeasures  &measures,
                      const double          rolling_radius,
-                     const CoarseCells    &across);
+                     const CoarseCells    &across,
+                     const double          deepest);
 } // namespace RollingContact
 
 #endif

@@ -27,14 +27,17 @@ namespace RollingContact
   /**
    * Of half-spaces with the contact modulus E* (Pa) on a coarse grid, under a
    * load or with an approach if there is none. All members are zero if the
-   * surfaces do not touch. Throws InputError if the patch reaches the ends of
-   * the profiles.
+   * surfaces do not touch. On a curved surface of contact load and approach
+   * are inclined against the normal of its plane by an angle (rad), see
+   * SurfaceFrames. Throws InputError if the patch reaches the ends of the
+   * profiles.
    */
   ProfilePatch
   profile_patch(const Profiles::ContactFrame &frame,
                 const double                  contact_modulus,
                 const std::optional<double>  &load,
-                const double                  approach);
+                const double                  approach,
+                const double                  load_angle = 0.);
 } // namespace RollingContact
 
 #endif

@@ -25,7 +25,6 @@ namespace RollingContact::Profiles
    */
   struct RailLandmarks
   {
-    Outline::Point gauge_corner; ///< in the middle of the arc of 13 mm
     Outline::Point side_end;     ///< of the head, where its lower corner begins
     Outline::Point lower_corner; ///< of the head, in the middle of its arc
   };

@@ -48,7 +48,10 @@ namespace RollingContact::References
    *
    *   u = h - approach + 1/(pi E*) int p / r dA,  u >= 0, p >= 0, p u = 0.
    *
-   * Under a load (N), or with an approach (m) if there is none. The influence
+   * Under a load (N), or with an approach (m) if there is none. With shares,
+   * the cosines between the normals of a curved surface and the direction of
+   * approach and load, the approach closes a gap by its share and the load is
+   * the integral of share times p. The influence
    * of a rectangle is Love's (1929); solved by the constrained conjugate
    * gradients of Polonsky and Keer (Wear 231, 1999) until pressures change by
    * less than 1e-4 of their sum. Costs the square of the number of rectangles.
@@ -59,7 +62,8 @@ namespace RollingContact::References
                       const std::vector<double>   &gap,
                       const double                 contact_modulus,
                       const std::optional<double> &load,
-                      const double                 approach);
+                      const double                 approach,
+                      const std::vector<double>   &shares = {});
 } // namespace RollingContact::References
 
 #endif

@@ -126,8 +126,9 @@ namespace RollingContact
     bool   true_sections = false; ///< of the bodies: else disc and block
     double web_bow       = 0.;
 
-    bool                  is_left = false;
-    double                shift   = 0.;
+    Profiles::SurfaceKind surface_kind = Profiles::SurfaceKind::plane;
+    bool                  is_left      = false;
+    double                shift        = 0.;
     std::optional<double> roll; ///< none: both wheels touch
     CreepageSource        creepage_source = CreepageSource::given;
     std::optional<double> pitch_rate; ///< none: no longitudinal creepage

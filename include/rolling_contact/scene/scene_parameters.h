@@ -59,6 +59,14 @@ namespace RollingContact
     read_profiles();
 
     /**
+     * The angle of load and approach against the normal of the plane in which
+     * bodies touch first, on a curved surface of contact under a vertical load;
+     * else 0. Units: rad.
+     */
+    double
+    load_angle() const;
+
+    /**
      * Whether the undeformed gap is that of the radii of wheel and rail, so
      * that closed forms have something to say.
      */

@@ -1,0 +1,68 @@
+#include <rolling_contact/pair/profile_surface.h>
+
+namespace RollingContact
+{
+  namespace
+  {
+    const double beyond_surface = 1e-2; // m, gap where a profile has ended
+
+    bool
+    is_curved(const SceneParameters &scene)
+    {
+      return scene.profiles.frame &&
+             scene.profiles.frame->kind() == Profiles::SurfaceKind::curved;
+    }
+  } // namespace
+
+
+
+  SurfaceFrames
+  surface_frames(const SceneParameters             &scene,
+                 const ContactOperators::Positions &at)
+  {
+    SurfaceFrames frames;
+    if (!is_curved(scene))
+      return frames;
+    const Profiles::ContactFrame &frame = *scene.profiles.frame;
+    frames.load_angle                   = scene.load_angle();
+    for (const auto &[x, s] : at)
+      {
+        const auto [y, z, angle] = frame.covers(s)
+                                     ? frame.surface(s)
+                                     : Profiles::SurfacePoint{s, 0., 0.};
+        frames.nodes.push_back({y, z, angle});
+      }
+    return frames;
+  }
+
+
+
+  double
+  gap_of_profiles(const SceneParameters &scene, const std::array<double, 2> &at)
+  {
+    return scene.profiles.frame->gap(at[0], at[1]).value_or(beyond_surface);
+  }
+
+
+
+  NodalField
+  slip_of_profiles(const SceneParameters             &scene,
+                   const ContactOperators::Positions &at,
+                   const unsigned int                 n_tangential)
+  {
+    if (n_tangential == 0 ||
+        (!scene.profiles.gives_creepages() && !is_curved(scene)))
+      return {};
+    const Profiles::ContactFrame &frame = *scene.profiles.frame;
+    const double                  flow  = scene.contact.flow();
+    NodalField                    slip(at.size(), n_tangential);
+    for (unsigned int i = 0; i < at.size(); ++i)
+      {
+        const auto &[x, s] = at[i];
+        slip(0, i)         = flow * frame.slip_beyond_spin(s);
+        if (is_curved(scene) && frame.covers(s))
+          slip(1, i) = flow * frame.slip_of_rolling(x, s);
+      }
+    return slip;
+  }
+} // namespace RollingContact

@@ -1,0 +1,154 @@
+#include <boost/test/unit_test.hpp>
+
+#include "complaint.h"
+#include "scene_run.h"
+
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/contact/invariants.h>
+#include <rolling_contact/contact/patches.h>
+#include <rolling_contact/pair/profile_surface.h>
+#include <rolling_contact/references/half_space_pressure.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace RollingContact;
+
+BOOST_AUTO_TEST_SUITE(curved_surface)
+
+namespace
+{
+  const double mm = 1e-3;
+
+  /** S1002 on 60E1 with a vertical load, creepages of the wheelset. */
+  void
+  s1002_on_60e1(SceneParameters &scene)
+  {
+    scene.dimension                  = 3;
+    scene.wheel.radius               = 0.46;
+    scene.wheel.lateral_radius       = 0.;
+    scene.wheel.width                = 0.1;
+    scene.rail.shape                 = "block";
+    scene.rail.radius                = 0.;
+    scene.rail.width                 = 0.1;
+    scene.rail.block_length          = 0.3;
+    scene.rail.block_depth           = 0.15;
+    scene.contact.vertical_load      = 40e3;
+    scene.mesh.elements_across_patch = 10;
+    scene.mesh.growth                = 0.8;
+    scene.output.body_fields         = false;
+    scene.profiles.wheel_profile     = "S1002";
+    scene.profiles.rail_profile      = "60E1";
+    scene.profiles.roll              = 0.;
+    scene.profiles.surface_kind      = Profiles::SurfaceKind::curved;
+    scene.profiles.creepage_source =
+      ProfileParameters::CreepageSource::kinematics;
+  }
+
+  double
+  upwards(const SceneRun<3> &run)
+  {
+    return run.scene.profiles.frame->in_track(
+      run.steady.result.force_y, run.steady.result.normal_force)[1];
+  }
+} // namespace
+
+
+
+BOOST_AUTO_TEST_CASE(half_spaces_know_the_direction_of_the_load)
+{
+  // with one share for all the load is that of a plane over the share
+  const References::ContactGrid grid{
+    20, 20, -3.8 * mm, -3.8 * mm, 0.4 * mm, 0.4 * mm};
+  const double        modulus = 1.15e11, share = 0.6, load = 9e3;
+  std::vector<double> gap, shares(400, share);
+  for (std::size_t j = 0; j < grid.n_y; ++j)
+    for (std::size_t i = 0; i < grid.n_x; ++i)
+      gap.push_back((std::pow(grid.x(i), 2) + std::pow(grid.y(j), 2)) /
+                    (2 * 0.3));
+  const auto plane =
+               References::half_space_pressure(grid, gap, modulus, load, 0.),
+             inclined = References::half_space_pressure(
+               grid, gap, modulus, share * load, 0., shares);
+  BOOST_TEST(inclined.load == share * plane.load,
+             boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(inclined.approach == plane.approach / share,
+             boost::test_tools::tolerance(1e-4));
+  BOOST_TEST(inclined.pressure[210] == plane.pressure[210],
+             boost::test_tools::tolerance(1e-3));
+  // with shares of its own, each node is on its own surface
+  for (std::size_t i = 0; i < shares.size(); ++i)
+    shares[i] = 1 - 0.1 * grid.y(i / grid.n_x) / mm / 4;
+  const auto turned =
+    References::half_space_pressure(grid, gap, modulus, load, 0., shares);
+  double sum = 0.;
+  for (std::size_t i = 0; i < shares.size(); ++i)
+    sum += shares[i] * turned.pressure[i] * grid.size_x * grid.size_y;
+  BOOST_TEST(sum == load, boost::test_tools::tolerance(1e-9));
+}
+
+
+
+BOOST_AUTO_TEST_CASE(where_normals_hardly_turn_the_surface_is_its_plane)
+{
+  const auto tread = [](SceneParameters &scene) {
+    scene.profiles.shift = 3 * mm;
+  };
+  const SceneRun<3> curved([](SceneParameters &scene) { s1002_on_60e1(scene); },
+                           tread),
+    plane([](SceneParameters &scene) { s1002_on_60e1(scene); },
+          [&](SceneParameters &scene) {
+            tread(scene);
+            scene.profiles.surface_kind = Profiles::SurfaceKind::plane;
+          });
+  const Resultants &one = curved.steady.result, &other = plane.steady.result;
+  BOOST_TEST(one.max_pressure == other.max_pressure,
+             boost::test_tools::tolerance(3e-3));
+  const auto of_curved =
+               curved.scene.profiles.frame->in_track(one.force_y,
+                                                     one.normal_force),
+             of_plane =
+               plane.scene.profiles.frame->in_track(other.force_y,
+                                                    other.normal_force);
+  BOOST_TEST(
+    std::hypot(one.force_x - other.force_x, of_curved[0] - of_plane[0]) <
+    0.01 * plane.friction_force());
+  BOOST_TEST(of_curved[1] == 40e3, boost::test_tools::tolerance(1e-8));
+}
+
+
+
+BOOST_AUTO_TEST_CASE(solvers_agree_on_a_curved_surface)
+{
+  const auto with = [](const std::string &solver) {
+    return SceneRun<3>([](SceneParameters &scene) { s1002_on_60e1(scene); },
+                       [&](SceneParameters &scene) {
+                         scene.profiles.shift                 = 6 * mm;
+                         scene.solver.solver                  = solver;
+                         scene.mesh.elements_across_patch     = 8;
+                         scene.solver.controls.max_iterations = 20000;
+                       });
+  };
+  const SceneRun<3> active    = with("automatic"),
+                    projected = with("accelerated projection"),
+                    fixed     = with("fixed point"); // without an edge law
+  for (const SceneRun<3> *run : {&active, &projected, &fixed})
+    {
+      const bool        is_fixed = run == &fixed;
+      const Resultants &found    = run->steady.result,
+                       &other    = active.steady.result;
+      BOOST_TEST(upwards(*run) == 40e3, boost::test_tools::tolerance(1e-8));
+      BOOST_TEST(std::hypot(found.force_x - other.force_x,
+                            found.force_y - other.force_y) <
+                 (is_fixed ? 1e-2 : 1e-6) * active.friction_force());
+      BOOST_TEST(run->steady.state.approach == active.steady.state.approach,
+                 boost::test_tools::tolerance(is_fixed ? 1e-3 : 1e-6));
+      const Invariants broken =
+        invariants(run->steady.problem, run->steady.state);
+      BOOST_TEST(broken.overlap < 1e-6);
+      BOOST_TEST(broken.cone < 1e-6);
+      BOOST_TEST(broken.load < 1e-6);
+    }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
