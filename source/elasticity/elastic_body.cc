@@ -254,8 +254,8 @@ namespace RollingContact
     for_each_surface_face([&](const CellIterator &cell, const unsigned int f) {
       for (const unsigned int v : cell->face(f)->vertex_indices())
         {
-          Point<dim> at = body_mesh.chart->pull_back(cell->face(f)->vertex(v));
-          at[0]         = body_mesh.chart->centred_x(at[0]);
+          const Point<dim> at = body_mesh.chart_point(
+            cell, GeometryInfo<dim>::face_to_cell_vertices(f, v));
           vertices[cell->face(f)->vertex_dof_index(v, 0)] = without_depth(at);
         }
     });

@@ -6,9 +6,11 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/mesh/body_mesh.h>
+#include <rolling_contact/mesh/cell_count.h>
 #include <rolling_contact/mesh/coarse_boxes.h>
 #include <rolling_contact/mesh/file_body_mesh.h>
 #include <rolling_contact/mesh/mesh_memory.h>
+#include <rolling_contact/mesh/swept_cells.h>
 #include <rolling_contact/parallel/ranks.h>
 
 #include <algorithm>
@@ -119,10 +121,27 @@ namespace RollingContact
 
 
   template <int dim>
-  std::pair<Point<dim>, Point<dim>>
-  BodyMesh<dim>::chart_box(
-    const typename Triangulation<dim>::cell_iterator &cell) const
+  Point<dim>
+  BodyMesh<dim>::chart_point(const CellIterator &cell,
+                             const unsigned int  vertex) const
   {
+    if constexpr (dim == 3)
+      if (swept)
+        return swept_chart_point(*swept, cell, vertex);
+    Point<dim> point = chart->pull_back(cell->vertex(vertex));
+    point[0]         = chart->centred_x(point[0]);
+    return point;
+  }
+
+
+
+  template <int dim>
+  std::pair<Point<dim>, Point<dim>>
+  BodyMesh<dim>::chart_box(const CellIterator &cell) const
+  {
+    if constexpr (dim == 3)
+      if (swept)
+        return swept_chart_box(*swept, cell);
     Point<dim> lower = chart->pull_back(cell->vertex(0)), upper = lower;
     lower[0] = upper[0] = chart->centred_x(lower[0]);
     const double period = chart->period(), reference = lower[0];
@@ -252,11 +271,42 @@ namespace RollingContact
   least_cells(const std::shared_ptr<const BodyShape> &shape,
               const Grading<dim>                     &grading)
   {
+    if constexpr (dim == 3)
+      if (shape->is_swept())
+        return fewest_swept_cells(shape,
+                                  grading,
+                                  std::numeric_limits<double>::infinity())
+          .second;
     return fewest_cells<dim>(shape,
                              grading,
                              std::numeric_limits<double>::infinity())
       .second;
   }
+
+
+
+  namespace
+  {
+    BodyMesh<3>
+    swept_body_mesh(const std::shared_ptr<const BodyShape> &shape,
+                    const Grading<3>                       &grading,
+                    const MeshKind                          kind)
+    {
+      const auto [coarse, n_cells] =
+        fewest_swept_cells(shape, grading, largest_mesh<3>(kind));
+      if (kind == MeshKind::distributed)
+        check_levels<3>(coarse->size(), grading.element_size_x);
+      check_mesh_memory<3>(n_cells, kind, generated_remedy);
+      BodyMesh<3> mesh;
+      mesh.kind          = kind;
+      mesh.swept         = coarse;
+      mesh.triangulation = make_triangulation<3>(kind);
+      create_swept_cells(*coarse, *mesh.triangulation);
+      refine(grading, mesh);
+      move_vertices(*coarse, *mesh.triangulation);
+      return mesh;
+    }
+  } // namespace
 
 
 
@@ -268,6 +318,9 @@ namespace RollingContact
   {
     if (shape->mesh())
       return file_body_mesh<dim>(*shape->mesh());
+    if constexpr (dim == 3)
+      if (shape->is_swept())
+        return swept_body_mesh(shape, grading, kind);
     auto [coarse, n_cells] =
       fewest_cells<dim>(shape, grading, largest_mesh<dim>(kind));
     if (kind == MeshKind::distributed)

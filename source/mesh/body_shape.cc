@@ -149,6 +149,24 @@ namespace RollingContact
 
 
 
+  bool
+  BodyShape::is_swept() const
+  {
+    return false;
+  }
+
+
+
+  std::shared_ptr<const SweptMesh>
+  BodyShape::swept_mesh(const CoarseCells &,
+                        const CoarseCells &,
+                        const double) const
+  {
+    return nullptr;
+  }
+
+
+
   std::shared_ptr<const FileMesh>
   BodyShape::mesh() const
   {
@@ -168,7 +186,7 @@ namespace RollingContact
   bool
   BodyShape::is_twin_of(const BodyShape &other) const
   {
-    return typeid(*this) == typeid(other) && !mesh() &&
+    return typeid(*this) == typeid(other) && !mesh() && !is_swept() &&
            hub_clamped() == other.hub_clamped() &&
            dimensions() == other.dimensions();
   }

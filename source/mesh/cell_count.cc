@@ -1,5 +1,6 @@
 #include <rolling_contact/mesh/cell_count.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace RollingContact
@@ -76,6 +77,67 @@ namespace RollingContact
         divider.divide(lower, upper);
       }
     return divider.n_cells;
+  }
+
+
+
+  std::pair<Point<3>, Point<3>>
+  chart_box(const SweptMesh             &mesh,
+            const unsigned int           cell,
+            const std::array<double, 3> &lower,
+            const double                 size)
+  {
+    Point<3> least, largest;
+    for (unsigned int v = 0; v < 8; ++v)
+      {
+        std::array<double, 3> local = lower;
+        for (unsigned int d = 0; d < 3; ++d)
+          local[d] += ((v >> d) & 1) * size;
+        const auto corner = mesh.chart_point(cell, local);
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            least[d]   = v == 0 ? corner[d] : std::min(least[d], corner[d]);
+            largest[d] = v == 0 ? corner[d] : std::max(largest[d], corner[d]);
+          }
+      }
+    return {least, largest};
+  }
+
+
+
+  double
+  count_cells(const SweptMesh  &mesh,
+              const Grading<3> &grading,
+              const double      enough)
+  {
+    double                                             n_cells = 0.;
+    std::vector<std::pair<std::array<double, 3>, int>> parts;
+    for (unsigned int cell = 0; cell < mesh.n_cells() && n_cells <= enough;
+         ++cell)
+      {
+        parts.push_back({{{0., 0., 0.}}, 0});
+        while (!parts.empty() && n_cells <= enough)
+          {
+            const auto [lower, level] = parts.back();
+            parts.pop_back();
+            const double size = std::ldexp(1., -level);
+            const auto   box  = chart_box(mesh, cell, lower, size);
+            if (!grading.refine(box.first, box.second))
+              {
+                ++n_cells;
+                continue;
+              }
+            for (unsigned int child = 0; child < 8; ++child)
+              {
+                std::array<double, 3> begin = lower;
+                for (unsigned int d = 0; d < 3; ++d)
+                  begin[d] += ((child >> d) & 1) * size / 2;
+                parts.push_back({begin, level + 1});
+              }
+          }
+        parts.clear();
+      }
+    return n_cells;
   }
 
 

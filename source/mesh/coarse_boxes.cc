@@ -1,3 +1,5 @@
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/text.h>
 #include <rolling_contact/mesh/cell_count.h>
 #include <rolling_contact/mesh/coarse_boxes.h>
 
@@ -24,6 +26,9 @@ namespace RollingContact
     const double growth_along = 0.7, growth_across = 0.5, growth_in_depth = 0.3;
 
     const int n_halvings_tried = 7;
+
+    /// cells of a section under its running surface, across: m
+    const double least_section_cell = 9e-3, largest_section_cell = 18e-3;
 
 
 
@@ -217,6 +222,63 @@ namespace RollingContact
          --k)
       try_it(k, true);
     return {std::move(best), fewest};
+  }
+
+
+
+  std::pair<std::shared_ptr<const SweptMesh>, double>
+  fewest_swept_cells(const std::shared_ptr<const BodyShape> &shape,
+                     const Grading<3>                       &grading,
+                     const double                            enough)
+  {
+    const double element = grading.element_size_x,
+                 across  = grading.element_size_y;
+    // the one size between a largest and half of that, and its half
+    const int most =
+      std::max(0., std::floor(std::log2(largest_section_cell / across)));
+    std::shared_ptr<const SweptMesh> best;
+    double fewest = std::numeric_limits<double>::infinity();
+    for (const int k : {most, most - 1})
+      {
+        if (k < 0 || (best && std::ldexp(across, k) < least_section_cell))
+          continue;
+        const double size    = std::ldexp(element, k);
+        CoarseCells  along_x = cells_along<3>({0,
+                                               element,
+                                               grading.zone_x,
+                                               shape->largest_coarse_size(),
+                                               growth_along},
+                                             size,
+                                             true,
+                                             grading);
+        along_x.origin       = grading.offset * element;
+        const auto mesh      = shape->swept_mesh(
+          along_x,
+          cells_along<3>(
+            {1, across, grading.zone_y, largest_section_cell, growth_across},
+            size,
+            false,
+            grading),
+          size * grading.element_size_z() / element);
+        if (!mesh)
+          continue;
+        const double n_cells =
+          count_cells(*mesh, grading, std::min(fewest, enough));
+        if (n_cells < fewest)
+          {
+            best   = mesh;
+            fewest = n_cells;
+          }
+      }
+    if (!best)
+      throw InputError(
+        "Profiles/Body sections = true: the profiles' sections cannot be meshed "
+        "with elements of " +
+        significant(across, 3) +
+        " m across: cells would be folded or flat. Take another "
+        "Mesh/Elements across patch y, a profile nearer to a new one, or Body "
+        "sections = plain.");
+    return {best, fewest};
   }
 
 

@@ -53,6 +53,14 @@ namespace RollingContact
             }
           const auto   shape = body->body_shape();
           const double reach = shape->reach_x();
+          if (shape->is_swept() && grading.zone_y > shape->reach_y())
+            throw InputError(
+              "Profiles/Body sections = true: the contact zone reaches " +
+              significant(grading.zone_y, 3) +
+              " m across from the first contact, the " + body->section +
+              "'s surface that faces the other body only " +
+              significant(shape->reach_y(), 3) +
+              " m: check load and shift, or take Body sections = plain.");
           if (grading.zone_x > reach)
             throw InputError(
               body->section + ": the contact zone reaches " +

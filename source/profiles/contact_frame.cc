@@ -127,12 +127,20 @@ namespace RollingContact::Profiles
 
 
 
+  double
+  ContactFrame::rail_arc_length(const double s) const
+  {
+    const double along = sign * s;
+    return surface_kind == SurfaceKind::plane ? rail_at(along)
+                                              : rail_origin + along;
+  }
+
+
+
   CurvePoint
   ContactFrame::rail_point(const double s) const
   {
-    const double along = sign * s;
-    return rail.at(surface_kind == SurfaceKind::plane ? rail_at(along)
-                                                      : rail_origin + along);
+    return rail.at(rail_arc_length(s));
   }
 
 

@@ -2,6 +2,7 @@
 
 #include <rolling_contact/base/choices.h>
 #include <rolling_contact/input/prm_declarations.h>
+#include <rolling_contact/mesh/section_shapes.h>
 #include <rolling_contact/mesh_files/mesh_file.h>
 #include <rolling_contact/scene/body_parameters.h>
 
@@ -235,7 +236,11 @@ namespace RollingContact
   std::shared_ptr<const BodyShape>
   BodyParameters::body_shape() const
   {
-    return make_body_shape(shape, *this);
+    if (!profile)
+      return make_body_shape(shape, *this);
+    if (section == "Wheel")
+      return std::make_shared<const WheelShape>(*this);
+    return std::make_shared<const RailShape>(*this);
   }
 
 

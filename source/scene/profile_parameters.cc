@@ -52,6 +52,7 @@ namespace RollingContact
     declare_sections(prm);
     declare_track(prm);
     declare_wheelset(prm);
+    declare_bodies(prm);
     prm.leave_subsection();
     prm.enter_subsection("Contact table");
     declare_table(prm);
@@ -210,6 +211,27 @@ namespace RollingContact
 
 
   void
+  ProfileParameters::declare_bodies(ParameterHandler &prm)
+  {
+    declare_choice(
+      prm,
+      "Body sections",
+      true_sections,
+      std::vector<NamedValue<bool>>{{"plain", false}, {"true", true}},
+      "What is under the profiles of elastic bodies: `plain`, the disc and the "
+      "block of sections Wheel and Rail; `true`, a wheel with flange, rim, web "
+      "and hub, held at its bore (Wheel/Hub radius), and a rail with head, web "
+      "and foot of a 60E1, Rail/Block length long, held at its sole.");
+    prm.add_parameter("Web bow",
+                      web_bow,
+                      "By how much the middle of a true wheel's web is bowed "
+                      "towards the field side. Units: m.",
+                      Patterns::Double());
+  }
+
+
+
+  void
   ProfileParameters::declare_table(ParameterHandler &prm)
   {
     declare_number_list(prm,
@@ -356,6 +378,7 @@ namespace RollingContact
     check_range("Yaw", yaw, -0.1, 0.1, "rad");
     check_range("File unit", file_unit, 1e-6, 1., "m");
     check_range("Smoothing length", smoothing_length, 0., 0.05, "m");
+    check_range("Web bow", web_bow, -0.04, 0.04, "m");
     check_range("Lateral shift", shift, -0.05, 0.05, "m");
     check_range("Roll", roll.value_or(0.), -0.2, 0.2, "rad");
     for (std::size_t k = 1; k < shifts.size(); ++k)

@@ -284,6 +284,10 @@ namespace RollingContact
                        ", Rail/Radius = " + text_of(rail.radius) +
                        ": a rail with a profile is straight; take Rail/Shape "
                        "= block and Rail/Radius = 0.");
+    if (profiles.true_sections && !wheel.rigid && wheel.shape != "disc")
+      throw InputError("Wheel/Shape = " + wheel.shape +
+                       " and Profiles/Body sections = true: the wheel is a "
+                       "body of revolution then; take Wheel/Shape = disc.");
     for (const BodyParameters *body : {&wheel, &rail})
       if (body->lateral_radius != 0.)
         throw InputError(body->section +
@@ -310,6 +314,15 @@ namespace RollingContact
     if (!profiles.in_use() || analysis == "contact table")
       return;
     profiles.find_frame(wheel.radius, prm_folder);
+    if (profiles.has_true_sections())
+      {
+        if (!wheel.rigid)
+          wheel.profile = profiles.placed_wheel();
+        if (!rail.rigid)
+          rail.profile = profiles.placed_rail();
+        wheel.check(dimension);
+        rail.check(dimension);
+      }
     if (profiles.gives_creepages())
       contact.creepages =
         profiles.frame->creepages(contact.rolling_speed(), profiles.pitch_rate);

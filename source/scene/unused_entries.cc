@@ -67,14 +67,28 @@ namespace RollingContact
                                   "Lateral shift",
                                   "Roll",
                                   "Creepages",
-                                  "Pitch rate"})
+                                  "Pitch rate",
+                                  "Body sections",
+                                  "Web bow"})
           idle["Profiles/" + std::string(entry)] =
-            "a contact table has both sides, its own shifts and no creepages";
+            "a contact table has both sides, its own shifts, no creepages and no "
+            "bodies";
       if (!is_table && !scene.profiles.in_use())
         return idle;
       if (!is_table && !scene.profiles.gives_creepages())
         idle["Profiles/Pitch rate"] =
           "Profiles/Creepages = from kinematics reads it";
+      if (!is_table && !scene.profiles.true_sections)
+        idle["Profiles/Web bow"] =
+          "Profiles/Body sections = true reads it, for the wheel";
+      else if (!is_table)
+        {
+          const std::string why = "Profiles/Body sections = true gives the "
+                                  "bodies' sections";
+          for (const char *entry :
+               {"Wheel/Width", "Rail/Width", "Rail/Block depth"})
+            idle[entry] = why;
+        }
       if (!scene.profiles.has_files())
         for (const char *entry :
              {"Smoothing length", "File unit", "Wheel mirror", "Rail mirror"})

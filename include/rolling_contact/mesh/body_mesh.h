@@ -5,6 +5,7 @@
 
 #include <rolling_contact/mesh/chart.h>
 #include <rolling_contact/mesh/grading.h>
+#include <rolling_contact/mesh/swept_mesh.h>
 
 #include <memory>
 
@@ -27,22 +28,30 @@ namespace RollingContact
   };
 
   /**
-   * A body mesh and the chart it lives in; a mesh that the shape brings has no
-   * chart.
+   * A body mesh and the chart it lives in, one of boxes or, in a swept section,
+   * of coarse cells; a mesh that the shape brings has no chart.
    */
   template <int dim>
   struct BodyMesh
   {
     MeshKind                                    kind = MeshKind::serial;
     std::unique_ptr<BodyChart<dim>>             chart;
+    std::shared_ptr<const SweptMesh>            swept; ///< 3D only
     std::unique_ptr<dealii::Triangulation<dim>> triangulation;
+
+    using CellIterator = typename dealii::Triangulation<dim>::cell_iterator;
+
+    /**
+     * A corner of a cell in the chart, x counted from the contact point.
+     */
+    dealii::Point<dim>
+    chart_point(const CellIterator &cell, const unsigned int vertex) const;
 
     /**
      * Corners of a cell in the chart, x counted from the contact point.
      */
     std::pair<dealii::Point<dim>, dealii::Point<dim>>
-    chart_box(
-      const typename dealii::Triangulation<dim>::cell_iterator &cell) const;
+    chart_box(const CellIterator &cell) const;
   };
 
   /**

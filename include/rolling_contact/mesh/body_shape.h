@@ -13,11 +13,14 @@
 
 namespace RollingContact
 {
+  class SweptMesh;
+
   /**
    * Shape of one body in its own frame: the contact point is the origin, z
    * points out of the body; the wheel is its mirror image in z. A shape is
-   * either meshed by the program, as boxes in its chart(), or brings its
-   * mesh(). A new one is a class of its own and a row in body_shape_kinds().
+   * either meshed by the program, as boxes in its chart() or as a section that
+   * is swept, or brings its mesh(). A new one is a class of its own and, unless
+   * it is that of a body with a profile, a row in body_shape_kinds().
    * Units: m.
    */
   class BodyShape
@@ -92,10 +95,26 @@ namespace RollingContact
 
     /**
      * The chart with these coarse cells, which refers to this shape; nullptr
-     * for one with a mesh().
+     * for one that is swept or has a mesh().
      */
     virtual std::unique_ptr<SurfaceChart>
     chart(const CoarseCells &cells) const;
+
+    /**
+     * Whether swept_mesh() has its coarse cells.
+     */
+    virtual bool
+    is_swept() const;
+
+    /**
+     * The coarse cells of a swept section with these sizes along x and across,
+     * under its running surface at most so deep; nullptr for other shapes, and
+     * if cells of these sizes would be too distorted.
+     */
+    virtual std::shared_ptr<const SweptMesh>
+    swept_mesh(const CoarseCells &along,
+               const CoarseCells &across,
+               const double       deepest) const;
 
     /**
      * The mesh that the shape brings; nullptr if the program meshes it.
@@ -111,7 +130,7 @@ namespace RollingContact
 
     /**
      * True for mirror images of each other, which share one mesh. Bodies that
-     * bring their meshes never do.
+     * bring their meshes or are swept never do.
      */
     bool
     is_twin_of(const BodyShape &other) const;

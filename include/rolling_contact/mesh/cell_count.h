@@ -3,6 +3,7 @@
 
 #include <rolling_contact/mesh/chart.h>
 #include <rolling_contact/mesh/grading.h>
+#include <rolling_contact/mesh/swept_mesh.h>
 
 #include <array>
 #include <vector>
@@ -21,6 +22,25 @@ namespace RollingContact
               const BodyChart<dim>                       &chart,
               const Grading<dim>                         &grading,
               const double                                enough);
+
+  /**
+   * The same for the coarse cells of a swept section, each divided by the
+   * places of its corners in the chart.
+   */
+  double
+  count_cells(const SweptMesh  &mesh,
+              const Grading<3> &grading,
+              const double      enough);
+
+  /**
+   * Lower and upper corner in the chart of the part of a coarse cell from
+   * @p lower to @p lower + @p size of its unit cube.
+   */
+  std::pair<dealii::Point<3>, dealii::Point<3>>
+  chart_box(const SweptMesh             &mesh,
+            const unsigned int           cell,
+            const std::array<double, 3> &lower,
+            const double                 size);
 } // namespace RollingContact
 
 #endif

@@ -3,6 +3,7 @@
 
 #include <rolling_contact/mesh/chart.h>
 #include <rolling_contact/mesh/grading.h>
+#include <rolling_contact/mesh/swept_mesh.h>
 
 #include <array>
 #include <memory>
@@ -36,6 +37,15 @@ namespace RollingContact
   fewest_cells(const std::shared_ptr<const BodyShape> &shape,
                const Grading<dim>                     &grading,
                const double                            enough);
+
+  /**
+   * The same for a body with a swept section. Throws InputError if none of the
+   * sizes makes cells that are fit for use.
+   */
+  std::pair<std::shared_ptr<const SweptMesh>, double>
+  fewest_swept_cells(const std::shared_ptr<const BodyShape> &shape,
+                     const Grading<3>                       &grading,
+                     const double                            enough);
 } // namespace RollingContact
 
 #endif

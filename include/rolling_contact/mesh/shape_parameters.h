@@ -1,6 +1,7 @@
 #ifndef rolling_contact_mesh_shape_parameters_h
 #define rolling_contact_mesh_shape_parameters_h
 
+#include <rolling_contact/mesh/placed_profile.h>
 #include <rolling_contact/mesh_files/file_mesh.h>
 
 #include <memory>
@@ -47,6 +48,9 @@ namespace RollingContact
     unsigned int hub_boundary     = 2;
 
     std::shared_ptr<const FileMesh> mesh; ///< what mesh_file holds, once read
+
+    /** Of a body with a true section, once profiles are read. */
+    std::shared_ptr<const PlacedProfile> profile;
   };
 } // namespace RollingContact
 

@@ -76,6 +76,31 @@ namespace RollingContact::Profiles
     double
     track_y() const;
 
+    /**
+     * The wheel and the rail of the side it is on, as those of a right-hand
+     * one.
+     */
+    const WheelOnRail &
+    wheel_on_rail() const
+    {
+      return *profiles;
+    }
+
+    /**
+     * Roll of the wheelset as seen from a right-hand side. Units: rad.
+     */
+    double
+    roll() const
+    {
+      return position.roll;
+    }
+
+    bool
+    is_left() const
+    {
+      return sign < 0.;
+    }
+
     SurfaceKind
     kind() const
     {
@@ -101,6 +126,12 @@ namespace RollingContact::Profiles
      */
     std::optional<double>
     gap(const double x, const double s) const;
+
+    /**
+     * The rail's arc length at @p s, which it reaches.
+     */
+    double
+    rail_arc_length(const double s) const;
 
     /**
      * Where on its profile, as an arc length, the wheel faces the surface of

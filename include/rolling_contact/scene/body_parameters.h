@@ -47,7 +47,8 @@ namespace RollingContact
               const std::filesystem::path &folder);
 
     /**
-     * The shape of the name `shape`; one from a file needs read_mesh().
+     * That with a true section if there is a `profile`, else the shape of the
+     * name `shape`; one from a file needs read_mesh().
      */
     std::shared_ptr<const BodyShape>
     body_shape() const;

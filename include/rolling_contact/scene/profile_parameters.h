@@ -1,6 +1,7 @@
 #ifndef rolling_contact_scene_profile_parameters_h
 #define rolling_contact_scene_profile_parameters_h
 
+#include <rolling_contact/mesh/placed_profile.h>
 #include <rolling_contact/profiles/contact_frame.h>
 #include <rolling_contact/profiles/profile_file.h>
 
@@ -68,6 +69,24 @@ namespace RollingContact
     rail(const std::filesystem::path &prm_folder) const;
 
     /**
+     * Whether elastic bodies have the true sections of wheel and rail.
+     */
+    bool
+    has_true_sections() const
+    {
+      return in_use() && true_sections;
+    }
+
+    /**
+     * What the bodies of true sections are made of, once the frame is found.
+     */
+    std::shared_ptr<const PlacedProfile>
+    placed_wheel() const;
+
+    std::shared_ptr<const PlacedProfile>
+    placed_rail() const;
+
+    /**
      * Whether a profile is that of a file.
      */
     bool
@@ -104,6 +123,9 @@ namespace RollingContact
     double      file_unit            = 1e-3;
     Mirror      wheel_mirror = Mirror::none, rail_mirror = Mirror::none;
 
+    bool   true_sections = false; ///< of the bodies: else disc and block
+    double web_bow       = 0.;
+
     Profiles::SurfaceKind surface_kind = Profiles::SurfaceKind::plane;
     bool                  is_left      = false;
     double                shift        = 0.;
@@ -120,6 +142,9 @@ namespace RollingContact
   private:
     void
     declare_sections(dealii::ParameterHandler &prm);
+
+    void
+    declare_bodies(dealii::ParameterHandler &prm);
 
     void
     declare_track(dealii::ParameterHandler &prm);

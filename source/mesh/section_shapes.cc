@@ -1,0 +1,263 @@
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/text.h>
+#include <rolling_contact/mesh/rail_section_mesh.h>
+#include <rolling_contact/mesh/section_shapes.h>
+#include <rolling_contact/mesh/wheel_section_mesh.h>
+#include <rolling_contact/profiles/rail_section.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace RollingContact
+{
+  namespace
+  {
+    /// longest coarse cell along x: of the rail (m), and over a wheel's radius
+    const double longest_rail_cell = 0.04, longest_wheel_cell = 0.15;
+
+    /// of the wheel's radius, in which its profile goes on
+    const double usable_rim = 0.55;
+
+    /// of the coarse quadrilaterals, divided as often as this
+    const double       least_quality = 0.05;
+    const unsigned int quality_parts = 4;
+
+    const double least_rail = 0.2, longest_rail = 5., least_bore = 0.05,
+                 largest_bow = 0.04;
+  } // namespace
+
+
+
+  SectionShape::SectionShape(const ShapeParameters &parameters,
+                             const RunningSurface  &surface)
+    : BodyShape(parameters)
+    , placed(*this->parameters.profile)
+    , surface(surface)
+  {}
+
+
+
+  double
+  SectionShape::surface_height(const double x, const double y) const
+  {
+    const auto   ends = surface.ends();
+    const double at   = placed.is_left ? -y : y;
+    const auto   here = surface_point(std::clamp(at, ends[0], ends[1]));
+    CoarseCells  cells;
+    cells.size = cells.half_core = reach_x();
+    return sweep(cells).first.to_body(x, here)[2];
+  }
+
+
+
+  double
+  SectionShape::thickness_below() const
+  {
+    return surface_point(0.)[1];
+  }
+
+
+
+  double
+  SectionShape::reach_y() const
+  {
+    return std::min(-surface.facing()[0], surface.facing()[1]);
+  }
+
+
+
+  std::shared_ptr<const SweptMesh>
+  SectionShape::swept_mesh(const CoarseCells &along,
+                           const CoarseCells &across,
+                           const double       deepest) const
+  {
+    const SectionMesh quads = section(across, deepest);
+    if (!(quads.least_quality(quality_parts) > least_quality))
+      return nullptr;
+    const auto [placement, ends_x] = sweep(along);
+    return std::make_shared<const SweptMesh>(quads,
+                                             placement,
+                                             ends_x,
+                                             along.size);
+  }
+
+
+
+  std::vector<double>
+  SectionShape::dimensions() const
+  {
+    // of a class of its own: never the mirror image of another body
+    return {};
+  }
+
+
+
+  RailShape::RailShape(const ShapeParameters &parameters)
+    : SectionShape(parameters, rail_surface(*parameters.profile))
+  {}
+
+
+
+  void
+  RailShape::check(const unsigned int, const bool rigid) const
+  {
+    if (!rigid)
+      parameters.require(parameters.block_length >= least_rail &&
+                           parameters.block_length <= longest_rail,
+                         "Block length",
+                         parameters.block_length,
+                         "with Profiles/Body sections = true it is the length "
+                         "of the rail; give 0.2 to 5 m.");
+  }
+
+
+
+  double
+  RailShape::reach_x() const
+  {
+    return parameters.block_length / 2;
+  }
+
+
+
+  double
+  RailShape::largest_coarse_size() const
+  {
+    return longest_rail_cell;
+  }
+
+
+
+  SectionMesh
+  RailShape::section(const CoarseCells &across, const double deepest) const
+  {
+    return rail_section_mesh(surface, across, deepest);
+  }
+
+
+
+  std::pair<SectionPlacement, std::vector<double>>
+  RailShape::sweep(const CoarseCells &along) const
+  {
+    const SectionPoint contact = surface_point(0.);
+    SectionPlacement   placement;
+    placement.contact = {{contact[0], contact[1]}};
+    placement.turn    = placed.turn;
+    placement.is_left = placed.is_left;
+    return {placement, break_points(-reach_x(), reach_x(), along)};
+  }
+
+
+
+  SectionPoint
+  RailShape::surface_point(const double coordinate) const
+  {
+    const auto point = surface.at(coordinate);
+    return {{point[0], Profiles::rail_60e1_height - point[1], 0.}};
+  }
+
+
+
+  WheelShape::WheelShape(const ShapeParameters &parameters)
+    : SectionShape(parameters, wheel_surface(*parameters.profile))
+  {}
+
+
+
+  void
+  WheelShape::check(const unsigned int, const bool rigid) const
+  {
+    if (rigid)
+      return;
+    const double largest = parameters.radius - WheelMeasures::rim_depth -
+                           WheelMeasures::hub_depth -
+                           WheelMeasures::shortest_web;
+    parameters.require(
+      parameters.hub_radius >= least_bore && parameters.hub_radius <= largest,
+      "Hub radius",
+      parameters.hub_radius,
+      "with Profiles/Body sections = true it is the bore of a wheel with a rim "
+      "of 0.068 m, a web and a hub of 0.04 m; give " +
+        significant(least_bore, 3) + " m up to " +
+        (largest < least_bore
+           ? "a wheel with a Wheel/Radius of " +
+               significant(parameters.radius + least_bore - largest, 3) +
+               " m or more."
+           : significant(largest, 3) + " m."));
+    if (!(std::abs(placed.bow) <= largest_bow))
+      throw InputError("Profiles/Web bow = " + significant(placed.bow, 6) +
+                       ": give metres, from -0.04 to 0.04.");
+  }
+
+
+
+  double
+  WheelShape::thickness_below() const
+  {
+    return surface_point(0.)[1] - parameters.hub_radius;
+  }
+
+
+
+  double
+  WheelShape::reach_x() const
+  {
+    return usable_rim * parameters.radius;
+  }
+
+
+
+  double
+  WheelShape::largest_half_width() const
+  {
+    return parameters.radius;
+  }
+
+
+
+  double
+  WheelShape::largest_coarse_size() const
+  {
+    return longest_wheel_cell * parameters.radius;
+  }
+
+
+
+  SectionMesh
+  WheelShape::section(const CoarseCells &across, const double deepest) const
+  {
+    return wheel_section_mesh(placed,
+                              surface,
+                              {placed.radius, parameters.hub_radius},
+                              surface_point(0.)[1],
+                              across,
+                              deepest);
+  }
+
+
+
+  std::pair<SectionPlacement, std::vector<double>>
+  WheelShape::sweep(const CoarseCells &along) const
+  {
+    const SectionPoint contact = surface_point(0.);
+    SectionPlacement   placement;
+    placement.contact = {{contact[0], contact[1]}};
+    placement.turn    = placed.turn;
+    placement.is_left = placed.is_left;
+    placement.around.emplace(contact[1], along);
+    std::vector<double> ends = placement.around->edges();
+    for (double &end : ends)
+      end -= placement.around->contact();
+    return {placement, ends};
+  }
+
+
+
+  SectionPoint
+  WheelShape::surface_point(const double coordinate) const
+  {
+    const auto   point  = surface.at(coordinate);
+    const double radius = placed.radius + point[1];
+    return {{point[0], radius, radius}};
+  }
+} // namespace RollingContact
