@@ -1,5 +1,6 @@
 #include <boost/pending/disjoint_sets.hpp>
 
+#include <rolling_contact/contact/patch_area.h>
 #include <rolling_contact/contact/patches.h>
 
 #include <algorithm>
@@ -56,6 +57,8 @@ namespace RollingContact
       problem.n_tangential() > 0
           ? tangential_problem(problem, state).mean_slip(state)
           : NodalField();
+    const std::vector<double> inside =
+      areas_in_contact(problem.operators, state.pressure);
     std::vector<ContactPatch> patches;
     for (auto &nodes : connected_nodes(trace, state.pressure))
       {
@@ -64,7 +67,7 @@ namespace RollingContact
           {
             const double normal = forces[first_normal + i],
                          area   = problem.operators.areas()[i];
-            patch.area += area;
+            patch.area += inside[i];
             patch.normal_force += normal;
             patch.centre_x += normal * at[i][0];
             patch.centre_y += normal * at[i][1];
