@@ -66,6 +66,16 @@ namespace RollingContact
 
 
 
+  std::array<double, 2>
+  SectionShape::room_across() const
+  {
+    const auto [first, last] = surface.facing();
+    return placed.is_left ? std::array<double, 2>{{-last, -first}}
+                          : std::array<double, 2>{{first, last}};
+  }
+
+
+
   std::shared_ptr<const SweptMesh>
   SectionShape::swept_mesh(const CoarseCells &along,
                            const CoarseCells &across,

@@ -1,9 +1,11 @@
 #include <deal.II/base/exceptions.h>
 
+#include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/pair/interface_mesh.h>
 #include <rolling_contact/pair/pair_interface.h>
 #include <rolling_contact/pair/profile_surface.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace RollingContact
@@ -13,23 +15,44 @@ namespace RollingContact
   namespace
   {
     /**
-     * Throw an exception unless the surfaces of two generated bodies have the
-     * same nodes to within @p tolerance. Units: m.
+     * Whether the surfaces of two generated bodies have the same nodes to
+     * within @p tolerance. Units: m.
+     */
+    bool
+    nodes_match(const Trace &wheel, const Trace &rail, const double tolerance)
+    {
+      return std::equal(wheel.nodes.begin(),
+                        wheel.nodes.end(),
+                        rail.nodes.begin(),
+                        rail.nodes.end(),
+                        [&](const auto &one, const auto &other) {
+                          return std::hypot(one[0] - other[0],
+                                            one[1] - other[1]) < tolerance;
+                        });
+    }
+
+
+
+    /**
+     * Throws unless they do: InputError for true sections, whose cells are not
+     * alike at the ends of their running surfaces.
      */
     void
-    check_matching_nodes(const Trace &wheel,
-                         const Trace &rail,
-                         const double tolerance)
+    check_matching_nodes(const SceneParameters &scene,
+                         const Trace           &wheel,
+                         const Trace           &rail,
+                         const double           tolerance)
     {
-      AssertThrow(wheel.nodes.size() == rail.nodes.size(),
-                  ExcMessage("The surfaces of wheel and rail carry different "
-                             "numbers of nodes."));
-      for (std::size_t i = 0; i < rail.nodes.size(); ++i)
-        AssertThrow(std::hypot(wheel.nodes[i][0] - rail.nodes[i][0],
-                               wheel.nodes[i][1] - rail.nodes[i][1]) <
-                      tolerance,
-                    ExcMessage("The surface nodes of wheel and rail do not "
-                               "match."));
+      if (nodes_match(wheel, rail, tolerance))
+        return;
+      if (scene.profiles.has_true_sections())
+        throw InputError(
+          "Profiles/Body sections = true: the contact zone reaches where the "
+          "elements of wheel and rail are not alike, at the end of a running "
+          "surface: check load and shift, or take Body sections = plain.");
+      AssertThrow(false,
+                  ExcMessage("The surface nodes of wheel and rail do not "
+                             "match."));
     }
 
 
@@ -59,7 +82,7 @@ namespace RollingContact
           if (trace.nodes.empty())
             trace = surface;
           else
-            check_matching_nodes(trace, surface, 1e-9 * grading.zone_x);
+            check_matching_nodes(scene, trace, surface, 1e-9 * grading.zone_x);
         }
     const bool has_own_mesh =
       !is_generated(Side::wheel) && !is_generated(Side::rail);

@@ -222,6 +222,91 @@ BOOST_AUTO_TEST_CASE(tread_and_flange_are_one_state)
 
 
 
+BOOST_AUTO_TEST_CASE(true_sections_are_pressed_along_their_normals)
+{
+  const SceneRun<3> run([](SceneParameters &scene) { s1002_on_60e1(scene); },
+                        [](SceneParameters &scene) {
+                          scene.profiles.shift             = 6.2 * mm;
+                          scene.profiles.true_sections     = true;
+                          scene.wheel.hub_radius           = 0.095;
+                          scene.rail.block_length          = 0.4;
+                          scene.contact.vertical_load      = 20e3;
+                          scene.mesh.elements_across_patch = 6;
+                        });
+  BOOST_TEST(upwards(run) == 20e3, boost::test_tools::tolerance(1e-8));
+  const Profiles::ContactFrame &frame = *run.scene.profiles.frame;
+  // the bodies' own surfaces have the slopes of the nodes, the wheel mirrored
+  for (const double s : {-2 * mm, 1 * mm, 3 * mm})
+    for (const Side side : both_sides)
+      {
+        const auto   shape = run.scene.body(side).body_shape();
+        const double step  = 1e-5,
+                     rise  = (shape->surface_height(0., s + step) -
+                             shape->surface_height(0., s - step)) /
+                            (2 * step),
+                     sine = std::sin(frame.surface(s).angle);
+        BOOST_TEST(std::abs(rise - (side == Side::rail ? -sine : sine)) < 0.02);
+      }
+  // W along normals and tangents, from that of the bodies in their axes
+  const auto       &pair  = *run.steady.pair;
+  const auto       &nodes = run.steady.problem.operators.frames().nodes;
+  const std::size_t n     = nodes.size();
+  DenseMatrix       expected(n, n), tangential(n, n);
+  for (const Side side : both_sides)
+    {
+      const DenseMatrix W =
+        pair.bodies().body(side)->compliance(pair.interface().nodes[side],
+                                             {0, 1, 2});
+      const double mirror = side == Side::rail ? 1. : -1.;
+      for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < n; ++j)
+          {
+            const double ci = std::cos(nodes[i].angle),
+                         si = mirror * std::sin(nodes[i].angle),
+                         cj = std::cos(nodes[j].angle),
+                         sj = mirror * std::sin(nodes[j].angle);
+            const double yy = W(n + i, n + j), yz = W(n + i, 2 * n + j),
+                         zy = W(2 * n + i, n + j), zz = W(2 * n + i, 2 * n + j);
+            expected(i, j) +=
+              si * yy * sj + si * yz * cj + ci * zy * sj + ci * zz * cj;
+            tangential(i, j) +=
+              ci * yy * cj - ci * yz * sj - si * zy * cj + si * zz * sj;
+          }
+    }
+  const DenseMatrix &W    = run.steady.problem.operators.W();
+  double             size = 0., off = 0.;
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      {
+        size = std::max(size, std::abs(expected(i, j)));
+        off  = std::max({off,
+                         std::abs(W(2 * n + i, 2 * n + j) - expected(i, j)),
+                         std::abs(W(n + i, n + j) - tangential(i, j))});
+      }
+  BOOST_TEST(off < 1e-9 * size);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(without_friction_nodes_are_turned_as_well)
+{
+  const SceneRun<3> run([](SceneParameters &scene) { s1002_on_60e1(scene); },
+                        [](SceneParameters &scene) {
+                          scene.profiles.shift               = 6.2 * mm;
+                          scene.profiles.true_sections       = true;
+                          scene.wheel.hub_radius             = 0.095;
+                          scene.rail.block_length            = 0.4;
+                          scene.contact.vertical_load        = 20e3;
+                          scene.contact.friction_coefficient = 0.;
+                          scene.mesh.elements_across_patch   = 6;
+                        });
+  BOOST_TEST(upwards(run) == 20e3, boost::test_tools::tolerance(1e-8));
+  BOOST_TEST(std::abs(run.steady.result.force_x) < 1e-6);
+  BOOST_TEST(run.steady.result.tangential_force < 1e-6);
+}
+
+
+
 BOOST_AUTO_TEST_CASE(heat_is_the_work_of_slip_on_the_curved_surface)
 {
   // where all slides the energy of friction is that of the rigid slip

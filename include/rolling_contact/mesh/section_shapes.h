@@ -26,10 +26,7 @@ namespace RollingContact
      * Where nodes face those of the other body.
      */
     std::array<double, 2>
-    room_across() const override
-    {
-      return surface.facing();
-    }
+    room_across() const override;
 
     bool
     is_swept() const override
