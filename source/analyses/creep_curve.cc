@@ -99,8 +99,7 @@ namespace RollingContact
   CreepCurve<dim>::run()
   {
     const auto points = scene.creep_curve.points();
-    if (scene.contact.friction_coefficient <= 0. ||
-        estimate_patch(scene).half_width_x <= 0.)
+    if (scene.contact.friction_coefficient <= 0. || !bodies_touch(scene))
       throw InputError(needs_contact);
     // section Contact has creepages for levels only, which refine for them
     SceneParameters start = scene;

@@ -60,7 +60,7 @@ namespace RollingContact
   void
   LoadCurve<dim>::run()
   {
-    if (estimate_patch(scene).half_width_x <= 0.)
+    if (!bodies_touch(scene))
       throw InputError(needs_contact);
     SteadyState<dim> steady =
       solve_to_target<dim>(scene,

@@ -17,7 +17,7 @@ namespace RollingContact
   void
   QuasiStatic<dim>::run()
   {
-    if (estimate_patch(scene).half_width_x <= 0.)
+    if (!bodies_touch(scene))
       {
         report_no_contact();
         return;

@@ -19,7 +19,7 @@ namespace RollingContact
   void
   Transient<dim>::run()
   {
-    if (estimate_patch(scene).half_width_x <= 0.)
+    if (!bodies_touch(scene))
       throw InputError("Analysis = transient needs a patch to make the mesh "
                        "for: give Contact/Approach or Contact/Normal load "
                        "above 0; Time/Approach tells what really happens.");

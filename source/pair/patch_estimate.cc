@@ -181,6 +181,16 @@ namespace RollingContact
 
 
 
+  bool
+  bodies_touch(const SceneParameters &scene)
+  {
+    return scene.profiles.in_use() ? scene.contact.normal_load.value_or(
+                                       scene.contact.approach.value_or(0.)) > 0.
+                                   : estimate_patch(scene).half_width_x > 0.;
+  }
+
+
+
   PatchEstimate
   estimate_patch(const SceneParameters       &scene,
                  const std::optional<double> &load)

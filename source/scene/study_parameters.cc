@@ -88,8 +88,8 @@ namespace RollingContact
       "Creepages over saturation",
       creepages,
       "Creepages, in 2D over mu a/R of the Hertz estimate, in 3D "
-      "over that at which Kalker's linear force is 3 mu N. "
-      "Units: 1.",
+      "over that at which Kalker's linear force is 3 mu N, on profiles that of "
+      "the ellipse as long and as wide as the patch. Units: 1.",
       Patterns::List(Patterns::Double(), 1));
     prm.add_parameter(
       "Directions",

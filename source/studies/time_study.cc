@@ -18,7 +18,7 @@ namespace RollingContact
   void
   TimeStudy<dim>::run()
   {
-    if (estimate_patch(scene).half_width_x <= 0.)
+    if (!bodies_touch(scene))
       throw InputError("Accuracy study/Vary = time step needs a patch to make "
                        "the mesh for: give Contact/Approach or Contact/Normal "
                        "load above 0.");

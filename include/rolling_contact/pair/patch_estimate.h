@@ -45,6 +45,13 @@ namespace RollingContact
                  const std::optional<double> &load);
 
   /**
+   * Whether there is a patch to estimate: a load or an approach above 0. With
+   * profiles without the half-space, which takes 0.03 s.
+   */
+  bool
+  bodies_touch(const SceneParameters &scene);
+
+  /**
    * Constants of Hertzian and tangential contact of wheel and rail, a rigid one
    * with infinite moduli. Units: Pa, m.
    */
