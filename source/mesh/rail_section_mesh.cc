@@ -1,5 +1,3 @@
-#include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/base/text.h>
 #include <rolling_contact/mesh/rail_section_mesh.h>
 #include <rolling_contact/mesh/section_strip.h>
 #include <rolling_contact/profiles/rail_section.h>
@@ -19,15 +17,12 @@ namespace RollingContact
 
     const double mm = 1e-3;
 
-    /// how far the ends of a profile may be from the head of a 60E1
-    const double largest_misfit = 6 * mm;
-
     /// where a corner of the core is opposite that of the head
     const Outline::Point head_corner{{31.6 * mm, 168.9 * mm}};
 
     /// of the core of the head; its columns are closer at the sides, by this,
     /// so that the strip's cells in the middle are nearly upright
-    const double crowding  = 0.2;
+    const double crowding = 0.45;
     const double core_half = 20 * mm, core_bottom = 141 * mm,
                  core_top = 157 * mm;
 
@@ -155,6 +150,10 @@ namespace RollingContact
 
       void
       add_foot();
+
+      /** Of the foot, beside its middle, whose sole this is. */
+      void
+      add_wings(const Row &sole);
 
       const RunningSurface &surface;
       const Outline         half;
@@ -360,7 +359,14 @@ namespace RollingContact
           result.set_boundary(quad, sole[i], sole[i + 1], SectionBoundary::hub);
         }
       add_rows({middle, top}, result);
+      add_wings(sole);
+    }
 
+
+
+    void
+    RailMesher::add_wings(const Row &sole)
+    {
       const double first  = half.nearest({{web.half(web_bottom), web_bottom}}),
                    toe    = half.nearest({{74.2 * mm, 10.5 * mm}}),
                    edge   = half.nearest({{75 * mm, 5.5 * mm}}),
@@ -430,69 +436,7 @@ namespace RollingContact
       add_foot();
       return std::move(result);
     }
-
-
-
-    /**
-     * From an end of the profile along the head of a 60E1 to its lower corner,
-     * (across, down), @p side -1 on the gauge side.
-     */
-    std::vector<Outline::Point>
-    line_to_lower_corner(const Outline::Point &end, const double side)
-    {
-      const Outline half = Profiles::half_section_60e1();
-      const double last = half.nearest(Profiles::landmarks_60e1().lower_corner);
-      const Outline::Point there{{side * end[0], rail_60e1_height - end[1]}};
-      const double         nearest = half.nearest(there);
-      const auto           on      = half.at(nearest);
-      const double misfit = std::hypot(on[0] - there[0], on[1] - there[1]);
-      if (misfit > largest_misfit)
-        throw InputError(
-          "Profiles/Body sections = true: the rail's profile ends " +
-          significant(misfit, 3) +
-          " m from the head of a 60E1 in its place, whose web and foot it would "
-          "have; take Body sections = plain.");
-      const double skip = misfit < 1e-2 * mm ? 0. : 2 * mm + misfit;
-      std::vector<Outline::Point> line{end};
-      if (nearest + skip >= last)
-        return line;
-      const Outline rest = half.part(nearest + skip, last);
-      for (const auto &point : rest.points())
-        line.push_back({{side * point[0], rail_60e1_height - point[1]}});
-      return line;
-    }
   } // namespace
-
-
-
-  RunningSurface
-  rail_surface(const PlacedProfile &placed)
-  {
-    const auto  &profile = placed.profile;
-    const double lowest =
-      rail_60e1_height - Profiles::landmarks_60e1().side_end[1];
-    std::array<double, 2> ends{{0., profile.length()}};
-    const double          top = profile.highest();
-    for (unsigned int side = 0; side < 2; ++side)
-      if (profile.at(ends[side]).z > lowest)
-        {
-          double above = top, below = ends[side];
-          for (unsigned int round = 0; round < 60; ++round)
-            {
-              const double middle = (above + below) / 2;
-              (profile.at(middle).z > lowest ? below : above) = middle;
-            }
-          ends[side] = (above + below) / 2;
-        }
-    const auto end = [&](const unsigned int side) {
-      const auto point = profile.at(ends[side]);
-      return Outline::Point{{point.y, point.z}};
-    };
-    return {placed,
-            ends,
-            line_to_lower_corner(end(0), -1.),
-            line_to_lower_corner(end(1), 1.)};
-  }
 
 
 
