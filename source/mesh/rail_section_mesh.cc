@@ -1,4 +1,5 @@
 #include <rolling_contact/mesh/rail_section_mesh.h>
+#include <rolling_contact/mesh/rail_web.h>
 #include <rolling_contact/mesh/section_strip.h>
 #include <rolling_contact/profiles/rail_section.h>
 
@@ -22,7 +23,7 @@ namespace RollingContact
 
     /// of the core of the head; its columns are closer at the sides, by this,
     /// so that the strip's cells in the middle are nearly upright
-    const double crowding = 0.45;
+    const double crowding  = 0.45;
     const double core_half = 20 * mm, core_bottom = 141 * mm,
                  core_top = 157 * mm;
 
@@ -31,8 +32,8 @@ namespace RollingContact
                  neck_on_outline = 0.62;
 
     /// of web and foot
-    const double web_top = 123.2 * mm, web_bottom = 28.2 * mm,
-                 longest_web_cell = 5.5 * mm, inner_web = 0.5;
+    const double longest_web_cell = 5.5 * mm;
+    const double web_top = RailWeb::top, web_bottom = RailWeb::bottom;
 
 
 
@@ -55,72 +56,6 @@ namespace RollingContact
         return at(side * point[0], point[1]);
       };
     }
-
-
-
-    /**
-     * Points from side to side: columns from -1 to 1 over the inner half-width,
-     * and so many beside them.
-     */
-    Row
-    with_sides(const SectionPoint        &left,
-               const SectionPoint        &right,
-               const double               inner_half,
-               const std::vector<double> &columns,
-               const unsigned int         beside)
-    {
-      Row points = equal_parts(left, at(-inner_half, left[1]), beside);
-      for (std::size_t i = 1; i + 1 < columns.size(); ++i)
-        points.push_back(at(inner_half * columns[i], left[1]));
-      const Row others = equal_parts(at(inner_half, left[1]), right, beside);
-      points.insert(points.end(), others.begin(), others.end());
-      return points;
-    }
-
-
-
-    /** The outline below the head by its height: half the web. */
-    class Web
-    {
-    public:
-      explicit Web(const Outline &half)
-        : line(half.part(half.nearest({{half_at_top, web_top}}),
-                         half.nearest({{half_at_bottom, web_bottom}})))
-      {}
-
-      double
-      half(const double height) const
-      {
-        const auto &points = line.points();
-        for (std::size_t k = 1; k < points.size(); ++k)
-          if (points[k][1] <= height)
-            {
-              const double t =
-                (height - points[k - 1][1]) / (points[k][1] - points[k - 1][1]);
-              return points[k - 1][0] + t * (points[k][0] - points[k - 1][0]);
-            }
-        return points.back()[0];
-      }
-
-      /** Points of the web from side to side: so many columns beside these. */
-      Row
-      row(const double               height,
-          const std::vector<double> &columns,
-          const unsigned int         beside) const
-      {
-        const double half_here = half(height);
-        return with_sides(at(-half_here, height),
-                          at(half_here, height),
-                          inner_web * half_here,
-                          columns,
-                          beside);
-      }
-
-    private:
-      static constexpr double half_at_top = 13e-3, half_at_bottom = 17e-3;
-
-      Outline line;
-    };
 
 
 
@@ -157,7 +92,7 @@ namespace RollingContact
 
       const RunningSurface &surface;
       const Outline         half;
-      const Web             web;
+      const RailWeb         web;
       double                deepest; ///< cell of the strip
       unsigned int          strip_rows = 1;
       std::vector<double>   breaks;
@@ -347,7 +282,7 @@ namespace RollingContact
     RailMesher::add_foot()
     {
       const Row top  = web.row(web_bottom, columns, strip_rows);
-      const Row sole = with_sides(
+      const Row sole = row_with_sides(
         at(-17 * mm, 0.), at(17 * mm, 0.), 8.5 * mm, columns, strip_rows);
       Row middle;
       for (std::size_t i = 0; i < top.size(); ++i)

@@ -2,130 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <stdexcept>
 
 namespace RollingContact
 {
-  namespace
-  {
-    using Edge = std::array<unsigned int, 2>; ///< vertices, ascending
-
-    /// corners of the edges, begin and end by ascending a or b
-    constexpr unsigned int corner_of_edge[4][2] = {{0, 2},
-                                                   {1, 3},
-                                                   {0, 1},
-                                                   {2, 3}};
-
-
-
-    Edge
-    edge_of(const SectionMesh::Quad &quad, const unsigned int e)
-    {
-      const unsigned int p = quad.corners[corner_of_edge[e][0]],
-                         q = quad.corners[corner_of_edge[e][1]];
-      return {{std::min(p, q), std::max(p, q)}};
-    }
-
-
-
-    bool
-    ascends(const SectionMesh::Quad &quad, const unsigned int e)
-    {
-      return quad.corners[corner_of_edge[e][0]] <
-             quad.corners[corner_of_edge[e][1]];
-    }
-
-
-
-    /**
-     * Directions of all edges, whether from the vertex with the smaller number,
-     * such that opposite edges of each quadrilateral point the same way.
-     */
-    std::map<Edge, bool>
-    directions(const SectionMesh &mesh)
-    {
-      std::map<Edge, std::vector<std::pair<unsigned int, unsigned int>>> users;
-      for (unsigned int q = 0; q < mesh.quads().size(); ++q)
-        for (unsigned int e = 0; e < 4; ++e)
-          users[edge_of(mesh.quads()[q], e)].push_back({q, e});
-      std::map<Edge, bool> result;
-      for (const auto &start : users)
-        {
-          std::vector<Edge> open;
-          if (result.emplace(start.first, true).second)
-            open.push_back(start.first);
-          while (!open.empty())
-            {
-              const Edge edge = open.back();
-              open.pop_back();
-              for (const auto &[q, e] : users.at(edge))
-                {
-                  const auto &quad    = mesh.quads()[q];
-                  const Edge  other   = edge_of(quad, e ^ 1u);
-                  const bool forwards = (result.at(edge) == ascends(quad, e)) ==
-                                        ascends(quad, e ^ 1u);
-                  const auto [found, is_new] = result.emplace(other, forwards);
-                  if (is_new)
-                    open.push_back(other);
-                  else if (found->second != forwards)
-                    throw std::logic_error("A section is no plane surface.");
-                }
-            }
-        }
-      return result;
-    }
-
-
-
-    /**
-     * The same quadrilaterals, turned so that each edge has the same direction
-     * in both that share it, as p4est wants of the faces swept from them.
-     */
-    SectionMesh
-    consistently_ordered(const SectionMesh &mesh)
-    {
-      const auto  way = directions(mesh);
-      SectionMesh result;
-      for (const SectionMesh::Quad &quad : mesh.quads())
-        {
-          const auto reversed = [&](const unsigned int e) {
-            return way.at(edge_of(quad, e)) != ascends(quad, e);
-          };
-          const bool b_reversed = reversed(0), a_reversed = reversed(2),
-                     transposed = a_reversed != b_reversed;
-          std::array<SectionPoint, 4>            corners;
-          std::array<SectionMesh::ChartPoint, 4> chart{};
-          for (unsigned int v = 0; v < 4; ++v)
-            {
-              unsigned int a = v & 1, b = v >> 1;
-              if (transposed)
-                std::swap(a, b);
-              const unsigned int old =
-                (a_reversed ? 1 - a : a) + 2 * (b_reversed ? 1 - b : b);
-              corners[v] = mesh.vertices()[quad.corners[old]];
-              if (quad.chart)
-                chart[v] = (*quad.chart)[old];
-            }
-          const unsigned int added = result.add(corners);
-          if (quad.chart)
-            result.set_chart(added, corners, chart);
-          for (unsigned int e = 0; e < 4; ++e)
-            {
-              const SectionPoint
-                &begin = mesh.vertices()[quad.corners[corner_of_edge[e][0]]],
-                &end   = mesh.vertices()[quad.corners[corner_of_edge[e][1]]];
-              if (quad.curves[e])
-                result.set_curve(added, begin, end, quad.curves[e]);
-              result.set_boundary(added, begin, end, quad.boundary[e]);
-            }
-        }
-      return result;
-    }
-  } // namespace
-
-
-
   SectionPlacement::Point
   SectionPlacement::to_body(const double x, const SectionPoint &point) const
   {
@@ -145,11 +24,11 @@ namespace RollingContact
 
 
 
-  SweptMesh::SweptMesh(const SectionMesh         &given,
+  SweptMesh::SweptMesh(const SectionMesh         &section,
                        const SectionPlacement    &placement,
                        const std::vector<double> &ends_x,
                        const double               size)
-    : section(consistently_ordered(given))
+    : section(section)
     , placement(placement)
     , ends_x(ends_x)
     , coarse_size(size)
