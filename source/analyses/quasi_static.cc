@@ -45,7 +45,10 @@ namespace RollingContact
       throw ConvergenceError(
         "The contact solver did not converge: " +
         shortfall(steady.solver, scene.solver.controls.tolerance) +
-        "; its history is in residuals.csv. Try Contact/Solver = automatic.");
+        "; its history is in residuals.csv." +
+        (scene.solver.solver == "automatic"
+           ? ""
+           : " Try Contact/Solver = automatic."));
   }
 
 

@@ -99,6 +99,29 @@ namespace RollingContact
 
 
 
+  NamedForce
+  linear_theory(const SceneParameters &scene,
+                const double           half_width_x,
+                const double           half_width_y,
+                const Creepages       &creepages)
+  {
+    const References::HertzEllipse ellipse{half_width_x,
+                                           half_width_y,
+                                           1.,
+                                           0.}; // of any load
+    const Theory                  &theory = theories().front();
+    NamedForce                     force  = theory.named;
+    theory.find({creepages,
+                 ellipse,
+                 pair_constants(scene).elasticity,
+                 scene.contact.friction_coefficient,
+                 scene.contact.flow()},
+                force);
+    return force;
+  }
+
+
+
   std::string
   saturating_theories()
   {

@@ -151,8 +151,9 @@ namespace RollingContact
                     ""},
                    report);
     if (dim == 3 || (!friction && !errors.load))
-      keep_largest({"pressure", errors.pressure_l2, "p0", "Hertz", false, "L2"},
-                   report);
+      keep_largest(
+        {"pressure", errors.pressure_l2.value(), "p0", "Hertz", false, "L2"},
+        report);
   }
 
 

@@ -1,7 +1,7 @@
 #include <rolling_contact/assessment/reference_2d.h>
 #include <rolling_contact/assessment/reference_3d.h>
 #include <rolling_contact/assessment/state_errors.h>
-#include <rolling_contact/contact/recovered_tractions.h>
+#include <rolling_contact/base/constants.h>
 
 #include <cmath>
 #include <functional>
@@ -31,8 +31,38 @@ namespace RollingContact
 
 
     /**
-     * Difference from the finest mesh; @p area and @p scale make it
-     * dimensionless. Units: m^2, Pa.
+     * Difference of the pressures from the finest mesh; @p area and @p scale
+     * make it dimensionless. Units: m^2, Pa.
+     */
+    double
+    pressure_difference(const SteadyState<3> &steady,
+                        const TractionField  &finest,
+                        const double          area,
+                        const double          scale)
+    {
+      const ContactProblem     &problem = steady.problem;
+      const auto               &at      = problem.operators.positions();
+      const std::vector<double> pressure =
+        recovered_pressure(problem.operators, steady.state.pressure);
+      return nodal_l2(problem,
+                      1,
+                      area,
+                      [&](const unsigned int, const unsigned int i) {
+                        double difference = pressure[i];
+                        if (const auto weights =
+                              finest.trace.interpolation(at[i][0], at[i][1]))
+                          for (const auto &[node, weight] : *weights)
+                            difference -=
+                              weight * finest.recovered.pressure[node];
+                        return difference;
+                      }) /
+             scale;
+    }
+
+
+
+    /**
+     * Of the tractions.
      */
     template <int dim>
     double
@@ -52,7 +82,9 @@ namespace RollingContact
                         const auto weights =
                           finest.trace.interpolation(at[i][0], at[i][1]);
                         return traction(c, i) -
-                               (weights ? apply(*weights, finest.traction, c)
+                               (weights ? apply(*weights,
+                                                finest.recovered.traction,
+                                                c)
                                         : 0.);
                       }) /
              scale;
@@ -88,11 +120,32 @@ namespace RollingContact
 
 
     void
+    set_differences(const SceneParameters &scene,
+                    const SteadyState<3>  &steady,
+                    const TractionField   &finest,
+                    StateErrors           &result)
+    {
+      const double area  = steady.result.contact_area / pi,
+                   scale = steady.result.max_pressure;
+      result.pressure_l2 = pressure_difference(steady, finest, area, scale);
+      result.traction_l2 = traction_difference(
+        steady, finest, area, scene.contact.friction_coefficient * scale);
+    }
+
+
+
+    void
     set_closed_forms(const SceneParameters &scene,
                      const SteadyState<3>  &steady,
                      const TractionField   *finest,
                      StateErrors           &result)
     {
+      if (scene.profiles.in_use())
+        {
+          if (finest != nullptr)
+            set_differences(scene, steady, *finest, result);
+          return;
+        }
       const References::HertzEllipse hertz =
         reference_3d(scene, steady.result.normal_force, {}).hertz;
       const double              area = hertz.half_width_x * hertz.half_width_y;

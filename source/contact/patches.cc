@@ -1,5 +1,6 @@
 #include <boost/pending/disjoint_sets.hpp>
 
+#include <rolling_contact/contact/patch_area.h>
 #include <rolling_contact/contact/patches.h>
 
 #include <algorithm>
@@ -58,6 +59,8 @@ namespace RollingContact
       problem.n_tangential() > 0
           ? tangential_problem(problem, state).mean_slip(state)
           : NodalField();
+    const std::vector<double> inside =
+      areas_in_contact(problem.operators, state.pressure);
     std::vector<ContactPatch> patches;
     for (auto &nodes : connected_nodes(trace, state.pressure))
       {
@@ -66,7 +69,7 @@ namespace RollingContact
           {
             const double normal = forces[first_normal + i],
                          area   = problem.operators.areas()[i];
-            patch.area += area;
+            patch.area += inside[i];
             patch.normal_force += normal;
             patch.in_plane.x += plane_forces[i].x;
             patch.in_plane.y += plane_forces[i].y;

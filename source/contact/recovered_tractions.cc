@@ -1,3 +1,4 @@
+#include <rolling_contact/contact/node_lines.h>
 #include <rolling_contact/contact/recovered_tractions.h>
 #include <rolling_contact/contact/resultants.h>
 #include <rolling_contact/contact/square_root_edge.h>
@@ -7,7 +8,6 @@
 #include <cmath>
 #include <functional>
 #include <map>
-#include <numeric>
 
 namespace RollingContact
 {
@@ -16,39 +16,6 @@ namespace RollingContact
     using Line = std::vector<unsigned int>;
 
     const double equal = 1e-3; // distances between nodes, relatively
-
-
-
-    /**
-     * The nodes of each line along @p axis, in the order of their coordinates.
-     */
-    std::vector<Line>
-    lines_along(const ContactOperators &operators, const unsigned int axis)
-    {
-      const auto &at = operators.positions();
-      Line        nodes(at.size());
-      std::iota(nodes.begin(), nodes.end(), 0u);
-      const double same =
-        equal * std::sqrt(*std::min_element(operators.areas().begin(),
-                                            operators.areas().end()));
-      const unsigned int across = 1 - axis;
-      std::sort(nodes.begin(), nodes.end(), [&](const auto i, const auto j) {
-        return at[i][across] < at[j][across];
-      });
-      std::vector<Line> lines;
-      for (const unsigned int node : nodes)
-        {
-          if (lines.empty() ||
-              at[node][across] - at[lines.back().back()][across] > same)
-            lines.emplace_back();
-          lines.back().push_back(node);
-        }
-      for (Line &line : lines)
-        std::sort(line.begin(), line.end(), [&](const auto i, const auto j) {
-          return at[i][axis] < at[j][axis];
-        });
-      return lines;
-    }
 
 
 
@@ -141,54 +108,53 @@ namespace RollingContact
       const std::vector<double>                    &field;
       std::map<unsigned int, std::array<OfAxis, 2>> of_nodes;
     };
-
-
-
-    std::vector<double>
-    recovered_pressure(const ContactProblem      &contact,
-                       const std::vector<double> &pressure)
-    {
-      const SquareRootEdge edge    = SquareRootEdge::of_pressure();
-      const auto           touches = [&](const unsigned int node) {
-        return pressure[node] > 0.;
-      };
-      Deviations deviations(edge, pressure);
-      for (unsigned int axis = 0; axis < 2; ++axis)
-        for (const Line &line : lines_along(contact.operators, axis))
-          for (std::size_t k = 1; k < line.size(); ++k)
-            if (touches(line[k]) != touches(line[k - 1]))
-              deviations.add(
-                touches(line[k])
-                  ? inwards(contact.operators, line, axis, k, 1, touches)
-                  : inwards(contact.operators, line, axis, k - 1, -1, touches),
-                axis);
-      return deviations.recovered();
-    }
-
-
-
-    /**
-     * What the friction bound leaves, mu p - |q|: on every line the stick zone
-     * ends like a square root downstream.
-     */
-    std::vector<double>
-    recovered_margin(const TangentialProblem      &tangential,
-                     const std::vector<NodeState> &states,
-                     const std::vector<double>    &margin)
-    {
-      const ContactOperators &operators = tangential.contact.operators;
-      const SquareRootEdge    edge      = SquareRootEdge::of_stick_zone();
-      const auto              sticks    = [&](const unsigned int node) {
-        return states[node] == NodeState::stick;
-      };
-      Deviations deviations(edge, margin);
-      for (const Line &line : operators.slip_operator().lines())
-        for (std::size_t k = 0; k + 1 < line.size(); ++k)
-          if (sticks(line[k]) && states[line[k + 1]] == NodeState::slip)
-            deviations.add(inwards(operators, line, 0, k, -1, sticks), 0);
-      return deviations.recovered();
-    }
   } // namespace
+
+
+
+  std::vector<double>
+  recovered_pressure(const ContactOperators    &operators,
+                     const std::vector<double> &pressure)
+  {
+    const SquareRootEdge edge    = SquareRootEdge::of_pressure();
+    const auto           touches = [&](const unsigned int node) {
+      return pressure[node] > 0.;
+    };
+    Deviations deviations(edge, pressure);
+    for (unsigned int axis = 0; axis < 2; ++axis)
+      for (const Line &line : node_lines(operators, axis))
+        for (std::size_t k = 1; k < line.size(); ++k)
+          if (touches(line[k]) != touches(line[k - 1]))
+            deviations.add(
+              touches(line[k])
+                ? inwards(operators, line, axis, k, 1, touches)
+                : inwards(operators, line, axis, k - 1, -1, touches),
+              axis);
+    return deviations.recovered();
+  }
+
+
+
+  std::vector<double>
+  recovered_margin(const TangentialProblem      &tangential,
+                   const std::vector<NodeState> &states,
+                   const ContactState           &state)
+  {
+    std::vector<double> margin(state.pressure.size());
+    for (unsigned int i = 0; i < margin.size(); ++i)
+      margin[i] = std::max(0., tangential.bound[i] - state.traction.norm_at(i));
+    const ContactOperators &operators = tangential.contact.operators;
+    const SquareRootEdge    edge      = SquareRootEdge::of_stick_zone();
+    const auto              sticks    = [&](const unsigned int node) {
+      return states[node] == NodeState::stick;
+    };
+    Deviations deviations(edge, margin);
+    for (const Line &line : operators.slip_operator().lines())
+      for (std::size_t k = 0; k + 1 < line.size(); ++k)
+        if (sticks(line[k]) && states[line[k + 1]] == NodeState::slip)
+          deviations.add(inwards(operators, line, 0, k, -1, sticks), 0);
+    return deviations.recovered();
+  }
 
 
 
@@ -196,18 +162,15 @@ namespace RollingContact
   recovered_tractions(const TangentialProblem &tangential,
                       const ContactState      &state)
   {
-    RecoveredTractions recovered{recovered_pressure(tangential.contact,
-                                                    state.pressure),
-                                 state.traction};
+    RecoveredTractions recovered{
+      recovered_pressure(tangential.contact.operators, state.pressure),
+      state.traction};
     if (state.traction.empty())
       return recovered;
     const std::vector<NodeState> states = node_states(tangential, state);
-    std::vector<double>          margin(state.pressure.size());
-    for (unsigned int i = 0; i < margin.size(); ++i)
-      margin[i] = std::max(0., tangential.bound[i] - state.traction.norm_at(i));
-    const std::vector<double> left =
-      recovered_margin(tangential, states, margin);
-    for (unsigned int i = 0; i < margin.size(); ++i)
+    const std::vector<double>    left =
+      recovered_margin(tangential, states, state);
+    for (unsigned int i = 0; i < states.size(); ++i)
       {
         const double size = state.traction.norm_at(i);
         if (!(size > 0.) || !(state.pressure[i] > 0.))

@@ -1,3 +1,4 @@
+#include <rolling_contact/contact/patch_area.h>
 #include <rolling_contact/contact/resultants.h>
 #include <rolling_contact/contact/sliding_response.h>
 #include <rolling_contact/interface/patch_edge.h>
@@ -141,18 +142,22 @@ namespace RollingContact
 
 
     void
-    add_sizes(const ContactProblem         &problem,
+    add_sizes(const TangentialProblem      &tangential,
               const std::vector<NodeState> &states,
               const ContactState           &state,
               Resultants                   &result)
     {
+      const ContactProblem     &problem = tangential.contact;
+      const std::vector<double> areas =
+        areas_in_contact(problem.operators, state.pressure);
+      const std::vector<double> sticking =
+        sticking_areas(tangential, state, states, areas);
       for (unsigned int i = 0; i < problem.n_nodes(); ++i)
         if (states[i] != NodeState::open)
           {
             ++result.n_touching;
-            result.contact_area += problem.operators.areas()[i];
-            if (states[i] == NodeState::stick)
-              result.stick_area += problem.operators.areas()[i];
+            result.contact_area += areas[i];
+            result.stick_area += sticking[i];
             result.max_pressure =
               std::max(result.max_pressure, state.pressure[i]);
           }
@@ -219,7 +224,7 @@ namespace RollingContact
           -dot(problem.operators.H() * state.traction, problem.rigid_slip());
         result.dissipation = dissipation(tangential, state);
       }
-    add_sizes(problem, node_states(tangential, state), state, result);
+    add_sizes(tangential, node_states(tangential, state), state, result);
     return result;
   }
 

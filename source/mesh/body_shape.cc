@@ -149,6 +149,14 @@ namespace RollingContact
 
 
 
+  std::array<double, 2>
+  BodyShape::room_across() const
+  {
+    return {{-reach_y(), reach_y()}};
+  }
+
+
+
   bool
   BodyShape::is_swept() const
   {

@@ -153,6 +153,32 @@ namespace RollingContact
       std::reverse(in_depth.begin(), in_depth.end());
       return boxes;
     }
+
+
+
+    /**
+     * Whether halving the coarse cells gives the elements of the zone of
+     * contact nodes right across it, as it does but for the last cells at the
+     * edges of a body, which are longer or shorter.
+     */
+    template <int dim>
+    bool
+    has_elements_of_zone(const CoarseBoxes<dim> &boxes,
+                         const Grading<dim>     &grading)
+    {
+      if (dim == 2)
+        return true;
+      const double size = boxes.size * grading.element_size_y /
+                          grading.element_size_x,
+                   reach    = grading.zone_y + grading.element_size_y,
+                   rounding = 1e-6 * size;
+      const std::vector<double> &breaks = boxes.breaks[1];
+      for (std::size_t k = 1; k < breaks.size(); ++k)
+        if (breaks[k] > -reach && breaks[k - 1] < reach &&
+            std::abs(breaks[k] - breaks[k - 1] - size) > rounding)
+          return false;
+      return true;
+    }
   } // namespace
 
 
@@ -168,18 +194,26 @@ namespace RollingContact
                std::floor(std::log2(largest_coarse_size<dim>(*shape, grading) /
                                     grading.element_size_x)));
     CoarseBoxes<dim> best;
-    double           fewest = std::numeric_limits<double>::infinity();
-    const auto       try_it = [&](const int k, const bool grows) {
+    double           fewest  = std::numeric_limits<double>::infinity();
+    bool             matches = false; // the best has the elements of the zone
+    const auto       try_it  = [&](const int k, const bool grows) {
       CoarseBoxes<dim> boxes = coarse_boxes<dim>(
         shape, grading, std::ldexp(grading.element_size_x, k), grows);
+      const bool this_matches = has_elements_of_zone(boxes, grading);
+      if (matches && !this_matches)
+        return;
+      const double to_beat = matches == this_matches
+                                      ? fewest
+                                      : std::numeric_limits<double>::infinity();
       const double n_cells = count_cells<dim>(boxes.breaks,
                                               *boxes.chart,
                                               grading,
-                                              std::min(fewest, enough));
-      if (n_cells < fewest)
+                                              std::min(to_beat, enough));
+      if (n_cells < to_beat)
         {
-          best   = std::move(boxes);
-          fewest = n_cells;
+          best    = std::move(boxes);
+          fewest  = n_cells;
+          matches = this_matches;
         }
     };
     try_it(most, false);
@@ -192,6 +226,37 @@ namespace RollingContact
 
 
 
+  namespace
+  {
+    /**
+     * Whether halving the cells of the strip gives the elements of the zone of
+     * contact nodes right across it, as it does but for cells at its ends.
+     */
+    bool
+    has_elements_of_zone(const SweptMesh &mesh, const Grading<3> &grading)
+    {
+      const double across   = grading.element_size_y,
+                   size     = mesh.size() * across / grading.element_size_x,
+                   rounding = 1e-6 * size;
+      const auto zone       = grading.zone_across();
+      for (unsigned int quad = 0; quad < mesh.of_section().quads().size();
+           ++quad)
+        {
+          if (!mesh.of_section().quads()[quad].chart)
+            continue;
+          const double p     = mesh.chart_point(quad, {{0., 0., 1.}})[1],
+                       q     = mesh.chart_point(quad, {{0., 1., 1.}})[1],
+                       begin = std::min(p, q), end = std::max(p, q);
+          if (begin < zone[1] + across && end > zone[0] - across &&
+              std::abs(end - begin - size) > rounding)
+            return false;
+        }
+      return true;
+    }
+  } // namespace
+
+
+
   std::pair<std::shared_ptr<const SweptMesh>, double>
   fewest_swept_cells(const std::shared_ptr<const BodyShape> &shape,
                      const Grading<3>                       &grading,
@@ -199,12 +264,13 @@ namespace RollingContact
   {
     const double element = grading.element_size_x,
                  across  = grading.element_size_y;
-    // the one size between a largest and half of that, and its half
+    // the one size between a largest and half of that; halves of it where its
+    // cells are distorted, or longer ones at the strip's ends reach the zone
     const int most =
       std::max(0., std::floor(std::log2(largest_section_cell / across)));
     std::shared_ptr<const SweptMesh> best;
     double fewest = std::numeric_limits<double>::infinity();
-    for (const int k : {most, most - 1})
+    for (const int k : {most, most - 1, most - 2})
       {
         if (k < 0 || (best && std::ldexp(across, k) < least_section_cell))
           continue;
@@ -226,7 +292,7 @@ namespace RollingContact
             false,
             grading),
           size * grading.element_size_z() / element);
-        if (!mesh)
+        if (!mesh || !has_elements_of_zone(*mesh, grading))
           continue;
         const double n_cells =
           count_cells(*mesh, grading, std::min(fewest, enough));

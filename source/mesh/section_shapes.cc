@@ -67,6 +67,17 @@ namespace RollingContact
 
 
 
+  std::array<double, 2>
+  SectionShape::room_across() const
+  {
+    const auto [begin, end] = surface.facing();
+    if (placed.is_left)
+      return {{-end, -begin}};
+    return {{begin, end}};
+  }
+
+
+
   std::shared_ptr<const SweptMesh>
   SectionShape::swept_mesh(const CoarseCells &along,
                            const CoarseCells &across,

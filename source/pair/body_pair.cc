@@ -36,6 +36,36 @@ namespace RollingContact
 
 
     /**
+     * Throws InputError if a body does not reach as far across as the candidate
+     * zone.
+     */
+    template <int dim>
+    void
+    check_room_across(const BodyParameters &body,
+                      const BodyShape      &shape,
+                      const Grading<dim>   &grading)
+    {
+      const auto zone = grading.zone_across(), room = shape.room_across();
+      if (dim == 2 || (zone[0] >= room[0] && zone[1] <= room[1]))
+        return;
+      if (!shape.is_swept())
+        throw InputError(
+          body.section + "/Width = " + significant(body.width, 4) +
+          ": the contact zone is " + significant(2 * grading.zone_y, 3) +
+          " m wide; the patch must not reach the edges of "
+          "the body.");
+      throw InputError(
+        "Profiles/Body sections = true: the contact zone reaches from " +
+        significant(zone[0], 3) + " to " + significant(zone[1], 3) +
+        " m across from the first contact, the " + body.section +
+        "'s surface faces the other body from " + significant(room[0], 3) +
+        " to " + significant(room[1], 3) +
+        " m only: check load and shift, or take Body sections = plain.");
+    }
+
+
+
+    /**
      * Throws InputError if the candidate zone does not fit on a body.
      */
     template <int dim>
@@ -53,14 +83,6 @@ namespace RollingContact
             }
           const auto   shape = body->body_shape();
           const double reach = shape->reach_x();
-          if (shape->is_swept() && grading.zone_y > shape->reach_y())
-            throw InputError(
-              "Profiles/Body sections = true: the contact zone reaches " +
-              significant(grading.zone_y, 3) +
-              " m across from the first contact, the " + body->section +
-              "'s surface that faces the other body only " +
-              significant(shape->reach_y(), 3) +
-              " m: check load and shift, or take Body sections = plain.");
           if (grading.zone_x > reach)
             throw InputError(
               body->section + ": the contact zone reaches " +
@@ -68,12 +90,7 @@ namespace RollingContact
               " m from its middle, beyond what the body offers (" +
               significant(reach, 3) +
               " m along x): check load, radii and Block length.");
-          if (dim == 3 && grading.zone_y > shape->reach_y())
-            throw InputError(
-              body->section + "/Width = " + significant(body->width, 4) +
-              ": the contact zone is " + significant(2 * grading.zone_y, 3) +
-              " m wide; the patch must not reach the edges of "
-              "the body.");
+          check_room_across(*body, *shape, grading);
         }
     }
   } // namespace

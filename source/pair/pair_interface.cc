@@ -2,6 +2,7 @@
 
 #include <rolling_contact/pair/interface_mesh.h>
 #include <rolling_contact/pair/pair_interface.h>
+#include <rolling_contact/pair/profile_surface.h>
 
 #include <cmath>
 
@@ -79,6 +80,28 @@ namespace RollingContact
           note[side]     = surface.note;
           if (bodies.body(side))
             nodes[side] = bodies.body(side)->nodes_at(surface.vertices);
+        }
+    turn_nodes(scene, bodies);
+  }
+
+
+
+  template <int dim>
+  void
+  PairInterface<dim>::turn_nodes(const SceneParameters &scene,
+                                 const BodyPair<dim>   &bodies)
+  {
+    const SurfaceFrames frames = surface_frames(scene, trace.nodes);
+    for (const Side side : both_sides)
+      if (!frames.nodes.empty() && bodies.is_elastic(side) &&
+          scene.body(side).body_shape()->is_swept())
+        {
+          // z of the wheel is that of the rail mirrored
+          std::vector<double> angles;
+          for (const SurfaceFrames::Node &node : frames.nodes)
+            angles.push_back(side == Side::rail ? node.angle : -node.angle);
+          coupling[side].turn(std::move(angles));
+          nodes_turned = true;
         }
   }
 

@@ -150,7 +150,9 @@ namespace RollingContact
       return {patch.half_width_x,
               patch.half_width_y,
               patch.normal_force,
-              patch.boxes};
+              patch.boxes,
+              patch.shortest_x,
+              patch.narrowest_y};
     }
   } // namespace
 

@@ -286,13 +286,14 @@ namespace RollingContact
 
 
     /**
-     * Stretches along x that touch, as boxes, and the half of the longest.
+     * Stretches along x that touch in these rows, as boxes.
      */
-    void
-    add_boxes(const Solution &found, ProfilePatch &patch)
+    std::vector<ZoneBox>
+    touching_boxes(const Solution &found, const Rows &rows)
     {
-      const ContactGrid &grid = found.grid;
-      for (std::size_t j = 0; j < grid.n_y; ++j)
+      const ContactGrid   &grid = found.grid;
+      std::vector<ZoneBox> boxes;
+      for (std::size_t j = rows.begin; j < rows.end; ++j)
         for (std::size_t i = 0; i < grid.n_x; ++i)
           {
             const auto touches = [&](const std::size_t k) {
@@ -302,15 +303,64 @@ namespace RollingContact
             const std::size_t begin = i;
             while (touches(i))
               ++i;
-            if (i == begin)
-              continue;
-            patch.boxes.push_back(
-              {{{grid.x(begin) - grid.size_x / 2, grid.y(j) - grid.size_y / 2}},
-               {{grid.x(i - 1) + grid.size_x / 2,
-                 grid.y(j) + grid.size_y / 2}}});
-            patch.half_width_x =
-              std::max(patch.half_width_x, (i - begin) * grid.size_x / 2);
+            if (i > begin)
+              boxes.push_back({{{grid.x(begin) - grid.size_x / 2,
+                                 grid.y(j) - grid.size_y / 2}},
+                               {{grid.x(i - 1) + grid.size_x / 2,
+                                 grid.y(j) + grid.size_y / 2}}});
           }
+      return boxes;
+    }
+
+
+
+    /**
+     * Whether rows carry enough to be resolved.
+     */
+    bool
+    matters(const Rows                                   &rows,
+            const std::vector<std::pair<double, double>> &load)
+    {
+      const double least = 0.1; // of the load
+      double       total = 0., here = 0.;
+      for (std::size_t j = 0; j < load.size(); ++j)
+        {
+          total += load[j].second;
+          if (j >= rows.begin && j < rows.end)
+            here += load[j].second;
+        }
+      return here >= least * total;
+    }
+
+
+
+    /**
+     * Add a patch of these rows, which must be resolved or need not.
+     */
+    void
+    add_patch(const Solution &found,
+              const Rows     &rows,
+              const bool      must_be_resolved,
+              ProfilePatch   &patch)
+    {
+      double half_length = 0.;
+      for (const ZoneBox &box : touching_boxes(found, rows))
+        {
+          patch.boxes.push_back(box);
+          half_length =
+            std::max(half_length, (box.upper[0] - box.lower[0]) / 2);
+        }
+      const double half_width = (rows.end - rows.begin) * found.grid.size_y / 2;
+      patch.half_width_x      = std::max(patch.half_width_x, half_length);
+      patch.half_width_y      = std::max(patch.half_width_y, half_width);
+      const auto least        = [](const double before, const double now) {
+        return before > 0. ? std::min(before, now) : now;
+      };
+      if (must_be_resolved)
+        {
+          patch.shortest_x  = least(patch.shortest_x, half_length);
+          patch.narrowest_y = least(patch.narrowest_y, half_width);
+        }
     }
   } // namespace
 
@@ -332,13 +382,10 @@ namespace RollingContact
                                    : search.with_approach(approach, n_along);
     patch.normal_force      = found.state.load;
     patch.approach          = found.state.approach;
-    add_boxes(found, patch);
     const auto load_of_rows = load_across(found);
     for (const Rows &rows : touching_rows(load_of_rows))
       {
-        patch.half_width_y =
-          std::max(patch.half_width_y,
-                   (rows.end - rows.begin) * found.grid.size_y / 2);
+        add_patch(found, rows, matters(rows, load_of_rows), patch);
         for (const std::size_t row : {rows.begin, rows.end - 1})
           if (!frame.gap(0.,
                          found.grid.y(row) +

@@ -2,6 +2,7 @@
 
 #include <rolling_contact/contact/recovered_tractions.h>
 #include <rolling_contact/contact/resultants.h>
+#include <rolling_contact/pair/profile_surface.h>
 #include <rolling_contact/parallel/ranks.h>
 #include <rolling_contact/report/interface_fields.h>
 
@@ -115,9 +116,9 @@ namespace RollingContact
     /** Values at a hanging corner are interpolated, the state is a master's. */
     template <int dim>
     DataOutBase::Patch<dim - 1, dim>
-    make_patch(const Trace::Cell                           &cell,
-               const NodalFields                           &fields,
-               const std::function<double(double, double)> &surface_height)
+    make_patch(const Trace::Cell  &cell,
+               const NodalFields  &fields,
+               const SurfacePlace &place)
     {
       const std::size_t n_fields = fields.values.size();
 
@@ -130,10 +131,11 @@ namespace RollingContact
           const double x = v % 2 == 1 ? cell.upper[0] : cell.lower[0];
           const double y = v / 2 == 1 ? cell.upper[1] : cell.lower[1];
 
+          const auto  at     = place({{x, y}});
           Point<dim> &vertex = patch.vertices[v];
-          vertex[0]          = x;
-          vertex[1]          = y;
-          vertex[dim - 1]    = surface_height(x, y);
+          vertex[0]          = at[0];
+          vertex[1]          = at[1];
+          vertex[dim - 1]    = at[2];
           for (std::size_t i = 0; i + 1 < n_fields; ++i)
             patch.data(i, v) = apply(cell.corners[v], fields.values[i]);
           patch.data(n_fields - 1, v) =
@@ -167,14 +169,13 @@ namespace RollingContact
 
   template <int dim>
   void
-  write_interface_fields(
-    const Trace                                 &trace,
-    const ContactProblem                        &problem,
-    const ContactState                          &state,
-    const bool                                   step_is_known,
-    const std::function<double(double, double)> &surface_height,
-    RunFolder                                   &folder,
-    const std::string                           &file_name)
+  write_interface_fields(const Trace          &trace,
+                         const ContactProblem &problem,
+                         const ContactState   &state,
+                         const bool            step_is_known,
+                         const SurfacePlace   &place,
+                         RunFolder            &folder,
+                         const std::string    &file_name)
   {
     AssertDimension(trace.n_dimensions, dim - 1);
     AssertDimension(trace.nodes.size(), problem.n_nodes());
@@ -185,7 +186,7 @@ namespace RollingContact
       std::vector<DataOutBase::Patch<dim - 1, dim>> patches;
       for (const Trace::Cell &cell : trace.cells)
         {
-          patches.push_back(make_patch<dim>(cell, fields, surface_height));
+          patches.push_back(make_patch<dim>(cell, fields, place));
           patches.back().patch_index = patches.size() - 1;
         }
 
@@ -219,8 +220,11 @@ namespace RollingContact
       steady.problem,
       steady.state,
       !steady.restored,
-      [&](const double x, const double y) {
-        return rail->surface_height(x, y);
+      [&](const std::array<double, 2> &at) -> std::array<double, 3> {
+        const SurfaceFrames frames = surface_frames(scene, {at});
+        if (!frames.nodes.empty())
+          return {{at[0], frames.nodes[0].y, frames.nodes[0].z}};
+        return {{at[0], at[1], rail->surface_height(at[0], at[1])}};
       },
       folder,
       file);
@@ -233,7 +237,7 @@ namespace RollingContact
                             const ContactProblem &,
                             const ContactState &,
                             const bool,
-                            const std::function<double(double, double)> &,
+                            const SurfacePlace &,
                             RunFolder &,
                             const std::string &);
   template void
@@ -241,7 +245,7 @@ namespace RollingContact
                             const ContactProblem &,
                             const ContactState &,
                             const bool,
-                            const std::function<double(double, double)> &,
+                            const SurfacePlace &,
                             RunFolder &,
                             const std::string &);
   template void

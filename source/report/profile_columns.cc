@@ -18,6 +18,8 @@ namespace RollingContact
         frame.in_track(found.in_plane.y, found.in_plane.z);
       table.set(patch + "_x_m", found.centre_x);
       table.set(patch + "_y_m", found.centre_y);
+      table.set(patch + "_angle_rad",
+                frame.angle() + frame.surface(found.centre_y).angle);
       table.set(patch + "_area_m2", found.area);
       table.set(patch + "_max_pressure_Pa", found.max_pressure);
       table.set(patch + "_normal_force_N", found.normal_force);

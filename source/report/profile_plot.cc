@@ -63,20 +63,69 @@ namespace RollingContact
 
 
 
+    /**
+     * From the surface of contact at @p s outwards.
+     */
+    Points
+    normal_at(const double s, const Profiles::ContactFrame &frame)
+    {
+      const Profiles::SurfacePoint at = frame.surface(s);
+      return {frame.point_in_track(at.y, at.z),
+              frame.point_in_track(at.y + normal_length * std::sin(at.angle),
+                                   at.z + normal_length * std::cos(at.angle))};
+    }
+
+
+
+    /**
+     * "N = 60 + 20 kN".
+     */
+    std::string
+    loads(const std::vector<ContactPatch> &patches)
+    {
+      std::string text;
+      for (const ContactPatch &patch : patches)
+        text += (text.empty() ? "N = " : " + ") +
+                significant(1e-3 * patch.normal_force, 4);
+      return text + " kN";
+    }
+
+
+
+    /**
+     * Of the surface of contact at each patch.
+     */
+    std::string
+    angles(const std::vector<ContactPatch> &patches,
+           const Profiles::ContactFrame    &frame)
+    {
+      const double degree = std::acos(-1.) / 180;
+      std::string  text;
+      for (const ContactPatch &patch : patches)
+        {
+          const double angle =
+            frame.angle() + frame.surface(patch.centre_y).angle;
+          text += (text.empty() ? "" : ", ") +
+                  std::string(angle < 0. ? "\u2212" : "") +
+                  significant(std::abs(angle) / degree, 3) + "\u00b0";
+          if (frame.kind() == Profiles::SurfaceKind::plane)
+            break;
+        }
+      return text;
+    }
+
+
+
     Figure
     sections(const SceneParameters &scene, const SteadyState<3> &steady)
     {
       const Profiles::ContactFrame   &frame = *scene.profiles.frame;
       const std::vector<ContactPatch> patches =
         contact_patches(steady.pair->trace(), steady.problem, steady.state);
-      const double degree = std::acos(-1.) / 180;
-      Figure figure("N = " + significant(1e-3 * steady.result.normal_force, 4) +
-                      " kN on " + std::to_string(patches.size()) +
+      Figure figure(loads(patches) + " on " + std::to_string(patches.size()) +
                       (patches.size() == 1 ? " patch" : " patches") + " at " +
-                      (frame.angle() < 0. ? "\u2212" : "") +
-                      significant(std::abs(frame.angle()) / degree, 3) +
-                      "\u00b0, " + (scene.profiles.is_left ? "left" : "right") +
-                      " side",
+                      angles(patches, frame) + ", " +
+                      (scene.profiles.is_left ? "left" : "right") + " side",
                     "y from the middle of the track, to the right (mm)",
                     "height (mm)");
       figure.set_equal_scales();
@@ -88,16 +137,25 @@ namespace RollingContact
                    rail_under(patches[k], steady, frame),
                    CurveStyle::thick,
                    figure);
-      add_points("plane of contact",
-                 {frame.point_in_track(-plane_length, 0.),
-                  frame.point_in_track(plane_length, 0.)},
-                 CurveStyle::reference,
-                 figure);
-      add_points("its normal",
-                 {frame.point_in_track(0., 0.),
-                  frame.point_in_track(0., normal_length)},
-                 CurveStyle::reference,
-                 figure);
+      if (frame.kind() == Profiles::SurfaceKind::plane)
+        {
+          add_points("plane of contact",
+                     {frame.point_in_track(-plane_length, 0.),
+                      frame.point_in_track(plane_length, 0.)},
+                     CurveStyle::reference,
+                     figure);
+          add_points("its normal",
+                     normal_at(0., frame),
+                     CurveStyle::reference,
+                     figure);
+        }
+      else
+        for (std::size_t k = 0; k < patches.size(); ++k)
+          add_points(patches.size() == 1 ? "its normal"
+                                         : "normal of " + std::to_string(k + 1),
+                     normal_at(patches[k].centre_y, frame),
+                     CurveStyle::reference,
+                     figure);
       add_points("first contact",
                  {frame.point_in_track(0., 0.)},
                  CurveStyle::points,
@@ -108,20 +166,20 @@ namespace RollingContact
 
 
     /**
-     * The largest pressure of all nodes with nearly the same y.
+     * The largest pressure of all nodes with the same y.
      */
     Figure
-    peaks_across(const SteadyState<3> &steady)
+    peaks_across(const SteadyState<3> &steady, const bool is_plane)
     {
+      const double same_place = 1e-3 * steady.grading.element_size_y;
       std::map<long, std::array<double, 2>> peaks; // y and pressure
       for (unsigned int i = 0; i < steady.problem.n_nodes(); ++i)
         {
-          const double y = steady.problem.operators.positions()[i][1];
-          auto        &peak =
-            peaks
-              .try_emplace(std::lround(y / steady.grading.element_size_y),
-                           std::array<double, 2>{{y, 0.}})
-              .first->second;
+          const double y    = steady.problem.operators.positions()[i][1];
+          auto        &peak = peaks
+                         .try_emplace(std::lround(y / same_place),
+                                      std::array<double, 2>{{y, 0.}})
+                         .first->second;
           if (steady.state.pressure[i] > peak[1])
             peak = {{y, steady.state.pressure[i]}};
         }
@@ -132,7 +190,8 @@ namespace RollingContact
           pressure.push_back(1e-6 * peak[1]);
         }
       Figure figure("",
-                    "y in the plane of contact, to the right (mm)",
+                    is_plane ? "y in the plane of contact, to the right (mm)"
+                             : "along the rail's section, to the right (mm)",
                     "max p (MPa)");
       figure.add_curve("peak pressure along x",
                        y,
@@ -153,7 +212,9 @@ namespace RollingContact
         steady.result.n_touching == 0)
       return;
     Figure figure = sections(scene, steady);
-    figure.add_separate_panel(peaks_across(steady));
+    figure.add_separate_panel(peaks_across(steady,
+                                           scene.profiles.frame->kind() ==
+                                             Profiles::SurfaceKind::plane));
     figure.draw(context, "profiles");
   }
 } // namespace RollingContact

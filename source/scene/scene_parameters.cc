@@ -270,10 +270,10 @@ namespace RollingContact
     if (dimension == 2)
       throw InputError(given + "profiles are across the track, take "
                                "Dimension = 3.");
-    if (analysis == "accuracy study")
-      throw InputError(given + "an accuracy study compares with radii; run "
-                               "states of several Mesh/Elements across "
-                               "patch.");
+    if (analysis == "accuracy study" && profiles.gives_creepages())
+      throw InputError("Profiles/Creepages = from kinematics: an accuracy "
+                       "study has its own creepages (Accuracy study/Creepages "
+                       "over saturation); take given.");
     for (const BodyParameters *body : {&wheel, &rail})
       if (body->is_from_file())
         throw InputError(given + "a body from a mesh file (" + body->section +

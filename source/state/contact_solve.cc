@@ -1,7 +1,9 @@
+#include <rolling_contact/base/text.h>
 #include <rolling_contact/pair/compliance_update.h>
 #include <rolling_contact/state/steady_state.h>
 
 #include <cmath>
+#include <limits>
 
 namespace RollingContact
 {
@@ -28,8 +30,10 @@ namespace RollingContact
 
 
     /**
-     * The load of the pressure by secants: the force of friction changes little
-     * with it.
+     * The load of the pressure by secants between those that gave too little
+     * and too much: the force of friction changes little with it. On a mesh it
+     * may jump where an edge passes a node, so bisections end the search, at
+     * the load or at a jump beyond which it lies.
      */
     template <int dim>
     void
@@ -43,9 +47,11 @@ namespace RollingContact
                      std::cos(asked.angle -
                               steady.problem.operators.frames().load_angle),
                    accuracy         = 1e-10;
-      const unsigned int max_rounds = 30;
-      double            &load       = *steady.problem.loads.normal_load;
+      const unsigned int max_rounds = 40, n_secants = 10;
+      double            &load     = *steady.problem.loads.normal_load;
       double             old_load = 0., old_excess = -asked.load;
+      double             too_little = 0.,
+             too_much               = std::numeric_limits<double>::infinity();
       for (unsigned int k = 0; k < max_rounds; ++k)
         {
           solve_once(scene, demands, steady);
@@ -59,16 +65,29 @@ namespace RollingContact
           const double slope = (excess - old_excess) / (load - old_load);
           old_load           = load;
           old_excess         = excess;
+          (excess < 0. ? too_little : too_much) = load;
           const double most = 2., next = load - excess / slope;
           load = slope > 0. && next > load / most && next < load * most
                    ? next
                    : load - excess / first_slope;
+          if (too_little < too_much && std::isfinite(too_much) &&
+              (k >= n_secants || load <= too_little || load >= too_much))
+            load = (too_little + too_much) / 2;
         }
+      const bool jumps        = std::abs(too_much - too_little) < 1e-6 * load;
       steady.solver.converged = false;
+      const bool        is_vertical = scene.contact.vertical_load.has_value();
+      const std::string other =
+        is_vertical ? "Contact/Normal load" : "Contact/Approach";
       steady.solver.reason =
-        "The normal load that with friction gives Contact/Vertical load was "
-        "not found in " +
-        std::to_string(max_rounds) + " rounds";
+        (is_vertical ? "Contact/Vertical load = " : "Contact/Normal load = ") +
+        significant(asked.load, 6) + " N " +
+        (jumps ? "is not reached: on this mesh friction jumps over it where "
+                 "pressure alone gives " +
+                   significant(load, 6) + " N. Give " + other +
+                   ", or change Mesh/Elements across patch"
+               : "was not found together with friction in " +
+                   std::to_string(max_rounds) + " rounds. Give " + other);
     }
   } // namespace
 

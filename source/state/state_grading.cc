@@ -31,6 +31,25 @@ namespace RollingContact
 
 
     /**
+     * Of several patches the shortest has at least half the elements along x
+     * that the longest should have, the narrowest at least six across.
+     */
+    template <int dim>
+    void
+    resolve_smallest_patch(const PatchEstimate &patch,
+                           const unsigned int   elements_across_patch,
+                           Grading<dim>        &grading)
+    {
+      grading.element_size_x =
+        std::min(grading.element_size_x,
+                 4 * patch.shortest_x / elements_across_patch);
+      grading.element_size_y =
+        std::min(grading.element_size_y, 2 * patch.narrowest_y / 6);
+    }
+
+
+
+    /**
      * The boxes of the patch in place of its ellipse, with as much around them.
      */
     template <int dim>
@@ -84,10 +103,12 @@ namespace RollingContact
     const double half_width = patch.half_width_x;
     grading.element_size_x  = 2 * half_width / elements_across_patch;
     grading.element_size_y  = 2 * patch.half_width_y / elements_y;
-    grading.zone_x          = zone(half_width, grading.element_size_x);
-    grading.upstream        = demands.one_direction ? -scene.contact.flow() : 0;
-    grading.zone_y          = zone(patch.half_width_y, grading.element_size_y);
-    grading.zone_depth      = mesh.zone_depth * half_width *
+    if (!patch.boxes.empty())
+      resolve_smallest_patch(patch, elements_across_patch, grading);
+    grading.zone_x     = zone(half_width, grading.element_size_x);
+    grading.upstream   = demands.one_direction ? -scene.contact.flow() : 0;
+    grading.zone_y     = zone(patch.half_width_y, grading.element_size_y);
+    grading.zone_depth = mesh.zone_depth * half_width *
                          grading.element_size_z() / grading.element_size_x;
     grading.growth            = mesh.growth;
     grading.offset            = offset;

@@ -191,10 +191,10 @@ namespace RollingContact
     FittedMesh<dim>::resize_for(const SteadyState<dim> &steady)
     {
       const Resultants &result = steady.result;
-      const double      mismatch =
-        patch.boxes.empty()
-               ? result.half_width_x / patch.half_width_x
-               : std::cbrt(result.normal_force / patch.normal_force);
+      const double load = steady.problem.operators.load(steady.state.pressure),
+                   mismatch = patch.boxes.empty()
+                                ? result.half_width_x / patch.half_width_x
+                                : std::cbrt(load / patch.normal_force);
       // lines of one touching node have no length
       if (is_resized || result.n_touching <= 5 || !(mismatch > 0.) ||
           (mismatch >= 0.8 && mismatch <= 1.2))
@@ -203,7 +203,7 @@ namespace RollingContact
                   " times as long as estimated: the mesh is made again for "
                   "it.");
       if (!patch.boxes.empty())
-        patch = estimate_patch(scene, result.normal_force);
+        patch = estimate_patch(scene, load);
       else
         {
           patch.half_width_x = result.half_width_x;

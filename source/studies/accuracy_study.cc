@@ -67,7 +67,12 @@ namespace RollingContact
               0.,
               0.};
     const auto linear = [&](const Creepages &creepages) {
-      return reference_3d(scene, patch.normal_force, creepages).linear();
+      if (!scene.profiles.in_use())
+        return reference_3d(scene, patch.normal_force, creepages).linear();
+      return linear_theory(scene,
+                           patch.half_width_x,
+                           patch.half_width_y,
+                           creepages);
     };
     const double limit = 3 * mu * patch.normal_force;
     return {limit / std::abs(linear({1., 0., 0.}).x),
@@ -376,9 +381,8 @@ namespace RollingContact
       return;
     results.carter = follows_carter(scene, steady);
     if (!results.carter && finest.size() == key.state)
-      finest.push_back(
-        {steady.pair->trace(),
-         recovered_tractions(steady.problem, steady.state).traction});
+      finest.push_back({steady.pair->trace(),
+                        recovered_tractions(steady.problem, steady.state)});
   }
 
 

@@ -174,7 +174,7 @@ namespace RollingContact
                            : length(error));
         errors.load.add(
           sample.errors.load.value_or(sample.load / limit.load - 1));
-        errors.pressure.add(sample.errors.pressure_l2);
+        add_if_known(sample.errors.pressure_l2, errors.pressure);
         add_if_known(sample.errors.traction_l2, errors.traction);
         add_if_known(sample.errors.sawtooth, errors.sawtooth);
         add_if_known(sample.errors.stick_boundary, errors.stick_boundary);

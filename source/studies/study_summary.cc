@@ -63,7 +63,10 @@ namespace RollingContact
       (scene.study.extrapolate_reference
          ? ", which changed them by at most " + scientific(change, 2)
          : std::string()) +
-      "; " + load_reference() + ", pressure over p0 against Hertz" +
+      "; " + load_reference() +
+      (scene.profiles.in_use()
+         ? ", pressure over its peak against the finest mesh"
+         : ", pressure over p0 against Hertz") +
       (results.carter
          ? ", traction over mu p0 and stick boundary (in elements) "
            "against Carter"
@@ -151,11 +154,12 @@ namespace RollingContact
     set_cost(errors, table);
     table.set("force_reference", force_reference);
     table.set("load_reference", load_reference());
-    table.set("pressure_reference", std::string("Hertz"));
+    const std::string finest = std::to_string(scene.study.reference_elements) +
+                               " elements, first position";
+    table.set("pressure_reference",
+              scene.profiles.in_use() ? finest : std::string("Hertz"));
     table.set("traction_reference",
-              results.carter ? std::string("Carter")
-                             : std::to_string(scene.study.reference_elements) +
-                                 " elements, first position");
+              results.carter ? std::string("Carter") : finest);
     table.end_row();
   }
 

@@ -355,6 +355,9 @@ BOOST_AUTO_TEST_CASE(a_state_on_profiles_is_that_of_a_half_space)
              boost::test_tools::tolerance(0.01));
   BOOST_TEST(std::hypot(found.force_x + 2707., found.force_y + 1636.6) <
              0.015 * run.friction_force());
+  BOOST_TEST(found.contact_area == 28.459e-6,
+             boost::test_tools::tolerance(0.03));
+  BOOST_TEST(std::abs(found.stick_area - 14.86e-6) < 0.03 * 28.459e-6);
 }
 
 
@@ -487,6 +490,7 @@ BOOST_AUTO_TEST_CASE(patches_add_up_to_the_state)
   BOOST_TEST(load == whole.normal_force, boost::test_tools::tolerance(1e-9));
   BOOST_TEST(force == whole.force_x, boost::test_tools::tolerance(1e-9));
   BOOST_TEST(heat == whole.dissipation, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(area == whole.contact_area, boost::test_tools::tolerance(1e-9));
 }
 
 

@@ -151,4 +151,87 @@ BOOST_AUTO_TEST_CASE(solvers_agree_on_a_curved_surface)
     }
 }
 
+
+
+BOOST_AUTO_TEST_CASE(tread_and_flange_are_one_state)
+{
+  // a rail relieved at its gauge corner: the shoulder and the flange touch
+  const auto both = [](SceneParameters &scene, const bool is_left) {
+    scene.prm_folder                 = std::string(TEST_DATA) + "/../../prm";
+    scene.profiles.rail_profile      = "profiles/side_worn_rail.txt";
+    scene.profiles.is_left           = is_left;
+    scene.profiles.roll              = {}; // both wheels touch
+    scene.profiles.shift             = is_left ? -6.25 * mm : 6.25 * mm;
+    scene.contact.vertical_load      = 80e3;
+    scene.mesh.elements_across_patch = 8;
+  };
+  const auto run = [&](const bool is_left) {
+    return std::make_unique<SceneRun<3>>(
+      [](SceneParameters &scene) { s1002_on_60e1(scene); },
+      [&](SceneParameters &scene) { both(scene, is_left); });
+  };
+  const auto                    right = run(false), left = run(true);
+  const Profiles::ContactFrame &frame = *right->scene.profiles.frame;
+  BOOST_TEST(upwards(*right) == 80e3, boost::test_tools::tolerance(1e-8));
+  const auto patches = contact_patches(right->steady.pair->trace(),
+                                       right->steady.problem,
+                                       right->steady.state);
+  BOOST_REQUIRE(patches.size() == 2u);
+  const double turn = frame.surface(patches[0].centre_y).angle -
+                      frame.surface(patches[1].centre_y).angle;
+  BOOST_TEST(std::abs(turn) > 0.7);
+  double across = 0., up = 0., pressed = 0.;
+  for (const ContactPatch &patch : patches)
+    {
+      BOOST_TEST(patch.normal_force > 0.05 * 80e3);
+      BOOST_TEST(std::hypot(patch.force_x, patch.force_y) <
+                 0.3 * patch.normal_force * (1 + 1e-9));
+      const auto in_track = frame.in_track(patch.in_plane.y, patch.in_plane.z);
+      across += in_track[0];
+      up += in_track[1];
+      pressed += patch.normal_force;
+    }
+  BOOST_TEST(up == 80e3, boost::test_tools::tolerance(1e-8));
+  const Resultants &one = right->steady.result, &other = left->steady.result;
+  BOOST_TEST(one.traction_coefficient * pressed == one.tangential_force,
+             boost::test_tools::tolerance(1e-9));
+  // the other side is its mirror image
+  BOOST_TEST(other.normal_force == one.normal_force,
+             boost::test_tools::tolerance(1e-5));
+  BOOST_TEST(other.force_x == one.force_x, boost::test_tools::tolerance(1e-4));
+  BOOST_TEST(other.force_y == -one.force_y, boost::test_tools::tolerance(1e-4));
+  BOOST_TEST(other.spin_moment == -one.spin_moment,
+             boost::test_tools::tolerance(1e-4));
+  const auto of_left =
+    left->scene.profiles.frame->in_track(other.force_y, other.normal_force);
+  BOOST_TEST(of_left[0] == -across, boost::test_tools::tolerance(1e-4));
+  // one plane has no answer
+  SceneInMemory plane;
+  s1002_on_60e1(plane.scene);
+  both(plane.scene, false);
+  plane.scene.profiles.surface_kind = Profiles::SurfaceKind::plane;
+  plane.scene.check();
+  plane.scene.read_profiles();
+  BOOST_TEST(contains(complaint([&]() {
+                        solve_steady_state<3>(plane.scene,
+                                              StateDemands(),
+                                              plane.context);
+                      }),
+                      "Contact surface = curved"));
+}
+
+
+
+BOOST_AUTO_TEST_CASE(heat_is_the_work_of_slip_on_the_curved_surface)
+{
+  // where all slides the energy of friction is that of the rigid slip
+  const SceneRun<3> run([](SceneParameters &scene) { s1002_on_60e1(scene); },
+                        [](SceneParameters &scene) {
+                          scene.profiles.shift = 6.1 * mm;
+                          scene.profiles.yaw   = 0.02;
+                        });
+  BOOST_TEST(run.steady.result.traction_coefficient > 0.29);
+  BOOST_TEST(run.steady.result.energy_error() < 0.02);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

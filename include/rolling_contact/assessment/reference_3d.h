@@ -51,6 +51,17 @@ namespace RollingContact
                const Creepages       &creepages);
 
   /**
+   * Kalker's linear theory on an ellipse of these half-widths (m), whatever its
+   * load: the size of the force where profiles touch and no ellipse of Hertz
+   * is there.
+   */
+  NamedForce
+  linear_theory(const SceneParameters &scene,
+                const double           half_width_x,
+                const double           half_width_y,
+                const Creepages       &creepages);
+
+  /**
    * Names of the theories that need constant friction, "FASTSIM, ...".
    */
   std::string

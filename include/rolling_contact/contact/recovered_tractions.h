@@ -1,7 +1,7 @@
 #ifndef rolling_contact_contact_recovered_tractions_h
 #define rolling_contact_contact_recovered_tractions_h
 
-#include <rolling_contact/contact/tangential_problem.h>
+#include <rolling_contact/contact/resultants.h>
 
 namespace RollingContact
 {
@@ -29,6 +29,22 @@ namespace RollingContact
   RecoveredTractions
   recovered_tractions(const TangentialProblem &tangential,
                       const ContactState      &state);
+
+  /**
+   * The pressure alone, which friction does not change.
+   */
+  std::vector<double>
+  recovered_pressure(const ContactOperators    &operators,
+                     const std::vector<double> &pressure);
+
+  /**
+   * What the friction bound leaves, mu p - |q|: on every line the stick zone
+   * ends like a square root downstream. Units: Pa.
+   */
+  std::vector<double>
+  recovered_margin(const TangentialProblem      &tangential,
+                   const std::vector<NodeState> &states,
+                   const ContactState           &state);
 
   /**
    * Recover them with the friction and the slip rows of tangential_problem().

@@ -6,6 +6,7 @@
 #include <rolling_contact/references/clamped_annulus.h>
 #include <rolling_contact/references/hertz_line.h>
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -62,6 +63,13 @@ namespace RollingContact
      */
     virtual double
     reach_y() const;
+
+    /**
+     * Between which coordinates across the contact zone may lie: as far as
+     * reach_y() to both sides unless a shape says otherwise.
+     */
+    virtual std::array<double, 2>
+    room_across() const;
 
     /**
      * Largest half-width of a patch that line_compression() is asked for.

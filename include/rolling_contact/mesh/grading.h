@@ -6,6 +6,7 @@
 #include <rolling_contact/mesh/zone_box.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -112,6 +113,23 @@ namespace RollingContact
     bool
     in_zone(const dealii::Point<dim - 1> &lower,
             const dealii::Point<dim - 1> &upper) const;
+
+    /**
+     * The first and the last coordinate across of nodes that may touch.
+     */
+    std::array<double, 2>
+    zone_across() const
+    {
+      if (zone_boxes.empty())
+        return {{-zone_y, zone_y}};
+      std::array<double, 2> ends{{infinity, -infinity}};
+      for (const ZoneBox &box : zone_boxes)
+        {
+          ends[0] = std::min(ends[0], box.lower[1]);
+          ends[1] = std::max(ends[1], box.upper[1]);
+        }
+      return ends;
+    }
 
     /**
      * Let more nodes touch: the zone grows by @p n_elements on each side.

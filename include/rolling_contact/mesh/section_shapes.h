@@ -22,6 +22,12 @@ namespace RollingContact
     double
     reach_y() const override;
 
+    /**
+     * Where nodes face those of the other body.
+     */
+    std::array<double, 2>
+    room_across() const override;
+
     bool
     is_swept() const override
     {

@@ -44,6 +44,9 @@ namespace RollingContact
 
     /**
      * From the contact nodes of each body to those of the interface and back.
+     * Where the surface of contact is curved and a body has the section of its
+     * profile, nodes of the interface are turned against its axes; a plain body
+     * is flat along the surface.
      */
     PerSide<SurfaceCoupling> coupling;
 
@@ -58,7 +61,26 @@ namespace RollingContact
      */
     PerSide<SurfaceNote> note;
 
+    /**
+     * Whether nodes are turned against a body, which mixes normal and
+     * tangential components.
+     */
+    bool
+    turns_nodes() const
+    {
+      return nodes_turned;
+    }
+
   private:
+    /**
+     * Turn the nodes against the elastic bodies whose surface is that of
+     * contact.
+     */
+    void
+    turn_nodes(const SceneParameters &scene, const BodyPair<dim> &bodies);
+
+    bool nodes_turned = false;
+
     /**
      * Take the nodes of a generated body; its surface, on all ranks.
      */

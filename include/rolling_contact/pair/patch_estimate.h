@@ -21,6 +21,9 @@ namespace RollingContact
     double               half_width_y = 0.; ///< 3D
     double               normal_force = 0.;
     std::vector<ZoneBox> boxes; ///< of profiles; none: an ellipse
+    /** Half-widths of the shortest and the narrowest of several patches; 0 for
+     * an ellipse. */
+    double shortest_x = 0., narrowest_y = 0.;
 
     /** Whether a point of the plane of contact is in it. */
     bool

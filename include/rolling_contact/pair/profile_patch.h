@@ -18,6 +18,9 @@ namespace RollingContact
     std::vector<ZoneBox> boxes; ///< that touch, side by side
     double half_width_x = 0.;   ///< half of the longest stretch along x
     double half_width_y = 0.;   ///< of the widest patch
+    /** Those of the shortest and of the narrowest of the patches that carry a
+     * tenth of the load or more. */
+    double shortest_x = 0., narrowest_y = 0.;
     double normal_force = 0.;
     double approach     = 0.;
     /** By how much the rail's normal turns over 90 % of the load. */

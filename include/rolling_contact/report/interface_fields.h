@@ -6,13 +6,18 @@
 #include <rolling_contact/run/run_folder.h>
 #include <rolling_contact/state/steady_state.h>
 
+#include <array>
 #include <functional>
 #include <string>
 
 namespace RollingContact
 {
+  /** Place (x, y, z) of a point of the interface with these coordinates. */
+  using SurfacePlace =
+    std::function<std::array<double, 3>(const std::array<double, 2> &)>;
+
   /**
-   * Writes a VTU of the contact surface at z = @p surface_height(x, y):
+   * Writes a VTU of the contact surface at its @p place:
    * traction and slip of the wheel, their sizes and bounds, pressure, both as
    * RecoveredTractions too, gap, nodal area and NodeState; zero traction and
    * slip without friction; where it falls the friction coefficient and the
@@ -23,14 +28,13 @@ namespace RollingContact
    */
   template <int dim>
   void
-  write_interface_fields(
-    const Trace                                 &trace,
-    const ContactProblem                        &problem,
-    const ContactState                          &state,
-    const bool                                   step_is_known,
-    const std::function<double(double, double)> &surface_height,
-    RunFolder                                   &folder,
-    const std::string                           &file_name);
+  write_interface_fields(const Trace          &trace,
+                         const ContactProblem &problem,
+                         const ContactState   &state,
+                         const bool            step_is_known,
+                         const SurfacePlace   &place,
+                         RunFolder            &folder,
+                         const std::string    &file_name);
 
   /**
    * Writes the interface of a state as @p file, a VTU. Throws InputError if it
