@@ -101,6 +101,23 @@ namespace RollingContact
 
 
     /**
+     * The corner of a box where a vertex is, x fastest.
+     */
+    template <int dim>
+    unsigned int
+    corner_of_box(const Point<dim - 1> &vertex,
+                  const Point<dim - 1> &lower,
+                  const Point<dim - 1> &upper)
+    {
+      unsigned int corner = 0;
+      for (int d = 0; d < dim - 1; ++d)
+        corner += (vertex[d] > (lower[d] + upper[d]) / 2) << d;
+      return corner;
+    }
+
+
+
+    /**
      * True if @p p comes before @p q in ascending x, then y.
      */
     template <int dim>
@@ -268,13 +285,16 @@ namespace RollingContact
       if (!cell->is_locally_owned() || !zone.in_zone(lower, upper))
         return;
       here.faces.push_back({lower, upper, {}});
+      auto &corners = here.faces.back().corners;
+      corners.resize(cell->face(f)->n_vertices());
       for (const unsigned int v : cell->face(f)->vertex_indices())
         {
-          const auto  dof  = cell->face(f)->vertex_dof_index(v, 0);
-          const auto *line = constraints.get_constraint_entries(dof);
-          here.faces.back().corners.push_back(
-            line == nullptr ? Combination{{dof, 1.}} : *line);
-          for (const auto &entry : here.faces.back().corners.back())
+          const auto   dof  = cell->face(f)->vertex_dof_index(v, 0);
+          const auto  *line = constraints.get_constraint_entries(dof);
+          Combination &corner =
+            corners[corner_of_box<dim>(vertices.at(dof), lower, upper)];
+          corner = line == nullptr ? Combination{{dof, 1.}} : *line;
+          for (const auto &entry : corner)
             here.nodes[entry.first] = vertices.at(entry.first);
         }
     });

@@ -226,6 +226,37 @@ namespace RollingContact
 
 
 
+  namespace
+  {
+    /**
+     * Whether halving the cells of the strip gives the elements of the zone of
+     * contact nodes right across it, as it does but for cells at its ends.
+     */
+    bool
+    has_elements_of_zone(const SweptMesh &mesh, const Grading<3> &grading)
+    {
+      const double across   = grading.element_size_y,
+                   size     = mesh.size() * across / grading.element_size_x,
+                   rounding = 1e-6 * size;
+      const auto zone       = grading.zone_across();
+      for (unsigned int quad = 0; quad < mesh.of_section().quads().size();
+           ++quad)
+        {
+          if (!mesh.of_section().quads()[quad].chart)
+            continue;
+          const double p     = mesh.chart_point(quad, {{0., 0., 1.}})[1],
+                       q     = mesh.chart_point(quad, {{0., 1., 1.}})[1],
+                       begin = std::min(p, q), end = std::max(p, q);
+          if (begin < zone[1] + across && end > zone[0] - across &&
+              std::abs(end - begin - size) > rounding)
+            return false;
+        }
+      return true;
+    }
+  } // namespace
+
+
+
   std::pair<std::shared_ptr<const SweptMesh>, double>
   fewest_swept_cells(const std::shared_ptr<const BodyShape> &shape,
                      const Grading<3>                       &grading,
@@ -233,12 +264,13 @@ namespace RollingContact
   {
     const double element = grading.element_size_x,
                  across  = grading.element_size_y;
-    // the one size between a largest and half of that, and its half
+    // the one size between a largest and half of that; halves of it where its
+    // cells are distorted, or longer ones at the strip's ends reach the zone
     const int most =
       std::max(0., std::floor(std::log2(largest_section_cell / across)));
     std::shared_ptr<const SweptMesh> best;
     double fewest = std::numeric_limits<double>::infinity();
-    for (const int k : {most, most - 1})
+    for (const int k : {most, most - 1, most - 2})
       {
         if (k < 0 || (best && std::ldexp(across, k) < least_section_cell))
           continue;
@@ -260,7 +292,7 @@ namespace RollingContact
             false,
             grading),
           size * grading.element_size_z() / element);
-        if (!mesh)
+        if (!mesh || !has_elements_of_zone(*mesh, grading))
           continue;
         const double n_cells =
           count_cells(*mesh, grading, std::min(fewest, enough));

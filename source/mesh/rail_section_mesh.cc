@@ -1,6 +1,5 @@
-#include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/base/text.h>
 #include <rolling_contact/mesh/rail_section_mesh.h>
+#include <rolling_contact/mesh/rail_web.h>
 #include <rolling_contact/mesh/section_strip.h>
 #include <rolling_contact/profiles/rail_section.h>
 
@@ -19,15 +18,12 @@ namespace RollingContact
 
     const double mm = 1e-3;
 
-    /// how far the ends of a profile may be from the head of a 60E1
-    const double largest_misfit = 6 * mm;
-
     /// where a corner of the core is opposite that of the head
     const Outline::Point head_corner{{31.6 * mm, 168.9 * mm}};
 
     /// of the core of the head; its columns are closer at the sides, by this,
     /// so that the strip's cells in the middle are nearly upright
-    const double crowding  = 0.2;
+    const double crowding  = 0.45;
     const double core_half = 20 * mm, core_bottom = 141 * mm,
                  core_top = 157 * mm;
 
@@ -36,8 +32,8 @@ namespace RollingContact
                  neck_on_outline = 0.62;
 
     /// of web and foot
-    const double web_top = 123.2 * mm, web_bottom = 28.2 * mm,
-                 longest_web_cell = 5.5 * mm, inner_web = 0.5;
+    const double longest_web_cell = 5.5 * mm;
+    const double web_top = RailWeb::top, web_bottom = RailWeb::bottom;
 
 
 
@@ -60,72 +56,6 @@ namespace RollingContact
         return at(side * point[0], point[1]);
       };
     }
-
-
-
-    /**
-     * Points from side to side: columns from -1 to 1 over the inner half-width,
-     * and so many beside them.
-     */
-    Row
-    with_sides(const SectionPoint        &left,
-               const SectionPoint        &right,
-               const double               inner_half,
-               const std::vector<double> &columns,
-               const unsigned int         beside)
-    {
-      Row points = equal_parts(left, at(-inner_half, left[1]), beside);
-      for (std::size_t i = 1; i + 1 < columns.size(); ++i)
-        points.push_back(at(inner_half * columns[i], left[1]));
-      const Row others = equal_parts(at(inner_half, left[1]), right, beside);
-      points.insert(points.end(), others.begin(), others.end());
-      return points;
-    }
-
-
-
-    /** The outline below the head by its height: half the web. */
-    class Web
-    {
-    public:
-      explicit Web(const Outline &half)
-        : line(half.part(half.nearest({{half_at_top, web_top}}),
-                         half.nearest({{half_at_bottom, web_bottom}})))
-      {}
-
-      double
-      half(const double height) const
-      {
-        const auto &points = line.points();
-        for (std::size_t k = 1; k < points.size(); ++k)
-          if (points[k][1] <= height)
-            {
-              const double t =
-                (height - points[k - 1][1]) / (points[k][1] - points[k - 1][1]);
-              return points[k - 1][0] + t * (points[k][0] - points[k - 1][0]);
-            }
-        return points.back()[0];
-      }
-
-      /** Points of the web from side to side: so many columns beside these. */
-      Row
-      row(const double               height,
-          const std::vector<double> &columns,
-          const unsigned int         beside) const
-      {
-        const double half_here = half(height);
-        return with_sides(at(-half_here, height),
-                          at(half_here, height),
-                          inner_web * half_here,
-                          columns,
-                          beside);
-      }
-
-    private:
-      static constexpr double half_at_top = 13e-3, half_at_bottom = 17e-3;
-
-      Outline line;
-    };
 
 
 
@@ -156,9 +86,13 @@ namespace RollingContact
       void
       add_foot();
 
+      /** Of the foot, beside its middle, whose sole this is. */
+      void
+      add_wings(const Row &sole);
+
       const RunningSurface &surface;
       const Outline         half;
-      const Web             web;
+      const RailWeb         web;
       double                deepest; ///< cell of the strip
       unsigned int          strip_rows = 1;
       std::vector<double>   breaks;
@@ -348,7 +282,7 @@ namespace RollingContact
     RailMesher::add_foot()
     {
       const Row top  = web.row(web_bottom, columns, strip_rows);
-      const Row sole = with_sides(
+      const Row sole = row_with_sides(
         at(-17 * mm, 0.), at(17 * mm, 0.), 8.5 * mm, columns, strip_rows);
       Row middle;
       for (std::size_t i = 0; i < top.size(); ++i)
@@ -360,7 +294,14 @@ namespace RollingContact
           result.set_boundary(quad, sole[i], sole[i + 1], SectionBoundary::hub);
         }
       add_rows({middle, top}, result);
+      add_wings(sole);
+    }
 
+
+
+    void
+    RailMesher::add_wings(const Row &sole)
+    {
       const double first  = half.nearest({{web.half(web_bottom), web_bottom}}),
                    toe    = half.nearest({{74.2 * mm, 10.5 * mm}}),
                    edge   = half.nearest({{75 * mm, 5.5 * mm}}),
@@ -430,69 +371,7 @@ namespace RollingContact
       add_foot();
       return std::move(result);
     }
-
-
-
-    /**
-     * From an end of the profile along the head of a 60E1 to its lower corner,
-     * (across, down), @p side -1 on the gauge side.
-     */
-    std::vector<Outline::Point>
-    line_to_lower_corner(const Outline::Point &end, const double side)
-    {
-      const Outline half = Profiles::half_section_60e1();
-      const double last = half.nearest(Profiles::landmarks_60e1().lower_corner);
-      const Outline::Point there{{side * end[0], rail_60e1_height - end[1]}};
-      const double         nearest = half.nearest(there);
-      const auto           on      = half.at(nearest);
-      const double misfit = std::hypot(on[0] - there[0], on[1] - there[1]);
-      if (misfit > largest_misfit)
-        throw InputError(
-          "Profiles/Body sections = true: the rail's profile ends " +
-          significant(misfit, 3) +
-          " m from the head of a 60E1 in its place, whose web and foot it would "
-          "have; take Body sections = plain.");
-      const double skip = misfit < 1e-2 * mm ? 0. : 2 * mm + misfit;
-      std::vector<Outline::Point> line{end};
-      if (nearest + skip >= last)
-        return line;
-      const Outline rest = half.part(nearest + skip, last);
-      for (const auto &point : rest.points())
-        line.push_back({{side * point[0], rail_60e1_height - point[1]}});
-      return line;
-    }
   } // namespace
-
-
-
-  RunningSurface
-  rail_surface(const PlacedProfile &placed)
-  {
-    const auto  &profile = placed.profile;
-    const double lowest =
-      rail_60e1_height - Profiles::landmarks_60e1().side_end[1];
-    std::array<double, 2> ends{{0., profile.length()}};
-    const double          top = profile.highest();
-    for (unsigned int side = 0; side < 2; ++side)
-      if (profile.at(ends[side]).z > lowest)
-        {
-          double above = top, below = ends[side];
-          for (unsigned int round = 0; round < 60; ++round)
-            {
-              const double middle = (above + below) / 2;
-              (profile.at(middle).z > lowest ? below : above) = middle;
-            }
-          ends[side] = (above + below) / 2;
-        }
-    const auto end = [&](const unsigned int side) {
-      const auto point = profile.at(ends[side]);
-      return Outline::Point{{point.y, point.z}};
-    };
-    return {placed,
-            ends,
-            line_to_lower_corner(end(0), -1.),
-            line_to_lower_corner(end(1), 1.)};
-  }
 
 
 

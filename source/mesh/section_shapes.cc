@@ -1,6 +1,7 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/mesh/rail_section_mesh.h>
+#include <rolling_contact/mesh/running_surfaces.h>
 #include <rolling_contact/mesh/section_shapes.h>
 #include <rolling_contact/mesh/wheel_section_mesh.h>
 #include <rolling_contact/profiles/rail_section.h>
@@ -69,9 +70,10 @@ namespace RollingContact
   std::array<double, 2>
   SectionShape::room_across() const
   {
-    const auto [first, last] = surface.facing();
-    return placed.is_left ? std::array<double, 2>{{-last, -first}}
-                          : std::array<double, 2>{{first, last}};
+    const auto [begin, end] = surface.facing();
+    if (placed.is_left)
+      return {{-end, -begin}};
+    return {{begin, end}};
   }
 
 

@@ -35,9 +35,13 @@ namespace RollingContact
     PartOfCoarseCell
     part_of(const SweptCellIterator &cell)
     {
-      const CellId     id = cell->id();
+      // the id's coarse cell is p4est's, in an order of its own
+      SweptCellIterator coarse = cell;
+      while (coarse->level() > 0)
+        coarse = coarse->parent();
       PartOfCoarseCell part;
-      part.coarse_cell = id.get_coarse_cell_id();
+      part.coarse_cell = coarse->index();
+      const CellId id  = cell->id();
       for (const unsigned int child : id.get_child_indices())
         {
           part.size /= 2;

@@ -1,5 +1,4 @@
-#include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/base/text.h>
+#include <rolling_contact/mesh/running_surfaces.h>
 #include <rolling_contact/mesh/section_strip.h>
 #include <rolling_contact/mesh/wheel_section_mesh.h>
 
@@ -27,9 +26,6 @@ namespace RollingContact
     const Outline::Point flange_root{{-36.5 * mm, 8.4 * mm}},
       inner_root{{-43.5 * mm, -2 * mm}};
 
-    /// where the strip begins, on the back side of the flange's tip
-    const Outline::Point flange_tip{{-61.5 * mm, 26 * mm}};
-
     /// of the flange's inside: its core's upper and lower end
     const Outline::Point flange_core{{-58 * mm, 15 * mm}},
       rim_core{{-61 * mm, -6 * mm}};
@@ -43,7 +39,7 @@ namespace RollingContact
                                                  {{-5 * mm, -22 * mm}}};
 
     /// length across over which the inner line is not opposite the tread
-    const double fading = 25 * mm;
+    const double fading = 25 * mm, strip_depth = 22 * mm, largest_slope = 0.3;
 
     const unsigned int rim_rows = 3, web_columns = 4, hub_rows = 2,
                        hub_columns = 3;
@@ -53,26 +49,6 @@ namespace RollingContact
     const double rim_fillet = 18 * mm, rim_widening = 14 * mm,
                  hub_fillet = 25 * mm, hub_widening = 22 * mm,
                  longest_web_cell = 9 * mm;
-
-
-
-    /**
-     * Where the strip begins: the arc length on the back side of the tip.
-     */
-    double
-    begin_of_strip(const ProfileCurve &profile)
-    {
-      const auto &points = profile.points();
-      const auto  away   = [](const auto &point) {
-        return std::hypot(point.y - flange_tip[0], point.z - flange_tip[1]);
-      };
-      const auto nearest = std::min_element(points.begin(),
-                                            points.end(),
-                                            [&](const auto &p, const auto &q) {
-                                              return away(p) < away(q);
-                                            });
-      return profile.arc_lengths()[nearest - points.begin()];
-    }
 
 
 
@@ -118,6 +94,9 @@ namespace RollingContact
       {
         return at(point[0], measures.radius + point[1]);
       }
+
+      double
+      slope(const unsigned int i) const;
 
       Outline
       back_of_flange() const;
@@ -188,18 +167,21 @@ namespace RollingContact
       inner                     = {over_tape(flange_core)};
       for (unsigned int i = 1; i < root; ++i)
         inner.push_back(over_tape(line.at(corner * (i - 1) / (root - 1))));
-      // under the tread opposite its points, so that cells are upright, with
-      // what the corner is beside the root fading away
+      // under the tread along its normals, as skew cells are less accurate,
+      // with what the corner is beside the root fading away
       const double root_across = surface.at(breaks[root])[0],
                    beside      = line.at(corner)[0] - root_across;
-      for (unsigned int i = root; i <= n; ++i)
+      for (unsigned int i = root; i < n; ++i)
         {
           const double across = surface.at(breaks[i])[0],
                        share =
-                         std::max(0., 1 - (across - root_across) / fading);
+                         std::max(0., 1 - (across - root_across) / fading),
+                       to_side =
+                         share * beside + (1 - share) * strip_depth * slope(i);
           inner.push_back(
-            over_tape(line.at(length_at(line, across + share * beside))));
+            over_tape(line.at(length_at(line, across + to_side))));
         }
+      inner.push_back(over_tape(line.at(line.length())));
       const auto on_surface =
         [running = std::make_shared<const RunningSurface>(surface),
          radius  = measures.radius](const double c) {
@@ -214,13 +196,30 @@ namespace RollingContact
 
 
     /**
+     * Of the tread at a break, positive where the radius grows towards the
+     * field side.
+     */
+    double
+    WheelMesher::slope(const unsigned int i) const
+    {
+      const double step = 0.5 * mm;
+      const auto   here = surface.at(breaks[i] - step),
+                 there  = surface.at(breaks[i] + step);
+      return std::clamp((there[1] - here[1]) / (there[0] - here[0]),
+                        -largest_slope,
+                        largest_slope);
+    }
+
+
+
+    /**
      * From the rim to the tip of the flange, across and outwards.
      */
     Outline
     WheelMesher::back_of_flange() const
     {
       const auto                 &profile = placed.profile;
-      const double                tip     = begin_of_strip(profile);
+      const double                tip     = flange_tip(profile);
       std::vector<Outline::Point> points{
         {{measures.flange_back, measures.radius + back_begin}}};
       if (profile.at(0.).z > back_end + 0.1 * mm)
@@ -411,35 +410,6 @@ namespace RollingContact
     , rim_inside(radius - rim_depth)
     , hub_outside(bore + hub_depth)
   {}
-
-
-
-  RunningSurface
-  wheel_surface(const PlacedProfile &placed)
-  {
-    const ProfileCurve &profile = placed.profile;
-    const double        tip     = begin_of_strip(profile);
-    const auto   begin = profile.at(0.), end = profile.at(profile.length());
-    const double least_back = 2 * mm;
-    if (!(tip > least_back && begin.y < flange_core[0] - 2 * mm))
-      throw InputError(
-        "Profiles/Body sections = true: the wheel's profile ends at y = " +
-        significant(begin.y, 3) +
-        " m, before the back of its flange; a wheel with its flange needs "
-        "points over the tip, or take Body sections = plain.");
-    if (!(end.y > 0.03 && end.y < WheelMeasures::hub_end))
-      throw InputError(
-        "Profiles/Body sections = true: the wheel's profile ends at y = " +
-        significant(end.y, 3) +
-        " m on the field side; a rim ends between 0.03 and 0.08 m. Take Body "
-        "sections = plain.");
-    return {placed,
-            {{tip, profile.length()}},
-            {},
-            {{{end.y, end.z}},
-             {{end.y + WheelMeasures::chamfer,
-               end.z - WheelMeasures::chamfer}}}};
-  }
 
 
 

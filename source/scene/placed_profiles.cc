@@ -1,3 +1,6 @@
+#include <deal.II/base/parameter_handler.h>
+
+#include <rolling_contact/input/prm_declarations.h>
 #include <rolling_contact/profiles/nominal_profiles.h>
 #include <rolling_contact/scene/profile_parameters.h>
 
@@ -5,6 +8,29 @@
 
 namespace RollingContact
 {
+  using namespace dealii;
+
+  void
+  ProfileParameters::declare_bodies(ParameterHandler &prm)
+  {
+    declare_choice(
+      prm,
+      "Body sections",
+      true_sections,
+      std::vector<NamedValue<bool>>{{"plain", false}, {"true", true}},
+      "What is under the profiles of elastic bodies: `plain`, the disc and the "
+      "block of sections Wheel and Rail; `true`, a wheel with flange, rim, web "
+      "and hub, held at its bore (Wheel/Hub radius), and a rail with head, web "
+      "and foot of a 60E1, Rail/Block length long, held at its sole.");
+    prm.add_parameter("Web bow",
+                      web_bow,
+                      "By how much the middle of a true wheel's web is bowed "
+                      "towards the field side. Units: m.",
+                      Patterns::Double());
+  }
+
+
+
   std::shared_ptr<const PlacedProfile>
   ProfileParameters::placed_wheel() const
   {

@@ -211,27 +211,6 @@ namespace RollingContact
 
 
   void
-  ProfileParameters::declare_bodies(ParameterHandler &prm)
-  {
-    declare_choice(
-      prm,
-      "Body sections",
-      true_sections,
-      std::vector<NamedValue<bool>>{{"plain", false}, {"true", true}},
-      "What is under the profiles of elastic bodies: `plain`, the disc and the "
-      "block of sections Wheel and Rail; `true`, a wheel with flange, rim, web "
-      "and hub, held at its bore (Wheel/Hub radius), and a rail with head, web "
-      "and foot of a 60E1, Rail/Block length long, held at its sole.");
-    prm.add_parameter("Web bow",
-                      web_bow,
-                      "By how much the middle of a true wheel's web is bowed "
-                      "towards the field side. Units: m.",
-                      Patterns::Double());
-  }
-
-
-
-  void
   ProfileParameters::declare_table(ParameterHandler &prm)
   {
     declare_number_list(prm,

@@ -78,10 +78,10 @@ namespace RollingContact
       if (!is_table && !scene.profiles.gives_creepages())
         idle["Profiles/Pitch rate"] =
           "Profiles/Creepages = from kinematics reads it";
-      if (!is_table && !scene.profiles.true_sections)
+      if (!is_table && (!scene.profiles.true_sections || scene.wheel.rigid))
         idle["Profiles/Web bow"] =
-          "Profiles/Body sections = true reads it, for the wheel";
-      else if (!is_table)
+          "Profiles/Body sections = true reads it, for an elastic wheel";
+      if (!is_table && scene.profiles.true_sections)
         {
           const std::string why = "Profiles/Body sections = true gives the "
                                   "bodies' sections";

@@ -8,14 +8,6 @@
 namespace RollingContact
 {
   /**
-   * The running surface of a rail with this head, down to the lower corners of
-   * a 60E1's head, whose sides it follows beyond the ends of the profile.
-   * Throws InputError if the profile is too far from such a head. Units: m.
-   */
-  RunningSurface
-  rail_surface(const PlacedProfile &placed);
-
-  /**
    * The section of a rail: a strip under the running surface with corners at
    * multiples of a cell's size near the contact, the core of the head, and
    * neck, web and foot of a 60E1. Cells of the strip are at most so deep.

@@ -29,13 +29,6 @@ namespace RollingContact
   };
 
   /**
-   * The running surface of a wheel from the tip of its flange to the chamfer.
-   * Throws InputError if the profile does not reach over the tip. Units: m.
-   */
-  RunningSurface
-  wheel_surface(const PlacedProfile &placed);
-
-  /**
    * The section of a wheel: a strip under the running surface with corners at
    * multiples of a cell's size near the contact, at most so deep, flange, rim,
    * web and hub. Points are across and outwards from the axle; the bore is its
