@@ -216,7 +216,7 @@ namespace
   };
 } // namespace
 
-// aspects a/b of 2.9, 1 and 0.3; the boxes of nodes are 7 to 20 % too large
+// aspects a/b of 2.9, 1 and 0.3; the boxes of nodes are 9 to 14 % too large
 BOOST_AUTO_TEST_CASE(areas_of_ellipses_are_those_of_hertz)
 {
   for (const auto &[radius, tolerance] :
