@@ -232,6 +232,7 @@ BOOST_AUTO_TEST_CASE(true_sections_are_pressed_along_their_normals)
                           scene.rail.block_length          = 0.4;
                           scene.contact.vertical_load      = 20e3;
                           scene.mesh.elements_across_patch = 6;
+                          scene.output.body_fields = true; // keeps factors
                         });
   BOOST_TEST(upwards(run) == 20e3, boost::test_tools::tolerance(1e-8));
   const Profiles::ContactFrame &frame = *run.scene.profiles.frame;
@@ -245,7 +246,9 @@ BOOST_AUTO_TEST_CASE(true_sections_are_pressed_along_their_normals)
                              shape->surface_height(0., s - step)) /
                             (2 * step),
                      sine = std::sin(frame.surface(s).angle);
-        BOOST_TEST(std::abs(rise - (side == Side::rail ? -sine : sine)) < 0.02);
+        // the wheel faces it but for the gap that opens
+        BOOST_TEST(std::abs(rise - (side == Side::rail ? -sine : sine)) <
+                   (side == Side::rail ? 1e-4 : 0.06));
       }
   // W along normals and tangents, from that of the bodies in their axes
   const auto       &pair  = *run.steady.pair;
