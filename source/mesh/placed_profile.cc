@@ -13,8 +13,9 @@ namespace RollingContact
     /// point: m
     const double step = 0.25e-3, largest_reach = 0.2;
 
-    /// length on the profile over that of the coordinate
-    const double least_stretch = 0.3, largest_stretch = 2.;
+    /// length on the profile over that of the coordinate: less where the wheel
+    /// is hollow, 2 where the surface is inclined by 60 degrees
+    const double least_stretch = 0.1, largest_stretch = 2.;
 
 
 
