@@ -2,7 +2,6 @@
 
 #include <rolling_contact/contact/recovered_tractions.h>
 #include <rolling_contact/contact/resultants.h>
-#include <rolling_contact/pair/profile_surface.h>
 #include <rolling_contact/parallel/ranks.h>
 #include <rolling_contact/report/interface_fields.h>
 
@@ -221,9 +220,13 @@ namespace RollingContact
       steady.state,
       !steady.restored,
       [&](const std::array<double, 2> &at) -> std::array<double, 3> {
-        const SurfaceFrames frames = surface_frames(scene, {at});
-        if (!frames.nodes.empty())
-          return {{at[0], frames.nodes[0].y, frames.nodes[0].z}};
+        const Profiles::ContactFrame *frame = scene.profiles.frame.get();
+        if (frame && frame->kind() == Profiles::SurfaceKind::curved &&
+            frame->covers(at[1]))
+          {
+            const Profiles::SurfacePoint point = frame->surface(at[1]);
+            return {{at[0], point.y, point.z}};
+          }
         return {{at[0], at[1], rail->surface_height(at[0], at[1])}};
       },
       folder,
