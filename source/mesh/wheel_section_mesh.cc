@@ -1,6 +1,7 @@
 #include <rolling_contact/mesh/running_surfaces.h>
 #include <rolling_contact/mesh/section_strip.h>
 #include <rolling_contact/mesh/wheel_section_mesh.h>
+#include <rolling_contact/mesh/wheel_web.h>
 
 #include <algorithm>
 #include <cmath>
@@ -43,12 +44,6 @@ namespace RollingContact
 
     const unsigned int rim_rows = 3, web_columns = 4, hub_rows = 2,
                        hub_columns = 3;
-
-    /// lengths over which the web widens to rim and hub, and by how much on
-    /// each side; cells of the web
-    const double rim_fillet = 18 * mm, rim_widening = 14 * mm,
-                 hub_fillet = 25 * mm, hub_widening = 22 * mm,
-                 longest_web_cell = 9 * mm;
 
 
 
@@ -280,10 +275,10 @@ namespace RollingContact
                     over_tape(rim_core),
                     strip_rows);
       top.insert(top.end(), inner.begin() + root, inner.end());
-      const unsigned int n    = top.size() - 1;
-      const double       half = measures.web_at_rim / 2 + rim_widening,
-                   left       = measures.middle_at_rim - half,
-                   right      = measures.middle_at_rim + half;
+      const unsigned int n = top.size() - 1;
+      const auto [middle, half] =
+        wheel_web(measures, placed.bow, measures.rim_inside);
+      const double left = middle - half, right = middle + half;
       const double share =
         (left - measures.flange_back) / (rim_end - measures.flange_back);
       const unsigned int first =
@@ -313,27 +308,12 @@ namespace RollingContact
 
 
     /**
-     * Points of the web from side to side, its middle line bowed.
+     * Points of the web from side to side.
      */
     Row
     WheelMesher::web_row(const double outwards) const
     {
-      const double rim = measures.rim_inside, hub = measures.hub_outside,
-                   t = std::clamp((rim - outwards) / (rim - hub), 0., 1.),
-                   s = std::sin(M_PI * t);
-      const double to_rim =
-                     std::max(0., outwards - (rim - rim_fillet)) / rim_fillet,
-                   to_hub =
-                     std::max(0., hub + hub_fillet - outwards) / hub_fillet;
-      const double half = (measures.web_at_rim +
-                           (measures.web_at_hub - measures.web_at_rim) * t) /
-                            2 +
-                          rim_widening * to_rim * to_rim +
-                          hub_widening * to_hub * to_hub,
-                   middle =
-                     measures.middle_at_rim +
-                     (measures.middle_at_hub - measures.middle_at_rim) * t +
-                     placed.bow * s * s;
+      const auto [middle, half] = wheel_web(measures, placed.bow, outwards);
       return equal_parts(at(middle - half, outwards),
                          at(middle + half, outwards),
                          web_columns);
@@ -344,17 +324,8 @@ namespace RollingContact
     void
     WheelMesher::add_web()
     {
-      std::vector<double> radii{measures.rim_inside};
-      const auto          down_to = [&](const double end) {
-        const double begin = radii.back();
-        const int    n = std::ceil((begin - end) / longest_web_cell);
-        for (int k = 1; k <= n; ++k)
-          radii.push_back(begin + (end - begin) * k / n);
-      };
-      down_to(measures.rim_inside - rim_fillet);
-      down_to(measures.hub_outside + hub_fillet);
-      down_to(measures.hub_outside);
-      std::vector<Row> rows{web_at_rim};
+      const std::vector<double> radii = radii_of_web(measures);
+      std::vector<Row>          rows{web_at_rim};
       for (std::size_t j = 1; j < radii.size(); ++j)
         rows.push_back(web_row(radii[j]));
       add_rows(rows, result);
