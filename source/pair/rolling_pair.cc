@@ -23,8 +23,7 @@ namespace RollingContact
     , body_pair(scene, grading, demands, statics)
     , pair_interface(scene, grading, body_pair)
   {
-    if (scene.contact.friction_coefficient > 0. ||
-        pair_interface.turns_nodes())
+    if (scene.contact.friction_coefficient > 0. || pair_interface.turns_nodes())
       for (unsigned int d = 0; d < dim - 1; ++d)
         components.push_back(d);
     components.push_back(dim - 1);

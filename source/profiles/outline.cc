@@ -62,14 +62,14 @@ namespace RollingContact::Profiles
     double least = distance(point, nodes.front()), found = 0.;
     for (std::size_t k = 1; k < nodes.size(); ++k)
       {
-        const Point  &a = nodes[k - 1], &b = nodes[k];
-        const double  length = arc[k] - arc[k - 1],
-                     t       = std::clamp(((point[0] - a[0]) * (b[0] - a[0]) +
+        const Point &a = nodes[k - 1], &b = nodes[k];
+        const double length = arc[k] - arc[k - 1],
+                     t      = std::clamp(((point[0] - a[0]) * (b[0] - a[0]) +
                                      (point[1] - a[1]) * (b[1] - a[1])) /
                                       (length * length),
                                     0.,
                                     1.),
-                     away    = distance(point, between(a, b, t));
+                     away   = distance(point, between(a, b, t));
         if (away < least)
           {
             least = away;
@@ -84,7 +84,7 @@ namespace RollingContact::Profiles
   Outline
   Outline::part(const double begin, const double end) const
   {
-    const double       lower = std::min(begin, end), upper = std::max(begin, end);
+    const double lower = std::min(begin, end), upper = std::max(begin, end);
     std::vector<Point> points{at(lower)};
     for (std::size_t k = 0; k < nodes.size(); ++k)
       if (arc[k] > lower && arc[k] < upper)
