@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 using namespace RollingContact;
 
@@ -195,6 +196,28 @@ BOOST_AUTO_TEST_CASE(tread_and_flange_are_one_state)
   const Resultants &one = right->steady.result, &other = left->steady.result;
   BOOST_TEST(one.traction_coefficient * pressed == one.tangential_force,
              boost::test_tools::tolerance(1e-9));
+  // rigid slip at the nodes, along their own tangents
+  const ContactProblem &problem = right->steady.problem;
+  const NodalField      slip    = problem.rigid_slip();
+  const Creepages      &creep   = problem.loads.creepages;
+  for (unsigned int i = 0; i < problem.n_nodes(); i += 7)
+    {
+      const auto [x, s]        = problem.operators.positions()[i];
+      const auto [y, z, angle] = frame.surface(s);
+      BOOST_TEST(std::abs(slip(0, i) - creep.x + creep.spin * y -
+                          frame.slip_beyond_spin(s)) < 1e-12);
+      BOOST_TEST(std::abs(slip(1, i) -
+                          (creep.y + creep.spin * x) * std::cos(angle) -
+                          frame.slip_of_rolling(x, s)) < 1e-12);
+      BOOST_TEST(problem.operators.approach_share(i) ==
+                   std::cos(angle + frame.angle()),
+                 boost::test_tools::tolerance(1e-12));
+    }
+  // the narrower patch has some rows of nodes across
+  std::set<long> rows;
+  for (const unsigned int i : patches[1].nodes)
+    rows.insert(std::lround(1e8 * problem.operators.positions()[i][1]));
+  BOOST_TEST(rows.size() >= 5u);
   // the other side is its mirror image
   BOOST_TEST(other.normal_force == one.normal_force,
              boost::test_tools::tolerance(1e-5));
@@ -218,6 +241,28 @@ BOOST_AUTO_TEST_CASE(tread_and_flange_are_one_state)
                                               plane.context);
                       }),
                       "Contact surface = curved"));
+}
+
+
+
+BOOST_AUTO_TEST_CASE(the_narrowest_patch_is_resolved)
+{
+  // rails inclined by 1:20: crown, shoulder and gauge corner
+  SceneInMemory run;
+  s1002_on_60e1(run.scene);
+  run.scene.profiles.inclination  = "1/20";
+  run.scene.profiles.shift        = 6.1 * mm;
+  run.scene.profiles.roll         = {};
+  run.scene.contact.vertical_load = 80e3;
+  run.scene.check();
+  run.scene.read_profiles();
+  const PatchEstimate patch = estimate_patch(run.scene);
+  BOOST_TEST(patch.narrowest_y > 0.);
+  BOOST_TEST(patch.narrowest_y < 0.5 * patch.half_width_y);
+  const Grading<3> grading =
+    make_grading<3>(run.scene, StateDemands(), patch, 12, 0.);
+  BOOST_TEST(6 * grading.element_size_y <= 2 * patch.narrowest_y * (1 + 1e-12));
+  BOOST_TEST(6 * grading.element_size_x <= 2 * patch.shortest_x * (1 + 1e-12));
 }
 
 
