@@ -72,7 +72,7 @@ namespace RollingContact
     if (steady.result.normal_force <= 0.)
       throw InputError(needs_contact);
     describe_bodies(steady, context);
-    if (steady.problem.operators.frames().nodes.empty())
+    if (steady.problem.operators.frames().is_plane())
       steady.problem.loads.inclined_load.reset();
     const double     largest = steady.result.normal_force;
     StateReview<dim> review(scene, context);
@@ -130,14 +130,14 @@ namespace RollingContact
   LoadCurve<dim>::stiffness(SteadyState<dim> &steady) const
   {
     const double load = steady.result.normal_force, change = 0.1;
-    const auto   loads  = steady.problem.loads;
+    const auto   given  = steady.problem.loads;
     const auto   solver = steady.solver;
     const auto   state  = steady.state;
     solve_at((1 + change) * load, steady);
     const double above = steady.state.approach;
     solve_at((1 - change) * load, steady);
     const double below   = steady.state.approach;
-    steady.problem.loads = loads;
+    steady.problem.loads = given;
     steady.state         = state;
     steady.solver        = solver;
     steady.result        = resultants(steady.problem, state);

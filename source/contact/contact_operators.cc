@@ -112,8 +112,8 @@ namespace RollingContact
   ContactOperators::place(const unsigned int i) const
   {
     return {{node_positions[i][0],
-             surface_frames.nodes.empty() ? node_positions[i][1]
-                                          : surface_frames.nodes[i].y}};
+             surface_frames.is_plane() ? node_positions[i][1]
+                                       : surface_frames.nodes[i].y}};
   }
 
 

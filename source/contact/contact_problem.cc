@@ -13,7 +13,7 @@ namespace RollingContact
         const auto at_node = loads.creepages.at(operators.place(i));
         for (unsigned int c = 0; c < n_tangential(); ++c)
           slip(c, i) = at_node[c];
-        if (!operators.frames().nodes.empty() && n_tangential() > 1)
+        if (!operators.frames().is_plane() && n_tangential() > 1)
           slip(1, i) *= std::cos(operators.frames().nodes[i].angle);
       }
     if (!loads.slip_of_profile.empty())
@@ -59,12 +59,12 @@ namespace RollingContact
 
 
   std::vector<NodalForce>
-  forces_in_plane(const ContactProblem &contact, const ContactState &state)
+  forces_in_plane(const ContactProblem      &contact,
+                  const std::vector<double> &forces)
   {
-    const std::vector<double> forces = nodal_forces(contact, state);
-    const unsigned int        n      = contact.n_nodes(),
-                       n_tangential  = contact.n_tangential();
-    const auto             &frames   = contact.operators.frames().nodes;
+    const unsigned int n            = contact.n_nodes(),
+                       n_tangential = contact.n_tangential();
+    const SurfaceFrames    &frames  = contact.operators.frames();
     std::vector<NodalForce> result(n);
     for (unsigned int i = 0; i < n; ++i)
       {
@@ -72,10 +72,10 @@ namespace RollingContact
                      across = n_tangential > 1 ? forces[n + i] : 0.,
                      normal = forces[n_tangential * n + i];
         result[i]           = {along, across, normal};
-        if (frames.empty())
+        if (frames.is_plane())
           continue;
-        const double c = std::cos(frames[i].angle),
-                     s = std::sin(frames[i].angle);
+        const double c = std::cos(frames.nodes[i].angle),
+                     s = std::sin(frames.nodes[i].angle);
         result[i] = {along, c * across + s * normal, c * normal - s * across};
       }
     return result;

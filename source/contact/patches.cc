@@ -53,7 +53,7 @@ namespace RollingContact
     const auto                   &at     = problem.operators.positions();
     const std::vector<double>     forces = nodal_forces(problem, state);
     const std::vector<NodalForce> plane_forces =
-      forces_in_plane(problem, state);
+      forces_in_plane(problem, forces);
     const unsigned int n = problem.n_nodes(), first_normal = forces.size() - n;
     const NodalField   slip =
       problem.n_tangential() > 0

@@ -17,15 +17,16 @@ namespace RollingContact
                Resultants           &result)
     {
       const ContactOperators &operators = problem.operators;
-      const bool              is_plane  = operators.frames().nodes.empty();
+      const bool              is_plane  = operators.frames().is_plane();
       if (is_plane)
         result.normal_force = operators.resultant(state.pressure);
       if (is_plane && problem.n_tangential() == 0)
         return;
-      const std::vector<double>     friction = nodal_forces(problem, state);
-      const std::vector<NodalForce> forces   = forces_in_plane(problem, state);
-      const unsigned int            n        = problem.n_nodes();
-      std::array<double, 2>         tangential{};
+      const std::vector<double>     along_nodes = nodal_forces(problem, state);
+      const std::vector<NodalForce> forces =
+        forces_in_plane(problem, along_nodes);
+      const unsigned int    n = problem.n_nodes();
+      std::array<double, 2> tangential{};
       for (unsigned int i = 0; i < problem.n_nodes(); ++i)
         {
           result.friction_force += operators.areas()[i] *
@@ -39,7 +40,7 @@ namespace RollingContact
             result.normal_force += force.z;
           result.spin_moment += place[0] * force.y - place[1] * force.x;
           for (unsigned int c = 0; c < problem.n_tangential(); ++c)
-            tangential[c] += friction[c * n + i];
+            tangential[c] += along_nodes[c * n + i];
         }
       const double pressed    = operators.resultant(state.pressure);
       result.tangential_force = std::hypot(tangential[0], tangential[1]);

@@ -116,7 +116,7 @@ namespace RollingContact
   {
     const SurfaceFrames frames = surface_frames(scene, trace.nodes);
     for (const Side side : both_sides)
-      if (!frames.nodes.empty() && bodies.is_elastic(side) &&
+      if (!frames.is_plane() && bodies.is_elastic(side) &&
           scene.body(side).body_shape()->is_swept())
         {
           // z of the wheel is that of the rail mirrored

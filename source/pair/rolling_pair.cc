@@ -260,7 +260,7 @@ namespace RollingContact
     loads.approach     = contact.approach.value_or(0.);
     if (contact.vertical_load)
       loads.inclined_load = {*contact.vertical_load, profiles->angle()};
-    else if (contact.normal_load && !problem.operators.frames().nodes.empty())
+    else if (contact.normal_load && !problem.operators.frames().is_plane())
       loads.inclined_load = {*contact.normal_load, 0.};
     return problem;
   }

@@ -127,11 +127,12 @@ namespace RollingContact
   };
 
   /**
-   * The forces H q and H p of a state at the nodes in the axes of the plane of
-   * resultants, see SurfaceFrames. Units: N.
+   * The nodal_forces() of a state in the axes of the plane of resultants, see
+   * SurfaceFrames. Units: N.
    */
   std::vector<NodalForce>
-  forces_in_plane(const ContactProblem &contact, const ContactState &state);
+  forces_in_plane(const ContactProblem      &contact,
+                  const std::vector<double> &forces);
 
   /**
    * The gap u_n of a state at the nodes. Units: m.

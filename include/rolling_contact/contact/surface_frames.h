@@ -21,6 +21,12 @@ namespace RollingContact
       double y, z, angle;
     };
 
+    bool
+    is_plane() const
+    {
+      return nodes.empty();
+    }
+
     std::vector<Node> nodes;
     double            load_angle = 0.;
   };
