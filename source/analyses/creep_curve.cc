@@ -69,10 +69,39 @@ namespace RollingContact
 
 
     /**
+     * What the points are drawn over: a creepage that is found for the same
+     * force at all of them is none of it.
+     */
+    std::vector<Creepages>
+    abscissae(const std::vector<CreepCurvePoint> &points,
+              std::vector<Creepages>              found)
+    {
+      const AskedForces &first    = points[0].forces;
+      const auto         constant = [&](std::optional<double> AskedForces::*c) {
+        return first.*c &&
+               std::all_of(points.begin(), points.end(), [&](const auto &it) {
+                 return it.forces.*c == first.*c;
+               });
+      };
+      for (Creepages &point : found)
+        {
+          if (constant(&AskedForces::x))
+            point.x = 0.;
+          if (constant(&AskedForces::y))
+            point.y = 0.;
+          if (constant(&AskedForces::moment))
+            point.spin = 0.;
+        }
+      return found;
+    }
+
+
+
+    /**
      * For the screen: the creepages that vary, then forces.
      */
     std::vector<std::string>
-    columns_of(const std::vector<Creepages> &points)
+    columns_of(const std::vector<Creepages> &points, const bool any_force)
     {
       const Path               path(points);
       std::vector<std::string> columns;
@@ -82,7 +111,7 @@ namespace RollingContact
         columns.push_back("creepage_y");
       if (varies(path.spin))
         columns.push_back("spin_1/m");
-      if (any(path.x))
+      if (any_force || any(path.x))
         columns.push_back("force_x_N");
       if (any(path.y) || any(path.spin))
         columns.push_back("force_y_N");
@@ -105,8 +134,12 @@ namespace RollingContact
     SceneParameters start = scene;
     if (scene.mesh.adaptive_levels == 0)
       start.contact.creepages = Creepages();
+    start.contact.forces = AskedForces();
     TargetDemands targets;
-    targets.spin            = any(Path(points).spin);
+    targets.spin =
+      std::any_of(points.begin(), points.end(), [](const auto &point) {
+        return point.creepages.spin != 0. || point.forces.moment;
+      });
     SteadyState<dim> steady = solve_to_target<dim>(
       start, StateDemands(), targets, context, [](const auto &) {});
     scene.mesh = start.mesh;
@@ -116,7 +149,8 @@ namespace RollingContact
     describe_bodies(steady, context);
     const Stopwatch watch;
     march(points, steady);
-    context.log.message(context.results.screen_table(columns_of(points)));
+    context.log.message(context.results.screen_table(
+      columns_of(curve.found, points[0].forces.any())));
     context.report.set_finding("load",
                                "N = " +
                                  significant(steady.result.normal_force, 6) +
@@ -133,15 +167,18 @@ namespace RollingContact
                                       curve.force_ratio.end()),
                     5));
     if (scene.output.plot)
-      plot_creep_curve(points, curve, scale_of_friction(scene), context);
+      plot_creep_curve(abscissae(points, curve.found),
+                       curve,
+                       scale_of_friction(scene),
+                       context);
   }
 
 
 
   template <int dim>
   void
-  CreepCurve<dim>::march(const std::vector<Creepages> &points,
-                         SteadyState<dim>             &steady)
+  CreepCurve<dim>::march(const std::vector<CreepCurvePoint> &points,
+                         SteadyState<dim>                   &steady)
   {
     Progress         progress(context.log, "point", points.size());
     StateReview<dim> review(scene, context);
@@ -167,11 +204,22 @@ namespace RollingContact
 
   template <int dim>
   void
-  CreepCurve<dim>::solve_point(const Creepages  &creepages,
-                               SteadyState<dim> &steady)
+  CreepCurve<dim>::solve_point(const CreepCurvePoint &point,
+                               SteadyState<dim>      &steady)
   {
-    steady.problem.loads.creepages = creepages;
+    ContactLoads &loads = steady.problem.loads;
+    // those that are found start from the point before
+    Creepages creepages = point.creepages;
+    if (point.forces.x)
+      creepages.x = loads.creepages.x;
+    if (point.forces.y)
+      creepages.y = loads.creepages.y;
+    if (point.forces.moment)
+      creepages.spin = loads.creepages.spin;
+    loads.creepages = creepages;
+    loads.forces    = point.forces;
     solve_enlarging_zone(scene, StateDemands(), context, steady);
+    curve.found.push_back(steady.problem.loads.creepages);
 
     const Resultants &result         = steady.result;
     const double      friction_force = result.friction_force;
@@ -191,7 +239,8 @@ namespace RollingContact
       return;
     if constexpr (dim == 3)
       for (const NamedForce &theory :
-           reference_3d(scene, steady.result.normal_force, creepages).forces)
+           reference_3d(scene, steady.result.normal_force, curve.found.back())
+             .forces)
         keep(theory.label,
              theory.saturates,
              std::hypot(theory.x, theory.y) / friction_force);

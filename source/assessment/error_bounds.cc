@@ -1,6 +1,8 @@
 #include <rolling_contact/assessment/error_bounds.h>
 #include <rolling_contact/base/text.h>
+#include <rolling_contact/contact/friction_limit.h>
 #include <rolling_contact/contact/touching_run.h>
+#include <rolling_contact/solvers/force_control.h>
 
 #include <algorithm>
 #include <cmath>
@@ -218,10 +220,11 @@ namespace RollingContact
   expected_circumstances(const SceneParameters &scene, const double half_width)
   {
     BoundCircumstances found;
-    found.dim                 = static_cast<int>(scene.dimension);
-    found.kind                = scene.contact.slip_operator;
-    found.beta                = std::abs(pair_constants(scene).dundurs_beta);
-    found.spin                = scene.contact.creepages.spin != 0.;
+    found.dim  = static_cast<int>(scene.dimension);
+    found.kind = scene.contact.slip_operator;
+    found.beta = std::abs(pair_constants(scene).dundurs_beta);
+    found.spin =
+      scene.contact.creepages.spin != 0. || scene.contact.forces.moment;
     found.refined             = scene.mesh.rim_levels > 0;
     found.approach_given      = !scene.contact.normal_load;
     found.friction            = scene.contact.friction_coefficient;
@@ -314,6 +317,35 @@ namespace RollingContact
 
 
 
+  template <int dim>
+  std::vector<double>
+  creepage_bounds(const SceneParameters  &scene,
+                  const SteadyState<dim> &steady,
+                  const ErrorBounds      &bounds)
+  {
+    const AskedForces &asked = steady.problem.loads.forces;
+    if (!bounds.force || (asked.moment && !bounds.moment) ||
+        !(steady.result.friction_force > 0.))
+      return {};
+    double part = *bounds.force;
+    if (asked.moment)
+      {
+        const double mu_N_a =
+          steady.result.friction_force * steady.result.half_width_x;
+        part = std::max(part,
+                        *bounds.moment * mu_N_a /
+                          sliding_resultant(steady.problem,
+                                            steady.state.pressure,
+                                            2));
+      }
+    return creepage_margins(steady.problem,
+                            scene.solver.controls,
+                            steady.state,
+                            part);
+  }
+
+
+
   template BoundCircumstances
   bound_circumstances(const SceneParameters &, const SteadyState<2> &);
   template BoundCircumstances
@@ -322,4 +354,12 @@ namespace RollingContact
   error_bounds(const SceneParameters &, const SteadyState<2> &);
   template ErrorBounds
   error_bounds(const SceneParameters &, const SteadyState<3> &);
+  template std::vector<double>
+  creepage_bounds(const SceneParameters &,
+                  const SteadyState<2> &,
+                  const ErrorBounds &);
+  template std::vector<double>
+  creepage_bounds(const SceneParameters &,
+                  const SteadyState<3> &,
+                  const ErrorBounds &);
 } // namespace RollingContact

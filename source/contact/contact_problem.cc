@@ -5,17 +5,27 @@
 namespace RollingContact
 {
   NodalField
-  ContactProblem::rigid_slip() const
+  rigid_slip(const ContactOperators &operators, const Creepages &creepages)
   {
-    NodalField slip(n_nodes(), n_tangential());
-    for (unsigned int i = 0; i < n_nodes(); ++i)
+    const unsigned int n_tangential = operators.n_tangential();
+    NodalField         slip(operators.n_nodes(), n_tangential);
+    for (unsigned int i = 0; i < operators.n_nodes(); ++i)
       {
-        const auto at_node = loads.creepages.at(operators.place(i));
-        for (unsigned int c = 0; c < n_tangential(); ++c)
+        const auto at_node = creepages.at(operators.place(i));
+        for (unsigned int c = 0; c < n_tangential; ++c)
           slip(c, i) = at_node[c];
-        if (!operators.frames().is_plane() && n_tangential() > 1)
+        if (!operators.frames().is_plane() && n_tangential > 1)
           slip(1, i) *= std::cos(operators.frames().nodes[i].angle);
       }
+    return slip;
+  }
+
+
+
+  NodalField
+  ContactProblem::rigid_slip() const
+  {
+    NodalField slip = RollingContact::rigid_slip(operators, loads.creepages);
     if (!loads.slip_of_profile.empty())
       slip += loads.slip_of_profile;
     return slip;

@@ -231,6 +231,25 @@ namespace RollingContact
 
 
 
+  std::array<double, 3>
+  plane_resultant(const ContactProblem      &problem,
+                  const std::vector<double> &forces)
+  {
+    const std::vector<NodalForce> in_plane = forces_in_plane(problem, forces);
+    std::array<double, 3>         sum{};
+    for (unsigned int i = 0; i < problem.n_nodes(); ++i)
+      {
+        const auto        place = problem.operators.place(i);
+        const NodalForce &force = in_plane[i];
+        sum[0] += force.x;
+        sum[1] += force.y;
+        sum[2] += place[0] * force.y - place[1] * force.x;
+      }
+    return sum;
+  }
+
+
+
   double
   dissipation(const TangentialProblem &tangential, const ContactState &state)
   {

@@ -50,10 +50,15 @@ namespace RollingContact
                       const std::string   &default_text,
                       const std::string   &help)
   {
-    declare_text(
-      prm, path, default_text, help, [&values, path](const std::string &text) {
-        values = number_list(path, text);
-      });
+    declare_text(prm,
+                 path,
+                 default_text,
+                 help,
+                 [&values, path, default_text](const std::string &text) {
+                   values = text.empty() && default_text.empty()
+                              ? std::vector<double>()
+                              : number_list(path, text);
+                 });
   }
 
 

@@ -256,6 +256,7 @@ namespace RollingContact
     loads.friction_law = contact.falling_friction();
     loads.speed        = std::abs(contact.rolling_speed());
     loads.creepages    = contact.creepages;
+    loads.forces       = contact.forces;
     loads.normal_load  = contact.normal_load;
     loads.approach     = contact.approach.value_or(0.);
     if (contact.vertical_load)

@@ -50,6 +50,36 @@ namespace RollingContact
 
 
     /**
+     * Where creepages were found for forces, how far the errors of these put
+     * them off.
+     */
+    template <int dim>
+    void
+    set_creepage_bounds(const SceneParameters  &scene,
+                        const SteadyState<dim> &steady,
+                        const ErrorBounds      &bounds,
+                        ResultsTable           &table)
+    {
+      const AskedForces &forces = steady.problem.loads.forces;
+      if (!forces.any())
+        return;
+      table.set("force_rounds", steady.solver.force_rounds);
+      const std::vector<double> margins =
+        creepage_bounds(scene, steady, bounds);
+      std::size_t n = 0;
+      for (const auto &[column, asked] :
+           {std::pair("bound_creepage_x", forces.x.has_value()),
+            std::pair("bound_creepage_y", forces.y.has_value()),
+            std::pair("bound_spin_1/m", forces.moment.has_value())})
+        if (asked && n < margins.size())
+          table.set(column, margins[n++]);
+        else if (asked)
+          table.leave_empty(column);
+    }
+
+
+
+    /**
      * Bounds of the errors of a steady state; empty where none is known.
      */
     template <int dim>
@@ -70,6 +100,7 @@ namespace RollingContact
       if (steady.problem.n_tangential() > 1)
         set("bound_moment/muNa", bounds.moment);
       set("bound_max_pressure", bounds.max_pressure);
+      set_creepage_bounds(scene, steady, bounds, table);
     }
 
 

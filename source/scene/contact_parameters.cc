@@ -7,6 +7,7 @@
 #include <rolling_contact/scene/contact_parameters.h>
 
 #include <cmath>
+#include <tuple>
 
 namespace RollingContact
 {
@@ -19,6 +20,7 @@ namespace RollingContact
     declare_load(prm);
     declare_friction(prm);
     declare_rolling(prm);
+    declare_forces(prm);
     declare_operators(prm);
     prm.leave_subsection();
   }
@@ -117,6 +119,33 @@ namespace RollingContact
 
 
   void
+  ContactParameters::declare_forces(ParameterHandler &prm)
+  {
+    declare_number(prm,
+                   "Contact/Longitudinal force",
+                   forces.x,
+                   "N",
+                   "Force of friction on the wheel along x in place of "
+                   "`Creepage x`, which is found for it. Less than mu N. "
+                   "Units: N.");
+    declare_number(prm,
+                   "Contact/Lateral force",
+                   forces.y,
+                   "N",
+                   "Force of friction on the wheel along y, 3D only, in place "
+                   "of `Creepage y`, which is found for it. Units: N.");
+    declare_number(prm,
+                   "Contact/Spin moment",
+                   forces.moment,
+                   "N m",
+                   "Moment of friction on the wheel about the normal through "
+                   "the origin of the contact, 3D only, in place of `Spin`, "
+                   "which is found for it. Units: N m.");
+  }
+
+
+
+  void
   ContactParameters::declare_operators(ParameterHandler &prm)
   {
     declare_choice(prm,
@@ -203,6 +232,49 @@ namespace RollingContact
 
 
   void
+  ContactParameters::check_forces(const unsigned int dimension) const
+  {
+    if (!forces.any())
+      return;
+    const double mu = friction_coefficient;
+    for (const auto &[entry, force, creepage_entry, creepage] :
+         {std::tuple("Longitudinal force", forces.x, "Creepage x", creepages.x),
+          std::tuple("Lateral force", forces.y, "Creepage y", creepages.y),
+          std::tuple("Spin moment", forces.moment, "Spin", creepages.spin)})
+      {
+        if (!force)
+          continue;
+        const std::string given =
+          "Contact/" + std::string(entry) + " = " + text_of(*force);
+        if (dimension == 2 && force != forces.x)
+          throw InputError(given + ": lateral force and spin moment exist in "
+                                   "3D only; leave it empty or take "
+                                   "Dimension = 3.");
+        if (creepage != 0.)
+          throw InputError(given + " and Contact/" + creepage_entry + " = " +
+                           text_of(creepage) +
+                           ": the creepage is found for the force; leave one "
+                           "of them out.");
+        if (mu == 0.)
+          throw InputError(given + " and Contact/Friction coefficient = 0: "
+                                   "without friction there is no such force; "
+                                   "leave it empty.");
+      }
+    const double asked =
+      std::hypot(forces.x.value_or(0.), forces.y.value_or(0.));
+    if (normal_load && asked >= mu * *normal_load)
+      throw InputError(
+        (forces.x ? "Contact/Longitudinal force = " + text_of(*forces.x) : "") +
+        (forces.x && forces.y ? ", " : "") +
+        (forces.y ? "Contact/Lateral force = " + text_of(*forces.y) : "") +
+        ": under Contact/Normal load = " + text_of(*normal_load) +
+        " N and mu = " + text_of(mu) + " friction carries less than mu N = " +
+        text_of(mu * *normal_load) + " N.");
+  }
+
+
+
+  void
   ContactParameters::check(const unsigned int dimension) const
   {
     const Roughness understood(roughness);
@@ -217,6 +289,6 @@ namespace RollingContact
         " = " + text_of(creepages.spin != 0. ? creepages.spin : creepages.y) +
         ": lateral creepage and spin exist in 3D only; set it to 0 "
         "or take Dimension = 3.");
+    check_forces(dimension);
   }
-
 } // namespace RollingContact

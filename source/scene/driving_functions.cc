@@ -5,13 +5,28 @@ namespace RollingContact
   bool
   DrivingFunctions::jump_between(const double begin, const double end) const
   {
-    for (const auto *load : {&normal_load, &approach})
+    for (const auto *load : {&normal_load,
+                             &approach,
+                             &longitudinal_force,
+                             &lateral_force,
+                             &spin_moment})
       if (*load && (*load)->jumps_between(begin, end))
         return true;
     for (const auto *motion : {&creepage_x, &creepage_y, &spin, &speed})
       if (motion->jumps_between(begin, end))
         return true;
     return false;
+  }
+
+
+
+  AskedForces
+  DrivingFunctions::forces(const double time) const
+  {
+    const auto at = [&](const std::optional<TimeFunction> &history) {
+      return history ? history->value(time) : std::optional<double>();
+    };
+    return {at(longitudinal_force), at(lateral_force), at(spin_moment)};
   }
 
 

@@ -165,10 +165,40 @@ namespace RollingContact
     if (is_transient())
       time.check(contact, dimension, prm_folder);
     check_speed();
+    check_forces();
     check_pair();
     check_body_solver();
     check_profiles();
     check_curvatures();
+  }
+
+
+
+  void
+  SceneParameters::check_forces() const
+  {
+    bool of_curve = false;
+    if (analysis == "creep curve")
+      for (const CreepCurvePoint &point : creep_curve.points())
+        of_curve = of_curve || point.forces.any();
+    if (!contact.forces.any() && !of_curve)
+      return;
+    const std::string asked =
+      of_curve ? "Creep curve/Longitudinal force, Lateral force or Spin moment"
+               : "Contact/Longitudinal force, Lateral force or Spin moment";
+    if (mesh.adaptive_levels > 0)
+      throw InputError(
+        asked +
+        " and Mesh/Adaptive levels = " + std::to_string(mesh.adaptive_levels) +
+        ": levels are judged by how the forces change, and these are given. "
+        "Set the levels to 0, or give creepages.");
+    if (analysis == "accuracy study")
+      throw InputError(asked + " and Analysis = accuracy study: a study "
+                               "compares the forces of given creepages; leave "
+                               "them empty.");
+    if (of_curve && contact.friction_coefficient == 0.)
+      throw InputError(asked + " and Contact/Friction coefficient = 0: without "
+                               "friction there is no such force.");
   }
 
 

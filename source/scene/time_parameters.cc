@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace RollingContact
 {
@@ -156,6 +157,20 @@ namespace RollingContact
     declare("Spin",
             spin,
             "Spin creepage over time, 3D only" + forms + "Units: 1/m.");
+    const std::string instead =
+      " on the wheel over time, in place of the creepage, which is found for "
+      "it" +
+      forms;
+    declare("Longitudinal force",
+            longitudinal_force,
+            "Force of friction along x" + instead + "Units: N.");
+    declare("Lateral force",
+            lateral_force,
+            "Force of friction along y, 3D only," + instead + "Units: N.");
+    declare("Spin moment",
+            spin_moment,
+            "Moment of friction about the normal, 3D only," + instead +
+              "Units: N m.");
     declare("Speed",
             speed,
             "Rolling speed over time, of the sign of Contact/Speed" + forms +
@@ -226,6 +241,27 @@ namespace RollingContact
 
 
 
+    void
+    check_forces(const DrivingFunctions  &histories,
+                 const ContactParameters &contact,
+                 const double             time)
+    {
+      const AskedForces asked = histories.forces(time);
+      if (!histories.normal_load || !(asked.x || asked.y))
+        return;
+      const double force =
+                     std::hypot(asked.x.value_or(0.), asked.y.value_or(0.)),
+                   most = contact.friction_coefficient *
+                          histories.normal_load->value(time);
+      if (force > 0. && force >= most)
+        throw InputError("Time/Longitudinal force and Lateral force ask for " +
+                         text_of(force) + " N at t = " + significant(time, 6) +
+                         " s: friction carries less than mu N = " +
+                         text_of(most) + " N then.");
+    }
+
+
+
     /** The rules that hold at every time. */
     void
     check_values(const DrivingFunctions  &histories,
@@ -236,6 +272,7 @@ namespace RollingContact
         return " at t = " + significant(time, 6) + " s: ";
       };
       histories.creepages(time);
+      check_forces(histories, contact, time);
       if (histories.approach)
         histories.approach->value(time);
       if (histories.normal_load && histories.normal_load->value(time) < 0.)
@@ -272,6 +309,36 @@ namespace RollingContact
       throw InputError("Time/Normal load = " + normal_load +
                        ": give Contact/Normal load too, the load in N that the "
                        "mesh is made for, and no Contact/Approach.");
+    for (const auto &[force_entry, force, entry, creepage, given] :
+         {std::tuple("Longitudinal force",
+                     longitudinal_force,
+                     "Creepage x",
+                     creepage_x,
+                     contact.creepages.x),
+          std::tuple("Lateral force",
+                     lateral_force,
+                     "Creepage y",
+                     creepage_y,
+                     contact.creepages.y),
+          std::tuple(
+            "Spin moment", spin_moment, "Spin", spin, contact.creepages.spin)})
+      if (!force.empty() && (!creepage.empty() || given != 0.))
+        throw InputError("Time/" + std::string(force_entry) + " = " + force +
+                         ": the creepage is found for it; leave Time/" + entry +
+                         " and Contact/" + entry + " out.");
+    if (dimension == 2 && (!lateral_force.empty() || !spin_moment.empty()))
+      throw InputError("Time/" +
+                       std::string(spin_moment.empty()
+                                     ? "Lateral force = " + lateral_force
+                                     : "Spin moment = " + spin_moment) +
+                       ": it exists in 3D only; leave it empty or take "
+                       "Dimension = 3.");
+    if (contact.friction_coefficient == 0. &&
+        (!longitudinal_force.empty() || !lateral_force.empty() ||
+         !spin_moment.empty()))
+      throw InputError("Time/Longitudinal force, Lateral force or Spin moment "
+                       "and Contact/Friction coefficient = 0: without "
+                       "friction there is no such force; leave them empty.");
     if (dimension == 2 && (!creepage_y.empty() || !spin.empty()))
       throw InputError(
         "Time/" + std::string(spin.empty() ? "Creepage y" : "Spin") + " = " +
@@ -321,7 +388,23 @@ namespace RollingContact
       read("Creepage y", creepage_y, contact.creepages.y),
       read("Spin", spin, contact.creepages.spin),
       read("Speed", speed, contact.rolling_speed()),
+      {},
+      {},
+      {},
       {}};
+    const auto ask = [&](const std::string          &name,
+                         const std::string          &text,
+                         const std::optional<double> constant) {
+      return text.empty() && !constant
+               ? std::optional<TimeFunction>()
+               : read(name, text, constant.value_or(0.));
+    };
+    driving.longitudinal_force =
+      ask("Longitudinal force", longitudinal_force, contact.forces.x);
+    driving.lateral_force =
+      ask("Lateral force", lateral_force, contact.forces.y);
+    driving.spin_moment =
+      ask("Spin moment", spin_moment, contact.forces.moment);
     if (const auto load = contact.normal_load)
       driving.normal_load = read("Normal load", normal_load, *load);
     if (const auto depth = contact.approach)

@@ -99,6 +99,17 @@ namespace RollingContact
 
 
 
+    /** Why section Contact's forces are not asked for; empty if they are. */
+    std::string
+    giver_of_forces(const SceneParameters &scene)
+    {
+      return scene.analysis == "creep curve"
+               ? "the forces of a curve are those of section Creep curve"
+               : "";
+    }
+
+
+
     /** Who gives the creepages in place of section Contact; empty if none. */
     std::string
     giver_of_creepages(const SceneParameters &scene)
@@ -155,6 +166,12 @@ namespace RollingContact
       for (const char *path :
            {"Contact/Creepage x", "Contact/Creepage y", "Contact/Spin"})
         check(path, giver);
+    const std::string why = giver_of_forces(scene);
+    if (!why.empty())
+      for (const char *path : {"Contact/Longitudinal force",
+                               "Contact/Lateral force",
+                               "Contact/Spin moment"})
+        check(path, why);
     return warnings;
   }
 } // namespace RollingContact

@@ -46,6 +46,7 @@ namespace RollingContact
     passes += part.passes;
     corrections += part.corrections;
     friction_rounds += part.friction_rounds;
+    force_rounds += part.force_rounds;
     history.insert(history.end(), part.history.begin(), part.history.end());
   }
 

@@ -81,6 +81,12 @@ namespace RollingContact
       return state.scheme.empty() ? tangential.size() : 1;
     };
     SlipScheme asked = alternate(problem, n_solvers(), state, report);
+    if (state.holds_scheme && !state.scheme.empty())
+      {
+        report.solver += ", edges of a state nearby";
+        report.edges_settled = false;
+        return report;
+      }
     if (!report.converged && !state.scheme.empty())
       {
         // those of another state

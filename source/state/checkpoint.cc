@@ -38,7 +38,8 @@ namespace boost
               RollingContact::LastStep     &step,
               [[maybe_unused]] unsigned int version)
     {
-      archive &step.is_known &step.length &step.speed &step.rate &step.gap;
+      archive &step.is_known &step.length &step.speed &step.creepages;
+      archive &step.rate &step.gap;
       archive &step.free_slip &step.free_displacement;
       archive &step.slip_share &step.slip_before;
       archive &step.edge_law &step.holds_friction &step.solver;
@@ -75,7 +76,7 @@ namespace RollingContact
     struct Head
     {
       char          mark[24] = "rolling-contact restart"; ///< with its '\0'
-      std::uint32_t version  = 6; ///< to be raised with every change above
+      std::uint32_t version  = 7; ///< to be raised with every change above
       std::uint32_t checksum = 0; ///< CRC-32 of the archive
       std::uint64_t n_bytes  = 0; ///< of the archive
     };

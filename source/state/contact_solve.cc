@@ -1,5 +1,6 @@
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/pair/compliance_update.h>
+#include <rolling_contact/solvers/force_control.h>
 #include <rolling_contact/state/steady_state.h>
 
 #include <cmath>
@@ -99,8 +100,18 @@ namespace RollingContact
                 const StateDemands    &demands,
                 SteadyState<dim>      &steady)
   {
-    steady.problem.loads.inclined_load ? solve_inclined(scene, demands, steady)
-                                       : solve_once(scene, demands, steady);
+    const auto solve = [&]() {
+      steady.problem.loads.inclined_load
+        ? solve_inclined(scene, demands, steady)
+        : solve_once(scene, demands, steady);
+      return steady.solver;
+    };
+    steady.solver = steady.problem.loads.forces.any()
+                      ? solve_for_forces(solve,
+                                         scene.solver.controls,
+                                         steady.problem,
+                                         steady.state)
+                      : solve();
   }
 
 

@@ -2,6 +2,7 @@
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/contact/invariants.h>
 #include <rolling_contact/pair/compliance_update.h>
+#include <rolling_contact/solvers/force_control.h>
 #include <rolling_contact/state/contact_stepper.h>
 #include <rolling_contact/state/initial_contact.h>
 
@@ -21,12 +22,13 @@ namespace RollingContact
   {
     InitialContact<dim> initial =
       make_initial_contact<dim>(scene, demands, histories, context);
-    contact                         = std::move(initial.contact);
-    motion                          = std::move(initial.motion);
-    undeformed_gap                  = contact.problem.loads.gap;
-    border                          = contact.pair->trace().border_nodes();
-    contact.problem.loads.creepages = histories.creepages(0.);
-    slip                            = slip_memory(contact.problem,
+    contact        = std::move(initial.contact);
+    motion         = std::move(initial.motion);
+    undeformed_gap = contact.problem.loads.gap;
+    border         = contact.pair->trace().border_nodes();
+    if (scene.time.initial_state == InitialState::rest)
+      contact.problem.loads.creepages = histories.creepages(0.);
+    slip = slip_memory(contact.problem,
                        contact.state,
                        std::abs(histories.speed.value(0.)));
   }
@@ -56,7 +58,16 @@ namespace RollingContact
   {
     ContactProblem &problem = contact.problem;
     const double    end     = time + h;
+    const Creepages before  = problem.loads.creepages;
     problem.loads.creepages = histories.creepages(end);
+    problem.loads.forces    = histories.forces(time + theta() * h);
+    // those that are found start from the last ones
+    if (problem.loads.forces.x)
+      problem.loads.creepages.x = before.x;
+    if (problem.loads.forces.y)
+      problem.loads.creepages.y = before.y;
+    if (problem.loads.forces.moment)
+      problem.loads.creepages.spin = before.spin;
     // reactions act at t + theta h, the shifted law holds beyond the end
     const bool ahead = scene.time.contact_law == ContactLaw::shifted;
     if (histories.normal_load)
@@ -97,7 +108,25 @@ namespace RollingContact
   void
   ContactStepper<dim>::solve(const double speed)
   {
-    PhaseTimer::Scope    phase(context.timer, Phase::contact_solve);
+    PhaseTimer::Scope phase(context.timer, Phase::contact_solve);
+    const auto        solve_here = [&]() {
+      solve_given_creepages(speed);
+      return contact.solver;
+    };
+    contact.solver = contact.problem.loads.forces.any()
+                       ? solve_for_forces(solve_here,
+                                          scene.solver.controls,
+                                          contact.problem,
+                                          contact.state)
+                       : solve_here();
+  }
+
+
+
+  template <int dim>
+  void
+  ContactStepper<dim>::solve_given_creepages(const double speed)
+  {
     ContactLoads        &loads = contact.problem.loads;
     const SlipWithinStep answered(slip, theta(), speed, loads);
     unsigned int         n_iterations = 0;
@@ -122,14 +151,28 @@ namespace RollingContact
 
   template <int dim>
   bool
+  ContactStepper<dim>::follows_jump(const double time, const double h) const
+  {
+    if (!histories.forces(time).any())
+      return false;
+    const bool starts =
+      time < 1.5 * h && scene.time.initial_state == InitialState::rest;
+    return starts || histories.jump_between(std::max(0., time - h), time);
+  }
+
+
+
+  template <int dim>
+  bool
   ContactStepper<dim>::take_part(const double time,
                                  const double h,
                                  StepOutcome &outcome)
   {
     set_time_step(h);
     set_drive(time, h);
-    outcome.speed     = histories.speed.value(time + h);
-    const bool smooth = !histories.jump_between(time, time + h);
+    outcome.speed = histories.speed.value(time + h);
+    const bool smooth =
+      !histories.jump_between(time, time + h) && !follows_jump(time, h);
     if (contact.problem.n_tangential() > 0 &&
         outcome.speed * scene.contact.flow() <= 0.)
       throw InputError("Time/Speed is " + significant(outcome.speed, 6) +
@@ -142,13 +185,15 @@ namespace RollingContact
                                            smooth),
                         std::abs(outcome.speed));
     }
-    const ContactState previous = contact.state;
+    const ContactState previous         = contact.state;
+    const Creepages    creepages_before = contact.problem.loads.creepages;
     solve(std::abs(outcome.speed));
     outcome.solver.reason   = contact.solver.reason;
     outcome.solver.residual = contact.solver.residual;
     if (!contact.solver.converged)
       {
-        contact.state = previous;
+        contact.state                   = previous;
+        contact.problem.loads.creepages = creepages_before;
         return false;
       }
     contact.restored = false;
@@ -301,6 +346,7 @@ namespace RollingContact
     last                      = {!contact.restored,
                                  time_step,
                                  loads.speed,
+                                 {loads.creepages.x, loads.creepages.y, loads.creepages.spin},
                                  contact.problem.operators.time_scaling().rate,
                                  loads.gap,
                                  loads.free_slip,
@@ -331,7 +377,10 @@ namespace RollingContact
     restore_state(checkpoint);
     if (checkpoint.progress.step == 0)
       return;
-    const double h = checkpoint.last_step.length;
+    const double h                  = checkpoint.last_step.length;
+    contact.problem.loads.creepages = {checkpoint.last_step.creepages[0],
+                                       checkpoint.last_step.creepages[1],
+                                       checkpoint.last_step.creepages[2]};
     set_time_step(h);
     set_drive(checkpoint.progress.time - h, h);
     contact.solver.converged = true;

@@ -33,6 +33,7 @@ namespace RollingContact
       next.problem.loads.approach      = steady.problem.loads.approach;
       next.problem.loads.inclined_load = steady.problem.loads.inclined_load;
       next.problem.loads.creepages     = steady.problem.loads.creepages;
+      next.problem.loads.forces        = steady.problem.loads.forces;
       next.state = transferred_state(steady, next.problem);
       return next;
     }

@@ -34,6 +34,7 @@ namespace RollingContact
       SteadyState<dim> &contact = initial.contact;
       ContactProblem   &problem = contact.problem;
       problem.loads.creepages   = histories.creepages(0.);
+      problem.loads.forces      = histories.forces(0.);
       problem.loads.speed       = std::abs(histories.speed.value(0.));
       if (histories.normal_load)
         problem.loads.normal_load = histories.normal_load->value(0.);

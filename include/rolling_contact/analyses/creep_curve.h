@@ -8,13 +8,13 @@
 namespace RollingContact
 {
   /**
-   * Analysis = creep curve: steady states along a path of creepages on one
-   * mesh, with one factorisation and one condensation, each point started from
-   * the one before; a point whose patch reaches the border of the candidate
-   * zone makes mesh and compliance again for a larger zone, for itself and
-   * those after it. One row per point in results.csv, and a plot. Throws
-   * ConvergenceError at the first point that is not solved; the rows before it
-   * are kept.
+   * Analysis = creep curve: steady states along a path of creepages, or of
+   * forces, on one mesh, with one factorisation and one condensation, each
+   * point started from the one before; a point whose patch reaches the border
+   * of the candidate zone makes mesh and compliance again for a larger zone,
+   * for itself and those after it. One row per point in results.csv, and a
+   * plot. Throws ConvergenceError at the first point that is not solved; the
+   * rows before it are kept.
    */
   template <int dim>
   class CreepCurve : public Analysis
@@ -33,10 +33,10 @@ namespace RollingContact
      * Solve each point and add its row of results.
      */
     void
-    march(const std::vector<Creepages> &points, SteadyState<dim> &steady);
+    march(const std::vector<CreepCurvePoint> &points, SteadyState<dim> &steady);
 
     void
-    solve_point(const Creepages &creepages, SteadyState<dim> &steady);
+    solve_point(const CreepCurvePoint &point, SteadyState<dim> &steady);
 
     SceneParameters  scene; ///< its own, with the mesh of a target error
     RunContext      &context;

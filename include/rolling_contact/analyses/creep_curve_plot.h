@@ -27,7 +27,8 @@ namespace RollingContact
   {
     std::vector<double> force_ratio; ///< |T|/(mu N), mu_s N if friction falls
     std::vector<double> force_x, force_y, moment;
-    double              half_width = 0.; ///< largest
+    std::vector<Creepages>      found;           ///< creepages of the states
+    double                      half_width = 0.; ///< largest
     std::vector<ReferenceCurve> references;
   };
 

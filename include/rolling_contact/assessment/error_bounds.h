@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace RollingContact
 {
@@ -72,6 +73,18 @@ namespace RollingContact
   template <int dim>
   ErrorBounds
   error_bounds(const SceneParameters &scene, const SteadyState<dim> &steady);
+
+  /**
+   * How far the creepages of a state that were found for asked forces may be
+   * off, in the order of these, by the bounds of its forces; empty if those are
+   * not known or the forces so close to what friction can carry that every
+   * larger creepage may be it. Units: 1, 1/m.
+   */
+  template <int dim>
+  std::vector<double>
+  creepage_bounds(const SceneParameters  &scene,
+                  const SteadyState<dim> &steady,
+                  const ErrorBounds      &bounds);
 } // namespace RollingContact
 
 #endif

@@ -1,6 +1,7 @@
 #ifndef rolling_contact_contact_contact_problem_h
 #define rolling_contact_contact_contact_problem_h
 
+#include <rolling_contact/base/asked_forces.h>
 #include <rolling_contact/base/creepages.h>
 #include <rolling_contact/contact/contact_operators.h>
 #include <rolling_contact/contact/contact_state.h>
@@ -38,6 +39,8 @@ namespace RollingContact
     std::optional<InclinedLoad> inclined_load;
 
     Creepages creepages;
+    /** What the creepages are found for, anew with each state. */
+    AskedForces forces;
     /** Rigid slip of profiles beyond that of the creepages, as where a radius
      * does not change in proportion to y. Empty for zero. */
     NodalField slip_of_profile;
@@ -97,6 +100,14 @@ namespace RollingContact
     NodalField
     rigid_slip() const;
   };
+
+  /**
+   * The rigid slip of creepages at the nodes, in the directions of their
+   * tractions: the work of these is that of their resultants on the creepages.
+   * Units: 1.
+   */
+  NodalField
+  rigid_slip(const ContactOperators &operators, const Creepages &creepages);
 
   /**
    * A state without pressure and traction.

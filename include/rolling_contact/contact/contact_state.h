@@ -18,6 +18,7 @@ namespace RollingContact
     bool                edge_law = true;        ///< if B1 has one
     std::vector<double> friction;               ///< mu it was solved with
     bool                holds_friction = false; ///< mu stays, whatever the slip
+    bool                holds_scheme   = false; ///< the scheme stays as it is
 
     /** For Boost.Serialization. A member not listed here does not compile. */
     template <typename Archive>
@@ -30,9 +31,10 @@ namespace RollingContact
              scheme,
              edge_law,
              friction,
-             holds_friction] = *this;
+             holds_friction,
+             holds_scheme] = *this;
       archive &pressure &traction &approach &scheme &edge_law &friction
-        &holds_friction;
+        &holds_friction &holds_scheme;
     }
   };
 } // namespace RollingContact

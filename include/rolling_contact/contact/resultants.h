@@ -3,6 +3,8 @@
 
 #include <rolling_contact/contact/tangential_problem.h>
 
+#include <array>
+
 namespace RollingContact
 {
   enum class NodeState
@@ -52,6 +54,14 @@ namespace RollingContact
 
   Resultants
   resultants(const ContactProblem &problem, const ContactState &state);
+
+  /**
+   * Forces along x and y and moment about the origin of nodal_forces(), as
+   * Resultants has them. Units: N, N, N m.
+   */
+  std::array<double, 3>
+  plane_resultant(const ContactProblem      &problem,
+                  const std::vector<double> &forces);
 
   /**
    * What sliding turns into heat over a rolled distance, -A q . s, A the areas

@@ -60,7 +60,8 @@ namespace RollingContact
                  const std::string        &help);
 
   /**
-   * Declare Section/Entry, in its section, for a number_list().
+   * Declare Section/Entry, in its section, for a number_list(), which may be
+   * empty if the default is.
    */
   void
   declare_number_list(dealii::ParameterHandler &prm,

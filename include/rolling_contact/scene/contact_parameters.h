@@ -1,6 +1,7 @@
 #ifndef rolling_contact_scene_contact_parameters_h
 #define rolling_contact_scene_contact_parameters_h
 
+#include <rolling_contact/base/asked_forces.h>
 #include <rolling_contact/base/creepages.h>
 #include <rolling_contact/contact/friction_law.h>
 #include <rolling_contact/interface/operators.h>
@@ -60,8 +61,9 @@ namespace RollingContact
     double                friction_coefficient = 0.3;
     std::string           friction_law         = "constant";
     double                kinetic_friction     = 0.; ///< of the laws that fall
-    double    friction_decay_speed = 0.; ///< of the laws that fall, m/s
-    Creepages creepages;
+    double      friction_decay_speed = 0.; ///< of the laws that fall, m/s
+    Creepages   creepages;
+    AskedForces forces;          ///< in place of creepages
     std::optional<double> speed; ///< m/s
     SlipOperatorKind      slip_operator    = SlipOperatorKind::calibrated;
     ContactMatrices       contact_matrices = ContactMatrices::lumped;
@@ -78,6 +80,9 @@ namespace RollingContact
     declare_rolling(dealii::ParameterHandler &prm);
 
     void
+    declare_forces(dealii::ParameterHandler &prm);
+
+    void
     declare_operators(dealii::ParameterHandler &prm);
 
     void
@@ -85,6 +90,9 @@ namespace RollingContact
 
     void
     check_friction_law() const;
+
+    void
+    check_forces(const unsigned int dimension) const;
   };
 } // namespace RollingContact
 

@@ -139,6 +139,9 @@ namespace RollingContact
     check_study() const;
 
     void
+    check_forces() const;
+
+    void
     check_target_error() const;
 
     void

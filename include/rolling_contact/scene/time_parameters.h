@@ -34,12 +34,20 @@ namespace RollingContact
     TimeFunction                speed; ///< m/s
     /** Fingerprints of the table files, as "Time/Entry (table)". */
     PrmEntries tables;
+    /** In place of creepages. Units: N, N, N m. */
+    std::optional<TimeFunction> longitudinal_force, lateral_force, spin_moment;
 
     Creepages
     creepages(const double time) const
     {
       return {creepage_x.value(time), creepage_y.value(time), spin.value(time)};
     }
+
+    /**
+     * What is asked for at a time. Units: s.
+     */
+    AskedForces
+    forces(const double time) const;
 
     /**
      * True if one of them jumps, see TimeFunction. Units: s.
@@ -143,6 +151,9 @@ namespace RollingContact
     std::string  creepage_x          = "";
     std::string  creepage_y          = "";
     std::string  spin                = "";
+    std::string  longitudinal_force  = "";
+    std::string  lateral_force       = "";
+    std::string  spin_moment         = "";
     std::string  speed               = "";
     unsigned int field_interval      = 0;
     unsigned int checkpoint_interval = 0;

@@ -25,6 +25,7 @@ namespace RollingContact
     unsigned int passes            = 0; ///< of normal and tangential solves
     unsigned int corrections       = 0; ///< of an approximate compliance
     unsigned int friction_rounds   = 0; ///< of velocity-dependent friction
+    unsigned int force_rounds      = 0; ///< states tried for asked forces
 
     NaturalResidual              residual;
     std::vector<NaturalResidual> history;
@@ -59,11 +60,12 @@ namespace RollingContact
              passes,
              corrections,
              friction_rounds,
+             force_rounds,
              residual,
              history] = *this;
       archive &solver &used_fallback &edges_settled &converged &reason
         &iterations &normal_solves &tangential_solves &passes &corrections
-          &friction_rounds &residual &history;
+          &friction_rounds &force_rounds &residual &history;
     }
   };
 

@@ -13,6 +13,7 @@
 #include <rolling_contact/solvers/contact_solver.h>
 #include <rolling_contact/state/slip_memory.h>
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -46,17 +47,19 @@ namespace RollingContact
    */
   struct LastStep
   {
-    bool                is_known = false; ///< not after a failed one
-    double              length   = 0.;
-    double              speed    = 0.;
-    double              rate     = 0.; ///< see TimeScaling
-    std::vector<double> gap;
-    NodalField          free_slip, free_displacement;
-    std::vector<double> slip_share;
-    NodalField          slip_before;
-    bool                edge_law       = true;
-    bool                holds_friction = false;
-    SolverReport        solver;
+    bool   is_known = false; ///< not after a failed one
+    double length   = 0.;
+    double speed    = 0.;
+    /** Creepage x, y and spin, which may have been found for forces. */
+    std::array<double, 3> creepages{};
+    double                rate = 0.; ///< see TimeScaling
+    std::vector<double>   gap;
+    NodalField            free_slip, free_displacement;
+    std::vector<double>   slip_share;
+    NodalField            slip_before;
+    bool                  edge_law       = true;
+    bool                  holds_friction = false;
+    SolverReport          solver;
   };
 
   /**

@@ -104,11 +104,14 @@ namespace RollingContact
     apply_free_motion(const FreeMotion &free, const double speed);
 
     /**
-     * Solve the contact laws of a part of a step; @p speed at its end. Units:
-     * m/s.
+     * Solve the contact laws of a part of a step, with the creepages that have
+     * the forces asked for; @p speed at its end. Units: m/s.
      */
     void
     solve(const double speed);
+
+    void
+    solve_given_creepages(const double speed);
 
     /**
      * Heat of friction in a part of a step that has ended; @p smooth as in
@@ -116,6 +119,14 @@ namespace RollingContact
      */
     double
     friction_heat(const double h, const double speed, const bool smooth);
+
+    /**
+     * True if forces that are asked for jumped in the step before, and the
+     * displacements of the surfaces with them: what these did then tells
+     * nothing of what they will do. Units: s.
+     */
+    bool
+    follows_jump(const double time, const double h) const;
 
     /**
      * Take one part of a step; false, with the state as before, if the solver

@@ -85,7 +85,8 @@ namespace RollingContact
 
   /**
    * Solve the contact problem of a state with the scene's solver, from where it
-   * is; where its load is inclined, with the normal load that this gives.
+   * is; where its load is inclined, with the normal load that this gives; where
+   * forces of friction are asked for, with the creepages that have them.
    */
   template <int dim>
   void

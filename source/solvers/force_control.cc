@@ -1,0 +1,572 @@
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/text.h>
+#include <rolling_contact/contact/friction_limit.h>
+#include <rolling_contact/contact/resultants.h>
+#include <rolling_contact/parallel/broadcast.h>
+#include <rolling_contact/parallel/interrupt.h>
+#include <rolling_contact/solvers/force_control.h>
+#include <rolling_contact/solvers/newton_system.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace RollingContact
+{
+  DenseMatrix
+  force_derivative(const ContactProblem &problem,
+                   const SolverControls &controls,
+                   const ContactState   &state)
+  {
+    const auto              asked = asked_components(problem.loads.forces);
+    std::vector<NodalField> slips;
+    for (const auto &[component, force] : asked)
+      slips.push_back(rigid_slip(problem.operators, unit_creepage(component)));
+    const auto unknowns = problem.operators.coupling().exists
+                            ? NewtonSystem::Unknowns::traction_and_pressure
+                            : NewtonSystem::Unknowns::traction;
+    const std::vector<ContactState> changes =
+      NewtonSystem(problem, controls, state, unknowns).response(slips);
+    DenseMatrix derivative(changes.size(), changes.size());
+    for (std::size_t l = 0; l < changes.size(); ++l)
+      {
+        const auto change =
+          plane_resultant(problem, nodal_forces(problem, changes[l]));
+        for (std::size_t k = 0; k < changes.size(); ++k)
+          derivative(k, l) = change[asked[k].first];
+      }
+    return derivative;
+  }
+
+
+
+  namespace
+  {
+    using Vector = std::vector<double>;
+
+    double &
+    component(Creepages &creepages, const unsigned int k)
+    {
+      return k == 0 ? creepages.x : k == 1 ? creepages.y : creepages.spin;
+    }
+
+
+
+    /**
+     * G of scaled forces, continued by its tangent close to |F| = 1.
+     */
+    class Saturation
+    {
+    public:
+      explicit Saturation(const double m)
+        : m(m)
+      {}
+
+      Vector
+      value(const Vector &F) const
+      {
+        const double size  = norm(F);
+        Vector       value = F;
+        for (double &entry : value)
+          entry *= size > 0. ? grown(size) / size : 1.;
+        return value;
+      }
+
+      /**
+       * dG/dF = g/|F| (1 - e e^T) + g' e e^T.
+       */
+      DenseMatrix
+      derivative(const Vector &F) const
+      {
+        const double      size  = norm(F);
+        const std::size_t n     = F.size();
+        const double      ratio = size > 0. ? grown(size) / size : 1.;
+        DenseMatrix       result(n, n);
+        for (std::size_t i = 0; i < n; ++i)
+          for (std::size_t j = 0; j < n; ++j)
+            result(i, j) =
+              (i == j ? ratio : 0.) +
+              (size > 0. ? (growth(size) - ratio) * F[i] * F[j] / (size * size)
+                         : 0.);
+        return result;
+      }
+
+    private:
+      double
+      growth(const double size) const
+      {
+        return std::pow(1 - std::min(size, last), 1 / m - 1);
+      }
+
+      double
+      grown(const double size) const
+      {
+        const double known = std::min(size, last);
+        return m * (1 - std::pow(1 - known, 1 / m)) +
+               growth(size) * (size - known);
+      }
+
+      const double m;
+      const double last = 1 - 1e-6;
+    };
+
+
+
+    using Asked = std::vector<std::pair<unsigned int, double>>;
+
+    /**
+     * mu N, and the moment of pure spin at full sliding; 1 without contact.
+     */
+    Vector
+    force_scales(const ContactProblem &problem, const ContactState &state)
+    {
+      Vector scales;
+      for (const auto &it : asked_components(problem.loads.forces))
+        {
+          const double sum =
+            sliding_resultant(problem, state.pressure, it.first);
+          scales.push_back(sum > 0. ? sum : 1.);
+        }
+      return scales;
+    }
+
+
+
+    /**
+     * Asked and present forces of friction alone, scaled.
+     */
+    std::pair<Vector, Vector>
+    scaled_forces(const ContactProblem &problem,
+                  const ContactState   &state,
+                  const Vector         &scales)
+    {
+      const auto total = plane_resultant(problem, nodal_forces(problem, state));
+      const auto part  = plane_resultant_of_pressure(problem, state.pressure);
+      const auto asked = asked_components(problem.loads.forces);
+      Vector     target, present;
+      for (std::size_t k = 0; k < asked.size(); ++k)
+        {
+          const unsigned int c = asked[k].first;
+          target.push_back((asked[k].second - part[c]) / scales[k]);
+          present.push_back((total[c] - part[c]) / scales[k]);
+        }
+      return {target, present};
+    }
+
+
+
+    /**
+     * force_derivative() of the scaled forces.
+     */
+    DenseMatrix
+    scaled_derivative(const ContactProblem &problem,
+                      const SolverControls &controls,
+                      const ContactState   &state,
+                      const Vector         &scales)
+    {
+      DenseMatrix derivative = force_derivative(problem, controls, state);
+      for (std::size_t k = 0; k < derivative.n_rows(); ++k)
+        for (std::size_t l = 0; l < derivative.n_columns(); ++l)
+          derivative(k, l) /= scales[k];
+      return derivative;
+    }
+
+
+
+    /**
+     * dG/dxi = dG/dF dF/dxi.
+     */
+    DenseMatrix
+    chain(const DenseMatrix &dG, const DenseMatrix &derivative)
+    {
+      const std::size_t n = dG.n_rows();
+      DenseMatrix       product(n, n);
+      for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < n; ++j)
+          for (std::size_t k = 0; k < n; ++k)
+            product(i, j) += dG(i, k) * derivative(k, j);
+      return product;
+    }
+
+
+
+    /**
+     * The creepages on their way to the asked forces.
+     */
+    class CreepageSearch
+    {
+    public:
+      CreepageSearch(const std::function<SolverReport()> &solve,
+                     const SolverControls                &controls,
+                     ContactProblem                      &problem,
+                     ContactState                        &state)
+        : solve(solve)
+        , controls(controls)
+        , problem(problem)
+        , state(state)
+        , asked(asked_components(problem.loads.forces))
+        , saturation(problem.n_tangential() + 1.)
+      {}
+
+      SolverReport
+      find();
+
+    private:
+      struct Point
+      {
+        Creepages    creepages;
+        ContactState state;
+        Vector       forces;        ///< scaled
+        DenseMatrix  derivative;    ///< of the scaled forces
+        double       distance = 0.; ///< of G from that of the asked forces
+      };
+
+      bool
+      solve_here(Point &point);
+
+      void
+      set_scales();
+
+      void
+      refuse_beyond_friction() const;
+
+      Vector
+      newton_step(const Point &point) const;
+
+      bool
+      step(Point &point);
+
+      /**
+       * Steps from a point as long as they come closer.
+       */
+      void
+      go_on(bool works, Point &point);
+
+      bool
+      hold_edges(const Point &point);
+
+      bool
+      bracket(Point &point);
+
+      bool
+      is_there(const Point &point) const;
+
+      std::string
+      described(const Creepages &creepages, const Vector &forces) const;
+
+      const std::function<SolverReport()> &solve;
+      const SolverControls                &controls;
+      ContactProblem                      &problem;
+      ContactState                        &state;
+      const Asked                          asked;
+      const Saturation                     saturation;
+      Vector                               scales, target, G;
+      SolverReport                         report;
+    };
+
+
+
+    /**
+     * Solve for the creepages of the problem; false if there is no state or
+     * its forces do not answer to creepages.
+     */
+    bool
+    CreepageSearch::solve_here(Point &point)
+    {
+      throw_if_interrupted();
+      const SolverReport now = solve();
+      report.add_work(now);
+      ++report.force_rounds;
+      report.solver        = now.solver;
+      report.used_fallback = now.used_fallback;
+      report.edges_settled = now.edges_settled;
+      report.converged     = now.converged;
+      report.reason        = now.reason;
+      report.residual      = now.residual;
+      if (!report.converged)
+        return false;
+      if (scales.empty())
+        set_scales();
+      point.creepages                = problem.loads.creepages;
+      point.state                    = state;
+      std::tie(target, point.forces) = scaled_forces(problem, state, scales);
+      G                              = saturation.value(target);
+      const Vector now_G             = saturation.value(point.forces);
+      double       sum               = 0.;
+      for (std::size_t k = 0; k < asked.size(); ++k)
+        sum += std::pow(now_G[k] - G[k], 2);
+      point.distance = std::sqrt(sum);
+      if (is_there(point))
+        return true;
+      point.derivative = scaled_derivative(problem, controls, state, scales);
+      return point.derivative.n_rows() > 0 && !newton_step(point).empty();
+    }
+
+
+
+    void
+    CreepageSearch::set_scales()
+    {
+      refuse_beyond_friction();
+      scales = force_scales(problem, state);
+    }
+
+
+
+    /** "Longitudinal force = 5 N, Spin moment = 2 N m" */
+    std::string
+    named(const Asked &forces)
+    {
+      const char *names[] = {"Longitudinal force",
+                             "Lateral force",
+                             "Spin moment"};
+      std::string text;
+      for (const auto &[k, force] : forces)
+        text += (text.empty() ? "" : ", ") + std::string(names[k]) + " = " +
+                significant(force, 6) + (k == 2 ? " N m" : " N");
+      return text;
+    }
+
+
+
+    void
+    CreepageSearch::refuse_beyond_friction() const
+    {
+      const double friction = sliding_resultant(problem, state.pressure, 0),
+                   share    = largest_share_of_forces(problem, state.pressure);
+      if (share > 1.)
+        return;
+      auto largest = asked;
+      for (auto &it : largest)
+        it.second *= share;
+      throw InputError(
+        named(asked) + ": " +
+        (friction > 0. ? "friction carries less than " + named(largest) +
+                           " here, where mu N = " + significant(friction, 6) +
+                           " N. Give less, or creepages."
+                       : "the bodies do not touch, and friction carries no "
+                         "force. Give a load or an approach, or creepages."));
+    }
+
+
+
+    bool
+    CreepageSearch::is_there(const Point &point) const
+    {
+      double off = 0.;
+      for (std::size_t k = 0; k < asked.size(); ++k)
+        off = std::max(off, std::abs(point.forces[k] - target[k]));
+      return off <= std::max(1e-9, 0.1 * controls.tolerance);
+    }
+
+
+
+    /**
+     * Empty if the forces do not answer to the creepages.
+     */
+    Vector
+    CreepageSearch::newton_step(const Point &point) const
+    {
+      const std::size_t n  = asked.size();
+      const Vector      at = saturation.value(point.forces);
+      DenseMatrix       right(n, 1),
+        matrix = chain(saturation.derivative(point.forces), point.derivative);
+      for (std::size_t i = 0; i < n; ++i)
+        right(i, 0) = G[i] - at[i];
+      if (!solve_general(matrix, right))
+        return {};
+      Vector step(right.data(), right.data() + n);
+      for (const double part : step)
+        if (!std::isfinite(part))
+          return {};
+      return step;
+    }
+
+
+
+    /**
+     * Take the Newton step or the largest of its halves that comes closer.
+     */
+    bool
+    CreepageSearch::step(Point &point)
+    {
+      const unsigned int max_halvings = point.state.holds_scheme ? 14 : 4;
+      Vector             whole        = newton_step(point);
+      Ranks::broadcast(whole);
+      double part = 1.;
+      for (unsigned int k = 0; k < max_halvings; ++k, part /= 2)
+        {
+          Creepages next = point.creepages;
+          for (std::size_t l = 0; l < asked.size(); ++l)
+            component(next, asked[l].first) += part * whole[l];
+          problem.loads.creepages = next;
+          if (k > 0)
+            state = point.state;
+          Point trial;
+          if (solve_here(trial) &&
+              (is_there(trial) ||
+               trial.distance < (1 - 0.1 * part) * point.distance))
+            {
+              point = std::move(trial);
+              return true;
+            }
+        }
+      return false;
+    }
+
+
+
+    std::string
+    CreepageSearch::described(const Creepages &creepages,
+                              const Vector    &forces) const
+    {
+      auto reached = asked;
+      for (std::size_t k = 0; k < asked.size(); ++k)
+        reached[k].second = forces[k] * scales[k];
+      return named(reached) + " at creepages " + significant(creepages.x, 5) +
+             ", " + significant(creepages.y, 5) + " and spin " +
+             significant(creepages.spin, 5) + " 1/m";
+    }
+
+
+
+    void
+    CreepageSearch::go_on(bool works, Point &point)
+    {
+      const unsigned int max_steps = 30;
+      for (unsigned int k = 0; works && k < max_steps && !is_there(point); ++k)
+        works = step(point);
+    }
+
+
+
+    /**
+     * On a mesh the force jumps where the edge law gets an edge or loses one;
+     * with those that the state of a point has it does not.
+     */
+    bool
+    CreepageSearch::hold_edges(const Point &point)
+    {
+      state                   = point.state;
+      state.holds_scheme      = true;
+      problem.loads.creepages = point.creepages;
+      Point held;
+      go_on(solve_here(held), held);
+      state.holds_scheme = false;
+      return report.converged && is_there(held);
+    }
+
+
+
+    /**
+     * Where all nodes slide, some forwards and some backwards, a force does not
+     * answer to its creepage: go against it in growing steps until the force
+     * is passed, then bisect, with Newton's steps from wherever it answers.
+     */
+    bool
+    CreepageSearch::bracket(Point &point)
+    {
+      if (asked.size() != 1 || point.forces.empty())
+        return false;
+      const auto   c         = asked[0].first;
+      const double direction = point.forces[0] > target[0] ? 1. : -1.;
+      double       step = 1e-6, from = component(point.creepages, c), to = 0.;
+      bool         passed = false;
+      for (unsigned int k = 0; k < 60; ++k)
+        {
+          const double at = passed ? (from + to) / 2 : from + direction * step;
+          component(problem.loads.creepages, c) = at;
+          Point      trial;
+          const bool answers = solve_here(trial);
+          if (!report.converged)
+            return false;
+          if (answers && k % 4 == 0)
+            go_on(true, trial);
+          if (is_there(trial))
+            {
+              point = std::move(trial);
+              return true;
+            }
+          const bool beyond    = (trial.forces[0] - target[0]) * direction < 0.;
+          passed               = passed || beyond;
+          (beyond ? to : from) = component(trial.creepages, c);
+          step *= 4;
+        }
+      return false;
+    }
+
+
+
+    SolverReport
+    CreepageSearch::find()
+    {
+      Point point;
+      bool  works = solve_here(point);
+      if (!report.converged)
+        return report;
+      if (!works) // all slides: begin where nothing is asked to
+        {
+          for (const auto &it : asked)
+            component(problem.loads.creepages, it.first) = 0.;
+          works = solve_here(point);
+        }
+      go_on(works, point);
+      if (is_there(point) || hold_edges(point) || bracket(point))
+        return report;
+      // the best state found, and that it is not the one
+      state                   = point.state;
+      problem.loads.creepages = point.creepages;
+      report.converged        = false;
+      report.reason           = "no state with " + named(asked) +
+                      " was found; the closest has " +
+                      described(point.creepages, point.forces) +
+                      (problem.loads.friction_law
+                         ? ". Friction falls with the sliding speed: give less"
+                         : "");
+      return report;
+    }
+  } // namespace
+
+
+
+  std::vector<double>
+  creepage_margins(const ContactProblem &problem,
+                   const SolverControls &controls,
+                   const ContactState   &state,
+                   const double          part)
+  {
+    const Saturation saturation(problem.n_tangential() + 1.);
+    const Vector     scales = force_scales(problem, state),
+                 forces     = scaled_forces(problem, state, scales).second;
+    const double      size  = norm(forces);
+    const DenseMatrix derivative =
+      scaled_derivative(problem, controls, state, scales);
+    if (size + part >= 1. || derivative.n_rows() == 0)
+      return {};
+    const std::size_t n = forces.size();
+    DenseMatrix       inverse(n, n),
+      matrix = chain(saturation.derivative(forces), derivative);
+    for (std::size_t i = 0; i < n; ++i)
+      inverse(i, i) = 1.;
+    if (!solve_general(matrix, inverse))
+      return {};
+    const double change = saturation.value(Vector{size + part})[0] -
+                          saturation.value(Vector{size})[0];
+    Vector margins(n, 0.);
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j)
+        margins[i] += std::abs(inverse(i, j)) * change;
+    return margins;
+  }
+
+
+
+  SolverReport
+  solve_for_forces(const std::function<SolverReport()> &solve,
+                   const SolverControls                &controls,
+                   ContactProblem                      &problem,
+                   ContactState                        &state)
+  {
+    return CreepageSearch(solve, controls, problem, state).find();
+  }
+} // namespace RollingContact
