@@ -115,13 +115,25 @@ BOOST_AUTO_TEST_CASE(jumps_are_found_where_they_are)
   BOOST_TEST(!function("1e-3 + 1e-18 * sin(1e5 * t)").jumps_between(0., 1.));
   BOOST_TEST(!function("0.0017").jumps_between(0., 1.));
 
-  DrivingFunctions driving{
-    {}, {}, wave, TimeFunction(0.), TimeFunction(0.), TimeFunction(10.), {}};
+  DrivingFunctions driving{{},
+                           {},
+                           wave,
+                           TimeFunction(0.),
+                           TimeFunction(0.),
+                           TimeFunction(10.),
+                           {},
+                           {},
+                           {},
+                           {}};
   BOOST_TEST(!driving.jump_between(0.2, 0.4));
   driving.approach = step;
   BOOST_TEST(driving.jump_between(0.2, 0.4));
-  driving.approach = {};
-  driving.speed    = step;
+  driving.approach      = {};
+  driving.lateral_force = step;
+  BOOST_TEST(driving.jump_between(0.2, 0.4));
+  driving.lateral_force = {};
+  BOOST_TEST(!driving.jump_between(0.2, 0.4));
+  driving.speed = step;
   BOOST_TEST(driving.jump_between(0.2, 0.4));
 }
 

@@ -152,6 +152,7 @@ BOOST_AUTO_TEST_CASE(a_solver_report_arrives_whole)
             4,
             5,
             6,
+            7,
             {0.25, std::numeric_limits<double>::infinity()},
             {{1., 2.}, {3., 4.}}};
   Ranks::broadcast(sent, last());
@@ -166,6 +167,7 @@ BOOST_AUTO_TEST_CASE(a_solver_report_arrives_whole)
   BOOST_TEST(sent.passes == 4u);
   BOOST_TEST(sent.corrections == 5u);
   BOOST_TEST(sent.friction_rounds == 6u);
+  BOOST_TEST(sent.force_rounds == 7u);
   BOOST_TEST(sent.residual.normal == 0.25);
   BOOST_TEST(std::isinf(sent.residual.tangential));
   BOOST_REQUIRE_EQUAL(sent.history.size(), 2u);
@@ -182,6 +184,7 @@ BOOST_AUTO_TEST_CASE(a_contact_state_arrives_whole)
   sent.scheme         = {{{}, {}}, {1}};
   sent.edge_law       = true;
   sent.holds_friction = Ranks::rank() != last();
+  sent.holds_scheme   = Ranks::rank() != last();
   if (Ranks::rank() == last())
     sent = {{1., 0., 3.},
             NodalField(1, std::vector<double>{-0.5, 0.5}),
@@ -189,6 +192,7 @@ BOOST_AUTO_TEST_CASE(a_contact_state_arrives_whole)
             {{{17, 1.5, 0.25, {{0.125, -2.}}}}, {2, 5}},
             false,
             {0.3, 0.2},
+            false,
             false};
   Ranks::broadcast(sent, last());
   BOOST_TEST((sent.pressure == std::vector<double>{1., 0., 3.}));
@@ -204,6 +208,7 @@ BOOST_AUTO_TEST_CASE(a_contact_state_arrives_whole)
   BOOST_TEST(!sent.edge_law);
   BOOST_TEST((sent.friction == std::vector<double>{0.3, 0.2}));
   BOOST_TEST(!sent.holds_friction);
+  BOOST_TEST(!sent.holds_scheme);
 }
 
 

@@ -269,8 +269,8 @@ BOOST_AUTO_TEST_CASE(creep_curve_paths)
   curve.spin        = {0.5};
   const auto points = curve.points();
   BOOST_REQUIRE_EQUAL(points.size(), 5u);
-  BOOST_TEST(points[1].y == 0.0025);
-  BOOST_TEST(points[4].spin == 0.5);
+  BOOST_TEST(points[1].creepages.y == 0.0025);
+  BOOST_TEST(points[4].creepages.spin == 0.5);
   curve.creepage_y = {1., 2., 3.};
   curve.spin       = {1., 2.};
   BOOST_CHECK_THROW(curve.points(), InputError);
