@@ -175,9 +175,9 @@ namespace RollingContact
     for (const auto &entry : entries)
       known.push_back(entry.first);
     const std::string meant = did_you_mean(likely_meant(given.path, known));
-    throw InputError(
-      given.place + "there is no entry " + quotable(given.path) + "; " +
-      (meant.empty() ? "see" : meant + " See") + " --print-parameters.");
+    throw InputError(given.place + "there is no entry " + quotable(given.path) +
+                     "; " + (meant.empty() ? "see" : meant + " See") +
+                     " --print-parameters.");
   }
 
 

@@ -95,10 +95,10 @@ namespace RollingContact
       table.resumption = &table_resumption;
       table.on_ranks   = false;
       AnalysisKind contacts{"contact table",
-                         "where rigid wheel and rail profiles touch, see "
-                         "section Profiles",
-                         &make_contact_table,
-                         &make_contact_table};
+                            "where rigid wheel and rail profiles touch, see "
+                            "section Profiles",
+                            &make_contact_table,
+                            &make_contact_table};
       contacts.on_ranks = false;
       return {kind<QuasiStatic>("quasi-static", "one steady rolling state"),
               kind<CreepCurve>("creep curve",

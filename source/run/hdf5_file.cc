@@ -46,14 +46,13 @@ namespace RollingContact
 
 
     /**
-     * A type for a text of this size, without an end mark.
+     * A type for texts of any length, which readers take for such.
      */
     hid_t
-    text_type(const std::string &text)
+    text_type()
     {
       const hid_t type = H5Tcopy(H5T_C_S1);
-      H5Tset_size(type, text.empty() ? 1 : text.size());
-      H5Tset_strpad(type, H5T_STR_NULLPAD);
+      H5Tset_size(type, H5T_VARIABLE);
       H5Tset_cset(type, H5T_CSET_UTF8);
       return type;
     }
@@ -84,7 +83,8 @@ namespace RollingContact
   Hdf5File::succeeded(const Id result) const
   {
     if (result < 0)
-      throw_write_error(path_of_file, "HDF5 cannot write it; is the disk full?");
+      throw_write_error(path_of_file,
+                        "HDF5 cannot write it; is the disk full?");
     return result;
   }
 
@@ -108,23 +108,19 @@ namespace RollingContact
                         const void        *values)
   {
     const std::vector<hsize_t> sizes(shape.begin(), shape.end());
-    const Handle               space(shape.empty() ?
-                         H5Screate(H5S_SCALAR) :
-                         H5Screate_simple(sizes.size(), sizes.data(), nullptr),
+    const Handle               space(shape.empty() ? H5Screate(H5S_SCALAR)
+                                     : H5Screate_simple(sizes.size(),
+                                                        sizes.data(),
+                                                        nullptr),
                        &H5Sclose);
     const Handle properties(H5Pcreate(H5P_DATASET_CREATE), &H5Pclose);
     H5Pset_obj_track_times(properties, false);
-    const Handle array(H5Dcreate2(file,
-                                  path.c_str(),
-                                  type,
-                                  space,
-                                  H5P_DEFAULT,
-                                  properties,
-                                  H5P_DEFAULT),
-                       &H5Dclose);
+    const Handle array(
+      H5Dcreate2(
+        file, path.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT),
+      &H5Dclose);
     succeeded(array);
-    succeeded(
-      H5Dwrite(array, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values));
+    succeeded(H5Dwrite(array, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values));
   }
 
 
@@ -152,8 +148,9 @@ namespace RollingContact
   void
   Hdf5File::write(const std::string &path, const std::string &text)
   {
-    const Handle type(text_type(text), &H5Tclose);
-    write_array(path, {}, type, text.c_str());
+    const Handle type(text_type(), &H5Tclose);
+    const char  *begin = text.c_str();
+    write_array(path, {}, type, &begin);
   }
 
 
@@ -164,13 +161,14 @@ namespace RollingContact
                           const std::string &text)
   {
     const Handle object(H5Oopen(file, path.c_str(), H5P_DEFAULT), &H5Oclose),
-      type(text_type(text), &H5Tclose), space(H5Screate(H5S_SCALAR), &H5Sclose);
+      type(text_type(), &H5Tclose), space(H5Screate(H5S_SCALAR), &H5Sclose);
     succeeded(object);
     const Handle attribute(
       H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT),
       &H5Aclose);
     succeeded(attribute);
-    succeeded(H5Awrite(attribute, type, text.c_str()));
+    const char *begin = text.c_str();
+    succeeded(H5Awrite(attribute, type, &begin));
   }
 
 

@@ -199,11 +199,10 @@ namespace RollingContact
       {
         const auto fields = next_fields(text, begin);
         if (fields.size() != names.size())
-          throw InputError(file + ": row " + std::to_string(rows.size() + 1) +
-                           " has " + std::to_string(fields.size()) +
-                           " columns, its first line " +
-                           std::to_string(names.size()) +
-                           ". Start the run without --resume.");
+          throw InputError(
+            file + ": row " + std::to_string(rows.size() + 1) + " has " +
+            std::to_string(fields.size()) + " columns, its first line " +
+            std::to_string(names.size()) + ". Start the run without --resume.");
         for (std::size_t k = 0; k < names.size(); ++k)
           if (fields[k].empty())
             leave_empty(names[k]);
@@ -283,8 +282,7 @@ namespace RollingContact
   ResultsTable::text(const std::size_t row, const std::string &column) const
   {
     const auto found = column_numbers.find(column);
-    if (found == column_numbers.end() ||
-        found->second >= rows.at(row).size())
+    if (found == column_numbers.end() || found->second >= rows.at(row).size())
       return "";
     return std::visit(CellText{9}, rows[row][found->second]);
   }
@@ -349,10 +347,10 @@ namespace RollingContact
         std::vector<std::string> texts{column};
         for (const Row &row : rows)
           {
-            const bool is_set = found->second < row.size() &&
-                                row[found->second].index() != 0;
-            texts.push_back(
-              is_set ? std::visit(CellText{4}, row[found->second]) : "-");
+            const bool is_set =
+              found->second < row.size() && row[found->second].index() != 0;
+            texts.push_back(is_set ? std::visit(CellText{4}, row[found->second])
+                                   : "-");
           }
 
         std::size_t width = 0;

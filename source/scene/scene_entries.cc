@@ -34,6 +34,7 @@ namespace RollingContact
   SceneEntries::SceneEntries(const SceneParameters &scene)
     : handler(std::make_unique<Handler>())
   {
+    given.analysis = scene.analysis;
     given.declare(handler->prm, {{scene.analysis, ""}});
     given = scene; // declaring set what it has no default for
     if (given.contact.vertical_load)
@@ -79,7 +80,7 @@ namespace RollingContact
                                              "Rail/Mesh file",
                                              "Profiles/Wheel profile",
                                              "Profiles/Rail profile"};
-    const DeclaredEntries &declared = handler->declared();
+    const DeclaredEntries             &declared = handler->declared();
     declared.check_exists({entry, "", place});
     if (sections.count(entry.substr(0, entry.find('/'))) == 0)
       throw InputError(place + entry +
@@ -146,9 +147,9 @@ namespace RollingContact
   std::string
   SceneEntries::bodies_key() const
   {
-    std::string key = given.contact.friction_coefficient > 0. ?
-                        "with friction" :
-                        "without friction";
+    std::string key = given.contact.friction_coefficient > 0.
+                        ? "with friction"
+                        : "without friction";
     key += given.contact.flow() > 0 ? ", flow +x" : ", flow -x";
     for (const auto &[entry, value] : of_bodies)
       key += ", " + entry + " = " + value;

@@ -6,6 +6,7 @@
 #include <rolling_contact/scene/table_parameters.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace RollingContact
 {
@@ -38,6 +39,23 @@ namespace RollingContact
 
 
 
+    /**
+     * Without the rounding of a range: 15 digits, and 0 for what is nothing to
+     * the largest value.
+     */
+    void
+    tidy(std::vector<double> &values)
+    {
+      double largest = 0.;
+      for (const double value : values)
+        largest = std::max(largest, std::abs(value));
+      for (double &value : values)
+        value =
+          std::abs(value) < 1e-14 * largest ? 0. : std::stod(text_of(value));
+    }
+
+
+
     TableAxis
     axis_of(const std::string &name, const std::string &text)
     {
@@ -45,8 +63,9 @@ namespace RollingContact
       TableAxis         axis{name, trimmed(text.substr(0, equals)), {}};
       if (equals == std::string::npos || axis.entry.empty())
         throw InputError(name + " = " + text + ": " + form_of_axis);
-      axis.values =
-        number_list(name + " = " + axis.entry, trimmed(text.substr(equals + 1)));
+      axis.values = number_list(name + " = " + axis.entry,
+                                trimmed(text.substr(equals + 1)));
+      tidy(axis.values);
       std::sort(axis.values.begin(), axis.values.end());
       const auto twice =
         std::adjacent_find(axis.values.begin(), axis.values.end());
@@ -67,15 +86,15 @@ namespace RollingContact
       prm.add_parameter(
         name_of_axis(k),
         axis_texts[k],
-        k == 0 ?
-          "An axis of a full grid of states: Section/Entry = its values, such "
-          "as Contact/Creepage x = -0.01 : 0.01 : 21, " +
-            std::string(number_list_form) +
-            ", in the entry's unit; any number of sections Wheel, Rail, "
-            "Contact, Mesh and Profiles, in place of what the scene gives "
-            "there. Numbers of section Contact change the load on bodies "
-            "that are kept, all others make new bodies. Empty for none." :
-          std::string("As `Axis 1`."),
+        k == 0
+          ? "An axis of a full grid of states: Section/Entry = its values, such "
+            "as Contact/Creepage x = -0.01 : 0.01 : 21, " +
+              std::string(number_list_form) +
+              ", in the entry's unit; any number of sections Wheel, Rail, "
+              "Contact, Mesh and Profiles, in place of what the scene gives "
+              "there. Numbers of section Contact change the load on bodies "
+              "that are kept, all others make new bodies. Empty for none."
+          : std::string("As `Axis 1`."),
         Patterns::Anything());
     prm.add_parameter(
       "File of rows",

@@ -13,6 +13,15 @@ namespace RollingContact
 
 
 
+  void
+  take_economical_solver(SceneParameters &scene)
+  {
+    if (scene.solver.solver == "automatic")
+      scene.solver.solver = "economical";
+  }
+
+
+
   template <int dim>
   void
   solve_on_kept_bodies(const SceneParameters &scene, SteadyState<dim> &steady)

@@ -144,10 +144,10 @@ namespace RollingContact
         make(scene,
              bodies,
              size,
-             kept.empty() ? "the first state" :
-                            "no bodies that are kept are made for " + bodies +
-                              " and a patch of " + significant(size, 3) +
-                              " m half-width");
+             kept.empty()
+               ? "the first state"
+               : "no bodies that are kept are made for " + bodies +
+                   " and a patch of " + significant(size, 3) + " m half-width");
       else
         {
           SteadyState<dim> &steady = kept.front().steady;

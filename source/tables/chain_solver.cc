@@ -75,7 +75,8 @@ namespace RollingContact
       {
         throw_if_interrupted();
         plan.set(state, entries);
-        const SceneParameters scene = entries.scene();
+        SceneParameters scene = entries.scene();
+        take_economical_solver(scene);
         if (!is_continued)
           steady.state = base.state;
         const bool enclosed = solve_state(scene);
@@ -98,9 +99,9 @@ namespace RollingContact
     ResultsTable row;
     RunContext   own{
       context.folder, row, context.report, context.timer, context.log};
-    std::string status = !steady.solver.converged ? TableStatus::not_converged :
-                         !enclosed                ? TableStatus::not_enclosed :
-                                                    TableStatus::solved;
+    std::string status = !steady.solver.converged ? TableStatus::not_converged
+                         : !enclosed              ? TableStatus::not_enclosed
+                                                  : TableStatus::solved;
     try
       {
         add_result_row(scene, steady, own);

@@ -85,7 +85,8 @@ namespace RollingContact
   {
     plan.set(largest, entries);
     SceneParameters scene = entries.scene();
-    const auto      more  = [&](const unsigned int n) {
+    take_economical_solver(scene);
+    const auto more = [&](const unsigned int n) {
       return static_cast<unsigned int>(
         std::ceil(n * largest_size / smallest_size - 1e-9));
     };
@@ -109,8 +110,9 @@ namespace RollingContact
     for (std::size_t g = 0; g < plan.groups.size(); ++g)
       {
         const std::vector<std::size_t> &states = plan.groups[g].states;
-        const std::vector<double> sizes = sizes_of(plan, plan.groups[g], entries);
-        std::vector<double>       descending = sizes;
+        const std::vector<double>       sizes =
+          sizes_of(plan, plan.groups[g], entries);
+        std::vector<double> descending = sizes;
         std::sort(descending.rbegin(), descending.rend());
         for (double size : descending)
           {

@@ -35,16 +35,16 @@ namespace RollingContact
       restore_rows(plan, context);
     for (const std::size_t state : states_with_rows(context.results))
       has_row[state] = true;
-    n_before = context.results.n_rows();
+    n_before                          = context.results.n_rows();
     const std::vector<LoadBand> bands = load_bands(scene, plan);
     context.log.message(
       "Table of " + std::to_string(plan.values.size()) + " states on " +
-      std::to_string(bands.size()) +
-      (bands.size() == 1 ? " set" : " sets") + " of bodies; " +
-      std::to_string(n_threads) + (n_threads == 1 ? " thread" : " threads") +
-      (n_before > 0 ?
-         ", " + std::to_string(n_before) + " states are there already." :
-         "."));
+      std::to_string(bands.size()) + (bands.size() == 1 ? " set" : " sets") +
+      " of bodies; " + std::to_string(n_threads) +
+      (n_threads == 1 ? " thread" : " threads") +
+      (n_before > 0
+         ? ", " + std::to_string(n_before) + " states are there already."
+         : "."));
     try
       {
         for (const LoadBand &band : bands)
@@ -121,9 +121,8 @@ namespace RollingContact
     SteadyState<dim>      base;
     try
       {
-        base = solve_steady_state<dim>(largest,
-                                       demands_of_kept_bodies(),
-                                       context);
+        base =
+          solve_steady_state<dim>(largest, demands_of_kept_bodies(), context);
       }
     catch (const ConvergenceError &error)
       {
@@ -182,7 +181,7 @@ namespace RollingContact
     PhaseTimer::Scope phase(context.timer, Phase::contact_solve);
     const Stopwatch   watch;
     base.pair->release_statics();
-    Progress progress(context.log,
+    Progress                 progress(context.log,
                       "state",
                       plan.values.size(),
                       context.results.n_rows());
@@ -226,9 +225,9 @@ namespace RollingContact
       std::to_string(scene.mesh.elements_across_patch) + " elements across, " +
       std::to_string(base.problem.n_nodes()) + " contact nodes, for " +
       std::to_string(n_states) + (n_states == 1 ? " state" : " states") +
-      (ratio < 1. ? " with patches down to " + significant(ratio, 3) +
-                      " of that size." :
-                    "."));
+      (ratio < 1.
+         ? " with patches down to " + significant(ratio, 3) + " of that size."
+         : "."));
   }
 
 
@@ -246,9 +245,9 @@ namespace RollingContact
     context.report.set_finding(
       "table",
       std::to_string(results.n_rows()) + " states" +
-        (n_before > 0 ? ", " + std::to_string(n_before) +
-                          " of them from the run before" :
-                        "") +
+        (n_before > 0
+           ? ", " + std::to_string(n_before) + " of them from the run before"
+           : "") +
         "; " + std::to_string(n_solved) + " in " + human_seconds(seconds) +
         " on " + std::to_string(n_bodies) +
         (n_bodies == 1 ? " set of bodies" : " sets of bodies"));

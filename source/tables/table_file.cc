@@ -25,10 +25,10 @@ namespace RollingContact
     {
       std::string name;
       for (const char character : entry)
-        name += std::isalnum(static_cast<unsigned char>(character)) ?
-                  static_cast<char>(
-                    std::tolower(static_cast<unsigned char>(character))) :
-                  '_';
+        name += std::isalnum(static_cast<unsigned char>(character))
+                  ? static_cast<char>(
+                      std::tolower(static_cast<unsigned char>(character)))
+                  : '_';
       return name;
     }
 
@@ -59,9 +59,9 @@ namespace RollingContact
       if (units.count(end) > 0)
         return end;
       const std::size_t slash = column.rfind("/muN");
-      return slash == std::string::npos ?
-               "1" :
-               (column.substr(slash) == "/muN" ? "mu N" : "mu N a");
+      return slash == std::string::npos
+               ? "1"
+               : (column.substr(slash) == "/muN" ? "mu N" : "mu N a");
     }
 
 
@@ -91,9 +91,10 @@ namespace RollingContact
               continue;
             const std::string text = results.text(row_of[state], name);
             if (!text.empty())
-              values[state] = text == "true"  ? 1. :
-                              text == "false" ? 0. :
-                                                std::strtod(text.c_str(), nullptr);
+              values[state] = text == "true" ? 1.
+                              : text == "false"
+                                ? 0.
+                                : std::strtod(text.c_str(), nullptr);
           }
         return values;
       }
@@ -107,9 +108,9 @@ namespace RollingContact
           if (row_of[state] < results.n_rows())
             {
               const std::string text = results.text(row_of[state], "status");
-              values[state]          = text == TableStatus::solved     ? 1 :
-                                       text == TableStatus::no_contact ? 2 :
-                                                                         3;
+              values[state]          = text == TableStatus::solved       ? 1
+                                       : text == TableStatus::no_contact ? 2
+                                                                         : 3;
             }
         return values;
       }

@@ -62,7 +62,8 @@ namespace RollingContact
           continue;
         const std::string bound  = results.text(row, "bound_force/muN"),
                           solver = results.text(row, "solver");
-        summary.n_without_bound += bound.empty();
+        summary.n_without_bound +=
+          bound.empty() && results.text(row, "bound_max_pressure").empty();
         summary.n_fallbacks += solver.find(", ") != std::string::npos;
         if (!bound.empty())
           summary.largest_bound =
@@ -118,14 +119,13 @@ namespace RollingContact
         {
           n += which.size();
           text += (text.empty() ? "" : "; ") + std::to_string(which.size()) +
-                  " x " + status + ", first state " +
-                  std::to_string(which[0]) + " (" + plan.name(which[0]) + ")";
+                  " x " + status + ", first state " + std::to_string(which[0]) +
+                  " (" + plan.name(which[0]) + ")";
         }
     if (n > 0)
-      throw ConvergenceError("Of " + std::to_string(plan.values.size()) +
-                             " states of the table " + std::to_string(n) +
-                             (n == 1 ? " is" : " are") +
-                             " not solved (column status of results.csv): " +
-                             text + ".");
+      throw ConvergenceError(
+        "Of " + std::to_string(plan.values.size()) + " states of the table " +
+        std::to_string(n) + (n == 1 ? " is" : " are") +
+        " not solved (column status of results.csv): " + text + ".");
   }
 } // namespace RollingContact

@@ -72,8 +72,8 @@ namespace RollingContact
 
 
     /**
-     * The entries from the one whose steps cost most: new bodies, another patch,
-     * then the rest in their order.
+     * The entries from the one whose steps cost most: new bodies, another
+     * patch, then the rest in their order.
      */
     std::vector<std::size_t>
     entries_by_cost(const std::vector<std::string> &entries)
@@ -84,9 +84,9 @@ namespace RollingContact
       std::vector<std::size_t>           order(entries.size());
       std::iota(order.begin(), order.end(), 0);
       const auto cost = [&](const std::size_t k) {
-        return !is_load(entries[k])         ? 0 :
-               of_patch.count(entries[k]) > 0 ? 1 :
-                                              2;
+        return !is_load(entries[k])             ? 0
+               : of_patch.count(entries[k]) > 0 ? 1
+                                                : 2;
       };
       std::stable_sort(order.begin(),
                        order.end(),
@@ -185,9 +185,8 @@ namespace RollingContact
   table_states(const SceneParameters &scene)
   {
     scene.table.check();
-    return scene.table.file_of_rows.empty() ?
-             states_of_axes(scene.table.axes()) :
-             states_of_rows(scene);
+    return scene.table.file_of_rows.empty() ? states_of_axes(scene.table.axes())
+                                            : states_of_rows(scene);
   }
 
 
@@ -223,7 +222,7 @@ namespace RollingContact
             throw InputError("The state of the table with " + plan.name(state) +
                              ": " + error.what());
           }
-        const std::string key = entries.bodies_key();
+        const std::string key      = entries.bodies_key();
         const auto [group, is_new] = groups.emplace(key, plan.groups.size());
         if (is_new)
           plan.groups.push_back({key, {}});

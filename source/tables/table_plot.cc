@@ -62,9 +62,9 @@ namespace RollingContact
              const std::string  &column)
     {
       const std::string text = results.text(row, column);
-      return text.empty() || results.text(row, "status") != "solved" ?
-               std::numeric_limits<double>::quiet_NaN() :
-               std::stod(text);
+      return text.empty() || results.text(row, "status") != "solved"
+               ? std::numeric_limits<double>::quiet_NaN()
+               : std::stod(text);
     }
 
 
@@ -141,9 +141,9 @@ namespace RollingContact
                        (unit == "1" ? "" : " (" + unit + ")"),
                      quantity.label);
         bool              is_seen = false;
-        const auto        chosen =
-          lines == along ? std::vector<std::size_t>{0} :
-                           chosen_of(plan.axes[lines].values.size());
+        const auto        chosen  = lines == along
+                                      ? std::vector<std::size_t>{0}
+                                      : chosen_of(plan.axes[lines].values.size());
         for (const std::size_t line : chosen)
           {
             std::vector<std::size_t> at = middle;
@@ -153,17 +153,17 @@ namespace RollingContact
             for (at[along] = 0; at[along] < plan.axes[along].values.size();
                  ++at[along])
               {
-                values.push_back(
-                  quantity.factor *
-                  value_of(results, row_of(at), quantity.column));
+                values.push_back(quantity.factor * value_of(results,
+                                                            row_of(at),
+                                                            quantity.column));
                 is_seen = is_seen || std::abs(values.back()) > 1e-6;
               }
             panel.add_curve(
-              lines == along ?
-                "finite elements" :
-                with_unit(short_name(plan.axes[lines].entry) + " " +
-                            significant(plan.axes[lines].values[line], 4),
-                          plan.units[lines]),
+              lines == along
+                ? "finite elements"
+                : with_unit(short_name(plan.axes[lines].entry) + " " +
+                              significant(plan.axes[lines].values[line], 4),
+                            plan.units[lines]),
               plan.axes[along].values,
               values,
               CurveStyle::line_and_points);

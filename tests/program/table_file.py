@@ -30,7 +30,7 @@ def check_grid(folder):
     assert force.attrs["unit"] == "N"
     for d, name in enumerate(axes):
         scale = force.dims[d][0]
-        assert scale == file["axes/" + name] and scale.is_scale
+        assert scale == file["axes/" + name] and h5py.h5ds.is_scale(scale.id)
         assert force.dims[d].label == name
         entry = scale.attrs["entry"]
         shape = [1] * len(axes)

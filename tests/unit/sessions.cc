@@ -43,7 +43,7 @@ BOOST_AUTO_TEST_CASE(states_are_those_of_runs_of_their_own)
   const SceneRun<3> first(coarse_3d, [](SceneParameters &scene) {
     scene.contact.creepages.y = 0.001;
   });
-  SessionState found = session.solve();
+  SessionState      found = session.solve();
   BOOST_TEST(found.converged);
   BOOST_TEST(found.new_bodies == "");
   BOOST_TEST(found.forces.force_y == first.steady.result.force_y,
@@ -57,13 +57,14 @@ BOOST_AUTO_TEST_CASE(states_are_those_of_runs_of_their_own)
   found = session.solve();
   BOOST_TEST(found.converged);
   BOOST_TEST(session.n_bodies_made() == 1u);
-  SteadyState<3> direct         = first.steady;
-  SceneParameters scene         = first.scene;
-  scene.contact.normal_load     = 33e3;
+  SteadyState<3>  direct             = first.steady;
+  SceneParameters scene              = first.scene;
+  scene.contact.normal_load          = 33e3;
   scene.contact.friction_coefficient = 0.4;
   scene.contact.creepages            = {-0.002, 0.001, 0.5};
-  direct.problem = first.steady.pair->contact_problem(
-    scene.contact, first.steady.problem.operators.W());
+  direct.problem =
+    first.steady.pair->contact_problem(scene.contact,
+                                       first.steady.problem.operators.W());
   direct.state = initial_state(direct.problem, estimate_patch(scene));
   solve_contact(scene, StateDemands(), direct);
   const Resultants expected = resultants(direct.problem, direct.state);
@@ -123,8 +124,8 @@ BOOST_AUTO_TEST_CASE(what_bodies_do_not_serve_for)
 
 BOOST_AUTO_TEST_CASE(what_a_session_refuses)
 {
-  Session     session(coarse_scene());
-  const auto  said = [&](const std::string &entry, const std::string &value) {
+  Session    session(coarse_scene());
+  const auto said = [&](const std::string &entry, const std::string &value) {
     return complaint([&]() { session.set(entry, value); });
   };
   BOOST_TEST(contains(said("Contact/Creepage z", "0"), "there is no entry"));

@@ -24,10 +24,10 @@ namespace
   table_scene(const std::vector<std::string> &axes)
   {
     SceneParameters scene;
-    scene.analysis            = "table";
-    scene.dimension           = 3;
+    scene.analysis             = "table";
+    scene.dimension            = 3;
     scene.wheel.lateral_radius = scene.rail.lateral_radius = 0.3;
-    scene.contact.normal_load = 36e3;
+    scene.contact.normal_load                              = 36e3;
     for (std::size_t k = 0; k < axes.size(); ++k)
       scene.table.axis_texts[k] = axes[k];
     return scene;
@@ -45,8 +45,9 @@ namespace
 BOOST_AUTO_TEST_CASE(axes_that_are_none)
 {
   BOOST_TEST(contains(said_of({}), "Table/Axis 1 and Table/File of rows"));
-  BOOST_TEST(contains(said_of({"Contact/Creepage x ="}),
-                      "Table/Axis 1 = Contact/Creepage x = : the list is empty"));
+  BOOST_TEST(
+    contains(said_of({"Contact/Creepage x ="}),
+             "Table/Axis 1 = Contact/Creepage x = : the list is empty"));
   BOOST_TEST(contains(said_of({"Contact/Creepage x"}),
                       "Table/Axis 1 = Contact/Creepage x: give it as"));
   BOOST_TEST(contains(said_of({"Contact/Creepage x = 1, 2, 1"}), "twice"));
@@ -84,7 +85,8 @@ BOOST_AUTO_TEST_CASE(files_that_have_no_rows)
     std::ofstream(scratch.scratch / "rows.csv") << text;
     return complaint([&]() { plan_table(scene); });
   };
-  BOOST_TEST(contains(complaint([&]() { plan_table(scene); }), "cannot be read"));
+  BOOST_TEST(
+    contains(complaint([&]() { plan_table(scene); }), "cannot be read"));
   BOOST_TEST(contains(said(""), "the file is empty"));
   BOOST_TEST(contains(said("Contact/Spin\n"), "there is no row"));
   BOOST_TEST(contains(said("Contact/Spin,Contact/Spin\n0,1\n"), "two columns"));
@@ -93,7 +95,8 @@ BOOST_AUTO_TEST_CASE(files_that_have_no_rows)
                       "line 4: it has 1 columns"));
   BOOST_TEST(contains(said("Contact/Spin\n0,1\n"), "line 2"));
   BOOST_TEST(contains(said("Contact/Spin\nnan\n"), "'nan' is no number"));
-  BOOST_TEST(contains(said("Contact/Spn\n1\n"), "there is no entry Contact/Spn"));
+  BOOST_TEST(
+    contains(said("Contact/Spn\n1\n"), "there is no entry Contact/Spn"));
   BOOST_TEST(said("\xEF\xBB\xBF\"Contact/Spin\" ; Contact/Creepage x\r\n"
                   "# a comment\r\n 0.5 ; -1e-3 \r\n") == "");
   const TablePlan plan = plan_table(scene);
@@ -106,10 +109,10 @@ BOOST_AUTO_TEST_CASE(files_that_have_no_rows)
 
 BOOST_AUTO_TEST_CASE(neighbours_differ_by_one_step)
 {
-  const TablePlan plan = plan_table(
-    table_scene({"Contact/Creepage x = -0.01 : 0.01 : 5",
-                 "Contact/Normal load = 40e3, 20e3, 30e3",
-                 "Contact/Spin = 0, 1, 3, 4"}));
+  const TablePlan plan =
+    plan_table(table_scene({"Contact/Creepage x = -0.01 : 0.01 : 5",
+                            "Contact/Normal load = 40e3, 20e3, 30e3",
+                            "Contact/Spin = 0, 1, 3, 4"}));
   BOOST_REQUIRE(plan.values.size() == 60u);
   BOOST_TEST(plan.values[0][1] == 20e3); // ascending, the last axis fastest
   BOOST_TEST(plan.values[1][2] == 1.);
@@ -128,7 +131,7 @@ BOOST_AUTO_TEST_CASE(neighbours_differ_by_one_step)
           const auto  &values = plan.axes[d].values;
           const double from   = plan.values[order[k - 1]][d],
                        to     = plan.values[order[k]][d];
-          const auto   place  = [&](const double value) {
+          const auto place    = [&](const double value) {
             return std::find(values.begin(), values.end(), value) -
                    values.begin();
           };
@@ -160,9 +163,9 @@ BOOST_AUTO_TEST_CASE(what_makes_new_bodies)
 
 BOOST_AUTO_TEST_CASE(each_load_has_its_elements)
 {
-  SceneParameters scene = table_scene(
-    {"Contact/Normal load = 0, 20e3, 55e3, 70e3, 80e3, 100e3",
-     "Contact/Creepage x = 0, 0.001"});
+  SceneParameters scene =
+    table_scene({"Contact/Normal load = 0, 20e3, 55e3, 70e3, 80e3, 100e3",
+                 "Contact/Creepage x = 0, 0.001"});
   scene.mesh.elements_across_patch = 12;
   const TablePlan plan             = plan_table(scene);
   const auto      bands            = load_bands(scene, plan);

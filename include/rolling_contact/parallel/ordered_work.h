@@ -17,10 +17,10 @@ namespace RollingContact
    */
   void
   do_in_order(
-    const std::size_t                                         n_tasks,
-    const unsigned int                                        n_threads,
-    const std::function<std::function<void(std::size_t)>()>  &make_worker,
-    const std::function<void(std::size_t)>                   &follow);
+    const std::size_t                                        n_tasks,
+    const unsigned int                                       n_threads,
+    const std::function<std::function<void(std::size_t)>()> &make_worker,
+    const std::function<void(std::size_t)>                  &follow);
 } // namespace RollingContact
 
 #endif

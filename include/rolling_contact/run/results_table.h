@@ -101,8 +101,8 @@ namespace RollingContact
     screen_table(const std::vector<std::string> &columns) const;
 
   private:
-    using Cell = std::
-      variant<std::monostate, bool, std::int64_t, double, std::string>;
+    using Cell =
+      std::variant<std::monostate, bool, std::int64_t, double, std::string>;
     using Row = std::vector<Cell>; ///< by column; those behind it are empty
 
     std::size_t
@@ -120,12 +120,12 @@ namespace RollingContact
     void
     update_csv() const;
 
-    RunFolder                           *folder = nullptr;
-    std::string                          file_name;
-    std::vector<std::string>             column_names;
-    std::map<std::string, std::size_t>   column_numbers;
-    std::vector<Row>                     rows;
-    Row                                  current_row;
+    RunFolder                         *folder = nullptr;
+    std::string                        file_name;
+    std::vector<std::string>           column_names;
+    std::map<std::string, std::size_t> column_numbers;
+    std::vector<Row>                   rows;
+    Row                                current_row;
 
     std::size_t                           n_written_rows = 0;
     std::chrono::steady_clock::time_point last_write;

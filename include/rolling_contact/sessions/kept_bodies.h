@@ -13,6 +13,12 @@ namespace RollingContact
   demands_of_kept_bodies();
 
   /**
+   * Solve a scene by Contact/Solver = economical where it leaves the choice.
+   */
+  void
+  take_economical_solver(SceneParameters &scene);
+
+  /**
    * Solve the state of a @p scene on the bodies of another one, from where that
    * is. The scenes may differ by load or approach, creepages, friction and
    * speed, see RollingPair::set_loads(). The time is that of this solve.

@@ -29,16 +29,17 @@ namespace RollingContact
 
   /**
    * A scene whose steady states are solved one after the other, for programs
-   * that call the library: entries are changed by name, and bodies, condensed to
-   * the contact nodes, are kept between calls as long as they serve, so that a
-   * further load, creepage or friction takes milliseconds. Each state starts
+   * that call the library: entries are changed by name, and bodies, condensed
+   * to the contact nodes, are kept between calls as long as they serve, so that
+   * a further load, creepage or friction takes milliseconds. Each state starts
    * from the last one on its bodies. Bodies are made again, and four sets of
-   * them kept, where an entry outside of section Contact differs, where the flow
-   * turns round, where there is friction in place of none, or where the estimated
-   * patch is less than 0.9 or more than 1/0.9 times the one that the mesh was
-   * made for. Writes no files and says nothing; several sessions in a process do
-   * not know of each other, and one may be used by one thread at a time. BLAS
-   * should have one thread, see use_one_solver_thread(). For one rank.
+   * them kept, where an entry outside of section Contact differs, where the
+   * flow turns round, where there is friction in place of none, or where the
+   * estimated patch is less than 0.9 or more than 1/0.9 times the one that the
+   * mesh was made for. Writes no files and says nothing; several sessions in a
+   * process do not know of each other, and one may be used by one thread at a
+   * time. BLAS should have one thread, see use_one_solver_thread(). For one
+   * rank.
    */
   class Session
   {

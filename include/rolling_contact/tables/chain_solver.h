@@ -15,8 +15,7 @@ namespace RollingContact
    */
   namespace TableStatus
   {
-    inline const std::string solved        = "solved",
-                             no_contact    = "no contact",
+    inline const std::string solved = "solved", no_contact = "no contact",
                              not_converged = "not converged",
                              not_enclosed  = "outside of the zone",
                              broken        = "broken invariant";

@@ -12,8 +12,8 @@ namespace RollingContact
    */
   struct LoadBand
   {
-    std::size_t              group;  ///< of the plan
-    std::vector<std::size_t> states; ///< as in the group
+    std::size_t              group;       ///< of the plan
+    std::vector<std::size_t> states;      ///< as in the group
     std::size_t              largest = 0; ///< the state to make the mesh for
     double largest_size = 0., smallest_size = 0.; ///< half-widths of patches, m
 

@@ -81,8 +81,8 @@ namespace RollingContact
     const unsigned int     n_threads;
     TablePlan              plan;
     std::vector<bool>      has_row;
-    std::size_t            n_before = 0; ///< rows of a run that is continued
-    unsigned int           n_bodies = 0; ///< sets of them that were built
+    std::size_t            n_before = 0;  ///< rows of a run that is continued
+    unsigned int           n_bodies = 0;  ///< sets of them that were built
     double                 seconds  = 0.; ///< of solving states
   };
 } // namespace RollingContact

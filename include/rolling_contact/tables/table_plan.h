@@ -16,7 +16,7 @@ namespace RollingContact
   {
     std::vector<TableAxis>           axes; ///< of a grid; none for rows
     std::vector<std::string>         entries, places; ///< places for messages
-    std::vector<std::vector<double>> values; ///< of a state, by entry
+    std::vector<std::vector<double>> values;          ///< of a state, by entry
 
     /**
      * "Contact/Normal load = 60000, Contact/Creepage x = 0.001".
