@@ -13,7 +13,6 @@
 #include <rolling_contact/program/command_line.h>
 #include <rolling_contact/program/scene_reader.h>
 #include <rolling_contact/run/run_context.h>
-#include <rolling_contact/state/checkpoint.h>
 
 #include <cstdlib>
 #include <functional>
@@ -151,7 +150,7 @@ namespace RollingContact
 
 
     /**
-     * Start anew, or continue what a transient run left.
+     * Start anew, or continue what a run left.
      */
     void
     open_folder(const SceneParameters &scene,
@@ -160,16 +159,11 @@ namespace RollingContact
     {
       if (!command_line.resume)
         folder.open();
-      else if (analysis_kind(scene.analysis).resumes)
-        folder.reopen({TimeParameters::free_on_resume(),
-                       checkpoint_name,
-                       history_name,
-                       [&](const std::filesystem::path &path) {
-                         check_resumable(scene, path);
-                       }});
+      else if (analysis_kind(scene.analysis).resumption)
+        folder.reopen(analysis_kind(scene.analysis).resumption(scene));
       else
         throw InputError("--resume with Analysis = " + scene.analysis +
-                         ": only a transient run can be resumed.");
+                         ": only a transient run and a table can be resumed.");
     }
 
 

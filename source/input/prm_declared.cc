@@ -167,20 +167,26 @@ namespace RollingContact
 
 
   void
+  DeclaredEntries::check_exists(const PrmEntry &given) const
+  {
+    if (entries.count(given.path) > 0)
+      return;
+    std::vector<std::string> known;
+    for (const auto &entry : entries)
+      known.push_back(entry.first);
+    const std::string meant = did_you_mean(likely_meant(given.path, known));
+    throw InputError(given.place + "there is no entry " + quotable(given.path) +
+                     "; " + (meant.empty() ? "see" : meant + " See") +
+                     " --print-parameters.");
+  }
+
+
+
+  void
   DeclaredEntries::check(const PrmEntry &given) const
   {
-    const auto found = entries.find(given.path);
-    if (found == entries.end())
-      {
-        std::vector<std::string> known;
-        for (const auto &entry : entries)
-          known.push_back(entry.first);
-        const std::string meant = did_you_mean(likely_meant(given.path, known));
-        throw InputError(
-          given.place + "there is no entry " + quotable(given.path) + "; " +
-          (meant.empty() ? "see" : meant + " See") + " --print-parameters.");
-      }
-    const Entry &entry = found->second;
+    check_exists(given);
+    const Entry &entry = entries.at(given.path);
     if (Patterns::pattern_factory(entry.pattern)->match(given.value))
       return;
     throw InputError(given.place + given.path + " = " + quotable(given.value) +
@@ -188,6 +194,22 @@ namespace RollingContact
                      (has_decimal_comma(entry.pattern, given.value)
                         ? "; decimals take a point."
                         : "."));
+  }
+
+
+
+  const std::string &
+  DeclaredEntries::unit(const std::string &path) const
+  {
+    return entries.at(path).unit;
+  }
+
+
+
+  const std::string &
+  DeclaredEntries::pattern(const std::string &path) const
+  {
+    return entries.at(path).pattern;
   }
 
 

@@ -252,18 +252,31 @@ namespace RollingContact
                                         height(Side::rail, *rail, i)) +
                           roughness.value(at[i][0], at[i][1]));
     loads.slip_of_profile = slip_of_profiles(scene, at, friction ? dim - 1 : 0);
-    loads.friction.assign(at.size(), contact.friction_coefficient);
+    set_loads(contact, problem);
+    return problem;
+  }
+
+
+
+  template <int dim>
+  void
+  RollingPair<dim>::set_loads(const ContactParameters &contact,
+                              ContactProblem          &problem) const
+  {
+    ContactLoads &loads = problem.loads;
+    loads.friction.assign(problem.n_nodes(), contact.friction_coefficient);
     loads.friction_law = contact.falling_friction();
     loads.speed        = std::abs(contact.rolling_speed());
     loads.creepages    = contact.creepages;
     loads.forces       = contact.forces;
     loads.normal_load  = contact.normal_load;
     loads.approach     = contact.approach.value_or(0.);
+    loads.inclined_load.reset();
     if (contact.vertical_load)
-      loads.inclined_load = {*contact.vertical_load, profiles->angle()};
+      loads.inclined_load = {*contact.vertical_load,
+                             scene.profiles.frame->angle()};
     else if (contact.normal_load && !problem.operators.frames().is_plane())
       loads.inclined_load = {*contact.normal_load, 0.};
-    return problem;
   }
 
 

@@ -5,8 +5,10 @@
 #include <rolling_contact/analyses/transient.h>
 #include <rolling_contact/base/choices.h>
 #include <rolling_contact/program/analysis_table.h>
+#include <rolling_contact/state/checkpoint.h>
 #include <rolling_contact/studies/accuracy_study.h>
 #include <rolling_contact/studies/time_study.h>
+#include <rolling_contact/tables/table.h>
 
 namespace RollingContact
 {
@@ -49,12 +51,36 @@ namespace RollingContact
 
 
 
+    RunFolder::Resumption
+    transient_resumption(const SceneParameters &scene)
+    {
+      return {TimeParameters::free_on_resume(),
+              checkpoint_name,
+              history_name,
+              [&](const std::filesystem::path &path) {
+                check_resumable(scene, path);
+              }};
+    }
+
+
+
+    RunFolder::Resumption
+    table_resumption(const SceneParameters &)
+    {
+      return {{"Output/", "Table/Threads", "Body threads"},
+              "results.csv",
+              "",
+              {}};
+    }
+
+
+
     std::vector<AnalysisKind>
     make_kinds()
     {
       AnalysisKind transient =
         kind<Transient>("transient", "rolling in time, see section Time");
-      transient.resumes = true;
+      transient.resumption = &transient_resumption;
       AnalysisKind study{
         "accuracy study",
         "the same state on many meshes, or the same transient with many "
@@ -62,12 +88,18 @@ namespace RollingContact
         &make_study<2>,
         &make_study<3>};
       study.on_ranks = false;
-      AnalysisKind table{"contact table",
-                         "where rigid wheel and rail profiles touch, see "
-                         "section Profiles",
-                         &make_contact_table,
-                         &make_contact_table};
-      table.on_ranks = false;
+      AnalysisKind table =
+        kind<Table>("table",
+                    "the states of a grid over any entries, or of the rows of "
+                    "a file, see section Table");
+      table.resumption = &table_resumption;
+      table.on_ranks   = false;
+      AnalysisKind contacts{"contact table",
+                            "where rigid wheel and rail profiles touch, see "
+                            "section Profiles",
+                            &make_contact_table,
+                            &make_contact_table};
+      contacts.on_ranks = false;
       return {kind<QuasiStatic>("quasi-static", "one steady rolling state"),
               kind<CreepCurve>("creep curve",
                                "many creepages, see section Creep curve"),
@@ -76,6 +108,7 @@ namespace RollingContact
                               "loads, see section Load curve"),
               transient,
               study,
+              contacts,
               table};
     }
   } // namespace

@@ -31,7 +31,7 @@ namespace RollingContact
                       options::value<std::string>(),
                       "folder of the run (default: output/<stem of FILE>)")(
         "resume",
-        "continue the transient run in the folder from its last checkpoint")(
+        "continue the transient run or the table in the folder where it stopped")(
         "validate", "read and check the parameters, write nothing")(
         "print-parameters", "print every parameter with its documentation")(
         "version", "print the version")("help", "print this text");

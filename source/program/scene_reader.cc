@@ -10,6 +10,7 @@
 #include <rolling_contact/program/scene_reader.h>
 #include <rolling_contact/scene/plausibility.h>
 #include <rolling_contact/scene/unused_entries.h>
+#include <rolling_contact/tables/table_plan.h>
 
 #include <algorithm>
 #include <sstream>
@@ -21,8 +22,27 @@ namespace RollingContact
   namespace
   {
     /**
-     * Set Section/Entry (or Entry) of @p prm.
+     * Set Section/Entry (or Entry) of @p prm. Throws InputError.
      */
+    void
+    set_entry(const PrmEntry        &entry,
+              const DeclaredEntries &declared,
+              ParameterHandler      &prm)
+    {
+      declared.check(entry);
+      std::vector<std::string> names;
+      std::istringstream       path(entry.path);
+      for (std::string part; std::getline(path, part, '/');)
+        names.push_back(part);
+      for (std::size_t k = 0; k + 1 < names.size(); ++k)
+        prm.enter_subsection(names[k]);
+      prm.set(names.back(), entry.value);
+      for (std::size_t k = 0; k + 1 < names.size(); ++k)
+        prm.leave_subsection();
+    }
+
+
+
     void
     apply_setting(const CommandLine::Setting &setting,
                   const DeclaredEntries      &declared,
@@ -35,16 +55,26 @@ namespace RollingContact
                         problem = problem_of_value(setting.value);
       if (!problem.empty())
         throw InputError(place + problem);
-      declared.check({setting.path, value, place});
-      std::vector<std::string> names;
-      std::istringstream       path(setting.path);
-      for (std::string part; std::getline(path, part, '/');)
-        names.push_back(part);
-      for (std::size_t k = 0; k + 1 < names.size(); ++k)
-        prm.enter_subsection(names[k]);
-      prm.set(names.back(), value);
-      for (std::size_t k = 0; k + 1 < names.size(); ++k)
-        prm.leave_subsection();
+      set_entry({setting.path, value, place}, declared, prm);
+    }
+
+
+
+    /**
+     * Give the scene of a table the entries of its first state. Throws
+     * InputError.
+     */
+    void
+    apply_first_state(const TableStates     &states,
+                      const DeclaredEntries &declared,
+                      ParameterHandler      &prm)
+    {
+      for (std::size_t d = 0; d < states.entries.size(); ++d)
+        set_entry({states.entries[d],
+                   exact_text(states.values[0][d]),
+                   states.places[d]},
+                  declared,
+                  prm);
     }
   } // namespace
 
@@ -114,13 +144,17 @@ namespace RollingContact
       }
     for (const auto &setting : command_line.settings)
       apply_setting(setting, declared, prm);
+    std::ostringstream used;
+    prm.print_parameters(used, ParameterHandler::ShortText);
+    input.used = used.str();
+    if (scene.analysis == "table")
+      apply_first_state(table_states(scene), declared, prm);
     scene.check();
     scene.read_meshes();
     scene.read_profiles();
     check_mesh_units(scene);
-    std::ostringstream used;
-    prm.print_parameters(used, ParameterHandler::ShortText);
-    input.used = used.str();
+    if (scene.analysis == "table")
+      plan_table(scene); // all states of it are possible
     input.warnings =
       unused_entries(scene,
                      changed_entries(declared, file, command_line.settings));

@@ -1,3 +1,4 @@
+#include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/platform.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/parallel/ranks.h>
@@ -14,6 +15,12 @@ namespace RollingContact
     struct CellText
     {
       const unsigned int digits;
+
+      std::string
+      operator()(std::monostate) const
+      {
+        return "";
+      }
 
       std::string
       operator()(const bool value) const
@@ -56,10 +63,48 @@ namespace RollingContact
 
 
 
+  namespace
+  {
+    /**
+     * The fields of the line of a CSV file that begins at @p begin, which moves
+     * to the next one.
+     */
+    std::vector<std::string>
+    next_fields(const std::string &text, std::size_t &begin)
+    {
+      std::vector<std::string> fields{""};
+      bool                     quoted = false;
+      for (; begin < text.size(); ++begin)
+        {
+          const char character = text[begin];
+          if (character == '"')
+            {
+              const bool doubled =
+                quoted && begin + 1 < text.size() && text[begin + 1] == '"';
+              if (doubled)
+                fields.back() += text[++begin];
+              else
+                quoted = !quoted;
+            }
+          else if (quoted || (character != ',' && character != '\n'))
+            fields.back() += character;
+          else if (character == ',')
+            fields.emplace_back();
+          else
+            {
+              ++begin;
+              break;
+            }
+        }
+      return fields;
+    }
+  } // namespace
+
+
+
   ResultsTable::ResultsTable(RunFolder &folder, const std::string &file_name)
-    : folder(folder)
+    : folder(&folder)
     , file_name(file_name)
-    , n_written_rows(0)
   {}
 
 
@@ -78,11 +123,25 @@ namespace RollingContact
 
 
 
+  std::size_t
+  ResultsTable::index_of(const std::string &column)
+  {
+    const auto [place, is_new] =
+      column_numbers.emplace(column, column_names.size());
+    if (is_new)
+      column_names.push_back(column);
+    return place->second;
+  }
+
+
+
   void
   ResultsTable::set_cell(const std::string &column, const Cell &cell)
   {
-    leave_empty(column);
-    current_row[column] = cell;
+    const std::size_t k = index_of(column);
+    if (current_row.size() <= k)
+      current_row.resize(k + 1);
+    current_row[k] = cell;
   }
 
 
@@ -90,9 +149,90 @@ namespace RollingContact
   void
   ResultsTable::leave_empty(const std::string &column)
   {
-    if (std::find(column_names.begin(), column_names.end(), column) ==
-        column_names.end())
-      column_names.push_back(column);
+    index_of(column);
+  }
+
+
+
+  void
+  ResultsTable::take_row(const ResultsTable &other, const std::size_t row)
+  {
+    const Row &cells = other.rows.at(row);
+    for (std::size_t k = 0; k < other.column_names.size(); ++k)
+      if (k < cells.size() && cells[k].index() != 0)
+        set_cell(other.column_names[k], cells[k]);
+      else
+        leave_empty(other.column_names[k]);
+  }
+
+
+
+  void
+  ResultsTable::append(const ResultsTable &other)
+  {
+    for (std::size_t row = 0; row < other.rows.size(); ++row)
+      {
+        take_row(other, row);
+        rows.push_back(std::move(current_row));
+        current_row.clear();
+      }
+    write_now_and_then();
+  }
+
+
+
+  void
+  ResultsTable::clear()
+  {
+    rows.clear();
+    current_row.clear();
+  }
+
+
+
+  void
+  ResultsTable::restore(const std::string &text, const std::string &file)
+  {
+    std::size_t begin = 0;
+    const auto  names = next_fields(text, begin);
+    while (begin < text.size())
+      {
+        const auto fields = next_fields(text, begin);
+        if (fields.size() != names.size())
+          throw InputError(
+            file + ": row " + std::to_string(rows.size() + 1) + " has " +
+            std::to_string(fields.size()) + " columns, its first line " +
+            std::to_string(names.size()) + ". Start the run without --resume.");
+        for (std::size_t k = 0; k < names.size(); ++k)
+          if (fields[k].empty())
+            leave_empty(names[k]);
+          else
+            set_cell(names[k], fields[k]);
+        rows.push_back(std::move(current_row));
+        current_row.clear();
+      }
+    n_written_rows = rows.size();
+  }
+
+
+
+  void
+  ResultsTable::sort_by(const std::string &column)
+  {
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      order.emplace_back(std::stod(text(i, column)), i);
+    std::stable_sort(order.begin(),
+                     order.end(),
+                     [](const auto &a, const auto &b) {
+                       return a.first < b.first;
+                     });
+    std::vector<Row> sorted;
+    for (const auto &place : order)
+      sorted.push_back(std::move(rows[place.second]));
+    rows           = std::move(sorted);
+    n_csv_columns  = 0;
+    n_written_rows = 0;
   }
 
 
@@ -102,7 +242,14 @@ namespace RollingContact
   {
     rows.push_back(std::move(current_row));
     current_row.clear();
+    write_now_and_then();
+  }
 
+
+
+  void
+  ResultsTable::write_now_and_then()
+  {
     const auto since_last_write = std::chrono::steady_clock::now() - last_write;
     if (rows.size() <= 1000 || since_last_write > std::chrono::seconds(1))
       flush();
@@ -113,9 +260,10 @@ namespace RollingContact
   void
   ResultsTable::flush()
   {
-    if (n_written_rows == rows.size() || !Ranks::is_root())
+    if (!folder || n_written_rows == rows.size() || !Ranks::is_root())
       return;
-    folder.write_atomically(file_name, csv());
+    update_csv();
+    folder->write_atomically(file_name, csv_text);
     n_written_rows = rows.size();
     last_write     = std::chrono::steady_clock::now();
   }
@@ -131,26 +279,57 @@ namespace RollingContact
 
 
   std::string
+  ResultsTable::text(const std::size_t row, const std::string &column) const
+  {
+    const auto found = column_numbers.find(column);
+    if (found == column_numbers.end() || found->second >= rows.at(row).size())
+      return "";
+    return std::visit(CellText{9}, rows[row][found->second]);
+  }
+
+
+
+  std::string
+  ResultsTable::csv_of(const Row &row) const
+  {
+    std::string line;
+    for (std::size_t k = 0; k < column_names.size(); ++k)
+      {
+        if (k < row.size())
+          line += csv_field(std::visit(CellText{9}, row[k]));
+        line += ',';
+      }
+    if (!line.empty())
+      line.back() = '\n';
+    return line;
+  }
+
+
+
+  void
+  ResultsTable::update_csv() const
+  {
+    if (n_csv_columns != column_names.size() || n_csv_rows > rows.size())
+      {
+        csv_text.clear();
+        for (const std::string &column : column_names)
+          csv_text += csv_field(column) + ',';
+        if (!csv_text.empty())
+          csv_text.back() = '\n';
+        n_csv_columns = column_names.size();
+        n_csv_rows    = 0;
+      }
+    for (; n_csv_rows < rows.size(); ++n_csv_rows)
+      csv_text += csv_of(rows[n_csv_rows]);
+  }
+
+
+
+  std::string
   ResultsTable::csv() const
   {
-    std::string text;
-    for (const std::string &column : column_names)
-      text += csv_field(column) + ',';
-    if (!text.empty())
-      text.back() = '\n';
-
-    for (const Row &row : rows)
-      {
-        for (const std::string &column : column_names)
-          {
-            const auto cell = row.find(column);
-            if (cell != row.end())
-              text += csv_field(std::visit(CellText{9}, cell->second));
-            text += ',';
-          }
-        text.back() = '\n';
-      }
-    return text;
+    update_csv();
+    return csv_text;
   }
 
 
@@ -161,16 +340,17 @@ namespace RollingContact
     std::vector<std::string> lines(rows.size() + 1);
     for (const std::string &column : columns)
       {
-        if (std::find(column_names.begin(), column_names.end(), column) ==
-            column_names.end())
+        const auto found = column_numbers.find(column);
+        if (found == column_numbers.end())
           continue;
 
         std::vector<std::string> texts{column};
         for (const Row &row : rows)
           {
-            const auto cell = row.find(column);
-            texts.push_back(
-              cell == row.end() ? "-" : std::visit(CellText{4}, cell->second));
+            const bool is_set =
+              found->second < row.size() && row[found->second].index() != 0;
+            texts.push_back(is_set ? std::visit(CellText{4}, row[found->second])
+                                   : "-");
           }
 
         std::size_t width = 0;

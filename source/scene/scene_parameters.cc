@@ -61,6 +61,7 @@ namespace RollingContact
     creep_curve.declare(prm);
     load_curve.declare(prm);
     study.declare(prm);
+    table.declare(prm);
     time.declare(prm);
     profiles.declare(prm);
     output.declare(prm);
@@ -156,6 +157,7 @@ namespace RollingContact
     mesh.check();
     check_target_error();
     check_study();
+    check_table();
     creep_curve.check();
     if (analysis == "creep curve" && dimension == 2)
       creep_curve.check_in_2d();
@@ -283,6 +285,31 @@ namespace RollingContact
 
 
   void
+  SceneParameters::check_table() const
+  {
+    if (analysis != "table")
+      return;
+    table.check();
+    const auto refuse = [](const std::string &given, const std::string &why) {
+      throw InputError(given + ": " + why);
+    };
+    if (mesh.target_error)
+      refuse("Mesh/Target error = " + text_of(*mesh.target_error),
+             "the states of a table share bodies, whose mesh is that of "
+             "Mesh/Elements across patch; leave it empty.");
+    if (mesh.adaptive_levels > 0)
+      refuse("Mesh/Adaptive levels = " + std::to_string(mesh.adaptive_levels),
+             "the states of a table share bodies, which are not refined for "
+             "one of them; set it to 0.");
+    if (body_solver == BodySolver::distributed)
+      refuse("Body solver = distributed",
+             "a table needs the compliance of its bodies once and exactly; "
+             "take direct or automatic.");
+  }
+
+
+
+  void
   SceneParameters::check_profiles() const
   {
     if (contact.vertical_load && !profiles.in_use())
@@ -353,6 +380,16 @@ namespace RollingContact
         wheel.check(dimension);
         rail.check(dimension);
       }
+    take_contact_of_profiles();
+  }
+
+
+
+  void
+  SceneParameters::take_contact_of_profiles()
+  {
+    if (!profiles.frame)
+      return;
     if (profiles.gives_creepages())
       contact.creepages =
         profiles.frame->creepages(contact.rolling_speed(), profiles.pitch_rate);

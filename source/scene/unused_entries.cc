@@ -17,6 +17,8 @@ namespace RollingContact
         idle["Creep curve"] = "Analysis = creep curve reads that section";
       if (scene.analysis != "load curve")
         idle["Load curve"] = "Analysis = load curve reads that section";
+      if (scene.analysis != "table")
+        idle["Table"] = "Analysis = table reads that section";
       if (scene.analysis == "contact table")
         for (const char *section : {"Contact", "Mesh"})
           idle[section] = "an analysis with finite elements reads that section";
@@ -161,6 +163,9 @@ namespace RollingContact
                 "Mesh/Elements across patch gives the mesh"
               : "a study has its own meshes, Accuracy study/Elements across "
                 "patch");
+    if (scene.analysis == "table")
+      for (const TableAxis &axis : scene.table.axes())
+        check(axis.entry, axis.name + " gives it");
     const std::string giver = giver_of_creepages(scene);
     if (!giver.empty())
       for (const char *path :

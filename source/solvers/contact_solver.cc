@@ -60,14 +60,15 @@ namespace RollingContact
      */
     template <class... Tangential>
     std::unique_ptr<ContactSolver>
-    alternating(const SolverControls &controls)
+    alternating(const SolverControls &controls, const bool economical)
     {
       std::vector<std::unique_ptr<TangentialSolver>> tangential;
       (tangential.push_back(std::make_unique<Tangential>(controls)), ...);
       return std::make_unique<NormalTangentialSplit>(
         std::make_unique<NormalActiveSet>(controls),
         std::move(tangential),
-        controls);
+        controls,
+        economical);
     }
 
 
@@ -76,7 +77,61 @@ namespace RollingContact
     automatic(const SolverControls &controls)
     {
       return std::make_unique<SolverChain>(
-        alternating<TangentialActiveSet, Extragradient>(controls), controls);
+        alternating<TangentialActiveSet, Extragradient>(controls, false),
+        controls);
+    }
+
+
+
+    /**
+     * The second solver where the first finds nothing, or edges that did not
+     * settle.
+     */
+    class IfUnsettled : public ContactSolver
+    {
+    public:
+      IfUnsettled(std::unique_ptr<ContactSolver> first,
+                  std::unique_ptr<ContactSolver> second)
+        : first(std::move(first))
+        , second(std::move(second))
+      {}
+
+      SolverReport
+      solve(const ContactProblem &problem, ContactState &state) const override
+      {
+        const ContactState start  = state;
+        const SolverReport report = first->solve(problem, state);
+        if (report.converged && report.edges_settled)
+          return report;
+        state               = start;
+        SolverReport result = second->solve(problem, state);
+        result.add_work(report);
+        return result;
+      }
+
+    private:
+      const std::unique_ptr<ContactSolver> first, second;
+    };
+
+
+
+    std::unique_ptr<ContactSolver>
+    economical(const SolverControls &controls)
+    {
+      return std::make_unique<SolverChain>(
+        std::make_unique<IfUnsettled>(
+          alternating<TangentialActiveSet, Extragradient>(controls, true),
+          alternating<TangentialActiveSet, Extragradient>(controls, false)),
+        controls);
+    }
+
+
+
+    template <class Tangential>
+    std::unique_ptr<ContactSolver>
+    alternating(const SolverControls &controls)
+    {
+      return alternating<Tangential>(controls, false);
     }
 
 
@@ -98,6 +153,11 @@ namespace RollingContact
       {"automatic",
        "active set, and what else there is where that fails",
        &automatic},
+      {"economical",
+       "the same in about half the time, rounds of the edge law solved no "
+       "further than they change it; now and then other edges settle, within "
+       "the error of the mesh. A table takes it for `automatic`",
+       &economical},
       {"active set",
        "pressure and traction by active sets, in 3D traction by Newton",
        &alternating<TangentialActiveSet>},

@@ -11,10 +11,12 @@ namespace RollingContact
   NormalTangentialSplit::NormalTangentialSplit(
     std::unique_ptr<NormalSolver>                  normal,
     std::vector<std::unique_ptr<TangentialSolver>> tangential,
-    const SolverControls                          &controls)
+    const SolverControls                          &controls,
+    const bool                                     economical)
     : normal(std::move(normal))
     , tangential(std::move(tangential))
     , controls(controls)
+    , economical(economical)
   {}
 
 
@@ -57,6 +59,12 @@ namespace RollingContact
     const double settled = 1e-6;
 
     /**
+     * Residual to which an economical round of the edge law solves whose
+     * extrapolations change: so much of their change, and at most.
+     */
+    const double of_change = 1e-3, loosest = 1e-4;
+
+    /**
      * Passes of a normal and a tangential solve: so many without acceleration,
      * which weak coupling does not need, then with the last @p depth changes;
      * given up after @p patience passes that have not halved the residual.
@@ -80,8 +88,12 @@ namespace RollingContact
     const auto n_solvers = [&] {
       return state.scheme.empty() ? tangential.size() : 1;
     };
-    SlipScheme asked = alternate(problem, n_solvers(), state, report);
-    if (state.holds_scheme && !state.scheme.empty())
+    const double exact   = controls.tolerance;
+    const bool   holds   = state.holds_scheme && !state.scheme.empty();
+    double     tolerance = holds ? exact : tolerance_of_round(problem, loosest);
+    SlipScheme asked =
+      alternate(problem, n_solvers(), tolerance, state, report);
+    if (holds)
       {
         report.solver += ", edges of a state nearby";
         report.edges_settled = false;
@@ -91,25 +103,33 @@ namespace RollingContact
       {
         // those of another state
         state.scheme = {};
-        asked        = alternate(problem, n_solvers(), state, report);
+        asked = alternate(problem, n_solvers(), tolerance, state, report);
       }
-    SchemeRounds rounds;
+    SchemeRounds rounds(economical ? SchemeRounds::economical
+                                   : SchemeRounds::cautious);
     while (report.converged && rounds.round() < SchemeRounds::max_rounds)
       {
-        asked = rounds.admitted(state.scheme, asked);
-        if (difference(asked, state.scheme) <= settled)
+        asked               = rounds.admitted(state.scheme, asked);
+        const double change = difference(asked, state.scheme);
+        if (change <= settled && report.residual.worst() <= exact)
           return report;
+        if (change <= settled)
+          {
+            asked = alternate(problem, n_solvers(), exact, state, report);
+            continue;
+          }
+        tolerance                       = tolerance_of_round(problem, change);
         const ContactState solved       = state;
         const SlipScheme   asked_before = asked;
         state.scheme                    = rounds.next(state.scheme, asked);
-        asked = alternate(problem, n_solvers(), state, report);
+        asked = alternate(problem, n_solvers(), tolerance, state, report);
         if (report.converged)
           continue;
         // a node that barely touches may come and go with what is asked of the
         // next one: go back to a law that had a solution
         const SlipScheme failed = state.scheme;
         state                   = solved;
-        alternate(problem, tangential.size(), state, report);
+        alternate(problem, tangential.size(), exact, state, report);
         if (rounds.exclude_new_edges(solved.scheme, failed))
           {
             asked = asked_before;
@@ -119,6 +139,8 @@ namespace RollingContact
         report.edges_settled = false;
         return report;
       }
+    if (report.converged && report.residual.worst() > exact)
+      alternate(problem, tangential.size(), exact, state, report);
     if (report.converged)
       {
         report.solver += ", edges unsettled";
@@ -129,9 +151,22 @@ namespace RollingContact
 
 
 
+  double
+  NormalTangentialSplit::tolerance_of_round(const ContactProblem &problem,
+                                            const double          change) const
+  {
+    return economical && problem.operators.slip_operator().has_edge_law()
+             ? std::max(controls.tolerance,
+                        std::min(loosest, of_change * change))
+             : controls.tolerance;
+  }
+
+
+
   SlipScheme
   NormalTangentialSplit::alternate(const ContactProblem &problem,
                                    const std::size_t     n_solvers,
+                                   const double          tolerance,
                                    ContactState         &state,
                                    SolverReport         &report) const
   {
@@ -157,7 +192,7 @@ namespace RollingContact
           report.reason = pressure.reason;
         const bool ended =
           report.ends_with(natural_residual(problem, friction, state),
-                           controls.tolerance);
+                           tolerance);
         report.converged = report.converged && solved;
         if (report.converged)
           return slip_scheme(friction, state.traction);

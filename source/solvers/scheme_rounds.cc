@@ -9,13 +9,11 @@ namespace RollingContact
   {
     /**
      * Rounds that take the whole step, the first round that adds no edges, the
-     * part of the step that others take, rounds before acceleration, and
-     * withdrawals after which an edge is excluded. Empirical; calls for more
-     * than a few rounds are rare.
+     * part of the step that others take, and withdrawals after which an edge is
+     * excluded. Empirical; calls for more than a few rounds are rare.
      */
-    const unsigned int full_rounds = 2, last_growth = 8, plain_rounds = 12,
-                       max_withdrawals = 2;
-    const double part_of_step          = 0.7;
+    const unsigned int full_rounds = 2, last_growth = 8, max_withdrawals = 2;
+    const double       part_of_step = 0.7;
 
     NodalField
     coefficients(const EdgeExtrapolations &edges)

@@ -31,10 +31,29 @@ namespace RollingContact
     check(const PrmEntry &given) const;
 
     /**
+     * The unit of a declared entry, empty for 1 and for what is no number.
+     */
+    const std::string &
+    unit(const std::string &path) const;
+
+    /**
+     * What a declared entry takes, as deal.II describes it: "[Double 0...1".
+     */
+    const std::string &
+    pattern(const std::string &path) const;
+
+    /**
      * Throws InputError, with the place in front, if there is no such section.
      */
     void
     check_section(const PrmEntry &given) const;
+
+    /**
+     * The first half of check(): throws InputError, with the place in front, if
+     * there is no such entry.
+     */
+    void
+    check_exists(const PrmEntry &given) const;
 
     /**
      * Whether a declared entry is given what it is without that; numbers are

@@ -77,6 +77,15 @@ namespace RollingContact
     contact_problem(const ContactParameters &contact, DenseMatrix W) const;
 
     /**
+     * Give a problem of this pair the load or approach, the creepages and the
+     * friction of @p contact, as a new problem would have them. What operators
+     * and gap are made of must be as it was: slip operator, contact matrices,
+     * direction of the flow, roughness, and whether there is friction.
+     */
+    void
+    set_loads(const ContactParameters &contact, ContactProblem &problem) const;
+
+    /**
      * Compliance W of the pair from those of the bodies. Inputs: for each body
      * on the rank of BodyPair::rank_of(), empty elsewhere, for a rigid body and
      * for the rail of twins. Result: on all ranks. Units: m/N. Collective.

@@ -2,7 +2,9 @@
 #define rolling_contact_program_analysis_table_h
 
 #include <rolling_contact/analyses/analysis.h>
+#include <rolling_contact/run/run_folder.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -23,8 +25,10 @@ namespace RollingContact
     std::string name;
     std::string help;
     Maker       in_2d, in_3d;
-    bool        resumes  = false; ///< --resume goes on with a run
-    bool        on_ranks = true;  ///< under mpirun
+    /** What --resume goes on with; none if it cannot. */
+    std::function<RunFolder::Resumption(const SceneParameters &)> resumption =
+      {};
+    bool on_ranks = true; ///< under mpirun
   };
 
   /**

@@ -18,13 +18,15 @@ namespace RollingContact
    * their unit. The CSV file in the run folder is rewritten whole after every
    * row, so an interrupt keeps the rows; beyond a thousand rows at most once a
    * second, the rest at the end. Does not own the folder. All MPI ranks have
-   * the rows, the root writes them.
+   * the rows, the root writes them. A table without a folder writes nothing.
    */
   class ResultsTable
   {
   public:
     explicit ResultsTable(RunFolder         &folder,
                           const std::string &file_name = "results.csv");
+
+    ResultsTable() = default;
 
     /** Writes rows not yet in the file; unfinished rows are dropped. */
     ~ResultsTable();
@@ -47,12 +49,47 @@ namespace RollingContact
     void
     end_row();
 
+    /** Sets all cells of a row of another table in the current row; a column
+     * that it leaves empty exists here as well. */
+    void
+    take_row(const ResultsTable &other, const std::size_t row);
+
+    /** Adds all rows of another table at once: a file that is written has all
+     * of them or none. */
+    void
+    append(const ResultsTable &other);
+
+    /** Forgets all rows of a table without a folder. */
+    void
+    clear();
+
+    /** Adds the rows of a file that csv() wrote; their cells are texts. Throws
+     * InputError naming the @p file if it is none. */
+    void
+    restore(const std::string &text, const std::string &file);
+
+    /** Puts the rows into the order of a column of numbers; all of them have
+     * it. */
+    void
+    sort_by(const std::string &column);
+
     /** Writes rows not yet in the file. */
     void
     flush();
 
     std::size_t
     n_rows() const;
+
+    const std::vector<std::string> &
+    columns() const
+    {
+      return column_names;
+    }
+
+    /** A cell as it stands in the file, without quotes; empty if it was never
+     * set or there is no such column. */
+    std::string
+    text(const std::size_t row, const std::string &column) const;
 
     /** Numbers with 9 significant digits; a cell never set is empty. */
     std::string
@@ -64,20 +101,38 @@ namespace RollingContact
     screen_table(const std::vector<std::string> &columns) const;
 
   private:
-    using Cell = std::variant<bool, std::int64_t, double, std::string>;
-    using Row  = std::map<std::string, Cell>;
+    using Cell =
+      std::variant<std::monostate, bool, std::int64_t, double, std::string>;
+    using Row = std::vector<Cell>; ///< by column; those behind it are empty
+
+    std::size_t
+    index_of(const std::string &column);
 
     void
     set_cell(const std::string &column, const Cell &cell);
 
-    RunFolder               &folder;
-    const std::string        file_name;
-    std::vector<std::string> column_names;
-    std::vector<Row>         rows;
-    Row                      current_row;
+    std::string
+    csv_of(const Row &row) const;
 
-    std::size_t                           n_written_rows;
+    void
+    write_now_and_then();
+
+    void
+    update_csv() const;
+
+    RunFolder                         *folder = nullptr;
+    std::string                        file_name;
+    std::vector<std::string>           column_names;
+    std::map<std::string, std::size_t> column_numbers;
+    std::vector<Row>                   rows;
+    Row                                current_row;
+
+    std::size_t                           n_written_rows = 0;
     std::chrono::steady_clock::time_point last_write;
+
+    /** csv() of the first rows, with so many columns. */
+    mutable std::string csv_text;
+    mutable std::size_t n_csv_rows = 0, n_csv_columns = 0;
   };
 
 

@@ -13,6 +13,7 @@
 #include <rolling_contact/scene/profile_parameters.h>
 #include <rolling_contact/scene/solver_parameters.h>
 #include <rolling_contact/scene/study_parameters.h>
+#include <rolling_contact/scene/table_parameters.h>
 #include <rolling_contact/scene/time_parameters.h>
 
 #include <filesystem>
@@ -57,6 +58,13 @@ namespace RollingContact
      */
     void
     read_profiles();
+
+    /**
+     * What the contact of profiles that was found makes of section Contact, see
+     * read_profiles(); nothing without profiles.
+     */
+    void
+    take_contact_of_profiles();
 
     /**
      * The angle of load and approach against the normal of the plane in which
@@ -108,6 +116,7 @@ namespace RollingContact
     CreepCurveParameters creep_curve;
     LoadCurveParameters  load_curve;
     StudyParameters      study;
+    TableParameters      table;
     TimeParameters       time;
     ProfileParameters    profiles;
     OutputParameters     output;
@@ -140,6 +149,9 @@ namespace RollingContact
 
     void
     check_forces() const;
+
+    void
+    check_table() const;
 
     void
     check_target_error() const;

@@ -21,7 +21,8 @@ namespace RollingContact
     NormalTangentialSplit(
       std::unique_ptr<NormalSolver>                  normal,
       std::vector<std::unique_ptr<TangentialSolver>> tangential,
-      const SolverControls                          &controls);
+      const SolverControls                          &controls,
+      const bool                                     economical = false);
 
     SolverReport
     solve(const ContactProblem &problem, ContactState &state) const override;
@@ -38,18 +39,29 @@ namespace RollingContact
                    SolverReport            &report) const;
 
     /**
+     * Tolerance of a round after which the edge extrapolations will change by
+     * about as much as before, by @p change.
+     */
+    double
+    tolerance_of_round(const ContactProblem &problem,
+                       const double          change) const;
+
+    /**
      * Alternate normal and tangential solves, with the edge extrapolations of
-     * the state. Returns those the traction asks for, none where it fails.
+     * the state, until the residual is at most @p tolerance. Returns those the
+     * traction asks for, none where it fails.
      */
     SlipScheme
     alternate(const ContactProblem &problem,
               const std::size_t     n_solvers,
+              const double          tolerance,
               ContactState         &state,
               SolverReport         &report) const;
 
     std::unique_ptr<NormalSolver>                  normal;
     std::vector<std::unique_ptr<TangentialSolver>> tangential;
     SolverControls                                 controls;
+    bool economical; ///< in the rounds of the edge law
   };
 } // namespace RollingContact
 

@@ -25,6 +25,16 @@ namespace RollingContact
     static constexpr unsigned int max_rounds = 24;
 
     /**
+     * Rounds before acceleration: where rounds converge by themselves few are
+     * faster, where sets of edges come and go many are safer.
+     */
+    static constexpr unsigned int cautious = 12, economical = 2;
+
+    explicit SchemeRounds(const unsigned int n_plain_rounds)
+      : plain_rounds(n_plain_rounds)
+    {}
+
+    /**
      * What is taken of the scheme @p asked by the solution with the scheme
      * @p now.
      */
@@ -55,7 +65,8 @@ namespace RollingContact
     SlipScheme
     accelerated(const SlipScheme &now, const SlipScheme &asked);
 
-    static constexpr std::size_t         depth    = 3;
+    static constexpr std::size_t         depth = 3;
+    const unsigned int                   plain_rounds;
     unsigned int                         n_rounds = 0, n_rounds_of_set = 0;
     std::map<unsigned int, unsigned int> withdrawals; ///< of first nodes
     std::set<unsigned int>               excluded;    ///< first nodes

@@ -51,7 +51,8 @@ namespace RollingContact
   template <int dim>
   struct SteadyState
   {
-    std::unique_ptr<RollingPair<dim>> pair;
+    /** Shared by the states that are solved on the same bodies. */
+    std::shared_ptr<RollingPair<dim>> pair;
     Grading<dim>                      grading;
     unsigned int                      level = 0;
     ContactProblem                    problem;

@@ -1,0 +1,56 @@
+#ifndef rolling_contact_scene_table_parameters_h
+#define rolling_contact_scene_table_parameters_h
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace RollingContact
+{
+  /**
+   * An entry of a scene and the values it takes, ascending, in its own unit.
+   */
+  struct TableAxis
+  {
+    std::string         name;  ///< "Table/Axis 1", for messages
+    std::string         entry; ///< "Contact/Creepage x"
+    std::vector<double> values;
+  };
+
+  /**
+   * Section `Table`: which states are tabulated, a full grid over axes or the
+   * rows of a file.
+   */
+  struct TableParameters
+  {
+    void
+    declare(dealii::ParameterHandler &prm);
+
+    /**
+     * Throws InputError unless there are either axes, all of them with an
+     * entry and numbers, or a file of rows.
+     */
+    void
+    check() const;
+
+    /**
+     * The axes that are given, in their order. Throws InputError naming the one
+     * that is none, whose entry another has, or that has a number twice.
+     */
+    std::vector<TableAxis>
+    axes() const;
+
+    static constexpr unsigned int max_axes = 8;
+
+    std::array<std::string, max_axes> axis_texts;
+    std::string                       file_of_rows;
+    unsigned int                      threads = 0; ///< 0: as many as processors
+  };
+} // namespace RollingContact
+
+#endif

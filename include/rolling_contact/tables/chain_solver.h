@@ -1,0 +1,101 @@
+#ifndef rolling_contact_tables_chain_solver_h
+#define rolling_contact_tables_chain_solver_h
+
+#include <rolling_contact/run/run_context.h>
+#include <rolling_contact/state/steady_state.h>
+#include <rolling_contact/tables/table_plan.h>
+
+#include <string>
+#include <vector>
+
+namespace RollingContact
+{
+  /**
+   * What became of a state of a table, as column status has it.
+   */
+  namespace TableStatus
+  {
+    inline const std::string solved = "solved", no_contact = "no contact",
+                             not_converged = "not converged",
+                             not_enclosed  = "outside of the zone",
+                             broken        = "broken invariant";
+  } // namespace TableStatus
+
+  /**
+   * The rows of consecutive states, and those of them whose patch reached the
+   * border of the candidate zone, which have no row yet.
+   */
+  struct SolvedChain
+  {
+    ResultsTable             rows;
+    std::vector<std::size_t> not_enclosed;
+  };
+
+  /**
+   * Begin the row of a state: its number, its entries and what became of it.
+   */
+  void
+  begin_table_row(const TablePlan   &plan,
+                  const std::size_t  state,
+                  const std::string &status,
+                  ResultsTable      &rows);
+
+  /**
+   * Add the row of a state of which nothing is known but its status.
+   */
+  void
+  add_unsolved_row(const TablePlan   &plan,
+                   const std::size_t  state,
+                   const std::string &status,
+                   ResultsTable      &rows);
+
+  /**
+   * Solves states one after the other on bodies that are at hand, each from the
+   * one before, the first from the one that the bodies were made with. What it
+   * finds depends on nothing but bodies and states; for one thread at a time.
+   */
+  template <int dim>
+  class ChainSolver
+  {
+  public:
+    /**
+     * @p scene: any of the table, @p base: bodies and a state on them. Keeps
+     * references to plan and base, and the folder and the log of the context.
+     */
+    ChainSolver(const SceneParameters  &scene,
+                const TablePlan        &plan,
+                const SteadyState<dim> &base,
+                RunContext             &context);
+
+    /**
+     * Unless @p keep_all, states that are not enclosed in the zone get no row.
+     * Throws Interrupted between two states.
+     */
+    void
+    solve(const std::vector<std::size_t> &states,
+          const bool                      keep_all,
+          SolvedChain                    &chain);
+
+  private:
+    /**
+     * True if the state is enclosed in the zone.
+     */
+    bool
+    solve_state(const SceneParameters &scene);
+
+    void
+    add_row(const std::size_t      state,
+            const SceneParameters &scene,
+            const bool             enclosed,
+            ResultsTable          &rows);
+
+    SceneEntries            entries;
+    const TablePlan        &plan;
+    const SteadyState<dim> &base;
+    RunContext             &context;
+    SteadyState<dim>        steady;
+    bool                    is_continued = false;
+  };
+} // namespace RollingContact
+
+#endif

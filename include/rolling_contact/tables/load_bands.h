@@ -1,0 +1,41 @@
+#ifndef rolling_contact_tables_load_bands_h
+#define rolling_contact_tables_load_bands_h
+
+#include <rolling_contact/tables/table_plan.h>
+
+namespace RollingContact
+{
+  /**
+   * States whose patches are so alike in size that one mesh serves them all: it
+   * is made for the largest one, with as many elements more as the smallest
+   * needs to have those that the scene asks for.
+   */
+  struct LoadBand
+  {
+    std::size_t              group;       ///< of the plan
+    std::vector<std::size_t> states;      ///< as in the group
+    std::size_t              largest = 0; ///< the state to make the mesh for
+    double largest_size = 0., smallest_size = 0.; ///< half-widths of patches, m
+
+    bool
+    touches() const
+    {
+      return largest_size > 0.;
+    }
+
+    /**
+     * The scene of the largest patch, with the elements that this takes.
+     */
+    SceneParameters
+    scene(const TablePlan &plan, SceneEntries &entries) const;
+  };
+
+  /**
+   * The bands of all groups of a plan, from large to small patches. Throws
+   * InputError naming the state that no patch can be estimated for.
+   */
+  std::vector<LoadBand>
+  load_bands(const SceneParameters &scene, const TablePlan &plan);
+} // namespace RollingContact
+
+#endif

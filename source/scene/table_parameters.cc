@@ -1,0 +1,152 @@
+#include <deal.II/base/parameter_handler.h>
+
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/input/number_list.h>
+#include <rolling_contact/input/prm_declarations.h>
+#include <rolling_contact/scene/table_parameters.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace RollingContact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    const char form_of_axis[] =
+      "give it as Section/Entry = numbers separated by commas, or Section/Entry "
+      "= first : last : number of points.";
+
+
+
+    std::string
+    name_of_axis(const std::size_t k)
+    {
+      return "Axis " + std::to_string(k + 1);
+    }
+
+
+
+    std::string
+    trimmed(const std::string &text)
+    {
+      const std::size_t begin = text.find_first_not_of(' '),
+                        end   = text.find_last_not_of(' ');
+      return begin == std::string::npos ? ""
+                                        : text.substr(begin, end - begin + 1);
+    }
+
+
+
+    /**
+     * Without the rounding of a range: 15 digits, and 0 for what is nothing to
+     * the largest value.
+     */
+    void
+    tidy(std::vector<double> &values)
+    {
+      double largest = 0.;
+      for (const double value : values)
+        largest = std::max(largest, std::abs(value));
+      for (double &value : values)
+        value =
+          std::abs(value) < 1e-14 * largest ? 0. : std::stod(text_of(value));
+    }
+
+
+
+    TableAxis
+    axis_of(const std::string &name, const std::string &text)
+    {
+      const std::size_t equals = text.find('=');
+      TableAxis         axis{name, trimmed(text.substr(0, equals)), {}};
+      if (equals == std::string::npos || axis.entry.empty())
+        throw InputError(name + " = " + text + ": " + form_of_axis);
+      axis.values = number_list(name + " = " + axis.entry,
+                                trimmed(text.substr(equals + 1)));
+      tidy(axis.values);
+      std::sort(axis.values.begin(), axis.values.end());
+      const auto twice =
+        std::adjacent_find(axis.values.begin(), axis.values.end());
+      if (twice != axis.values.end())
+        throw InputError(name + " = " + text + ": " + text_of(*twice) +
+                         " is there twice; give each value once.");
+      return axis;
+    }
+  } // namespace
+
+
+
+  void
+  TableParameters::declare(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Table");
+    for (std::size_t k = 0; k < max_axes; ++k)
+      prm.add_parameter(
+        name_of_axis(k),
+        axis_texts[k],
+        k == 0
+          ? "An axis of a full grid of states: Section/Entry = its values, such "
+            "as Contact/Creepage x = -0.01 : 0.01 : 21, " +
+              std::string(number_list_form) +
+              ", in the entry's unit; any number of sections Wheel, Rail, "
+              "Contact, Mesh and Profiles, in place of what the scene gives "
+              "there. Numbers of section Contact change the load on bodies "
+              "that are kept, all others make new bodies. Empty for none."
+          : std::string("As `Axis 1`."),
+        Patterns::Anything());
+    prm.add_parameter(
+      "File of rows",
+      file_of_rows,
+      "In place of axes: a CSV file (columns separated by , or ;) whose first "
+      "line names entries, Section/Entry, and whose other lines are a state "
+      "each. Relative to the folder of the .prm file.",
+      Patterns::Anything());
+    prm.add_parameter(
+      "Threads",
+      threads,
+      "Threads that solve states, with the same numbers whatever their number; "
+      "0: as many as there are processors. Units: 1.",
+      Patterns::Integer(0, 1024));
+    prm.leave_subsection();
+  }
+
+
+
+  std::vector<TableAxis>
+  TableParameters::axes() const
+  {
+    std::vector<TableAxis> axes;
+    for (std::size_t k = 0; k < max_axes; ++k)
+      {
+        const std::string name = "Table/" + name_of_axis(k);
+        if (axis_texts[k].empty())
+          continue;
+        axes.push_back(axis_of(name, axis_texts[k]));
+        for (std::size_t other = 0; other + 1 < axes.size(); ++other)
+          if (axes[other].entry == axes.back().entry)
+            throw InputError(name + " = " + axis_texts[k] + ": " +
+                             axes[other].name +
+                             " is this entry already; give each entry one "
+                             "axis.");
+      }
+    return axes;
+  }
+
+
+
+  void
+  TableParameters::check() const
+  {
+    const bool has_axes = !axes().empty();
+    if (has_axes && !file_of_rows.empty())
+      throw InputError("Table/File of rows = " + file_of_rows + " and " +
+                       axes()[0].name +
+                       ": a table has axes or rows; leave one of them empty.");
+    if (!has_axes && file_of_rows.empty())
+      throw InputError("Table/Axis 1 and Table/File of rows are both empty: "
+                       "an axis is " +
+                       std::string(form_of_axis));
+  }
+} // namespace RollingContact

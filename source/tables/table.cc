@@ -1,0 +1,265 @@
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/platform.h>
+#include <rolling_contact/base/stopwatch.h>
+#include <rolling_contact/base/text.h>
+#include <rolling_contact/parallel/interrupt.h>
+#include <rolling_contact/parallel/ordered_work.h>
+#include <rolling_contact/report/bodies_report.h>
+#include <rolling_contact/report/result_row.h>
+#include <rolling_contact/run/progress.h>
+#include <rolling_contact/sessions/kept_bodies.h>
+#include <rolling_contact/state/adaptive_levels.h>
+#include <rolling_contact/tables/chain_solver.h>
+#include <rolling_contact/tables/table.h>
+#include <rolling_contact/tables/table_output.h>
+
+namespace RollingContact
+{
+  template <int dim>
+  Table<dim>::Table(const SceneParameters &scene, RunContext &context)
+    : scene(scene)
+    , context(context)
+    , n_threads(scene.table.threads > 0 ? scene.table.threads : n_host_cpus())
+    , plan(plan_table(scene))
+    , has_row(plan.values.size(), false)
+  {}
+
+
+
+  template <int dim>
+  void
+  Table<dim>::run()
+  {
+    reserve_blas_memory(n_threads);
+    if (context.resume)
+      restore_rows(plan, context);
+    for (const std::size_t state : states_with_rows(context.results))
+      has_row[state] = true;
+    n_before                          = context.results.n_rows();
+    const std::vector<LoadBand> bands = load_bands(scene, plan);
+    context.log.message(
+      "Table of " + std::to_string(plan.values.size()) + " states on " +
+      std::to_string(bands.size()) + (bands.size() == 1 ? " set" : " sets") +
+      " of bodies; " + std::to_string(n_threads) +
+      (n_threads == 1 ? " thread" : " threads") +
+      (n_before > 0
+         ? ", " + std::to_string(n_before) + " states are there already."
+         : "."));
+    try
+      {
+        for (const LoadBand &band : bands)
+          solve_band(band);
+      }
+    catch (...)
+      {
+        context.results.flush();
+        throw;
+      }
+    finish();
+  }
+
+
+
+  template <int dim>
+  typename Table<dim>::Chains
+  Table<dim>::chains_of(const LoadBand &band) const
+  {
+    Chains chains;
+    for (std::size_t k = 0; k < band.states.size(); k += chain_length)
+      {
+        std::vector<std::size_t> chain;
+        for (std::size_t i = k;
+             i < std::min(k + chain_length, band.states.size());
+             ++i)
+          if (!has_row[band.states[i]])
+            chain.push_back(band.states[i]);
+        if (!chain.empty())
+          chains.push_back(chain);
+      }
+    return chains;
+  }
+
+
+
+  template <int dim>
+  void
+  Table<dim>::solve_band(const LoadBand &band)
+  {
+    throw_if_interrupted();
+    const Chains chains = chains_of(band);
+    if (chains.empty())
+      return;
+    if (band.touches())
+      {
+        solve_band_that_touches(band, chains);
+        return;
+      }
+    SceneEntries entries(scene);
+    for (const auto &chain : chains)
+      for (const std::size_t state : chain)
+        {
+          plan.set(state, entries);
+          ResultsTable row, rows;
+          add_open_row(entries.scene(), row);
+          begin_table_row(plan, state, TableStatus::no_contact, rows);
+          rows.take_row(row, 0);
+          rows.end_row();
+          context.results.append(rows);
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  Table<dim>::solve_band_that_touches(const LoadBand &band,
+                                      const Chains   &chains)
+  {
+    const unsigned int    most_enlargements = 4;
+    SceneEntries          entries(scene);
+    const SceneParameters largest = band.scene(plan, entries);
+    SteadyState<dim>      base;
+    try
+      {
+        base =
+          solve_steady_state<dim>(largest, demands_of_kept_bodies(), context);
+      }
+    catch (const ConvergenceError &error)
+      {
+        context.log.warning("The state of the table with " +
+                            plan.name(band.largest) + ": " + error.what());
+        for (const auto &chain : chains)
+          for (const std::size_t state : chain)
+            add_unsolved_row(plan,
+                             state,
+                             TableStatus::not_enclosed,
+                             context.results);
+        return;
+      }
+    describe(band, largest, base, band.states.size());
+    Chains left = solve_chains(chains, base, largest, false);
+    for (unsigned int k = 0; k < most_enlargements && !left.empty(); ++k)
+      {
+        base = enlarged(base, largest, 1u << k);
+        left = solve_chains(left, base, largest, k + 1 == most_enlargements);
+      }
+  }
+
+
+
+  template <int dim>
+  SteadyState<dim>
+  Table<dim>::enlarged(const SteadyState<dim> &base,
+                       const SceneParameters  &scene,
+                       const unsigned int      n_elements)
+  {
+    Grading<dim> grading = base.grading;
+    grading.enlarge_zone(n_elements);
+    context.log.message("Patches reach the border of the candidate zone; it is "
+                        "enlarged for them to " +
+                        significant(grading.zone_x, 3) + " m on both sides.");
+    ++n_bodies;
+    return solve_on<dim>(
+      scene,
+      demands_of_kept_bodies(),
+      grading,
+      [&](const ContactProblem &problem) {
+        return transferred_state(base, problem);
+      },
+      context);
+  }
+
+
+
+  template <int dim>
+  typename Table<dim>::Chains
+  Table<dim>::solve_chains(const Chains           &chains,
+                           const SteadyState<dim> &base,
+                           const SceneParameters  &scene,
+                           const bool              keep_all)
+  {
+    PhaseTimer::Scope phase(context.timer, Phase::contact_solve);
+    const Stopwatch   watch;
+    base.pair->release_statics();
+    Progress                 progress(context.log,
+                      "state",
+                      plan.values.size(),
+                      context.results.n_rows());
+    std::vector<SolvedChain> solved(chains.size());
+    Chains                   left;
+    do_in_order(
+      chains.size(),
+      n_threads,
+      [&]() {
+        auto solver =
+          std::make_shared<ChainSolver<dim>>(scene, plan, base, context);
+        return [&, solver](const std::size_t k) {
+          solver->solve(chains[k], keep_all, solved[k]);
+        };
+      },
+      [&](const std::size_t k) {
+        context.results.append(solved[k].rows);
+        if (!solved[k].not_enclosed.empty())
+          left.push_back(solved[k].not_enclosed);
+        solved[k].rows.clear();
+        progress.report(context.results.n_rows());
+      });
+    seconds += watch.seconds();
+    return left;
+  }
+
+
+
+  template <int dim>
+  void
+  Table<dim>::describe(const LoadBand         &band,
+                       const SceneParameters  &scene,
+                       const SteadyState<dim> &base,
+                       const std::size_t       n_states)
+  {
+    if (n_bodies++ == 0)
+      describe_bodies(base, context);
+    const double ratio = band.smallest_size / band.largest_size;
+    context.log.message(
+      "Bodies made for " + plan.name(band.largest) + ": " +
+      std::to_string(scene.mesh.elements_across_patch) + " elements across, " +
+      std::to_string(base.problem.n_nodes()) + " contact nodes, for " +
+      std::to_string(n_states) + (n_states == 1 ? " state" : " states") +
+      (ratio < 1.
+         ? " with patches down to " + significant(ratio, 3) + " of that size."
+         : "."));
+  }
+
+
+
+  template <int dim>
+  void
+  Table<dim>::finish()
+  {
+    ResultsTable     &results  = context.results;
+    const std::size_t n_solved = results.n_rows() - n_before;
+    results.sort_by("state");
+    results.flush();
+    const TableSummary summary = summary_of(results);
+    summary.note(context.report);
+    context.report.set_finding(
+      "table",
+      std::to_string(results.n_rows()) + " states" +
+        (n_before > 0
+           ? ", " + std::to_string(n_before) + " of them from the run before"
+           : "") +
+        "; " + std::to_string(n_solved) + " in " + human_seconds(seconds) +
+        " on " + std::to_string(n_bodies) +
+        (n_bodies == 1 ? " set of bodies" : " sets of bodies"));
+    write_table_file(plan, scene, context);
+    if (scene.output.plot)
+      plot_sections(plan, context);
+    summary.warn(plan, context.log);
+    summary.require_solved(plan);
+  }
+
+
+
+  template class Table<2>;
+  template class Table<3>;
+} // namespace RollingContact

@@ -1,0 +1,174 @@
+#include "complaint.h"
+#include "scene_run.h"
+
+#include <rolling_contact/sessions/session.h>
+
+#include <cmath>
+#include <thread>
+
+using namespace RollingContact;
+
+/** Bodies that are kept from state to state. */
+BOOST_AUTO_TEST_SUITE(sessions)
+
+namespace
+{
+  void
+  coarse_3d(SceneParameters &scene)
+  {
+    scene.dimension                  = 3;
+    scene.mesh.elements_across_patch = 8;
+    scene.mesh.growth                = 0.8;
+    scene.wheel.lateral_radius       = 0.3;
+    scene.rail.lateral_radius        = 0.3;
+    scene.contact.normal_load        = 36e3;
+  }
+
+
+
+  SceneParameters
+  coarse_scene()
+  {
+    SceneParameters scene;
+    coarse_3d(scene);
+    return scene;
+  }
+} // namespace
+
+BOOST_AUTO_TEST_CASE(states_are_those_of_runs_of_their_own)
+{
+  Session session(coarse_scene());
+  session.set("Contact/Creepage y", 0.001);
+  session.solve();
+  const SceneRun<3> first(coarse_3d, [](SceneParameters &scene) {
+    scene.contact.creepages.y = 0.001;
+  });
+  SessionState      found = session.solve();
+  BOOST_TEST(found.converged);
+  BOOST_TEST(found.new_bodies == "");
+  BOOST_TEST(found.forces.force_y == first.steady.result.force_y,
+             boost::test_tools::tolerance(1e-9));
+
+  // another load, friction, creepages and spin on the same mesh
+  session.set("Contact/Normal load", 33e3);
+  session.set("Contact/Friction coefficient", "0.4");
+  session.set("Contact/Creepage x", -0.002);
+  session.set("Contact/Spin", 0.5);
+  found = session.solve();
+  BOOST_TEST(found.converged);
+  BOOST_TEST(session.n_bodies_made() == 1u);
+  SteadyState<3>  direct             = first.steady;
+  SceneParameters scene              = first.scene;
+  scene.contact.normal_load          = 33e3;
+  scene.contact.friction_coefficient = 0.4;
+  scene.contact.creepages            = {-0.002, 0.001, 0.5};
+  direct.problem =
+    first.steady.pair->contact_problem(scene.contact,
+                                       first.steady.problem.operators.W());
+  direct.state = initial_state(direct.problem, estimate_patch(scene));
+  solve_contact(scene, StateDemands(), direct);
+  const Resultants expected = resultants(direct.problem, direct.state);
+  // edges settle to 1e-6
+  BOOST_TEST(found.forces.force_x == expected.force_x,
+             boost::test_tools::tolerance(1e-6));
+  BOOST_TEST(found.forces.force_y == expected.force_y,
+             boost::test_tools::tolerance(1e-6));
+  BOOST_TEST(found.forces.spin_moment == expected.spin_moment,
+             boost::test_tools::tolerance(1e-5));
+  BOOST_TEST(found.forces.normal_force == 33e3,
+             boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(*found.bounds.force > 0.);
+  BOOST_TEST(session.problem().n_nodes() == session.state().pressure.size());
+
+  // and so on with what they had, bodies and all
+  session.set("Contact/Normal load", 36e3);
+  session.set("Contact/Friction coefficient", 0.3);
+  session.set("Contact/Creepage x", 0.);
+  session.set("Contact/Spin", 0.);
+  BOOST_TEST(session.solve().forces.force_y == first.steady.result.force_y,
+             boost::test_tools::tolerance(1e-6));
+  BOOST_TEST(session.n_bodies_made() == 1u);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(what_bodies_do_not_serve_for)
+{
+  Session session(coarse_scene());
+  session.solve();
+  const double force = session.solve().forces.normal_force;
+  session.set("Contact/Normal load", 80e3); // 1.3 times the patch
+  BOOST_TEST(contains(session.solve().new_bodies, "half-width"));
+  BOOST_TEST(session.n_bodies_made() == 2u);
+  session.set("Contact/Normal load", 36e3); // kept
+  BOOST_TEST(session.solve().new_bodies == "");
+  BOOST_TEST(session.solve().forces.normal_force == force,
+             boost::test_tools::tolerance(1e-9));
+  session.set("Rail/Young modulus", 100e9);
+  BOOST_TEST(contains(session.solve().new_bodies, "Rail/Young modulus"));
+  session.set("Contact/Speed", -1.);
+  BOOST_TEST(contains(session.solve().new_bodies, "flow -x"));
+  session.set("Contact/Friction coefficient", 0.);
+  BOOST_TEST(contains(session.solve().new_bodies, "without friction"));
+  BOOST_TEST(session.solve().forces.tangential_force == 0.);
+  BOOST_TEST(session.n_bodies_made() == 5u);
+  session.set("Contact/Normal load", 0.);
+  const SessionState &open = session.solve();
+  BOOST_TEST(!open.touches);
+  BOOST_TEST(open.converged);
+  BOOST_TEST(open.forces.normal_force == 0.);
+  BOOST_CHECK_THROW(session.problem(), std::logic_error);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(what_a_session_refuses)
+{
+  Session    session(coarse_scene());
+  const auto said = [&](const std::string &entry, const std::string &value) {
+    return complaint([&]() { session.set(entry, value); });
+  };
+  BOOST_TEST(contains(said("Contact/Creepage z", "0"), "there is no entry"));
+  BOOST_TEST(contains(said("Contact/Creepage x", "0,1"), "Creepage x = 0,1"));
+  BOOST_TEST(contains(said("Contact/Normal load", "heavy"), "heavy"));
+  BOOST_TEST(contains(said("Dimension", "2"), "keeps its dimension"));
+  BOOST_TEST(session.solve().forces.normal_force == 36e3,
+             boost::test_tools::tolerance(1e-9));
+  session.set("Contact/Normal load", -1.);
+  BOOST_TEST(contains(complaint([&]() { session.solve(); }), "cannot pull"));
+  session.set("Contact/Normal load", 36e3);
+  BOOST_TEST(session.solve().converged);
+  BOOST_TEST(session.n_bodies_made() == 1u);
+  SceneParameters target   = coarse_scene();
+  target.mesh.target_error = 1e-2;
+  BOOST_TEST(contains(complaint([&]() { Session refused(target); }),
+                      "Mesh/Target error"));
+}
+
+
+
+BOOST_AUTO_TEST_CASE(sessions_do_not_know_of_each_other)
+{
+  const auto march = [](const double sign, std::vector<double> &forces) {
+    Session session(coarse_scene());
+    for (unsigned int k = 0; k < 6; ++k)
+      {
+        session.set("Contact/Creepage x", sign * 0.001 * k);
+        session.set("Contact/Spin", 0.1 * k);
+        forces.push_back(session.solve().forces.force_x);
+        forces.push_back(session.solve().forces.force_y);
+      }
+  };
+  std::vector<double> alone, other_alone, together, other;
+  march(1., alone);
+  march(-1., other_alone);
+  std::thread thread([&]() { march(-1., other); });
+  march(1., together);
+  thread.join();
+  BOOST_TEST(alone == together, boost::test_tools::per_element());
+  BOOST_TEST(other_alone == other, boost::test_tools::per_element());
+  BOOST_TEST(std::abs(alone.back() - other_alone.back()) < 1e-6 * 36e3);
+  BOOST_TEST(std::abs(alone[2] + other_alone[2]) < 1e-2 * std::abs(alone[2]));
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,282 @@
+#include <boost/test/unit_test.hpp>
+
+#include "complaint.h"
+#include "scratch_folder.h"
+
+#include <rolling_contact/parallel/ordered_work.h>
+#include <rolling_contact/run/results_table.h>
+#include <rolling_contact/sessions/kept_bodies.h>
+#include <rolling_contact/tables/load_bands.h>
+
+#include <atomic>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+using namespace RollingContact;
+
+/** Analysis = table: which states there are, and how they are gone through. */
+BOOST_AUTO_TEST_SUITE(tables)
+
+namespace
+{
+  SceneParameters
+  table_scene(const std::vector<std::string> &axes)
+  {
+    SceneParameters scene;
+    scene.analysis             = "table";
+    scene.dimension            = 3;
+    scene.wheel.lateral_radius = scene.rail.lateral_radius = 0.3;
+    scene.contact.normal_load                              = 36e3;
+    for (std::size_t k = 0; k < axes.size(); ++k)
+      scene.table.axis_texts[k] = axes[k];
+    return scene;
+  }
+
+
+
+  std::string
+  said_of(const std::vector<std::string> &axes)
+  {
+    return complaint([&]() { plan_table(table_scene(axes)); });
+  }
+} // namespace
+
+BOOST_AUTO_TEST_CASE(axes_that_are_none)
+{
+  BOOST_TEST(contains(said_of({}), "Table/Axis 1 and Table/File of rows"));
+  BOOST_TEST(
+    contains(said_of({"Contact/Creepage x ="}),
+             "Table/Axis 1 = Contact/Creepage x = : the list is empty"));
+  BOOST_TEST(contains(said_of({"Contact/Creepage x"}),
+                      "Table/Axis 1 = Contact/Creepage x: give it as"));
+  BOOST_TEST(contains(said_of({"Contact/Creepage x = 1, 2, 1"}), "twice"));
+  BOOST_TEST(contains(said_of({"Contact/Creepage x = 0, one"}), "'one'"));
+  BOOST_TEST(contains(said_of({"Contact/Spin = 0, 1", "Contact/Spin = 2"}),
+                      "Table/Axis 1 is this entry already"));
+  BOOST_TEST(contains(said_of({"", "Contact/Creepage = 0"}),
+                      "Table/Axis 2: there is no entry Contact/Creepage"));
+  BOOST_TEST(contains(said_of({"Contact/Friction law = 0"}), "is no number"));
+  BOOST_TEST(contains(said_of({"Contact/Roughness = 0"}), "is no number"));
+  BOOST_TEST(contains(said_of({"Output/Verbosity = 0"}), "differ"));
+  BOOST_TEST(contains(said_of({"Dimension = 2, 3"}), "differ"));
+  BOOST_TEST(contains(said_of({"Contact/Friction coefficient = -0.1, 0.3"}),
+                      "Contact/Friction coefficient = -0.1"));
+  BOOST_TEST(contains(said_of({"Mesh/Elements across patch = 8.5"}), "8.5"));
+  BOOST_TEST(contains(said_of({"Contact/Creepage x = 0 : 1 : 2000",
+                               "Contact/Creepage y = 0 : 1 : 2000"}),
+                      "a million"));
+  // values that contradict others, only in one state
+  BOOST_TEST(contains(said_of({"Contact/Normal load = -5, 3"}),
+                      "Contact/Normal load = -5: contact cannot pull"));
+  BOOST_TEST(contains(said_of({"Contact/Approach = 1e-5"}),
+                      "The state of the table with Contact/Approach = 1e-05"));
+}
+
+
+
+BOOST_AUTO_TEST_CASE(files_that_have_no_rows)
+{
+  const ScratchFolder scratch;
+  SceneParameters     scene = table_scene({});
+  scene.prm_folder          = scratch.scratch;
+  scene.table.file_of_rows  = "rows.csv";
+  const auto said           = [&](const std::string &text) {
+    std::ofstream(scratch.scratch / "rows.csv") << text;
+    return complaint([&]() { plan_table(scene); });
+  };
+  BOOST_TEST(
+    contains(complaint([&]() { plan_table(scene); }), "cannot be read"));
+  BOOST_TEST(contains(said(""), "the file is empty"));
+  BOOST_TEST(contains(said("Contact/Spin\n"), "there is no row"));
+  BOOST_TEST(contains(said("Contact/Spin,Contact/Spin\n0,1\n"), "two columns"));
+  BOOST_TEST(contains(said("Contact/Spin,\n0,1\n"), "column 2 has no name"));
+  BOOST_TEST(contains(said("Contact/Spin;Contact/Creepage x\n0;1\n\n2\n"),
+                      "line 4: it has 1 columns"));
+  BOOST_TEST(contains(said("Contact/Spin\n0,1\n"), "line 2"));
+  BOOST_TEST(contains(said("Contact/Spin\nnan\n"), "'nan' is no number"));
+  BOOST_TEST(
+    contains(said("Contact/Spn\n1\n"), "there is no entry Contact/Spn"));
+  BOOST_TEST(said("\xEF\xBB\xBF\"Contact/Spin\" ; Contact/Creepage x\r\n"
+                  "# a comment\r\n 0.5 ; -1e-3 \r\n") == "");
+  const TablePlan plan = plan_table(scene);
+  BOOST_REQUIRE(plan.values.size() == 1u);
+  BOOST_TEST(plan.values[0][0] == 0.5);
+  BOOST_TEST(plan.values[0][1] == -1e-3);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(neighbours_differ_by_one_step)
+{
+  const TablePlan plan =
+    plan_table(table_scene({"Contact/Creepage x = -0.01 : 0.01 : 5",
+                            "Contact/Normal load = 40e3, 20e3, 30e3",
+                            "Contact/Spin = 0, 1, 3, 4"}));
+  BOOST_REQUIRE(plan.values.size() == 60u);
+  BOOST_TEST(plan.values[0][1] == 20e3); // ascending, the last axis fastest
+  BOOST_TEST(plan.values[1][2] == 1.);
+  BOOST_TEST(plan.values[59][0] == 0.01);
+  BOOST_TEST(plan.units[1] == "N");
+  BOOST_TEST(plan.units[0] == "1");
+  BOOST_REQUIRE(plan.groups.size() == 1u);
+  const auto &order = plan.groups[0].states;
+  BOOST_TEST(std::set<std::size_t>(order.begin(), order.end()).size() == 60u);
+  unsigned int n_load_steps = 0;
+  for (std::size_t k = 1; k < order.size(); ++k)
+    {
+      unsigned int n_steps = 0;
+      for (std::size_t d = 0; d < 3; ++d)
+        {
+          const auto  &values = plan.axes[d].values;
+          const double from   = plan.values[order[k - 1]][d],
+                       to     = plan.values[order[k]][d];
+          const auto place    = [&](const double value) {
+            return std::find(values.begin(), values.end(), value) -
+                   values.begin();
+          };
+          n_steps += std::abs(place(from) - place(to));
+          n_load_steps += d == 1 && from != to;
+        }
+      BOOST_TEST(n_steps == 1u);
+    }
+  BOOST_TEST(n_load_steps == 2u);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(what_makes_new_bodies)
+{
+  const auto n_groups = [](const std::string &axis) {
+    return plan_table(table_scene({axis, "Contact/Creepage y = 0, 0.001"}))
+      .groups.size();
+  };
+  BOOST_TEST(n_groups("Contact/Speed = 1, 2, 20") == 1u);
+  BOOST_TEST(n_groups("Contact/Speed = -2, -1, 1, 2") == 2u);
+  BOOST_TEST(n_groups("Contact/Friction coefficient = 0.1, 0.3") == 1u);
+  BOOST_TEST(n_groups("Contact/Friction coefficient = 0, 0.1, 0.3") == 2u);
+  BOOST_TEST(n_groups("Rail/Poisson ratio = 0.25, 0.3") == 2u);
+  BOOST_TEST(n_groups("Mesh/Elements across patch = 8, 10, 12") == 3u);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(each_load_has_its_elements)
+{
+  SceneParameters scene =
+    table_scene({"Contact/Normal load = 0, 20e3, 55e3, 70e3, 80e3, 100e3",
+                 "Contact/Creepage x = 0, 0.001"});
+  scene.mesh.elements_across_patch = 12;
+  const TablePlan plan             = plan_table(scene);
+  const auto      bands            = load_bands(scene, plan);
+  BOOST_REQUIRE(bands.size() == 4u); // 100 and 80, 70 and 55, 20, 0 kN
+  std::set<std::size_t> all;
+  for (const LoadBand &band : bands)
+    {
+      all.insert(band.states.begin(), band.states.end());
+      if (!band.touches())
+        continue;
+      SceneEntries entries(scene);
+      const auto   made = band.scene(plan, entries);
+      BOOST_TEST(patch_size(made) == band.largest_size);
+      for (const std::size_t state : band.states)
+        {
+          plan.set(state, entries);
+          const double share = patch_size(entries.scene()) / band.largest_size;
+          BOOST_TEST(share <= 1.);
+          BOOST_TEST(share >= smallest_patch);
+          BOOST_TEST(made.mesh.elements_across_patch * share >= 12 - 1e-6);
+          BOOST_TEST(made.mesh.elements_across_patch <= 14u);
+        }
+    }
+  BOOST_TEST(all.size() == plan.values.size());
+  BOOST_TEST(!bands.back().touches());
+  BOOST_TEST(bands[0].states.size() == 4u);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(work_in_threads_ends_in_order)
+{
+  for (const unsigned int n_threads : {1u, 2u, 5u})
+    {
+      std::vector<std::size_t>  followed;
+      std::vector<double>       results(50, 0.);
+      std::atomic<unsigned int> n_workers = 0;
+      do_in_order(
+        results.size(),
+        n_threads,
+        [&]() {
+          ++n_workers;
+          return [&](const std::size_t k) { results[k] = std::sqrt(k); };
+        },
+        [&](const std::size_t k) {
+          BOOST_TEST(results[k] == std::sqrt(k));
+          followed.push_back(k);
+        });
+      std::vector<std::size_t> all(results.size());
+      std::iota(all.begin(), all.end(), 0);
+      BOOST_TEST(followed == all, boost::test_tools::per_element());
+      BOOST_TEST(n_workers <= n_threads);
+    }
+  std::size_t n_followed = 0;
+  const auto  says       = [&]() {
+    do_in_order(
+      20,
+      3,
+      []() {
+        return [](const std::size_t k) {
+          if (k == 7 || k == 9)
+            throw InputError(std::to_string(k));
+        };
+      },
+      [&](std::size_t) { ++n_followed; });
+  };
+  BOOST_TEST(complaint(says) == "7");
+  BOOST_TEST(n_followed == 7u);
+  BOOST_TEST(complaint([&]() {
+               do_in_order(
+                 9,
+                 2,
+                 []() { return [](std::size_t) {}; },
+                 [](const std::size_t k) {
+                   if (k == 3)
+                     throw InputError("disk");
+                 });
+             }) == "disk");
+}
+
+
+
+BOOST_AUTO_TEST_CASE(rows_that_are_read_again)
+{
+  ResultsTable table, more, again;
+  table.set("state", 3);
+  table.set("text", std::string("a, \"b\"\nc"));
+  table.set("x", 0.1);
+  table.end_row();
+  more.set("state", 1);
+  more.leave_empty("x");
+  more.set("y", true);
+  more.end_row();
+  table.append(more);
+  BOOST_TEST(table.csv() ==
+             "state,text,x,y\n3,\"a, \"\"b\"\"\nc\",0.1,\n1,,,true\n");
+  again.restore(table.csv(), "f.csv");
+  BOOST_TEST(again.csv() == table.csv());
+  BOOST_TEST(again.text(0, "text") == "a, \"b\"\nc");
+  BOOST_TEST(again.text(1, "text") == "");
+  BOOST_TEST(again.text(1, "none") == "");
+  again.sort_by("state");
+  BOOST_TEST(again.csv() ==
+             "state,text,x,y\n1,,,true\n3,\"a, \"\"b\"\"\nc\",0.1,\n");
+  again.set("state", 2);
+  again.end_row();
+  BOOST_TEST(contains(again.csv(), "c\",0.1,\n2,,,\n"));
+  BOOST_TEST(contains(complaint([]() {
+                        ResultsTable().restore("a,b\n1,2\n3\n", "f.csv");
+                      }),
+                      "f.csv: row 2 has 1 columns"));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
