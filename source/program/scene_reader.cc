@@ -6,6 +6,7 @@
 #include <rolling_contact/input/prm_declared.h>
 #include <rolling_contact/input/prm_entries.h>
 #include <rolling_contact/pair/mesh_unit_check.h>
+#include <rolling_contact/pair/moving_surfaces.h>
 #include <rolling_contact/program/analysis_table.h>
 #include <rolling_contact/program/scene_reader.h>
 #include <rolling_contact/scene/plausibility.h>
@@ -118,6 +119,8 @@ namespace RollingContact
     scene.read_meshes();
     scene.read_profiles();
     check_mesh_units(scene);
+    scene.read_surfaces();
+    check_moving_surfaces(scene);
     std::ostringstream used;
     prm.print_parameters(used, ParameterHandler::ShortText);
     input.used = used.str();

@@ -107,6 +107,12 @@ namespace RollingContact
       if (rolls)
         add_forces();
       add_load();
+      if (scene.surfaces.in_use())
+        add_panel("height (\u00b5m)",
+                  {{"height of the surfaces",
+                    scaled(column("surface_height_m"), 1e6),
+                    CurveStyle::line,
+                    true}});
       if (rolls)
         add_creepages();
       if (varies(column("approach_m")) && scene.contact.approach)
@@ -258,6 +264,7 @@ namespace RollingContact
                                                  "spin_1/m",
                                                  "speed_m/s",
                                                  "wheel_velocity_m/s",
+                                                 "surface_height_m",
                                                  "normal_force_N",
                                                  "force_x_N",
                                                  "force_y_N"});

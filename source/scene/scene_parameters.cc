@@ -62,6 +62,8 @@ namespace RollingContact
     load_curve.declare(prm);
     study.declare(prm);
     time.declare(prm);
+    surfaces.declare(prm);
+    spectrum.declare(prm);
     profiles.declare(prm);
     output.declare(prm);
   }
@@ -146,6 +148,34 @@ namespace RollingContact
 
 
   void
+  SceneParameters::read_surfaces()
+  {
+    if (analysis != "contact table")
+      surfaces.read(prm_folder);
+  }
+
+
+
+  void
+  SceneParameters::check_surfaces() const
+  {
+    surfaces.check(dimension);
+    if (!surfaces.in_use())
+      return;
+    if (mesh.target_error && !is_transient())
+      throw InputError(
+        "Mesh/Target error = " + text_of(*mesh.target_error) +
+        ": the error of surfaces that move (section Surfaces) is not known "
+        "beforehand. Leave it empty and give Mesh/Elements across patch.");
+    if (analysis == "accuracy study")
+      throw InputError("Analysis = accuracy study: its meshes would each show "
+                       "another surface (section Surfaces). Leave the heights "
+                       "empty.");
+  }
+
+
+
+  void
   SceneParameters::check() const
   {
     if (analysis == "contact table")
@@ -154,6 +184,7 @@ namespace RollingContact
     rail.check(dimension);
     contact.check(dimension);
     mesh.check();
+    check_surfaces();
     check_target_error();
     check_study();
     creep_curve.check();
