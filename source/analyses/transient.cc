@@ -7,7 +7,6 @@
 #include <rolling_contact/parallel/interrupt.h>
 #include <rolling_contact/parallel/ranks.h>
 #include <rolling_contact/report/bodies_report.h>
-#include <rolling_contact/report/force_spectrum.h>
 #include <rolling_contact/report/state_report.h>
 #include <rolling_contact/run/progress.h>
 #include <rolling_contact/state/checkpoint_schedule.h>
@@ -24,7 +23,6 @@ namespace RollingContact
       throw InputError("Analysis = transient needs a patch to make the mesh "
                        "for: give Contact/Approach or Contact/Normal load "
                        "above 0; Time/Approach tells what really happens.");
-    check_spectrum(scene);
     Checkpoint start;
     if (context.resume)
       start = read_checkpoint(context.folder);

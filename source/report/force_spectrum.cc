@@ -1,4 +1,3 @@
-#include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/plot/figure.h>
 #include <rolling_contact/report/force_spectrum.h>
@@ -17,10 +16,6 @@ namespace RollingContact
   namespace
   {
     using Values = std::vector<double>;
-
-    const std::size_t least_rows = 32;
-
-
 
     /** A column of history.csv and how its spectra are named. */
     struct Signal
@@ -84,12 +79,9 @@ namespace RollingContact
         scene.time
           .steps(scene.time.histories(scene.contact, scene.prm_folder).speed)
           .length;
-      const auto rows = [&](const double time) {
-        return static_cast<std::size_t>(std::llround(time / step));
-      };
       return {step,
-              rows(scene.spectrum.skipped_time),
-              rows(scene.spectrum.segment_length)};
+              scene.spectrum.skipped_rows(step),
+              scene.spectrum.rows_in_segment(step)};
     }
 
 
@@ -297,43 +289,6 @@ namespace RollingContact
 
 
 
-  bool
-  wants_spectrum(const SceneParameters &scene)
-  {
-    return scene.spectrum.write == WriteSpectrum::always ||
-           (scene.spectrum.write == WriteSpectrum::automatic &&
-            scene.surfaces.in_use());
-  }
-
-
-
-  void
-  check_spectrum(const SceneParameters &scene)
-  {
-    if (!wants_spectrum(scene))
-      return;
-    const bool asked = scene.spectrum.write == WriteSpectrum::always ||
-                       scene.spectrum.skipped_time > 0. ||
-                       scene.spectrum.segment_length > 0.;
-    const Sampling  sampling = sampling_of(scene);
-    const TimeSteps steps    = scene.time.steps(
-      scene.time.histories(scene.contact, scene.prm_folder).speed);
-    const auto least = std::max(least_rows, sampling.segment);
-    const bool tiny  = sampling.segment > 0 && sampling.segment < least_rows;
-    if (!asked || (sampling.skipped + least <= steps.number && !tiny))
-      return;
-    throw InputError(
-      "Spectrum/Skipped time = " + significant(scene.spectrum.skipped_time, 6) +
-      " s, Segment length = " + significant(scene.spectrum.segment_length, 6) +
-      " s: the run lasts " + significant(steps.length * steps.number, 6) +
-      " s, " + std::to_string(steps.number) +
-      " steps. A spectrum needs 32 steps in a segment and a whole segment behind "
-      "what is skipped: skip less, take another segment or a longer run, or "
-      "Spectrum/Write = never.");
-  }
-
-
-
   void
   write_force_spectrum(const SceneParameters       &scene,
                        const std::filesystem::path &file,
@@ -341,7 +296,8 @@ namespace RollingContact
   {
     const Sampling sampling = sampling_of(scene);
     const auto     n_rows = read_history(file, {"time_s"}).at("time_s").size();
-    if (n_rows < sampling.skipped + std::max(least_rows, sampling.segment))
+    if (n_rows < sampling.skipped +
+                   std::max(SpectrumParameters::least_rows, sampling.segment))
       {
         context.log.message("No spectrum: " + std::to_string(n_rows) +
                             " steps are too few (section Spectrum).");

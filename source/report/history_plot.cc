@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <optional>
 #include <sstream>
@@ -241,7 +242,8 @@ namespace RollingContact
           {
             const auto wanted = history.find(names.at(k++));
             if (wanted != history.end())
-              wanted->second.push_back(std::stod(cell));
+              // denormal numbers too, which stod() refuses
+              wanted->second.push_back(std::strtod(cell.c_str(), nullptr));
           }
       }
     return history;

@@ -242,7 +242,7 @@ namespace RollingContact
     note_largest_load();
     if (scene.output.plot)
       plot();
-    if (wants_spectrum(scene))
+    if (scene.spectrum.wanted(scene.surfaces.in_use()))
       write_force_spectrum(scene,
                            context.folder.get_path() / history_name,
                            context);

@@ -195,6 +195,8 @@ namespace RollingContact
     check_mesh_files();
     if (is_transient())
       time.check(contact, dimension, prm_folder);
+    if (analysis == "transient" && spectrum.wanted(surfaces.in_use()))
+      spectrum.check(time.steps(time.histories(contact, prm_folder).speed));
     check_speed();
     check_pair();
     check_body_solver();

@@ -120,15 +120,13 @@ namespace RollingContact
             surfaces.in_use() ? "it is that of a file, and an expression gives "
                                 "the heights"
                               : smooth;
-      const WriteSpectrum write = scene.spectrum.write;
       if (scene.analysis == "transient" &&
-          (write == WriteSpectrum::never ||
-           (write == WriteSpectrum::automatic && !surfaces.in_use())))
+          !scene.spectrum.wanted(surfaces.in_use()))
         for (const char *entry : {"Skipped time", "Segment length"})
           idle["Spectrum/" + std::string(entry)] =
-            write == WriteSpectrum::never ? "Spectrum/Write = never"
-                                          : "no surface moves; take "
-                                            "Spectrum/Write = always";
+            scene.spectrum.write == WriteSpectrum::never
+              ? "Spectrum/Write = never"
+              : "no surface moves; take Spectrum/Write = always";
       return idle;
     }
 

@@ -143,10 +143,11 @@ namespace
  */
 BOOST_AUTO_TEST_CASE(line_contact_filters_by_the_bessel_function)
 {
-  const Patch  patch = patch_of<2>(fine);
-  const double a     = patch.half_width;
-  BOOST_TEST(filter<2>(fine, patch, 200 * a) == 1.,
-             boost::test_tools::tolerance(1e-3));
+  const Patch  patch     = patch_of<2>(fine);
+  const double a         = patch.half_width;
+  const double long_wave = filter<2>(fine, patch, 200 * a);
+  BOOST_TEST_MESSAGE("wavelength 200 a: " << long_wave);
+  BOOST_TEST(long_wave == 1., boost::test_tools::tolerance(5e-4));
   for (const double over_a : {8., 4., 2., 1.})
     {
       const double exact = boost::math::cyl_bessel_j(0, 2 * pi / over_a),
@@ -172,14 +173,14 @@ BOOST_AUTO_TEST_CASE(round_contact_filters_by_its_punch)
   };
   const Patch  patch = patch_of<3>(round);
   const double a     = patch.half_width;
-  for (const double over_a : {8., 4., 2.5})
+  for (const double over_a : {8., 4., 2.5, 2.})
     {
       const double k     = 2 * pi / over_a;
       const double exact = std::sin(k) / k,
                    found = filter<3>(round, patch, over_a * a);
       BOOST_TEST_MESSAGE("wavelength " << over_a << " a: " << found
                                        << ", sin(ka)/(ka) " << exact);
-      BOOST_TEST(std::abs(found - exact) < 0.006);
+      BOOST_TEST(std::abs(found - exact) < (over_a > 2. ? 0.006 : 0.015));
     }
 }
 
@@ -316,6 +317,11 @@ BOOST_AUTO_TEST_CASE(surfaces_supply_the_work_of_the_contact)
           most  = std::max(most, std::abs(of_contact));
           worst = std::max(worst, std::abs(of_contact - of_surfaces));
         }
+      BOOST_TEST_MESSAGE("waves of " << amplitude
+                                     << " m: work of the contact at "
+                                        "most "
+                                     << most << " J, of the surfaces " << worst
+                                     << " J off");
       BOOST_TEST(most > 0.);
       BOOST_TEST(worst < (amplitude < 1e-6 ? 1e-6 : 2e-3) * most);
       BOOST_TEST(std::abs(of_surfaces) < 0.05 * most);
@@ -353,8 +359,8 @@ BOOST_AUTO_TEST_CASE(energy_balances_over_moving_surfaces)
     }
   BOOST_TEST_MESSAGE("work of the surfaces against the contact's: "
                      << errors[0] << ", half the step " << errors[1]);
-  BOOST_TEST(errors[1] < 0.02);
-  BOOST_TEST(errors[1] < 0.7 * errors[0]);
+  BOOST_TEST(errors[1] < 1e-4);
+  BOOST_TEST(errors[1] < 0.3 * errors[0]);
 }
 
 

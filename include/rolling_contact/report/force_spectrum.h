@@ -9,19 +9,6 @@ namespace RollingContact
   struct SceneParameters;
 
   /**
-   * Whether a transient run of this scene ends with spectra.
-   */
-  bool
-  wants_spectrum(const SceneParameters &scene);
-
-  /**
-   * Throws InputError if the run is too short for the spectra that section
-   * `Spectrum` asks for.
-   */
-  void
-  check_spectrum(const SceneParameters &scene);
-
-  /**
    * Spectra of the forces and of the surfaces that move, from @p file,
    * history.csv: spectrum.csv by Welch's method, third_octaves.csv, and
    * spectrum.svg if @p plot. A finding tells how much and at which frequency

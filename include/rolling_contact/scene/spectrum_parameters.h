@@ -1,6 +1,8 @@
 #ifndef rolling_contact_scene_spectrum_parameters_h
 #define rolling_contact_scene_spectrum_parameters_h
 
+#include <cstddef>
+
 namespace dealii
 {
   class ParameterHandler;
@@ -8,6 +10,8 @@ namespace dealii
 
 namespace RollingContact
 {
+  struct TimeSteps;
+
   /**
    * When a transient run ends with spectra of its forces.
    */
@@ -25,6 +29,36 @@ namespace RollingContact
   {
     void
     declare(dealii::ParameterHandler &prm);
+
+    /**
+     * Whether a transient run ends with spectra.
+     */
+    bool
+    wanted(const bool a_surface_moves) const
+    {
+      return write == WriteSpectrum::always ||
+             (write == WriteSpectrum::automatic && a_surface_moves);
+    }
+
+    /**
+     * Throws InputError if a run of these steps is too short for the spectra
+     * that are asked for.
+     */
+    void
+    check(const TimeSteps &steps) const;
+
+    /**
+     * Rows of a history that are left out, and those in a segment; 0: to be
+     * chosen. Units: s.
+     */
+    std::size_t
+    skipped_rows(const double time_step) const;
+
+    std::size_t
+    rows_in_segment(const double time_step) const;
+
+    /** Fewest rows of a segment. */
+    static constexpr std::size_t least_rows = 32;
 
     WriteSpectrum write          = WriteSpectrum::automatic;
     double        skipped_time   = 0.; ///< s
