@@ -92,6 +92,7 @@ namespace RollingContact
         " Hz: zeta = " +
         scientific(scene.time.numerical_damping(steps.length), 3) + ".");
     describe_surfaces(*stepper.current().pair, context);
+    warn_of_long_steps(stepper, steps);
     if (!scene.time.inertia)
       describe_factors(stepper.current(), context);
     auto      &objects = context.report.objects;
@@ -112,6 +113,27 @@ namespace RollingContact
         stepper.current().problem.operators.W().memory_consumption(),
         "");
     add("tangential compliance, B1, B2", slips, 0, "frictionless");
+  }
+
+
+
+  template <int dim>
+  void
+  Transient<dim>::warn_of_long_steps(const ContactStepper<dim> &stepper,
+                                     const TimeSteps           &steps) const
+  {
+    const double rolled =
+                   std::abs(stepper.drive().speed.value(0.)) * steps.length,
+                 element = stepper.current().grading.element_size_x;
+    if (scene.surfaces.in_use() && rolled > element * (1 + 1e-9))
+      context.log.warning(
+        "A step rolls " + millimetres(rolled) + ", an element is " +
+        millimetres(element) +
+        " long: in the history waves of the surfaces "
+        "shorter than " +
+        millimetres(2 * rolled) +
+        " look like longer ones. Take shorter steps (Time/Time step or Step "
+        "length).");
   }
 
 
@@ -164,6 +186,7 @@ namespace RollingContact
     progress.damping_energy += outcome.energy.damping;
     progress.numerical_energy += outcome.energy.numerical_dissipation;
     progress.energy_error += outcome.energy.balance_error;
+    progress.surface_energy += outcome.surface_work;
     progress.n_impacts += outcome.n_impacts;
     output.add_row(stepper, outcome, progress);
     output.write_fields(stepper, progress, false);

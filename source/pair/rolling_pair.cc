@@ -22,6 +22,10 @@ namespace RollingContact
     : scene(scene)
     , body_pair(scene, grading, demands, statics)
     , pair_interface(scene, grading, body_pair)
+    , surfaces(scene,
+               {{grading.element_size_x, grading.element_size_y},
+                {grading.zone_x, grading.zone_y}})
+    , surfaces_in_time(demands.surfaces_in_time)
   {
     if (scene.contact.friction_coefficient > 0. || pair_interface.turns_nodes())
       for (unsigned int d = 0; d < dim - 1; ++d)
@@ -250,7 +254,10 @@ namespace RollingContact
       loads.gap.push_back((profiles ? gap_of_profiles(scene, at[i])
                                     : -height(Side::wheel, *wheel, i) -
                                         height(Side::rail, *rail, i)) +
-                          roughness.value(at[i][0], at[i][1]));
+                          roughness.value(at[i][0], at[i][1]) -
+                          (surfaces_in_time || !surfaces.in_use()
+                             ? 0.
+                             : surfaces.height(at[i][0], at[i][1], 0.)));
     loads.slip_of_profile = slip_of_profiles(scene, at, friction ? dim - 1 : 0);
     set_loads(contact, problem);
     return problem;

@@ -6,6 +6,7 @@
 #include <rolling_contact/input/prm_declared.h>
 #include <rolling_contact/input/prm_entries.h>
 #include <rolling_contact/pair/mesh_unit_check.h>
+#include <rolling_contact/pair/moving_surfaces.h>
 #include <rolling_contact/program/analysis_table.h>
 #include <rolling_contact/program/scene_reader.h>
 #include <rolling_contact/scene/plausibility.h>
@@ -153,6 +154,8 @@ namespace RollingContact
     scene.read_meshes();
     scene.read_profiles();
     check_mesh_units(scene);
+    scene.read_surfaces();
+    check_moving_surfaces(scene);
     if (scene.analysis == "table")
       plan_table(scene); // all states of it are possible
     input.warnings =

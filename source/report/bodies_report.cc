@@ -42,6 +42,10 @@ namespace RollingContact
         if (!note.warning.empty())
           context.log.warning(note.warning);
       }
+    for (const std::string &text : pair.moving_surfaces().notes)
+      context.log.message(text);
+    for (const std::string &text : pair.moving_surfaces().warnings)
+      context.log.warning(text);
   }
 
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <optional>
 #include <sstream>
@@ -107,6 +108,12 @@ namespace RollingContact
       if (rolls)
         add_forces();
       add_load();
+      if (scene.surfaces.in_use())
+        add_panel("height (\u00b5m)",
+                  {{"height of the surfaces",
+                    scaled(column("surface_height_m"), 1e6),
+                    CurveStyle::line,
+                    true}});
       if (rolls)
         add_creepages();
       if (varies(column("approach_m")) && scene.contact.approach)
@@ -235,7 +242,8 @@ namespace RollingContact
           {
             const auto wanted = history.find(names.at(k++));
             if (wanted != history.end())
-              wanted->second.push_back(std::stod(cell));
+              // denormal numbers too, which stod() refuses
+              wanted->second.push_back(std::strtod(cell.c_str(), nullptr));
           }
       }
     return history;
@@ -258,6 +266,7 @@ namespace RollingContact
                                                  "spin_1/m",
                                                  "speed_m/s",
                                                  "wheel_velocity_m/s",
+                                                 "surface_height_m",
                                                  "normal_force_N",
                                                  "force_x_N",
                                                  "force_y_N"});

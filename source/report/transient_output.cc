@@ -4,6 +4,7 @@
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/parallel/ranks.h>
 #include <rolling_contact/report/body_fields.h>
+#include <rolling_contact/report/force_spectrum.h>
 #include <rolling_contact/report/history_plot.h>
 #include <rolling_contact/report/interface_fields.h>
 #include <rolling_contact/report/result_row.h>
@@ -52,8 +53,8 @@ namespace RollingContact
 
 
     /**
-     * The columns of history.csv; one more with a free wheel, and one where
-     * friction falls.
+     * The columns of history.csv; one more with a free wheel, two with surfaces
+     * that move, and one where friction falls.
      */
     std::vector<Column>
     columns_of(const SceneParameters &scene)
@@ -93,6 +94,13 @@ namespace RollingContact
       if (scene.wheel.hub == Hub::free && !scene.wheel.rigid)
         columns.push_back({"wheel_velocity_m/s",
                            [](S s) { return *s.outcome.wheel_velocity; }});
+      if (scene.surfaces.in_use())
+        {
+          columns.push_back(
+            {"surface_height_m", [](S s) { return s.outcome.surface_height; }});
+          columns.push_back(
+            {"surface_J", [](S s) { return s.progress.surface_energy; }});
+        }
       if (scene.contact.falling_friction())
         columns.push_back({"several_solutions_ratio",
                            [](S s) { return s.outcome.several.ratio; }});
@@ -234,6 +242,10 @@ namespace RollingContact
     note_largest_load();
     if (scene.output.plot)
       plot();
+    if (scene.spectrum.wanted(scene.surfaces.in_use()))
+      write_force_spectrum(scene,
+                           context.folder.get_path() / history_name,
+                           context);
   }
 
 

@@ -63,6 +63,8 @@ namespace RollingContact
     study.declare(prm);
     table.declare(prm);
     time.declare(prm);
+    surfaces.declare(prm);
+    spectrum.declare(prm);
     profiles.declare(prm);
     output.declare(prm);
   }
@@ -147,6 +149,34 @@ namespace RollingContact
 
 
   void
+  SceneParameters::read_surfaces()
+  {
+    if (analysis != "contact table")
+      surfaces.read(prm_folder);
+  }
+
+
+
+  void
+  SceneParameters::check_surfaces() const
+  {
+    surfaces.check(dimension);
+    if (!surfaces.in_use())
+      return;
+    if (mesh.target_error && !is_transient())
+      throw InputError(
+        "Mesh/Target error = " + text_of(*mesh.target_error) +
+        ": the error of surfaces that move (section Surfaces) is not known "
+        "beforehand. Leave it empty and give Mesh/Elements across patch.");
+    if (analysis == "accuracy study")
+      throw InputError("Analysis = accuracy study: its meshes would each show "
+                       "another surface (section Surfaces). Leave the heights "
+                       "empty.");
+  }
+
+
+
+  void
   SceneParameters::check() const
   {
     if (analysis == "contact table")
@@ -155,6 +185,7 @@ namespace RollingContact
     rail.check(dimension);
     contact.check(dimension);
     mesh.check();
+    check_surfaces();
     check_target_error();
     check_study();
     check_table();
@@ -166,6 +197,8 @@ namespace RollingContact
     check_mesh_files();
     if (is_transient())
       time.check(contact, dimension, prm_folder);
+    if (analysis == "transient" && spectrum.wanted(surfaces.in_use()))
+      spectrum.check(time.steps(time.histories(contact, prm_folder).speed));
     check_speed();
     check_forces();
     check_pair();

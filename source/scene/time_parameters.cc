@@ -453,6 +453,7 @@ namespace RollingContact
   TimeParameters::free_on_resume()
   {
     return {"Output/",
+            "Spectrum/",
             "Body solver",
             "Time/End time",
             "Time/Rolled distance",

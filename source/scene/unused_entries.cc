@@ -20,7 +20,7 @@ namespace RollingContact
       if (scene.analysis != "table")
         idle["Table"] = "Analysis = table reads that section";
       if (scene.analysis == "contact table")
-        for (const char *section : {"Contact", "Mesh"})
+        for (const char *section : {"Contact", "Mesh", "Surfaces"})
           idle[section] = "an analysis with finite elements reads that section";
       else
         idle["Contact table"] = "Analysis = contact table reads that section";
@@ -29,6 +29,8 @@ namespace RollingContact
                            "profile read that section";
       if (!is_study)
         idle["Accuracy study"] = "Analysis = accuracy study reads that section";
+      if (scene.analysis != "transient")
+        idle["Spectrum"] = "Analysis = transient reads that section";
       if (scene.analysis != "transient" &&
           !(is_study && scene.study.varies_time_step))
         idle["Time"] = is_study ? "Accuracy study/Vary = time step reads that "
@@ -112,6 +114,37 @@ namespace RollingContact
 
 
 
+    /** Entries on surfaces that move for which there is no use, and why. */
+    std::map<std::string, std::string>
+    idle_surface_entries(const SceneParameters &scene)
+    {
+      std::map<std::string, std::string> idle;
+      if (scene.analysis == "contact table")
+        return idle;
+      const SurfaceParameters &surfaces = scene.surfaces;
+      const std::string smooth = "Surfaces/Wheel height and Rail height are "
+                                 "empty";
+      if (!surfaces.in_use())
+        idle["Surfaces/Position"] = smooth;
+      if (!surfaces.records.wheel && !surfaces.records.rail)
+        for (const char *entry :
+             {"Shortest wavelength", "Position unit", "Height unit"})
+          idle["Surfaces/" + std::string(entry)] =
+            surfaces.in_use() ? "it is that of a file, and an expression gives "
+                                "the heights"
+                              : smooth;
+      if (scene.analysis == "transient" &&
+          !scene.spectrum.wanted(surfaces.in_use()))
+        for (const char *entry : {"Skipped time", "Segment length"})
+          idle["Spectrum/" + std::string(entry)] =
+            scene.spectrum.write == WriteSpectrum::never
+              ? "Spectrum/Write = never"
+              : "no surface moves; take Spectrum/Write = always";
+      return idle;
+    }
+
+
+
     /** Who gives the creepages in place of section Contact; empty if none. */
     std::string
     giver_of_creepages(const SceneParameters &scene)
@@ -155,6 +188,8 @@ namespace RollingContact
     for (const auto &[path, why] : entries_of_other_dimension(scene))
       check(path, why);
     for (const auto &[path, why] : idle_profile_entries(scene))
+      check(path, why);
+    for (const auto &[path, why] : idle_surface_entries(scene))
       check(path, why);
     if (scene.analysis == "transient" || scene.analysis == "accuracy study")
       check("Mesh/Target error",

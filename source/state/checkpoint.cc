@@ -61,7 +61,8 @@ namespace boost
       archive &c.pressure &c.traction &c.approach &c.scheme &c.friction;
       archive                                               &c.last_step;
       archive &p.supplied_energy &p.friction_energy &p.damping_energy;
-      archive &p.numerical_energy &p.energy_error &p.n_impacts;
+      archive &p.numerical_energy &p.energy_error &p.surface_energy &p
+        .n_impacts;
       archive &c.history.n_rows &c.history.n_bytes;
       archive &c.body_fields &c.interface_fields;
     }
@@ -237,6 +238,10 @@ namespace RollingContact
     for (const BodyParameters *body : {&scene.wheel, &scene.rail})
       if (body->is_from_file())
         names[body->section + "/Mesh file (mesh)"] = body->mesh->fingerprint();
+    for (const Side side : both_sides)
+      if (const auto &record = scene.surfaces.records[side])
+        names[SurfaceParameters::entry(side) + " (record)"] =
+          record->fingerprint();
     return names;
   }
 } // namespace RollingContact

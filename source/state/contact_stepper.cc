@@ -18,6 +18,7 @@ namespace RollingContact
     : scene(scene)
     , context(context)
     , histories(scene.time.histories(scene.contact, scene.prm_folder))
+    , travelled(histories.speed, scene.time.steps(histories.speed).length)
     , solver(make_contact_solver(scene.solver.solver, scene.solver.controls))
   {
     InitialContact<dim> initial =
@@ -69,13 +70,27 @@ namespace RollingContact
     if (problem.loads.forces.moment)
       problem.loads.creepages.spin = before.spin;
     // reactions act at t + theta h, the shifted law holds beyond the end
-    const bool ahead = scene.time.contact_law == ContactLaw::shifted;
+    const bool   ahead = scene.time.contact_law == ContactLaw::shifted;
+    const double holds = end + (ahead ? (1 - theta()) * h : 0.);
+    step_heights       = heights(holds);
     if (histories.normal_load)
       problem.loads.normal_load =
         histories.normal_load->value(time + theta() * h);
     else
-      problem.loads.approach =
-        histories.approach->value(end + (ahead ? (1 - theta()) * h : 0.));
+      problem.loads.approach = histories.approach->value(holds);
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  ContactStepper<dim>::heights(const double time) const
+  {
+    const MovingSurfaces &surfaces = contact.pair->moving_surfaces();
+    if (!surfaces.in_use())
+      return {};
+    return surfaces.heights(contact.problem.operators.positions(),
+                            travelled.value(time));
   }
 
 
@@ -88,6 +103,8 @@ namespace RollingContact
     const std::size_t n_nodes = contact.problem.n_nodes();
     ContactLoads     &loads   = contact.problem.loads;
     loads.gap                 = undeformed_gap;
+    for (std::size_t i = 0; i < step_heights.size(); ++i)
+      loads.gap[i] -= step_heights[i];
     for (std::size_t i = 0; i < free.gap.size(); ++i)
       loads.gap[i] += free.gap[i];
     if (contact.problem.n_tangential() == 0)
@@ -200,7 +217,7 @@ namespace RollingContact
     check_invariants(invariants(contact.problem, contact.state),
                      scene.solver.controls.tolerance,
                      "t = " + significant(time + h, 9) + " s: ");
-    finish_part(previous, h, smooth, outcome);
+    finish_part(previous, time, h, smooth, outcome);
     return true;
   }
 
@@ -209,6 +226,7 @@ namespace RollingContact
   template <int dim>
   void
   ContactStepper<dim>::finish_part(const ContactState &previous,
+                                   const double        time,
                                    const double        h,
                                    const bool          smooth,
                                    StepOutcome        &outcome)
@@ -223,6 +241,7 @@ namespace RollingContact
     }
     ++outcome.n_parts;
     outcome.force_lag = (1 - theta()) * h;
+    outcome.surface_work += surface_work(previous, time, h);
     outcome.solver.iterations += contact.solver.iterations;
     outcome.solver.solver = contact.solver.solver;
     for (unsigned int i = 0; i < problem.n_nodes(); ++i)
@@ -238,6 +257,30 @@ namespace RollingContact
       node_states(tangential_problem(problem, contact.state), contact.state);
     outcome.n_sticking =
       std::count(states.begin(), states.end(), NodeState::stick);
+  }
+
+
+
+  template <int dim>
+  double
+  ContactStepper<dim>::surface_work(const ContactState &previous,
+                                    const double        time,
+                                    const double        h) const
+  {
+    if (step_heights.empty())
+      return 0.;
+    // with inertia reactions are means over the step
+    std::vector<double> pressure = contact.state.pressure;
+    if (!scene.time.inertia)
+      for (std::size_t i = 0; i < pressure.size(); ++i)
+        pressure[i] = (pressure[i] + previous.pressure[i]) / 2;
+    const std::vector<double> forces = contact.problem.operators.H().multiply(
+                                pressure),
+                              before = heights(time), now = heights(time + h);
+    double work = 0.;
+    for (std::size_t i = 0; i < forces.size(); ++i)
+      work += forces[i] * (now[i] - before[i]);
+    return work;
   }
 
 
@@ -321,8 +364,12 @@ namespace RollingContact
       throw ConvergenceError(
         "The patch reaches the border of the candidate zone at t = " +
         significant(time + h, 9) + " s: take a larger Mesh/Candidate zone.");
-    contact.result         = resultants(contact.problem, contact.state);
-    outcome.wheel_velocity = motion->wheel_velocity();
+    contact.result                 = resultants(contact.problem, contact.state);
+    outcome.wheel_velocity         = motion->wheel_velocity();
+    const MovingSurfaces &surfaces = contact.pair->moving_surfaces();
+    if (surfaces.in_use())
+      outcome.surface_height =
+        surfaces.height(0., 0., travelled.value(time + h - outcome.force_lag));
     return outcome;
   }
 

@@ -40,7 +40,13 @@ namespace RollingContact
         problem.loads.normal_load = histories.normal_load->value(0.);
       else
         problem.loads.approach = histories.approach->value(0.);
+      const MovingSurfaces &surfaces   = contact.pair->moving_surfaces();
+      std::vector<double>   smooth_gap = problem.loads.gap;
+      const auto heights = surfaces.heights(problem.operators.positions(), 0.);
+      for (std::size_t i = 0; i < heights.size(); ++i)
+        problem.loads.gap[i] -= heights[i];
       solve_contact(scene, demands, contact);
+      problem.loads.gap = std::move(smooth_gap); // for other steps
       if (!contact.solver.converged)
         throw ConvergenceError("The steady initial state did not converge: " +
                                contact.solver.reason +

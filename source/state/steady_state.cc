@@ -13,11 +13,12 @@ namespace RollingContact
   demands_in_time(const PairDemands &pair)
   {
     StateDemands demands;
-    demands.pair            = pair;
-    demands.zone            = 1.5;
-    demands.margin          = 3.;
-    demands.one_direction   = false;
-    demands.rough_responses = false;
+    demands.pair                  = pair;
+    demands.pair.surfaces_in_time = true;
+    demands.zone                  = 1.5;
+    demands.margin                = 3.;
+    demands.one_direction         = false;
+    demands.rough_responses       = false;
     return demands;
   }
 

@@ -46,6 +46,7 @@ namespace RollingContact
       standard(scene);
       change(scene);
       scene.check();
+      scene.read_surfaces();
       scene.read_profiles();
       StateDemands demands;
       demands.pair.displacements = scene.output.body_fields;

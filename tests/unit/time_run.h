@@ -51,6 +51,7 @@ namespace RollingContact
       standard<dim>(scene);
       change(scene);
       scene.check();
+      scene.read_surfaces();
       PairDemands demands;
       demands.displacements = true;
       stepper = std::make_unique<ContactStepper<dim>>(scene, demands, context);

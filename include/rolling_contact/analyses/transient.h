@@ -31,6 +31,13 @@ namespace RollingContact
     describe(const ContactStepper<dim> &stepper, const TimeSteps &steps) const;
 
     /**
+     * Of steps that are too long for the surfaces that move.
+     */
+    void
+    warn_of_long_steps(const ContactStepper<dim> &stepper,
+                       const TimeSteps           &steps) const;
+
+    /**
      * Steps until the end.
      */
     void

@@ -1,10 +1,7 @@
 #ifndef rolling_contact_contact_roughness_h
 #define rolling_contact_contact_roughness_h
 
-#include <deal.II/base/function_parser.h>
-
-#include <memory>
-#include <string>
+#include <rolling_contact/surfaces/height_expression.h>
 
 namespace RollingContact
 {
@@ -13,23 +10,15 @@ namespace RollingContact
    * profiles: an expression in x and y (m) for muParser, or nothing. It stays
    * in the frame of the contact, as the profiles do. Units: m.
    */
-  class Roughness
+  class Roughness : public HeightExpression
   {
   public:
     /**
      * Throws InputError naming the entry, its text and what is allowed.
      */
-    explicit Roughness(const std::string &text);
-
-    /**
-     * Throws InputError where it is not finite.
-     */
-    double
-    value(const double x, const double y) const;
-
-  private:
-    std::string                                text;
-    std::shared_ptr<dealii::FunctionParser<2>> expression; ///< or none
+    explicit Roughness(const std::string &text)
+      : HeightExpression("Contact/Roughness", text, ", or leave it empty.")
+    {}
   };
 } // namespace RollingContact
 

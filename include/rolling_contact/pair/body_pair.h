@@ -20,6 +20,9 @@ namespace RollingContact
     bool displacements = false;
     /** The compliance must be exact: bodies are factorised. */
     bool factors = false;
+    /** Surfaces that move are left out of the gap: each step of time brings
+     * its own. */
+    bool surfaces_in_time = false;
   };
 
   /**

@@ -3,6 +3,7 @@
 
 #include <rolling_contact/contact/contact_problem.h>
 #include <rolling_contact/pair/body_pair.h>
+#include <rolling_contact/pair/moving_surfaces.h>
 #include <rolling_contact/pair/pair_interface.h>
 
 #include <memory>
@@ -52,6 +53,15 @@ namespace RollingContact
     trace() const
     {
       return pair_interface.trace;
+    }
+
+    /**
+     * Surfaces that move with the material, on the elements of this pair.
+     */
+    const MovingSurfaces &
+    moving_surfaces() const
+    {
+      return surfaces;
     }
 
     /**
@@ -149,6 +159,8 @@ namespace RollingContact
     const SceneParameters     scene;
     BodyPair<dim>             body_pair;
     PairInterface<dim>        pair_interface;
+    const MovingSurfaces      surfaces;
+    const bool                surfaces_in_time; ///< not in the gap
     std::vector<unsigned int> components;
   };
 } // namespace RollingContact

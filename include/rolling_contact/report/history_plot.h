@@ -23,9 +23,9 @@ namespace RollingContact
 
   /**
    * history.svg: T/(mu N) and N over the rolled distance, over time if nothing
-   * rolls or slips, and below them what drives: creepages and spin other than
-   * zero, the given load, approach and speed where they change. From @p file,
-   * history.csv.
+   * rolls or slips, and below them what drives: heights of moving surfaces,
+   * creepages and spin other than zero, the given load, approach and speed
+   * where they change. From @p file, history.csv.
    */
   void
   plot_history(const SceneParameters       &scene,

@@ -12,7 +12,9 @@
 #include <rolling_contact/scene/output_parameters.h>
 #include <rolling_contact/scene/profile_parameters.h>
 #include <rolling_contact/scene/solver_parameters.h>
+#include <rolling_contact/scene/spectrum_parameters.h>
 #include <rolling_contact/scene/study_parameters.h>
+#include <rolling_contact/scene/surface_parameters.h>
 #include <rolling_contact/scene/table_parameters.h>
 #include <rolling_contact/scene/time_parameters.h>
 
@@ -52,6 +54,13 @@ namespace RollingContact
     read_meshes();
 
     /**
+     * Read expressions and records of the surfaces that move. Throws
+     * InputError.
+     */
+    void
+    read_surfaces();
+
+    /**
      * Where the bodies have profiles: find their contact, and what follows from
      * it for section Contact, the creepages of kinematics and the normal load
      * of a vertical load without friction. Throws InputError.
@@ -81,7 +90,8 @@ namespace RollingContact
     bool
     has_plain_surfaces() const
     {
-      return contact.roughness.empty() && !profiles.in_use();
+      return contact.roughness.empty() && !profiles.in_use() &&
+             !surfaces.in_use();
     }
 
     /**
@@ -118,6 +128,8 @@ namespace RollingContact
     StudyParameters      study;
     TableParameters      table;
     TimeParameters       time;
+    SurfaceParameters    surfaces;
+    SpectrumParameters   spectrum;
     ProfileParameters    profiles;
     OutputParameters     output;
 
@@ -164,6 +176,9 @@ namespace RollingContact
 
     void
     check_mesh_files() const;
+
+    void
+    check_surfaces() const;
   };
 } // namespace RollingContact
 

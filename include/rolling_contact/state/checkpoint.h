@@ -38,6 +38,7 @@ namespace RollingContact
     double        damping_energy   = 0.; ///< dissipated
     double        numerical_energy = 0.; ///< dissipated by theta
     double        energy_error     = 0.; ///< of the balance
+    double        surface_energy   = 0.; ///< supplied by surfaces that move
     std::uint64_t n_impacts        = 0;
   };
 
@@ -114,7 +115,8 @@ namespace RollingContact
                   const std::filesystem::path &folder);
 
   /**
-   * Fingerprints of the tables and mesh files that a transient run reads.
+   * Fingerprints of the tables, records and mesh files that a transient run
+   * reads.
    */
   PrmEntries
   files_of(const SceneParameters &scene);

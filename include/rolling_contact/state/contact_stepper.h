@@ -3,6 +3,7 @@
 
 #include <rolling_contact/contact/uniqueness.h>
 #include <rolling_contact/pair/pair_integrator.h>
+#include <rolling_contact/scene/travelled_distance.h>
 #include <rolling_contact/state/checkpoint.h>
 #include <rolling_contact/state/steady_state.h>
 
@@ -13,15 +14,18 @@ namespace RollingContact
 {
   /**
    * What a time step did. Energies are those of StepEnergy, summed over parts
-   * if the step was halved; friction is what sliding turned into heat. Units:
-   * J, m/s.
+   * if the step was halved; friction is what sliding turned into heat, and
+   * surface_work what of the contact's work heights that move supplied: nodal
+   * forces times how much the heights at the nodes grew. Units: J, m/s.
    */
   struct StepOutcome
   {
     SolverReport solver;
     StepEnergy   energy;
-    double       friction   = 0.;
-    double       speed      = 0.;
+    double       friction       = 0.;
+    double       surface_work   = 0.;
+    double       surface_height = 0.; ///< m, at the origin when forces act
+    double       speed          = 0.;
     double       force_lag  = 0.; ///< s: the forces act before the end by that
     unsigned int n_impacts  = 0;  ///< nodes that closed
     unsigned int n_sticking = 0;
@@ -100,6 +104,21 @@ namespace RollingContact
     void
     set_drive(const double time, const double h);
 
+    /**
+     * Heights at the nodes of surfaces that move; empty if none does. Units: s,
+     * m.
+     */
+    std::vector<double>
+    heights(const double time) const;
+
+    /**
+     * See StepOutcome::surface_work, of a part of a step that has ended.
+     */
+    double
+    surface_work(const ContactState &previous,
+                 const double        time,
+                 const double        h) const;
+
     void
     apply_free_motion(const FreeMotion &free, const double speed);
 
@@ -165,6 +184,7 @@ namespace RollingContact
 
     void
     finish_part(const ContactState &previous,
+                const double        time,
                 const double        h,
                 const bool          smooth,
                 StepOutcome        &outcome);
@@ -172,11 +192,13 @@ namespace RollingContact
     const SceneParameters               &scene;
     RunContext                          &context;
     const DrivingFunctions               histories;
+    const TravelledDistance              travelled;
     SteadyState<dim>                     contact;
     std::unique_ptr<PairIntegrator<dim>> motion;
     std::unique_ptr<ContactSolver>       solver;
     SlipMemory                           slip; ///< at the end of the last step
-    std::vector<double>                  undeformed_gap;
+    std::vector<double>                  undeformed_gap; ///< smooth surfaces
+    std::vector<double>                  step_heights;   ///< on them
     std::vector<bool>                    border;
     double                               time_step = 0.;
   };

@@ -4,7 +4,7 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/expression_text.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/contact/roughness.h>
+#include <rolling_contact/surfaces/height_expression.h>
 
 #include <cmath>
 
@@ -12,27 +12,31 @@ namespace RollingContact
 {
   using namespace dealii;
 
-  namespace
+  void
+  HeightExpression::reject(const std::string &reason) const
   {
-    [[noreturn]] void
-    reject(const std::string &text, const std::string &reason)
-    {
-      throw InputError("Contact/Roughness = " + text + ": " + reason +
-                       " Give an expression in x and y (m) such as "
-                       "2e-6*cos(2*pi*x/1e-3), or leave it empty.");
-    }
-  } // namespace
+    throw InputError(entry + " = " + text + ": " + reason +
+                     " Give an expression in x and y (m) such as "
+                     "2e-6*cos(2*pi*x/1e-3)" +
+                     otherwise);
+  }
 
 
 
-  Roughness::Roughness(const std::string &text)
-    : text(text)
+  HeightExpression::HeightExpression(const std::string &entry,
+                                     const std::string &text,
+                                     const std::string &otherwise)
+    : entry(entry)
+    , text(text)
+    , otherwise(otherwise)
   {
     if (text.empty())
       return;
     const std::string trap = trap_in_expression(text);
     if (!trap.empty())
-      reject(text, trap);
+      reject(trap);
+    for (const ExpressionName &it : names_in_expression(text))
+      has_y = has_y || it.name == "y";
     expression      = std::make_shared<FunctionParser<2>>();
     bool understood = true;
     try
@@ -47,23 +51,21 @@ namespace RollingContact
       }
     const std::string unknown = unknown_name_in_expression(text, {"x", "y"});
     if (!understood)
-      reject(text,
-             unknown.empty() ? "the expression cannot be understood."
+      reject(unknown.empty() ? "the expression cannot be understood."
                              : unknown);
   }
 
 
 
   double
-  Roughness::value(const double x, const double y) const
+  HeightExpression::value(const double x, const double y) const
   {
     if (!expression)
       return 0.;
     const double height = expression->value(Point<2>(x, y));
     if (!std::isfinite(height))
-      reject(text,
-             "it is not finite at (" + significant(x, 6) + ", " +
-               significant(y, 6) + ") m.");
+      reject("it is not finite at (" + significant(x, 6) + ", " +
+             significant(y, 6) + ") m.");
     return height;
   }
 } // namespace RollingContact

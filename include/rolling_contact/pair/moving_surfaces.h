@@ -1,0 +1,81 @@
+#ifndef rolling_contact_pair_moving_surfaces_h
+#define rolling_contact_pair_moving_surfaces_h
+
+#include <rolling_contact/scene/scene_parameters.h>
+#include <rolling_contact/surfaces/filtered_record.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace RollingContact
+{
+  /**
+   * Sizes of the elements of a zone of contact nodes and how far it reaches
+   * from the origin, along x and y. Units: m.
+   */
+  struct ZoneSizes
+  {
+    std::array<double, 2> element, reach;
+  };
+
+  /**
+   * Heights of wheel and rail that move with the material, section `Surfaces`,
+   * on the nodes of a zone of contact. When the material has moved by s along x
+   * from t = 0, at x is its point X = x - s - flow * Position, flow being the
+   * sign of the speed: an expression's height at X. A file's positions count as
+   * the wheel runs, -flow * X. A wheel and other discs come again after a turn,
+   * for expressions with X within half a turn of 0. Units: m.
+   */
+  class MovingSurfaces
+  {
+  public:
+    /**
+     * Filter the scene's records for the elements and look at what expressions
+     * have, along all that the run lets pass. Throws InputError: waves of fewer
+     * than two elements, steps, heights beyond reason, a record that ends
+     * before the run, a tread that does not close where the run comes to it.
+     */
+    MovingSurfaces(const SceneParameters &scene, const ZoneSizes &sizes);
+
+    bool
+    in_use() const
+    {
+      return moves;
+    }
+
+    /**
+     * Sum of the heights of both bodies at a place of the frame after the
+     * material moved by @p travelled along x since t = 0.
+     */
+    double
+    height(const double x, const double y, const double travelled) const;
+
+    /**
+     * The same at many places.
+     */
+    std::vector<double>
+    heights(const std::vector<std::array<double, 2>> &at,
+            const double                              travelled) const;
+
+    /** What was filtered, to be told. */
+    std::vector<std::string> notes, warnings;
+
+    class Surface;
+
+  private:
+    bool                                    moves;
+    double                                  flow, position;
+    PerSide<std::shared_ptr<const Surface>> surfaces;
+  };
+
+  /**
+   * Throws InputError, before anything is meshed, if the surfaces do not suit
+   * elements of the size that the estimated patch asks for.
+   */
+  void
+  check_moving_surfaces(const SceneParameters &scene);
+} // namespace RollingContact
+
+#endif

@@ -1,0 +1,68 @@
+#ifndef rolling_contact_scene_surface_parameters_h
+#define rolling_contact_scene_surface_parameters_h
+
+#include <rolling_contact/base/side.h>
+#include <rolling_contact/surfaces/surface_record.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace RollingContact
+{
+  class HeightExpression;
+
+  /**
+   * Section `Surfaces`: heights of wheel and rail that pass through the contact
+   * with the material.
+   */
+  struct SurfaceParameters
+  {
+    void
+    declare(dealii::ParameterHandler &prm);
+
+    /**
+     * Rules across entries. Throws InputError.
+     */
+    void
+    check(const unsigned int dimension) const;
+
+    /**
+     * Read expressions and records; files are relative to the folder. Throws
+     * InputError.
+     */
+    void
+    read(const std::filesystem::path &folder);
+
+    /**
+     * Whether a surface moves.
+     */
+    bool
+    in_use() const
+    {
+      return !height.wheel.empty() || !height.rail.empty();
+    }
+
+    /**
+     * "Surfaces/Wheel height" or "Surfaces/Rail height".
+     */
+    static std::string
+    entry(const Side side);
+
+    PerSide<std::string> height; ///< an expression, a file, or empty
+    double               position            = 0.; ///< m, rolled before t = 0
+    double               shortest_wavelength = 0.; ///< m, or 0
+    RecordUnits          units;
+
+    /** What read() made of them; one of them, or none for a smooth surface. */
+    PerSide<std::shared_ptr<const SurfaceRecord>>    records;
+    PerSide<std::shared_ptr<const HeightExpression>> expressions;
+  };
+} // namespace RollingContact
+
+#endif

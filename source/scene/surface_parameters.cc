@@ -1,0 +1,117 @@
+#include <deal.II/base/parameter_handler.h>
+
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/input/prm_declarations.h>
+#include <rolling_contact/scene/surface_parameters.h>
+#include <rolling_contact/surfaces/height_expression.h>
+
+namespace RollingContact
+{
+  using namespace dealii;
+
+  void
+  SurfaceParameters::declare(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Surfaces");
+    const auto declare_height =
+      [&](const Side side, const std::string &name, const std::string &help) {
+        prm.add_parameter(
+          name,
+          height[side],
+          help + " An expression in x and y (m), the frame's at "
+                 "`Position` 0, which moves with the material, or "
+                 "`FILE.csv` or `table: FILE column`, whose positions "
+                 "count as the wheel runs (file relative to this one); "
+                 "empty for a smooth one. Units: m.",
+          Patterns::Anything());
+      };
+    declare_height(Side::wheel,
+                   "Wheel height",
+                   "Height of the wheel's surface, out of it, over the length "
+                   "along its tread; it comes again after a turn.");
+    declare_height(Side::rail,
+                   "Rail height",
+                   "Height of the rail's surface, out of it, over the length "
+                   "along the track (a disc's comes again after a turn).");
+    prm.add_parameter("Position",
+                      position,
+                      "Distance rolled before t = 0: where the surfaces are at "
+                      "the start and in steady states. Units: m.",
+                      Patterns::Double());
+    prm.add_parameter(
+      "Shortest wavelength",
+      shortest_wavelength,
+      "Waves of a file at least so long pass, down to half of it ever less; 0 "
+      "takes 4 elements, the least there is. Units: m.",
+      Patterns::Double(0.));
+    prm.add_parameter("Position unit",
+                      units.position,
+                      "Of the numbers in the first column of a file, 1e-3 for "
+                      "millimetres. Units: m.",
+                      Patterns::Double(0.));
+    prm.add_parameter("Height unit",
+                      units.height,
+                      "Of the heights in a file, 1e-6 for micrometres. Units: "
+                      "m.",
+                      Patterns::Double(0.));
+    prm.leave_subsection();
+  }
+
+
+
+  std::string
+  SurfaceParameters::entry(const Side side)
+  {
+    return side == Side::wheel ? "Surfaces/Wheel height"
+                               : "Surfaces/Rail height";
+  }
+
+
+
+  void
+  SurfaceParameters::check(const unsigned int dimension) const
+  {
+    for (const auto &[name, unit] : {std::pair("Position unit", units.position),
+                                     std::pair("Height unit", units.height)})
+      if (!(unit > 0.))
+        throw InputError("Surfaces/" + std::string(name) + " = " +
+                         text_of(unit) +
+                         ": it must be above 0 m, 1e-3 for millimetres, 1e-6 "
+                         "for micrometres.");
+    for (const Side side : both_sides)
+      if (!height[side].empty() && !names_a_record(height[side]))
+        {
+          const HeightExpression tried(entry(side),
+                                       height[side],
+                                       ", a file, "
+                                       "FILE.csv or table: FILE column, or "
+                                       "leave it empty.");
+          if (dimension == 2 && tried.depends_on_y())
+            throw InputError(entry(side) + " = " + height[side] +
+                             ": in 2D there is no y; give an expression in x, "
+                             "or take Dimension = 3.");
+        }
+  }
+
+
+
+  void
+  SurfaceParameters::read(const std::filesystem::path &folder)
+  {
+    for (const Side side : both_sides)
+      {
+        records[side].reset();
+        expressions[side].reset();
+        if (height[side].empty())
+          continue;
+        if (names_a_record(height[side]))
+          records[side] = std::make_shared<const SurfaceRecord>(
+            read_surface_record(entry(side), height[side], folder, units));
+        else
+          expressions[side] = std::make_shared<const HeightExpression>(
+            entry(side),
+            height[side],
+            ", a file, FILE.csv or table: FILE column, or leave it empty.");
+      }
+  }
+} // namespace RollingContact

@@ -1,0 +1,65 @@
+#include <rolling_contact/base/constants.h>
+#include <rolling_contact/signals/fourier.h>
+#include <rolling_contact/signals/welch.h>
+
+#include <cmath>
+#include <numeric>
+
+namespace RollingContact::Signals
+{
+  namespace
+  {
+    /** Hann's window, periodic; its squares sum up to 3 n / 8. */
+    std::vector<double>
+    hann(const std::size_t n)
+    {
+      std::vector<double> window(n);
+      for (std::size_t j = 0; j < n; ++j)
+        window[j] = (1 - std::cos(2 * pi * j / n)) / 2;
+      return window;
+    }
+  } // namespace
+
+
+
+  std::size_t
+  chosen_segment(const std::size_t n_values)
+  {
+    return n_values < 256 ? n_values : n_values / 4;
+  }
+
+
+
+  PowerSpectrum
+  welch(const std::vector<double> &values,
+        const double               time_step,
+        const std::size_t          segment)
+  {
+    const std::vector<double> window = hann(segment);
+    const double              mean =
+      std::accumulate(values.begin(), values.end(), 0.) / values.size();
+    PowerSpectrum spectrum;
+    spectrum.step = 1 / (segment * time_step);
+    spectrum.density.assign(segment / 2 + 1, 0.);
+    const std::size_t advance = segment - segment / 2;
+    for (std::size_t first = 0; first + segment <= values.size();
+         first += advance)
+      {
+        std::vector<double> part(segment);
+        for (std::size_t j = 0; j < segment; ++j)
+          part[j] = window[j] * (values[first + j] - mean);
+        const auto sums = fourier_sums(std::move(part));
+        for (std::size_t k = 0; k < sums.size(); ++k)
+          {
+            const bool twice = k > 0 && 2 * k < segment;
+            spectrum.density[k] += (twice ? 2 : 1) * std::norm(sums[k]);
+          }
+        ++spectrum.n_segments;
+      }
+    const double squares =
+      std::inner_product(window.begin(), window.end(), window.begin(), 0.);
+    for (double &density : spectrum.density)
+      density *= time_step / (squares * spectrum.n_segments);
+    return spectrum;
+  }
+} // namespace RollingContact::Signals
