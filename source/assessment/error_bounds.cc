@@ -180,6 +180,8 @@ namespace RollingContact
     ErrorBounds bounds;
     if (found.thickness < thinnest)
       bounds.text = "a body is thinner than half the patch";
+    else if (found.varying_friction)
+      bounds.text = "friction differs from place to place, or has a memory";
     else if (found.waves > roughest)
       bounds.text = "the surface has waves of few elements";
     if (!bounds.text.empty())
@@ -220,9 +222,13 @@ namespace RollingContact
   expected_circumstances(const SceneParameters &scene, const double half_width)
   {
     BoundCircumstances found;
-    found.dim  = static_cast<int>(scene.dimension);
-    found.kind = scene.contact.slip_operator;
-    found.beta = std::abs(pair_constants(scene).dundurs_beta);
+    found.dim              = static_cast<int>(scene.dimension);
+    found.kind             = scene.contact.slip_operator;
+    found.beta             = std::abs(pair_constants(scene).dundurs_beta);
+    found.varying_friction = !scene.surfaces.friction_share.empty() ||
+                             scene.contact.friction_memory > 0.;
+    found.varying_friction = !scene.surfaces.friction_share.empty() ||
+                             scene.contact.friction_memory > 0.;
     found.spin =
       scene.contact.creepages.spin != 0. || scene.contact.forces.moment;
     found.refined             = scene.mesh.rim_levels > 0;

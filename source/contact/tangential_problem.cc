@@ -1,3 +1,4 @@
+#include <rolling_contact/contact/friction_memory.h>
 #include <rolling_contact/contact/tangential_problem.h>
 
 #include <algorithm>
@@ -156,6 +157,8 @@ namespace RollingContact
     if (!loads.friction_law)
       return friction;
     std::vector<double> coefficients = sliding_speeds(slip);
+    if (loads.memory_length > 0.)
+      return FrictionMemory(contact, coefficients).friction();
     for (unsigned int i = 0; i < contact.n_nodes(); ++i)
       coefficients[i] =
         loads.friction[i] * (1 - loads.friction_law->drop(coefficients[i]));

@@ -1,8 +1,10 @@
+#include <rolling_contact/contact/friction_memory.h>
 #include <rolling_contact/contact/sliding_response.h>
 #include <rolling_contact/contact/uniqueness.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace RollingContact
 {
@@ -24,7 +26,10 @@ namespace RollingContact
       std::vector<bool> slips(n, false);
       for (const unsigned int i : slipping)
         slips[i] = true;
-      std::vector<double> falls(n, 0.);
+      std::vector<double>           falls(n, 0.);
+      std::optional<FrictionMemory> memory;
+      if (loads.memory_length > 0.)
+        memory.emplace(tangential.contact, speeds);
       for (unsigned int i = 0; i < n; ++i)
         if (tangential.bound[i] > 0.)
           {
@@ -34,6 +39,8 @@ namespace RollingContact
               loads.friction_law->steepest_fall(state.traction.norm_at(i) /
                                                   most,
                                                 slips[i] ? speeds[i] : 0.);
+            if (memory)
+              falls[i] *= memory->immediate_part(i);
           }
       return falls;
     }

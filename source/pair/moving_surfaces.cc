@@ -273,6 +273,7 @@ namespace RollingContact
     : moves(scene.surfaces.in_use())
     , flow(scene.contact.flow())
     , position(scene.surfaces.position)
+    , share(scene.surfaces.share)
   {
     if (!moves)
       return;
@@ -357,6 +358,28 @@ namespace RollingContact
     std::vector<double> result;
     for (const auto &[x, y] : at)
       result.push_back(moves ? height(x, y, travelled) : 0.);
+    return result;
+  }
+
+
+
+  std::vector<double>
+  MovingSurfaces::friction_shares(const std::vector<std::array<double, 2>> &at,
+                                  const double travelled) const
+  {
+    std::vector<double> result(at.size(), 1.);
+    for (std::size_t i = 0; share && i < at.size(); ++i)
+      {
+        const double X = at[i][0] - travelled - flow * position;
+        result[i]      = share->value(X, at[i][1]);
+        if (!(result[i] >= 0. && result[i] <= 1.))
+          throw InputError("Surfaces/Friction share is " +
+                           significant(result[i], 6) +
+                           " at x = " + significant(X, 6) +
+                           " m, y = " + significant(at[i][1], 6) +
+                           " m: it must be from 0 to 1, the share of "
+                           "Contact/Friction coefficient that there is.");
+      }
     return result;
   }
 

@@ -266,18 +266,33 @@ namespace RollingContact
 
 
   template <int dim>
+  std::vector<double>
+  RollingPair<dim>::friction_at_nodes(const ContactParameters &contact,
+                                      const double             travelled) const
+  {
+    std::vector<double> friction =
+      surfaces.friction_shares(trace().nodes, travelled);
+    for (double &mu : friction)
+      mu *= contact.friction_coefficient;
+    return friction;
+  }
+
+
+
+  template <int dim>
   void
   RollingPair<dim>::set_loads(const ContactParameters &contact,
                               ContactProblem          &problem) const
   {
     ContactLoads &loads = problem.loads;
-    loads.friction.assign(problem.n_nodes(), contact.friction_coefficient);
-    loads.friction_law = contact.falling_friction();
-    loads.speed        = std::abs(contact.rolling_speed());
-    loads.creepages    = contact.creepages;
-    loads.forces       = contact.forces;
-    loads.normal_load  = contact.normal_load;
-    loads.approach     = contact.approach.value_or(0.);
+    loads.friction      = friction_at_nodes(contact, 0.);
+    loads.friction_law  = contact.falling_friction();
+    loads.memory_length = contact.friction_memory;
+    loads.speed         = std::abs(contact.rolling_speed());
+    loads.creepages     = contact.creepages;
+    loads.forces        = contact.forces;
+    loads.normal_load   = contact.normal_load;
+    loads.approach      = contact.approach.value_or(0.);
     loads.inclined_load.reset();
     if (contact.vertical_load)
       loads.inclined_load = {*contact.vertical_load,

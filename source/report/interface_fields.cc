@@ -1,5 +1,6 @@
 #include <deal.II/base/data_out_base.h>
 
+#include <rolling_contact/assessment/flash_temperature.h>
 #include <rolling_contact/contact/recovered_tractions.h>
 #include <rolling_contact/contact/resultants.h>
 #include <rolling_contact/parallel/ranks.h>
@@ -15,6 +16,12 @@ namespace RollingContact
 
   namespace
   {
+    /** Place (x, y, z) of a point of the interface with these coordinates. */
+    using SurfacePlace =
+      std::function<std::array<double, 3>(const std::array<double, 2> &)>;
+
+
+
     /** Values at the nodes, one row for each component of a field. */
     struct NodalFields
     {
@@ -57,9 +64,10 @@ namespace RollingContact
     /** All fields; those with dim - 1 components first, the state last. */
     template <int dim>
     NodalFields
-    nodal_fields(const ContactProblem &problem,
-                 const ContactState   &state,
-                 const bool            step_is_known)
+    nodal_fields(const ContactProblem      &problem,
+                 const ContactState        &state,
+                 const bool                 step_is_known,
+                 const std::vector<double> &temperature)
     {
       const auto known = [&](auto values) {
         if (!step_is_known)
@@ -91,6 +99,8 @@ namespace RollingContact
                      known(tangential.sliding_speeds(
                        tangential.slip(state.traction))));
         }
+      if (!temperature.empty())
+        fields.add("flash_temperature", temperature);
       fields.add("gap", known(normal_gap(problem, state)));
       fields.add("area", problem.operators.areas());
       fields.add("state", states);
@@ -158,51 +168,53 @@ namespace RollingContact
                                    {"traction_size", "Pa"},
                                    {"traction_bound", "Pa"},
                                    {"sliding_speed", "m/s"},
+                                   {"flash_temperature", "K"},
                                    {"gap", "m"},
                                    {"area", "m^2"}};
       return flags;
     }
+
+
+
+    template <int dim>
+    void
+    write_interface_fields(const Trace               &trace,
+                           const ContactProblem      &problem,
+                           const ContactState        &state,
+                           const bool                 step_is_known,
+                           const SurfacePlace        &place,
+                           const std::vector<double> &temperature,
+                           RunFolder                 &folder,
+                           const std::string         &file_name)
+    {
+      AssertDimension(trace.n_dimensions, dim - 1);
+      AssertDimension(trace.nodes.size(), problem.n_nodes());
+      Ranks::on_root([&]() {
+        const NodalFields fields =
+          nodal_fields<dim>(problem, state, step_is_known, temperature);
+
+        std::vector<DataOutBase::Patch<dim - 1, dim>> patches;
+        for (const Trace::Cell &cell : trace.cells)
+          {
+            patches.push_back(make_patch<dim>(cell, fields, place));
+            patches.back().patch_index = patches.size() - 1;
+          }
+
+        const auto is_vector =
+          DataComponentInterpretation::component_is_part_of_vector;
+        std::ostringstream vtu;
+        DataOutBase::write_vtu(
+          patches,
+          fields.names,
+          {{0, dim - 2, "traction", is_vector},
+           {dim - 1, 2 * dim - 3, "slip", is_vector},
+           {2 * dim - 2, 3 * dim - 4, "recovered_traction", is_vector}},
+          vtk_flags(),
+          vtu);
+        folder.write_atomically(file_name, vtu.str());
+      });
+    }
   } // namespace
-
-
-
-  template <int dim>
-  void
-  write_interface_fields(const Trace          &trace,
-                         const ContactProblem &problem,
-                         const ContactState   &state,
-                         const bool            step_is_known,
-                         const SurfacePlace   &place,
-                         RunFolder            &folder,
-                         const std::string    &file_name)
-  {
-    AssertDimension(trace.n_dimensions, dim - 1);
-    AssertDimension(trace.nodes.size(), problem.n_nodes());
-    Ranks::on_root([&]() {
-      const NodalFields fields =
-        nodal_fields<dim>(problem, state, step_is_known);
-
-      std::vector<DataOutBase::Patch<dim - 1, dim>> patches;
-      for (const Trace::Cell &cell : trace.cells)
-        {
-          patches.push_back(make_patch<dim>(cell, fields, place));
-          patches.back().patch_index = patches.size() - 1;
-        }
-
-      const auto is_vector =
-        DataComponentInterpretation::component_is_part_of_vector;
-      std::ostringstream vtu;
-      DataOutBase::write_vtu(
-        patches,
-        fields.names,
-        {{0, dim - 2, "traction", is_vector},
-         {dim - 1, 2 * dim - 3, "slip", is_vector},
-         {2 * dim - 2, 3 * dim - 4, "recovered_traction", is_vector}},
-        vtk_flags(),
-        vtu);
-      folder.write_atomically(file_name, vtu.str());
-    });
-  }
 
 
 
@@ -229,28 +241,13 @@ namespace RollingContact
           }
         return {{at[0], at[1], rail->surface_height(at[0], at[1])}};
       },
+      flash_temperature(scene, steady.problem, steady.state),
       folder,
       file);
   }
 
 
 
-  template void
-  write_interface_fields<2>(const Trace &,
-                            const ContactProblem &,
-                            const ContactState &,
-                            const bool,
-                            const SurfacePlace &,
-                            RunFolder &,
-                            const std::string &);
-  template void
-  write_interface_fields<3>(const Trace &,
-                            const ContactProblem &,
-                            const ContactState &,
-                            const bool,
-                            const SurfacePlace &,
-                            RunFolder &,
-                            const std::string &);
   template void
   write_interface(const SceneParameters &,
                   const SteadyState<2> &,

@@ -1,10 +1,13 @@
 #include <rolling_contact/assessment/error_bounds.h>
+#include <rolling_contact/assessment/flash_temperature.h>
 #include <rolling_contact/assessment/reference_2d.h>
 #include <rolling_contact/assessment/reference_3d.h>
 #include <rolling_contact/contact/invariants.h>
 #include <rolling_contact/contact/uniqueness.h>
 #include <rolling_contact/report/profile_columns.h>
 #include <rolling_contact/report/result_row.h>
+
+#include <algorithm>
 
 namespace RollingContact
 {
@@ -101,6 +104,21 @@ namespace RollingContact
         set("bound_moment/muNa", bounds.moment);
       set("bound_max_pressure", bounds.max_pressure);
       set_creepage_bounds(scene, steady, bounds, table);
+    }
+
+
+
+    template <int dim>
+    void
+    set_temperature_column(const SceneParameters  &scene,
+                           const SteadyState<dim> &steady,
+                           ResultsTable           &table)
+    {
+      const std::vector<double> rise =
+        flash_temperature(scene, steady.problem, steady.state);
+      if (!rise.empty())
+        table.set("flash_temperature_K",
+                  *std::max_element(rise.begin(), rise.end()));
     }
 
 
@@ -253,6 +271,8 @@ namespace RollingContact
     set_resultant_columns(steady.result, solved, table);
     if (steady.problem.operators.time_scaling().rate == 0.)
       set_bound_columns(scene, steady, table);
+    if (solved)
+      set_temperature_column(scene, steady, table);
     set_solver_columns(steady.solver, table);
     set_falling_friction_columns(steady, table);
     const Invariants found =

@@ -163,7 +163,16 @@ namespace RollingContact
                       Patterns::Double(0., 0.5));
     prm.add_parameter("Density",
                       material.density,
-                      "Mass density, for analyses with inertia. Units: kg/m^3.",
+                      "Mass density, for analyses with inertia and flash "
+                      "temperatures. Units: kg/m^3.",
+                      not_negative);
+    prm.add_parameter("Thermal conductivity",
+                      thermal_conductivity,
+                      "For flash temperatures. Units: W/(m K).",
+                      not_negative);
+    prm.add_parameter("Heat capacity",
+                      heat_capacity,
+                      "For flash temperatures. Units: J/(kg K).",
                       not_negative);
   }
 
@@ -206,6 +215,14 @@ namespace RollingContact
             "Density",
             material.density,
             "it must be above 0 kg/m^3.");
+    require(thermal_conductivity > 0.,
+            "Thermal conductivity",
+            thermal_conductivity,
+            "it must be above 0 W/(m K); steel has 50.");
+    require(heat_capacity > 0.,
+            "Heat capacity",
+            heat_capacity,
+            "it must be above 0 J/(kg K); steel has 460.");
     if (dimension == 2)
       require(thickness > 0., "Thickness", thickness, "it must be above 0 m.");
   }

@@ -81,6 +81,12 @@ namespace RollingContact
                       "v_c of a law that falls. Polach: 1/0.6 m/s, dry. "
                       "Units: m/s.",
                       Patterns::Double(0.));
+    prm.add_parameter(
+      "Friction memory length",
+      friction_memory,
+      "Sliding distance of a point of the material over which mu comes to "
+      "that of a law that falls, micrometres; 0: at once. Units: m.",
+      Patterns::Double(0.));
   }
 
 
@@ -186,6 +192,12 @@ namespace RollingContact
   ContactParameters::check_friction_law() const
   {
     const auto law = falling_friction();
+    if (!law && friction_memory > 0.)
+      throw InputError(
+        "Contact/Friction memory length = " + text_of(friction_memory) +
+        " and Contact/Friction law = " + friction_law +
+        ": only a law that falls has a memory; set it to 0 m, or "
+        "take exponential or rational.");
     if (!law)
       return;
     if (!(kinetic_friction > 0.) || kinetic_friction > friction_coefficient)

@@ -9,6 +9,13 @@ namespace RollingContact
 {
   using namespace dealii;
 
+  namespace
+  {
+    const char share_otherwise[] =
+      " for heights, if(abs(y) < 2e-3, 0.2, 1) for shares, or leave it empty.";
+  }
+
+
   void
   SurfaceParameters::declare(ParameterHandler &prm)
   {
@@ -33,6 +40,14 @@ namespace RollingContact
                    "Rail height",
                    "Height of the rail's surface, out of it, over the length "
                    "along the track (a disc's comes again after a turn).");
+    prm.add_parameter(
+      "Friction share",
+      friction_share,
+      "What share of Contact/Friction coefficient there is, from 0 to 1: an "
+      "expression in x and y (m), the frame's at `Position` 0, which moves "
+      "with the rail's material; empty for 1. A strip of grease: "
+      "if(abs(y) < 2e-3, 0.2, 1). Units: 1.",
+      Patterns::Anything());
     prm.add_parameter("Position",
                       position,
                       "Distance rolled before t = 0: where the surfaces are at "
@@ -78,6 +93,16 @@ namespace RollingContact
                          text_of(unit) +
                          ": it must be above 0 m, 1e-3 for millimetres, 1e-6 "
                          "for micrometres.");
+    if (!friction_share.empty())
+      {
+        const HeightExpression tried("Surfaces/Friction share",
+                                     friction_share,
+                                     share_otherwise);
+        if (dimension == 2 && tried.depends_on_y())
+          throw InputError("Surfaces/Friction share = " + friction_share +
+                           ": in 2D there is no y; give an expression in x, "
+                           "or take Dimension = 3.");
+      }
     for (const Side side : both_sides)
       if (!height[side].empty() && !names_a_record(height[side]))
         {
@@ -98,6 +123,12 @@ namespace RollingContact
   void
   SurfaceParameters::read(const std::filesystem::path &folder)
   {
+    share =
+      friction_share.empty()
+        ? nullptr
+        : std::make_shared<const HeightExpression>("Surfaces/Friction share",
+                                                   friction_share,
+                                                   share_otherwise);
     for (const Side side : both_sides)
       {
         records[side].reset();

@@ -124,7 +124,7 @@ namespace RollingContact
       const SurfaceParameters &surfaces = scene.surfaces;
       const std::string smooth = "Surfaces/Wheel height and Rail height are "
                                  "empty";
-      if (!surfaces.in_use())
+      if (!surfaces.in_use() && surfaces.friction_share.empty())
         idle["Surfaces/Position"] = smooth;
       if (!surfaces.records.wheel && !surfaces.records.rail)
         for (const char *entry :

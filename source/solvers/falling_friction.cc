@@ -1,3 +1,4 @@
+#include <rolling_contact/contact/friction_memory.h>
 #include <rolling_contact/contact/sliding_response.h>
 #include <rolling_contact/parallel/interrupt.h>
 #include <rolling_contact/solvers/falling_friction.h>
@@ -37,6 +38,47 @@ namespace RollingContact
 
 
     /**
+     * newton_target() where mu at a node depends on how all nodes before it
+     * slide.
+     */
+    std::vector<double>
+    newton_target_with_memory(const ContactProblem            &problem,
+                              const ContactState              &state,
+                              const std::vector<unsigned int> &nodes,
+                              const std::vector<double>       &speeds,
+                              const DenseMatrix               &R,
+                              std::vector<double>              own)
+    {
+      const std::size_t n = nodes.size();
+      const DenseMatrix D = FrictionMemory(problem, speeds).derivative(nodes);
+      DenseMatrix       matrix(n, n), d(n, 1);
+      for (std::size_t k = 0; k < n; ++k)
+        {
+          const unsigned int i = nodes[k];
+          d(k, 0)              = own[i] - state.friction[i];
+          for (std::size_t l = 0; l < n; ++l)
+            {
+              double sum = 0.;
+              for (std::size_t m = 0; m < n; ++m)
+                sum += D(k, m) * R(m, l);
+              matrix(k, l) = (k == l ? 1. : 0.) + problem.loads.speed * sum *
+                                                    state.pressure[nodes[l]];
+            }
+        }
+      if (!solve_general(matrix, d))
+        return own;
+      for (std::size_t k = 0; k < n; ++k)
+        {
+          const unsigned int i = nodes[k];
+          own[i] = std::min(std::max(state.friction[i] + d(k, 0), 0.),
+                            problem.loads.friction[i]);
+        }
+      return own;
+    }
+
+
+
+    /**
      * held + d with (1 - G) d = own - held on the slipping nodes, G = d own /
      * d held: less mu_j p_j lets node i slide R_ij faster, see
      * sliding_response(). Elsewhere own.
@@ -55,6 +97,8 @@ namespace RollingContact
       if (R.n_rows() == 0)
         return target;
       DenseMatrix matrix(nodes.size(), nodes.size()), d(nodes.size(), 1);
+      if (problem.loads.memory_length > 0.)
+        return newton_target_with_memory(problem, state, nodes, speeds, R, own);
       for (std::size_t k = 0; k < nodes.size(); ++k)
         {
           const unsigned int i = nodes[k];

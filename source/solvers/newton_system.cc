@@ -1,3 +1,4 @@
+#include <rolling_contact/contact/friction_memory.h>
 #include <rolling_contact/solvers/newton_system.h>
 
 #include <algorithm>
@@ -155,7 +156,8 @@ namespace RollingContact
     if (!loads.friction_law || friction.bound[i] <= 0.)
       return 0.;
     return loads.friction[i] * loads.speed *
-           loads.friction_law->slope(slip.norm_at(i) * loads.speed);
+           loads.friction_law->slope(slip.norm_at(i) * loads.speed) *
+           (immediate.empty() ? 1. : immediate[i]);
   }
 
 
@@ -268,6 +270,12 @@ namespace RollingContact
   std::vector<ContactState>
   NewtonSystem::response(const std::vector<NodalField> &slips)
   {
+    if (problem.loads.friction_law && problem.loads.memory_length > 0.)
+      {
+        const FrictionMemory memory(problem, friction.sliding_speeds(slip));
+        for (unsigned int i = 0; i < problem.n_nodes(); ++i)
+          immediate.push_back(memory.immediate_part(i));
+      }
     add_columns();
     set_load_rows();
     const std::size_t n = matrix.n_rows();

@@ -42,6 +42,7 @@ namespace boost
       archive &step.rate &step.gap;
       archive &step.free_slip &step.free_displacement;
       archive &step.slip_share &step.slip_before;
+      archive &step.friction_arriving &step.step_path;
       archive &step.edge_law &step.holds_friction &step.solver;
     }
 

@@ -1,5 +1,6 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
+#include <rolling_contact/contact/friction_memory.h>
 #include <rolling_contact/contact/invariants.h>
 #include <rolling_contact/pair/compliance_update.h>
 #include <rolling_contact/solvers/force_control.h>
@@ -62,6 +63,7 @@ namespace RollingContact
     const Creepages before  = problem.loads.creepages;
     problem.loads.creepages = histories.creepages(end);
     problem.loads.forces    = histories.forces(time + theta() * h);
+    set_friction(time, h);
     // those that are found start from the last ones
     if (problem.loads.forces.x)
       problem.loads.creepages.x = before.x;
@@ -78,6 +80,29 @@ namespace RollingContact
         histories.normal_load->value(time + theta() * h);
     else
       problem.loads.approach = histories.approach->value(holds);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactStepper<dim>::set_friction(const double time, const double h)
+  {
+    ContactLoads &loads = contact.problem.loads;
+    if (!scene.surfaces.friction_share.empty())
+      loads.friction =
+        contact.pair->friction_at_nodes(scene.contact,
+                                        travelled.value(time + h));
+    if (!loads.friction_law || loads.memory_length <= 0.)
+      return;
+    loads.step_path =
+      std::abs(travelled.value(time + h) - travelled.value(time));
+    loads.friction_arriving =
+      moved_with_flow(contact.problem.operators,
+                      contact.state.friction.empty() ? loads.friction
+                                                     : contact.state.friction,
+                      loads.friction,
+                      loads.step_path);
   }
 
 
@@ -400,6 +425,8 @@ namespace RollingContact
                                  loads.free_displacement,
                                  loads.slip_share,
                                  loads.slip_before,
+                                 loads.friction_arriving,
+                                 loads.step_path,
                                  contact.state.edge_law,
                                  contact.state.holds_friction,
                                  contact.solver};
@@ -455,6 +482,8 @@ namespace RollingContact
     loads.free_displacement = step.free_displacement;
     loads.slip_share        = step.slip_share;
     loads.slip_before       = step.slip_before;
+    loads.friction_arriving = step.friction_arriving;
+    loads.step_path         = step.step_path;
     contact.problem.operators.set_time_scaling(
       {motion->displacement_factor(), step.rate});
   }

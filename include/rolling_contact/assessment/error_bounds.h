@@ -24,10 +24,11 @@ namespace RollingContact
     double thickness = std::numeric_limits<double>::infinity(); ///< smallest
     bool   edges_settled = true, edge_law = true;
     bool   nearly_incompressible = false, spin = false;
-    bool   refined         = false; ///< lines end at smaller elements
-    bool   approach_given  = false; ///< the load is found, and has an error
-    double friction        = 0.;    ///< mu
-    double growth          = 0.;    ///< of the mesh
+    bool   varying_friction = false; ///< from place to place, or with a memory
+    bool   refined          = false; ///< lines end at smaller elements
+    bool   approach_given   = false; ///< the load is found, and has an error
+    double friction         = 0.;    ///< mu
+    double growth           = 0.;    ///< of the mesh
     double residual_normal = 0., residual_tangential = 0.;
     /** Of profiles, whose pressure varies across as it will: how much it bends
      * at its peak from node to node across, over the peak. */

@@ -58,6 +58,12 @@ namespace RollingContact
       friction; ///< mu of each node, mu_s if it depends on |s|
     std::shared_ptr<const FrictionLaw> friction_law; ///< none: mu is constant
     double                             speed = 0.;   ///< |V| for it, m/s
+    /** Sliding distance over which mu comes to that of the law, m; 0 for none.
+     * In a time step: mu of the points that arrive at the nodes, and how far
+     * they have come, m. See FrictionMemory. */
+    double              memory_length = 0.;
+    std::vector<double> friction_arriving;
+    double              step_path = 0.;
   };
 
   /**

@@ -59,6 +59,14 @@ namespace RollingContact
     heights(const std::vector<std::array<double, 2>> &at,
             const double                              travelled) const;
 
+    /**
+     * What share of mu there is at the places then, Surfaces/Friction share of
+     * the rail's material. Throws InputError if it is not between 0 and 1.
+     */
+    std::vector<double>
+    friction_shares(const std::vector<std::array<double, 2>> &at,
+                    const double                              travelled) const;
+
     /** What was filtered, to be told. */
     std::vector<std::string> notes, warnings;
 
@@ -67,6 +75,7 @@ namespace RollingContact
   private:
     bool                                    moves;
     double                                  flow, position;
+    std::shared_ptr<const HeightExpression> share; ///< of mu; or none
     PerSide<std::shared_ptr<const Surface>> surfaces;
   };
 

@@ -87,6 +87,14 @@ namespace RollingContact
     contact_problem(const ContactParameters &contact, DenseMatrix W) const;
 
     /**
+     * mu, mu_s of a law that falls, of the nodes after the material moved by
+     * @p travelled along x since t = 0. Units: m.
+     */
+    std::vector<double>
+    friction_at_nodes(const ContactParameters &contact,
+                      const double             travelled) const;
+
+    /**
      * Give a problem of this pair the load or approach, the creepages and the
      * friction of @p contact, as a new problem would have them. What operators
      * and gap are made of must be as it was: slip operator, contact matrices,

@@ -56,11 +56,13 @@ namespace RollingContact
     bool
     is_from_file() const;
 
-    std::string   shape     = "disc";
-    bool          rigid     = false;
-    double        thickness = 0.02;
-    SurfaceSource surface   = SurfaceSource::radii;
-    Material      material  = {210e9, 0.3};
+    std::string   shape                = "disc";
+    bool          rigid                = false;
+    double        thickness            = 0.02;
+    SurfaceSource surface              = SurfaceSource::radii;
+    Material      material             = {210e9, 0.3};
+    double        thermal_conductivity = 50.;  ///< W/(m K)
+    double        heat_capacity        = 460.; ///< J/(kg K)
 
   private:
     void

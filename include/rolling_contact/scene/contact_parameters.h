@@ -62,6 +62,7 @@ namespace RollingContact
     std::string           friction_law         = "constant";
     double                kinetic_friction     = 0.; ///< of the laws that fall
     double      friction_decay_speed = 0.; ///< of the laws that fall, m/s
+    double      friction_memory      = 0.; ///< of the laws that fall, m
     Creepages   creepages;
     AskedForces forces;          ///< in place of creepages
     std::optional<double> speed; ///< m/s

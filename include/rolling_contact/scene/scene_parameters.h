@@ -91,7 +91,7 @@ namespace RollingContact
     has_plain_surfaces() const
     {
       return contact.roughness.empty() && !profiles.in_use() &&
-             !surfaces.in_use();
+             !surfaces.in_use() && surfaces.friction_share.empty();
     }
 
     /**

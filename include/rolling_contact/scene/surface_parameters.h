@@ -54,7 +54,8 @@ namespace RollingContact
     static std::string
     entry(const Side side);
 
-    PerSide<std::string> height; ///< an expression, a file, or empty
+    PerSide<std::string> height;         ///< an expression, a file, or empty
+    std::string          friction_share; ///< an expression, or empty
     double               position            = 0.; ///< m, rolled before t = 0
     double               shortest_wavelength = 0.; ///< m, or 0
     RecordUnits          units;
@@ -62,6 +63,7 @@ namespace RollingContact
     /** What read() made of them; one of them, or none for a smooth surface. */
     PerSide<std::shared_ptr<const SurfaceRecord>>    records;
     PerSide<std::shared_ptr<const HeightExpression>> expressions;
+    std::shared_ptr<const HeightExpression>          share; ///< of mu; or none
   };
 } // namespace RollingContact
 

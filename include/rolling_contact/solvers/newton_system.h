@@ -108,6 +108,7 @@ namespace RollingContact
     std::vector<std::size_t>  number; ///< of a node among the touching ones
     std::vector<double>       u_n;
     NodalField                slip;
+    std::vector<double>       immediate; ///< of friction with a memory
     DenseMatrix               matrix, right;
   };
 } // namespace RollingContact

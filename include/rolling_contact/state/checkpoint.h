@@ -58,6 +58,8 @@ namespace RollingContact
     NodalField            free_slip, free_displacement;
     std::vector<double>   slip_share;
     NodalField            slip_before;
+    std::vector<double>   friction_arriving;
+    double                step_path      = 0.; ///< m
     bool                  edge_law       = true;
     bool                  holds_friction = false;
     SolverReport          solver;

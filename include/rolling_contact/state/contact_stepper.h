@@ -105,6 +105,13 @@ namespace RollingContact
     set_drive(const double time, const double h);
 
     /**
+     * mu of the nodes, and that of the points that arrive at them, at the end
+     * of a step. Units: s.
+     */
+    void
+    set_friction(const double time, const double h);
+
+    /**
      * Heights at the nodes of surfaces that move; empty if none does. Units: s,
      * m.
      */
