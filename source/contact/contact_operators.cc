@@ -275,9 +275,9 @@ namespace RollingContact
           double        common[together], force[together];
           for (std::size_t m = 0; m < together; ++m)
             {
-              const bool        exists = k + m < columns.size();
-              const std::size_t j      = columns[exists ? k + m : k];
-              W[m]                     = compliance.data() +
+              const bool exists = k + m < columns.size();
+              const auto j      = columns[exists ? k + m : k];
+              W[m]              = compliance.data() +
                      (first_column + j) * compliance.n_rows() + c * n;
               common[m] = W[m][n / 2];
               force[m]  = exists ? forces[j] : 0.;
