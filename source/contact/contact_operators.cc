@@ -261,17 +261,34 @@ namespace RollingContact
   ContactOperators::distortion(const std::size_t          first_column,
                                const std::vector<double> &forces) const
   {
-    NodalField result(n_nodes(), n_tangential());
+    const std::size_t        n = n_nodes(), together = 4;
+    std::vector<std::size_t> columns;
     for (std::size_t j = 0; j < forces.size(); ++j)
       if (forces[j] != 0.)
-        for (unsigned int c = 0; c < n_tangential(); ++c)
-          {
-            const std::size_t column = first_column + j, first = c * n_nodes();
-            const double common = compliance(first + n_nodes() / 2, column);
-            for (std::size_t i = 0; i < n_nodes(); ++i)
-              result(c, i) +=
-                (compliance(first + i, column) - common) * forces[j];
-          }
+        columns.push_back(j);
+    NodalField result(n, n_tangential());
+    for (unsigned int c = 0; c < n_tangential(); ++c)
+      for (std::size_t k = 0; k < columns.size(); k += together)
+        {
+          // summed column by column; those that are not there have no force
+          const double *W[together];
+          double        common[together], force[together];
+          for (std::size_t m = 0; m < together; ++m)
+            {
+              const bool exists = k + m < columns.size();
+              const auto j      = columns[exists ? k + m : k];
+              W[m]              = compliance.data() +
+                     (first_column + j) * compliance.n_rows() + c * n;
+              common[m] = W[m][n / 2];
+              force[m]  = exists ? forces[j] : 0.;
+            }
+          double *sum = &result(c, 0);
+          for (std::size_t i = 0; i < n; ++i)
+            sum[i] = (((sum[i] + (W[0][i] - common[0]) * force[0]) +
+                       (W[1][i] - common[1]) * force[1]) +
+                      (W[2][i] - common[2]) * force[2]) +
+                     (W[3][i] - common[3]) * force[3];
+        }
     return result;
   }
 

@@ -57,10 +57,10 @@ namespace RollingContact
   double
   TangentialProblem::slip_of(const NodalField &w, const NodalIndex &at) const
   {
-    return contact.operators.flow_convection() *
-             apply(rows.B1[at.node], w, at.component) +
-           contact.operators.time_scaling().rate *
-             apply(rows.B2[at.node], w, at.component);
+    const double s = contact.operators.flow_convection() *
+                     apply(rows.B1[at.node], w, at.component),
+                 rate = contact.operators.time_scaling().rate;
+    return rate == 0. ? s : s + rate * apply(rows.B2[at.node], w, at.component);
   }
 
 

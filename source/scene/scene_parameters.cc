@@ -323,21 +323,18 @@ namespace RollingContact
     if (analysis != "table")
       return;
     table.check();
-    const auto refuse = [](const std::string &given, const std::string &why) {
-      throw InputError(given + ": " + why);
-    };
+    const std::string why = ": the states of a table share bodies, whose "
+                            "compliance is found once, on one mesh; ";
     if (mesh.target_error)
-      refuse("Mesh/Target error = " + text_of(*mesh.target_error),
-             "the states of a table share bodies, whose mesh is that of "
-             "Mesh/Elements across patch; leave it empty.");
+      throw InputError("Mesh/Target error = " + text_of(*mesh.target_error) +
+                       why + "give Mesh/Elements across patch.");
     if (mesh.adaptive_levels > 0)
-      refuse("Mesh/Adaptive levels = " + std::to_string(mesh.adaptive_levels),
-             "the states of a table share bodies, which are not refined for "
-             "one of them; set it to 0.");
+      throw InputError(
+        "Mesh/Adaptive levels = " + std::to_string(mesh.adaptive_levels) + why +
+        "set it to 0.");
     if (body_solver == BodySolver::distributed)
-      refuse("Body solver = distributed",
-             "a table needs the compliance of its bodies once and exactly; "
-             "take direct or automatic.");
+      throw InputError("Body solver = distributed" + why +
+                       "take direct or automatic.");
   }
 
 

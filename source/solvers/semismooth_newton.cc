@@ -26,20 +26,6 @@ namespace RollingContact
 
 
 
-    /**
-     * D = mu p/|z| (1 - z z^T/|z|^2), the derivative of the projection.
-     */
-    std::array<std::array<double, 2>, 2>
-    projection_derivative(const double bound, const std::array<double, 2> &z)
-    {
-      const double size = std::hypot(z[0], z[1]), scale = bound / size;
-      const double x = z[0] / size, y = z[1] / size;
-      return {{{{scale * (1 - x * x), -scale * x * y}},
-               {{-scale * x * y, scale * (1 - y * y)}}}};
-    }
-
-
-
     std::vector<double>
     gathered(const std::vector<NodalIndex> &unknowns, const NodalField &field)
     {
@@ -137,7 +123,70 @@ namespace RollingContact
 
 
     /**
-     * The Newton step of the traction; false if the matrix is singular.
+     * An unknown of a Newton step: how far the traction of a node goes in a
+     * direction. A node that sticks has two of them, one that slides the one
+     * along its bound, as the step across is known.
+     */
+    struct NewtonUnknown
+    {
+      std::size_t           first; ///< of the node's two tractions
+      std::array<double, 2> direction;
+      double                weight, diagonal; ///< of its row
+
+      double
+      along(const std::vector<double> &values) const
+      {
+        return direction[0] * values[first] + direction[1] * values[first + 1];
+      }
+    };
+
+
+
+    /**
+     * The unknowns, and @p right: of nodes that stick -rho s, of those that
+     * slide the step across the bound, which is in @p known as well.
+     */
+    std::vector<NewtonUnknown>
+    newton_unknowns(const TouchingProblem     &problem,
+                    const std::vector<double> &traction,
+                    const double               rho,
+                    std::vector<double>       &right,
+                    std::vector<double>       &known)
+    {
+      const std::vector<double> slip = problem.slip(traction);
+      right.assign(traction.size(), 0.);
+      known.assign(traction.size(), 0.);
+      std::vector<NewtonUnknown> unknowns;
+      for (std::size_t k = 0; k < traction.size(); k += 2)
+        {
+          const std::array<double, 2> z{
+            {traction[k] - rho * slip[k], traction[k + 1] - rho * slip[k + 1]}};
+          const double size = std::hypot(z[0], z[1]);
+          if (size <= problem.bound[k])
+            {
+              right[k]     = -rho * slip[k];
+              right[k + 1] = -rho * slip[k + 1];
+              unknowns.push_back({k, {{1., 0.}}, 1., 0.});
+              unknowns.push_back({k, {{0., 1.}}, 1., 0.});
+              continue;
+            }
+          const double scale = problem.bound[k] / size;
+          for (unsigned int c = 0; c < 2; ++c)
+            right[k + c] = known[k + c] = scale * z[c] - traction[k + c];
+          unknowns.push_back(
+            {k, {{-z[1] / size, z[0] / size}}, scale, 1 - scale});
+        }
+      return unknowns;
+    }
+
+
+
+    /**
+     * The Newton step of the traction; false if the matrix is singular. With r
+     * the right hand side, A the compliance and D = mu p/|z| t t^T the
+     * derivative of the projection, t along the bound: rho A dq = r of nodes
+     * that stick, and dq + D (rho A dq - dq) = r, so dq = r + alpha t, of those
+     * that slide.
      */
     bool
     newton_step(const TouchingProblem     &problem,
@@ -145,41 +194,36 @@ namespace RollingContact
                 const double               rho,
                 DenseMatrix               &step)
     {
-      const std::size_t         n    = traction.size();
-      const std::vector<double> slip = problem.slip(traction);
-      // rows of the matrix: identity + D (rho ds/dq - identity); D is the
-      // identity itself inside the disc
-      std::vector<std::array<std::array<double, 2>, 2>> derivatives(n / 2);
-      step = DenseMatrix(n, 1);
-      for (std::size_t k = 0; k < n; k += 2)
+      const DenseMatrix  &A = problem.slip_compliance;
+      std::vector<double> right, known;
+      const auto          unknowns =
+        newton_unknowns(problem, traction, rho, right, known);
+      const std::size_t   n = traction.size(), m = unknowns.size();
+      std::vector<double> slip_of_known(n, 0.), column(n);
+      A.multiply_block(0, 0, known, slip_of_known);
+      DenseMatrix matrix(m, m), solution(m, 1);
+      for (std::size_t j = 0; j < m; ++j)
         {
-          const std::array<double, 2> z{
-            {traction[k] - rho * slip[k], traction[k + 1] - rho * slip[k + 1]}};
-          const double size   = std::hypot(z[0], z[1]);
-          const bool   sticks = size <= problem.bound[k];
-          derivatives[k / 2] =
-            sticks
-              ? std::array<std::array<double, 2>, 2>{{{{1., 0.}}, {{0., 1.}}}}
-              : projection_derivative(problem.bound[k], z);
-          for (unsigned int c = 0; c < 2; ++c)
-            step(k + c, 0) =
-              sticks ? -rho * slip[k + c]
-                     : problem.bound[k] * z[c] / size - traction[k + c];
+          const NewtonUnknown &of = unknowns[j];
+          for (std::size_t i = 0; i < n; ++i)
+            column[i] = of.direction[0] * A(i, of.first) +
+                        of.direction[1] * A(i, of.first + 1);
+          for (std::size_t i = 0; i < m; ++i)
+            matrix(i, j) = unknowns[i].weight * rho * unknowns[i].along(column);
+          matrix(j, j) += of.diagonal;
+          solution(j, 0) =
+            of.weight * (of.along(right) - rho * of.along(slip_of_known));
         }
-      DenseMatrix matrix(n, n);
-      for (std::size_t column = 0; column < n; ++column)
-        for (std::size_t k = 0; k < n; k += 2)
-          {
-            const auto  &D = derivatives[k / 2];
-            const double x = rho * problem.slip_compliance(k, column) -
-                             (column == k ? 1. : 0.),
-                         y = rho * problem.slip_compliance(k + 1, column) -
-                             (column == k + 1 ? 1. : 0.);
-            for (unsigned int c = 0; c < 2; ++c)
-              matrix(k + c, column) =
-                D[c][0] * x + D[c][1] * y + (column == k + c ? 1. : 0.);
-          }
-      return solve_general(matrix, step);
+      if (!solve_general(matrix, solution))
+        return false;
+      step = DenseMatrix(n, 1);
+      for (std::size_t k = 0; k < n; ++k)
+        step(k, 0) = known[k];
+      for (std::size_t j = 0; j < m; ++j)
+        for (unsigned int c = 0; c < 2; ++c)
+          step(unknowns[j].first + c, 0) +=
+            solution(j, 0) * unknowns[j].direction[c];
+      return true;
     }
 
 

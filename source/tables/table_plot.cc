@@ -33,10 +33,19 @@ namespace RollingContact
 
 
 
+    /**
+     * "Normal load 80 kN", "Creepage x 0.001".
+     */
     std::string
-    with_unit(const std::string &text, const std::string &unit)
+    label_of(const std::string &entry,
+             const double       value,
+             const std::string &unit)
     {
-      return unit == "1" ? text : text + ' ' + unit;
+      const bool is_thousand =
+        std::abs(value) >= 1e3 && (unit == "N" || unit == "Pa");
+      return short_name(entry) + ' ' +
+             significant(is_thousand ? 1e-3 * value : value, 4) +
+             (unit == "1" ? "" : ' ' + (is_thousand ? 'k' + unit : unit));
     }
 
 
@@ -125,9 +134,9 @@ namespace RollingContact
         for (std::size_t d = 0; d < plan.axes.size(); ++d)
           if (d != along && d != lines)
             text += (text.empty() ? "" : ", ") +
-                    with_unit(short_name(plan.axes[d].entry) + " = " +
-                                significant(plan.axes[d].values[middle[d]], 4),
-                              plan.units[d]);
+                    label_of(plan.axes[d].entry,
+                             plan.axes[d].values[middle[d]],
+                             plan.units[d]);
         return text.empty() ? "Table" : "Table at " + text;
       }
 
@@ -158,15 +167,14 @@ namespace RollingContact
                                                             quantity.column));
                 is_seen = is_seen || std::abs(values.back()) > 1e-6;
               }
-            panel.add_curve(
-              lines == along
-                ? "finite elements"
-                : with_unit(short_name(plan.axes[lines].entry) + " " +
-                              significant(plan.axes[lines].values[line], 4),
-                            plan.units[lines]),
-              plan.axes[along].values,
-              values,
-              CurveStyle::line_and_points);
+            panel.add_curve(lines == along
+                              ? "finite elements"
+                              : label_of(plan.axes[lines].entry,
+                                         plan.axes[lines].values[line],
+                                         plan.units[lines]),
+                            plan.axes[along].values,
+                            values,
+                            CurveStyle::line_and_points);
           }
         return is_seen ? std::optional<Figure>(panel) : std::nullopt;
       }
