@@ -311,6 +311,26 @@ BOOST_AUTO_TEST_CASE(a_wheel_comes_again_after_a_turn)
 
 
 
+/** A record of a turn that drifts is warned of. */
+BOOST_FIXTURE_TEST_CASE(the_ends_of_a_turn_meet, Records)
+{
+  for (const double drift : {0., 20e-6})
+    {
+      SceneParameters scene =
+        scene_with(rows(10, 1., [](double) { return 0.; }));
+      scene.surfaces.height = {"rail.csv", ""};
+      write(scratch / "rail.csv", rows(2890, 1e-3, [&](const double x) {
+              return 5e-6 * std::sin(40 * pi * x / 2.89) + drift * x / 2.89;
+            }));
+      scene.surfaces.read(scratch);
+      const MovingSurfaces surfaces(scene, sizes);
+      BOOST_TEST(surfaces.warnings.size() == (drift > 0. ? 1 : 0));
+      BOOST_TEST(contains(surfaces.notes.at(0), "it comes again after a turn"));
+    }
+}
+
+
+
 /** Expressions are held against the elements along all that passes. */
 BOOST_AUTO_TEST_CASE(expressions_suit_the_elements)
 {
