@@ -4,8 +4,7 @@
 #include <rolling_contact/pair/moving_surfaces.h>
 #include <rolling_contact/pair/patch_estimate.h>
 #include <rolling_contact/scene/travelled_distance.h>
-#include <rolling_contact/surfaces/height_expression.h>
-#include <rolling_contact/surfaces/short_waves.h>
+#include <rolling_contact/surfaces/expression_check.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,10 +27,6 @@ namespace RollingContact
 
   namespace
   {
-    /** Shares of the root mean square from which on short waves are told of
-     * and refused. */
-    const double notable = 0.05, too_short = 0.05;
-
     /** Elements in the shortest wave that passes a filter; half as many in the
      * longest that does not. */
     const double elements_in_wave = 4.;
@@ -195,74 +190,77 @@ namespace RollingContact
 
 
 
-    /** What is asked of an expression, with its name in messages. */
-    struct Examined
+    /** First and last X of the material that passes the zone. */
+    std::array<double, 2>
+    material_that_passes(const Rolled    &rolled,
+                         const double     flow,
+                         const ZoneSizes &sizes)
     {
-      std::string entry, text, axis;
-      double      element;
-    };
-
-
-
-    /** A warning, or none. */
-    std::string
-    judge(const Examined &it, const ShortWaves &found)
-    {
-      const std::string given = it.entry + " = " + it.text + ": ",
-                        more =
-                          " Take more Mesh/Elements across patch, or leave "
-                          "short waves out; a step needs a ramp.";
-      if (found.highest > highest_surface)
-        throw InputError(given + "a height of " +
-                         significant(found.highest, 4) +
-                         " m is that of no surface a wheel rolls on (at most "
-                         "5e-3 m): x, y and the height are in m.");
-      if (found.steepest > steepest_surface)
-        throw InputError(given + "a slope of " +
-                         significant(found.steepest, 3) + " at " + it.axis +
-                         " = " + significant(found.steepest_from, 6) +
-                         " m is that of no surface a wheel rolls on (at most "
-                         "0.1): x, y and the height are in m." +
-                         more);
-      const auto share = [&](const double part) {
-        return significant(100 * part / found.rms, 2) + " % of its rms along " +
-               it.axis + " are waves shorter than ";
-      };
-      if (found.below_two > too_short * found.rms)
-        throw InputError(given + share(found.below_two) + "two elements (" +
-                         significant(2 * it.element, 3) +
-                         " m), which nodes show as longer ones." + more);
-      if (found.below_four > notable * found.rms)
-        return given + share(found.below_four) + "four elements (" +
-               significant(4 * it.element, 3) +
-               " m), which the mesh follows poorly." + more;
-      return "";
+      // the flow brings what lies against it
+      const auto [first, last] =
+        std::minmax({-flow * rolled.least, -flow * rolled.most});
+      return {{first - sizes.reach[0], last + sizes.reach[0]}};
     }
 
 
 
+    /**
+     * Hold an expression against the elements, and add what is to be warned of.
+     */
     void
-    check_seam(const HeightExpression &expression,
-               const Examined         &it,
-               const double            turn,
-               const double            begin,
-               const double            end)
+    examine(const HeightExpression        &expression,
+            const MovingSurfaces::Surface &surface,
+            Examined                       it,
+            const std::array<double, 2>   &passes,
+            const double                   turn,
+            const ZoneSizes               &sizes,
+            std::vector<std::string>      &warnings)
     {
-      // half a turn from 0, where one turn ends and the next begins
-      const double seam = turn * (std::floor(begin / turn + 0.5) + 0.5);
-      if (seam > end)
+      const auto add = [&](const std::string &warning) {
+        if (!warning.empty())
+          warnings.push_back(warning);
+      };
+      const auto [begin, end] = passes;
+      it.axis                 = "x";
+      it.element              = sizes.element[0];
+      if (turn > 0.)
+        check_seam(expression, it, turn, begin, end);
+      const auto along_x = [&](const double X) {
+        return surface.height(X, 0.);
+      };
+      add(judge(it, short_waves(along_x, begin, end, it.element)));
+      if (!expression.depends_on_y())
         return;
-      const double before = expression.value(turn / 2, 0.),
-                   behind = expression.value(-turn / 2, 0.);
-      if (std::abs(before - behind) > 1e-3 * it.element)
-        throw InputError(
-          it.entry + " = " + it.text +
-          ": after half a turn, x = " + significant(turn / 2, 7) +
-          " m, comes x = " + significant(-turn / 2, 7) +
-          " m, and the height jumps by " +
-          significant(1e6 * (behind - before), 3) +
-          " um. Give it an integer number of waves in a turn of " +
-          significant(turn, 7) + " m, or let it end before.");
+      const double middle = begin + sizes.reach[0];
+      it.axis             = "y";
+      it.element          = sizes.element[1];
+      const auto along_y  = [&](const double y) {
+        return surface.height(middle, y);
+      };
+      add(judge(
+        it, short_waves(along_y, -sizes.reach[1], sizes.reach[1], it.element)));
+    }
+
+
+
+    /** A warning of a record of a turn whose ends do not meet, or none. */
+    std::string
+    doubt_of_ends(const SurfaceRecord &record)
+    {
+      const auto &heights = record.heights;
+      double      largest = 0.;
+      for (std::size_t k = 1; k < heights.size(); ++k)
+        largest = std::max(largest, std::abs(heights[k] - heights[k - 1]));
+      const double jump = heights.front() - heights.back();
+      if (std::abs(jump) <= 3 * largest)
+        return "";
+      return record.entry + ": \"" + record.file +
+             "\": it goes once around, but from its end to its beginning the "
+             "height jumps by " +
+             significant(1e6 * jump, 3) + " um, elsewhere by at most " +
+             significant(1e6 * largest, 3) +
+             " um from point to point: the filter makes waves of that. Take the "
+             "drift out of the record.";
     }
   } // namespace
 
@@ -293,45 +291,24 @@ namespace RollingContact
             check_record(
               *record, shortest, sizes, rolled, filtered.is_periodic(), turn);
             notes.push_back(told_of(*record, filtered, shortest));
+            if (const std::string doubt = doubt_of_ends(*record);
+                filtered.is_periodic() && !doubt.empty())
+              warnings.push_back(doubt);
             surfaces[side] =
               std::make_shared<const RecordSurface>(filtered, flow);
           }
-        const auto &expression = given.expressions[side];
-        if (!expression)
-          continue;
-        surfaces[side] =
-          std::make_shared<const ExpressionSurface>(*expression, turn);
-        Examined it{given.entry(side),
-                    given.height[side],
-                    "x",
-                    sizes.element[0]};
-        // of the material: the flow brings what lies against it
-        double begin = -flow * rolled.least, end = -flow * rolled.most;
-        if (begin > end)
-          std::swap(begin, end);
-        begin -= sizes.reach[0];
-        end += sizes.reach[0];
-        if (turn > 0.)
-          check_seam(*expression, it, turn, begin, end);
-        const auto add = [&](const std::string &warning) {
-          if (!warning.empty())
-            warnings.push_back(warning);
-        };
-        const Surface &surface = *surfaces[side];
-        const auto     along_x = [&](const double X) {
-          return surface.height(X, 0.);
-        };
-        add(judge(it, short_waves(along_x, begin, end, it.element)));
-        if (scene.dimension == 2 || !expression->depends_on_y())
-          continue;
-        it.axis            = "y";
-        it.element         = sizes.element[1];
-        const auto along_y = [&](const double y) {
-          return surface.height(begin + sizes.reach[0], y);
-        };
-        add(judge(
-          it,
-          short_waves(along_y, -sizes.reach[1], sizes.reach[1], it.element)));
+        if (const auto &expression = given.expressions[side])
+          {
+            surfaces[side] =
+              std::make_shared<const ExpressionSurface>(*expression, turn);
+            examine(*expression,
+                    *surfaces[side],
+                    {given.entry(side), given.height[side], "", 0.},
+                    material_that_passes(rolled, flow, sizes),
+                    turn,
+                    sizes,
+                    warnings);
+          }
       }
   }
 

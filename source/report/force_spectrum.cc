@@ -294,13 +294,13 @@ namespace RollingContact
                        const std::filesystem::path &file,
                        RunContext                  &context)
   {
-    const Sampling sampling = sampling_of(scene);
-    const auto     n_rows = read_history(file, {"time_s"}).at("time_s").size();
-    if (n_rows < sampling.skipped +
-                   std::max(SpectrumParameters::least_rows, sampling.segment))
+    // of the rows there are, all the steps that were asked for
+    const auto n_rows = read_history(file, {"time_s"}).at("time_s").size();
+    const std::string why =
+      scene.spectrum.why_none({sampling_of(scene).step, n_rows});
+    if (!why.empty())
       {
-        context.log.message("No spectrum: " + std::to_string(n_rows) +
-                            " steps are too few (section Spectrum).");
+        context.log.message("No spectra: " + why);
         return;
       }
     const Spectra spectra(scene, file, context);

@@ -1,6 +1,5 @@
 #include <deal.II/base/parameter_handler.h>
 
-#include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/input/prm_declarations.h>
 #include <rolling_contact/scene/spectrum_parameters.h>
@@ -69,28 +68,24 @@ namespace RollingContact
 
 
 
-  void
-  SpectrumParameters::check(const TimeSteps &steps) const
+  std::string
+  SpectrumParameters::why_none(const TimeSteps &steps) const
   {
     const double length  = steps.length * steps.number;
     const bool   is_long = skipped_time > length || segment_length > length;
-    const bool   asked = write == WriteSpectrum::always || skipped_time > 0. ||
-                       segment_length > 0.;
     if (!is_long)
       {
         const std::size_t segment = rows_in_segment(steps.length);
-        if (!asked ||
-            (skipped_rows(steps.length) + std::max(least_rows, segment) <=
-               steps.number &&
-             (segment == 0 || segment >= least_rows)))
-          return;
+        const bool        whole   = segment == 0 || segment >= least_rows;
+        if (whole &&
+            skipped_rows(steps.length) + std::max(least_rows, segment) <=
+              steps.number)
+          return "";
       }
-    throw InputError(
-      "Spectrum/Skipped time = " + text_of(skipped_time) +
-      " s, Segment length = " + text_of(segment_length) + " s: the run lasts " +
-      significant(length, 6) + " s, " + std::to_string(steps.number) +
-      " steps. A spectrum needs 32 steps in a segment and a whole segment behind "
-      "what is skipped: skip less, take another segment or a longer run, or "
-      "Spectrum/Write = never.");
+    return "the run lasts " + significant(length, 6) + " s, " +
+           std::to_string(steps.number) +
+           " steps, and a spectrum needs 32 steps in a segment and a whole "
+           "segment behind what is skipped. Skip less, take another segment or a "
+           "longer run, or Spectrum/Write = never.";
   }
 } // namespace RollingContact

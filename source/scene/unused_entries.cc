@@ -1,3 +1,4 @@
+#include <rolling_contact/base/text.h>
 #include <rolling_contact/scene/scene_parameters.h>
 #include <rolling_contact/scene/unused_entries.h>
 
@@ -145,6 +146,27 @@ namespace RollingContact
 
 
 
+    /** What is wanted of a run that is too short for it; empty if nothing. */
+    std::string
+    missing_spectrum(const SceneParameters &scene)
+    {
+      const auto &[skipped, segment] =
+        std::pair(scene.spectrum.skipped_time, scene.spectrum.segment_length);
+      if (scene.analysis != "transient" || (skipped == 0. && segment == 0.) ||
+          !scene.spectrum.wanted(scene.surfaces.in_use()))
+        return "";
+      const std::string why = scene.spectrum.why_none(scene.time.steps(
+        scene.time.histories(scene.contact, scene.prm_folder).speed));
+      return why.empty()
+               ? ""
+               : "There will be no spectra, Spectrum/Skipped time = " +
+                   significant(skipped, 6) +
+                   " s, Segment length = " + significant(segment, 6) +
+                   " s: " + why;
+    }
+
+
+
     /** Who gives the creepages in place of section Contact; empty if none. */
     std::string
     giver_of_creepages(const SceneParameters &scene)
@@ -191,6 +213,9 @@ namespace RollingContact
       check(path, why);
     for (const auto &[path, why] : idle_surface_entries(scene))
       check(path, why);
+    const std::string missing = missing_spectrum(scene);
+    if (!missing.empty())
+      warnings.push_back(missing);
     if (scene.analysis == "transient" || scene.analysis == "accuracy study")
       check("Mesh/Target error",
             scene.analysis == "transient"

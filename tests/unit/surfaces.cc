@@ -19,16 +19,18 @@ BOOST_AUTO_TEST_SUITE(surfaces)
 
 namespace
 {
-  /** Rows of positions 0, d, 2 d, ... and heights, in the file's units. */
+  /** Rows of positions at equal spacing and heights, in the file's units. */
   std::string
   rows(const std::size_t                          n,
        const double                               spacing,
-       const std::function<double(const double)> &height)
+       const std::function<double(const double)> &height,
+       const double                               begin = 0.)
   {
     std::ostringstream text;
     text.precision(15);
     for (std::size_t k = 0; k < n; ++k)
-      text << k * spacing << ", " << height(k * spacing) << '\n';
+      text << begin + k * spacing << ", " << height(begin + k * spacing)
+           << '\n';
     return text.str();
   }
 
@@ -217,6 +219,23 @@ BOOST_FIXTURE_TEST_CASE(a_record_of_a_turn_comes_again, Records)
                      1e-16);
         }
     }
+  // it does not matter where on the turn the file begins, however rough it is
+  const auto rough = [](const double x) {
+    const double k = std::round(1e3 * x);
+    return 3e-6 * std::sin(k * k);
+  };
+  const FilteredRecord here(read_rows(rows(2400, 1e-3, rough)),
+                            {2e-3, 1e-3},
+                            turn),
+    there(read_rows(rows(2400,
+                         1e-3,
+                         [&](const double x) {
+                           return rough(std::fmod(x + 1.2, turn));
+                         })),
+          {2e-3, 1e-3},
+          turn);
+  for (double x = -0.01; x < 0.01; x += 0.37e-3)
+    BOOST_TEST(std::abs(here.value(x) - there.value(x + 1.2)) < 1e-15);
   const SurfaceRecord short_one = read_rows(rows(2300, 1e-3, height));
   BOOST_TEST(!FilteredRecord(short_one, {2e-3, 1e-3}, turn).is_periodic());
 }
@@ -229,7 +248,7 @@ BOOST_FIXTURE_TEST_CASE(surfaces_move_with_the_flow, Records)
   const auto bump = [](const double p) {
     return 10e-6 * std::exp(-std::pow((p - 0.1) / 0.01, 2));
   };
-  SceneParameters scene  = scene_with(rows(601, 0.5e-3, bump));
+  SceneParameters scene  = scene_with(rows(401, 0.5e-3, bump, 0.06));
   const auto      top_at = [&](const MovingSurfaces &surfaces, const double s) {
     double best = 0., at = 0.;
     for (double x = -0.02; x <= 0.02; x += 1e-4)
@@ -288,6 +307,26 @@ BOOST_AUTO_TEST_CASE(a_wheel_comes_again_after_a_turn)
     "2e-5*sin(2*pi*100*x/" + std::to_string(turn) + ")";
   scene.surfaces.read("");
   BOOST_TEST(complaint([&]() { MovingSurfaces(scene, sizes); }) == "");
+}
+
+
+
+/** A record of a turn that drifts is warned of. */
+BOOST_FIXTURE_TEST_CASE(the_ends_of_a_turn_meet, Records)
+{
+  for (const double drift : {0., 20e-6})
+    {
+      SceneParameters scene =
+        scene_with(rows(10, 1., [](double) { return 0.; }));
+      scene.surfaces.height = {"rail.csv", ""};
+      write(scratch / "rail.csv", rows(2890, 1e-3, [&](const double x) {
+              return 5e-6 * std::sin(40 * pi * x / 2.89) + drift * x / 2.89;
+            }));
+      scene.surfaces.read(scratch);
+      const MovingSurfaces surfaces(scene, sizes);
+      BOOST_TEST(surfaces.warnings.size() == (drift > 0. ? 1 : 0));
+      BOOST_TEST(contains(surfaces.notes.at(0), "it comes again after a turn"));
+    }
 }
 
 

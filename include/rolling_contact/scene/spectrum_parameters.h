@@ -2,6 +2,7 @@
 #define rolling_contact_scene_spectrum_parameters_h
 
 #include <cstddef>
+#include <string>
 
 namespace dealii
 {
@@ -41,11 +42,11 @@ namespace RollingContact
     }
 
     /**
-     * Throws InputError if a run of these steps is too short for the spectra
-     * that are asked for.
+     * Why a run of these steps has no spectra although they are wanted, a
+     * sentence; empty if it has.
      */
-    void
-    check(const TimeSteps &steps) const;
+    std::string
+    why_none(const TimeSteps &steps) const;
 
     /**
      * Rows of a history that are left out, and those in a segment; 0: to be
