@@ -284,15 +284,24 @@ namespace RollingContact
   RollingPair<dim>::set_loads(const ContactParameters &contact,
                               ContactProblem          &problem) const
   {
-    ContactLoads &loads = problem.loads;
-    loads.friction      = friction_at_nodes(contact, 0.);
-    loads.friction_law  = contact.falling_friction();
-    loads.memory_length = contact.friction_memory;
-    loads.speed         = std::abs(contact.rolling_speed());
-    loads.creepages     = contact.creepages;
-    loads.forces        = contact.forces;
-    loads.normal_load   = contact.normal_load;
-    loads.approach      = contact.approach.value_or(0.);
+    ContactLoads &loads     = problem.loads;
+    loads.friction          = friction_at_nodes(contact, 0.);
+    loads.friction_law      = contact.falling_friction();
+    loads.memory_length     = contact.friction_memory;
+    loads.speed             = std::abs(contact.rolling_speed());
+    const Creepages   found = loads.creepages;
+    const AskedForces asked = loads.forces;
+    loads.creepages         = contact.creepages;
+    loads.forces            = contact.forces;
+    // those that were found are where the next ones are looked for
+    if (contact.forces.x && asked.x)
+      loads.creepages.x = found.x;
+    if (contact.forces.y && asked.y)
+      loads.creepages.y = found.y;
+    if (contact.forces.moment && asked.moment)
+      loads.creepages.spin = found.spin;
+    loads.normal_load = contact.normal_load;
+    loads.approach    = contact.approach.value_or(0.);
     loads.inclined_load.reset();
     if (contact.vertical_load)
       loads.inclined_load = {*contact.vertical_load,
