@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace RollingContact
 {
@@ -49,6 +50,19 @@ namespace RollingContact
     if (motion->compliance_depends_on_step())
       operators.set_compliance(motion->compliance());
     operators.set_time_scaling({motion->displacement_factor(), 0.});
+  }
+
+
+
+  template <int dim>
+  void
+  ContactStepper<dim>::set_drive_functions(const DrivingFunctions &driving)
+  {
+    if (driving.normal_load.has_value() != histories.normal_load.has_value() ||
+        driving.approach.has_value() != histories.approach.has_value())
+      throw std::logic_error("Load and approach of a stepper stay what they "
+                             "are.");
+    histories = driving;
   }
 
 
@@ -422,12 +436,12 @@ namespace RollingContact
                        std::to_string(problem.n_nodes()) +
                        ". Start the run without --resume.");
     restore_state(checkpoint);
-    if (checkpoint.progress.step == 0)
-      return;
-    const double h                  = checkpoint.last_step.length;
     contact.problem.loads.creepages = {checkpoint.last_step.creepages[0],
                                        checkpoint.last_step.creepages[1],
                                        checkpoint.last_step.creepages[2]};
+    if (checkpoint.progress.step == 0)
+      return;
+    const double h = checkpoint.last_step.length;
     set_time_step(h);
     set_drive(checkpoint.progress.time - h, h);
     contact.solver.converged = true;
