@@ -1,5 +1,6 @@
 """Steady states: the numbers of the program, bodies that are kept, fields, errors."""
 
+import subprocess
 import threading
 import time
 import unittest
@@ -7,7 +8,7 @@ import unittest
 import numpy as np
 
 import rolling_contact as rc
-from cases import CARTER, COARSE_2D, LOADED_2D, PATCH_3D, Case, rows_of_program
+from cases import CARTER, COARSE_2D, LOADED_2D, PATCH_3D, PROGRAM, Case, rows_of_program
 
 
 FAILING = {
@@ -220,8 +221,8 @@ class Scenes(Case):
             rc.Scene.from_text(text, "/nowhere")
 
     def test_parameters(self):
-        parameters = (CARTER.parent / "parameters.txt").read_text()
-        self.assertEqual(rc.print_parameters(), parameters)
+        said = subprocess.run([PROGRAM, "--print-parameters"], capture_output=True, text=True, check=True)
+        self.assertEqual(rc.print_parameters(), said.stdout)
 
 
 if __name__ == "__main__":
