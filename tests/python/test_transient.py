@@ -131,14 +131,15 @@ class Restored(Case):
 
     def test_from_the_start(self):
         for initial in ("steady", "rest"):
-            settings = {**ROLLING, "Time/Initial state": initial}
-            transient = rc.Transient(CARTER, settings, time_step=STEP)
-            start = transient.save()
-            first = [state_of(transient.step(creepage_x=0.002)) for _ in range(3)]
-            transient.restore(start)
-            self.assertEqual(transient.time, 0.0)
-            second = [state_of(transient.step(creepage_x=0.002)) for _ in range(3)]
-            self.assertEqual(first, second)
+            for inputs in ({"creepage_x": 0.002}, {"longitudinal_force": -9e3}):
+                settings = {**ROLLING, "Time/Initial state": initial}
+                transient = rc.Transient(CARTER, settings, time_step=STEP)
+                start = transient.save()
+                first = [state_of(transient.step(**inputs)) for _ in range(3)]
+                transient.restore(start)
+                self.assertEqual(transient.time, 0.0)
+                second = [state_of(transient.step(**inputs)) for _ in range(3)]
+                self.assertEqual(first, second)
 
     def test_only_by_the_session_that_saved(self):
         one = rc.Transient(CARTER, ROLLING, time_step=STEP)
