@@ -158,12 +158,8 @@ namespace RollingContact::Bindings
 
 
     void
-    define_state(py::module_ &module)
+    define_resultants(py::class_<State> &state)
     {
-      py::class_<State> state(module,
-                              "State",
-                              "A steady state, a copy of its own. Forces are "
-                              "those on the wheel. SI units.");
       define(state, "force_x", &Resultants::force_x, "Unit: N.");
       define(state, "force_y", &Resultants::force_y, "Unit: N.");
       define(state, "normal_force", &Resultants::normal_force, "Unit: N.");
@@ -184,6 +180,13 @@ namespace RollingContact::Bindings
              "dissipation",
              &Resultants::dissipation,
              "Heat of friction per metre rolled. Unit: J/m.");
+    }
+
+
+
+    void
+    define_forces_and_creepages(py::class_<State> &state)
+    {
       state
         .def_property_readonly(
           "force",
@@ -202,6 +205,13 @@ namespace RollingContact::Bindings
           },
           "(creepage x, creepage y, spin), found where forces are given. "
           "Units: 1, 1, 1/m.");
+    }
+
+
+
+    void
+    define_members(py::class_<State> &state)
+    {
       const auto add = [&](const char *name, auto member, const char *help) {
         state.def_property_readonly(
           name,
@@ -224,6 +234,20 @@ namespace RollingContact::Bindings
       add("seconds",
           &SessionState::seconds,
           "Wall time of the solve. Unit: s.");
+    }
+
+
+
+    void
+    define_state(py::module_ &module)
+    {
+      py::class_<State> state(module,
+                              "State",
+                              "A steady state, a copy of its own. Forces are "
+                              "those on the wheel. SI units.");
+      define_resultants(state);
+      define_forces_and_creepages(state);
+      define_members(state);
       define_fields_of(state);
       state.def("__repr__", [](const State &self) {
         const Resultants &result = self.found.forces;

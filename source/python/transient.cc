@@ -115,24 +115,9 @@ namespace RollingContact::Bindings
 
 
     void
-    define_state(py::module_ &module)
+    define_forces(py::class_<TransientState> &state)
     {
       using S = const TransientState &;
-      py::class_<TransientState> state(
-        module,
-        "TransientState",
-        "The end of a time step, a copy of its own. Forces are those on the "
-        "wheel; energies and distances those since the start. SI units.");
-      define(
-        state, "time", [](S s) { return s.time; }, "Unit: s.");
-      define(
-        state,
-        "force_time",
-        [](S s) { return s.force_time; },
-        "The time that the forces belong to, (1 - theta) of a step before the "
-        "end. Unit: s.");
-      define(
-        state, "step", [](S s) { return s.progress.step; }, "Steps done.");
       define(
         state,
         "force",
@@ -169,15 +154,14 @@ namespace RollingContact::Bindings
         },
         "(creepage x, creepage y, spin), found where forces are given. Units: "
         "1, 1, 1/m.");
-      define(
-        state, "approach", [](S s) { return s.approach; }, "Unit: m.");
-      define(
-        state, "speed", [](S s) { return s.speed; }, "Unit: m/s.");
-      define(
-        state,
-        "rolled_distance",
-        [](S s) { return s.progress.rolled_distance; },
-        "Unit: m.");
+    }
+
+
+
+    void
+    define_energies(py::class_<TransientState> &state)
+    {
+      using S = const TransientState &;
       define(
         state,
         "kinetic_energy",
@@ -208,6 +192,33 @@ namespace RollingContact::Bindings
         "numerical_energy",
         [](S s) { return s.progress.numerical_energy; },
         "Dissipated by theta. Unit: J.");
+    }
+
+
+
+    void
+    define_steps(py::class_<TransientState> &state)
+    {
+      using S = const TransientState &;
+      define(
+        state, "time", [](S s) { return s.time; }, "Unit: s.");
+      define(
+        state,
+        "force_time",
+        [](S s) { return s.force_time; },
+        "The time that the forces belong to, (1 - theta) of a step before the "
+        "end. Unit: s.");
+      define(
+        state, "step", [](S s) { return s.progress.step; }, "Steps done.");
+      define(
+        state, "approach", [](S s) { return s.approach; }, "Unit: m.");
+      define(
+        state, "speed", [](S s) { return s.speed; }, "Unit: m/s.");
+      define(
+        state,
+        "rolled_distance",
+        [](S s) { return s.progress.rolled_distance; },
+        "Unit: m.");
       define(
         state,
         "n_touching",
@@ -233,6 +244,22 @@ namespace RollingContact::Bindings
         "seconds",
         [](S s) { return s.seconds; },
         "Wall time of the step. Unit: s.");
+    }
+
+
+
+    void
+    define_state(py::module_ &module)
+    {
+      using S = const TransientState &;
+      py::class_<TransientState> state(
+        module,
+        "TransientState",
+        "The end of a time step, a copy of its own. Forces are those on the "
+        "wheel; energies and distances those since the start. SI units.");
+      define_steps(state);
+      define_forces(state);
+      define_energies(state);
       state.def("__repr__", [](S s) {
         return py::str("<rolling_contact.TransientState: t = {:.6g} s, force_x "
                        "{:.6g} N, force_y {:.6g} N, normal_force {:.6g} N>")
