@@ -38,19 +38,17 @@ namespace RollingContact
 
 
 
-    /** Bytes of a file, all of them of a text. */
-    std::string
-    read_bounded(const fs::path &file)
+    const std::string wanted = "give the path of a .prm file.";
+
+
+
+    /** Throws unless all bytes are those of a text. */
+    void
+    require_text(const std::string &place, const std::string &text)
     {
-      const std::string place   = file.string() + ": ",
-                        wanted  = "give the path of a .prm file.";
-      const std::string problem = why_unreadable(file);
-      if (!problem.empty())
-        reject(place, "cannot be read: " + problem + "; " + wanted);
-      if (size_of(file) > max_bytes)
+      if (text.size() > max_bytes)
         reject(place,
                "it has more than 16 MiB, which no scene needs; " + wanted);
-      const std::string text = read_bytes(file);
       if (text.empty())
         reject(place, "the file is empty; " + wanted);
       unsigned int line = 1;
@@ -64,6 +62,23 @@ namespace RollingContact
                      quotable(std::string(1, character)) +
                      ", so it is no text; " + wanted);
         }
+    }
+
+
+
+    /** Bytes of a file, all of them of a text. */
+    std::string
+    read_bounded(const fs::path &file)
+    {
+      const std::string place   = file.string() + ": ",
+                        problem = why_unreadable(file);
+      if (!problem.empty())
+        reject(place, "cannot be read: " + problem + "; " + wanted);
+      if (size_of(file) > max_bytes)
+        reject(place,
+               "it has more than 16 MiB, which no scene needs; " + wanted);
+      const std::string text = read_bytes(file);
+      require_text(place, text);
       return text;
     }
 
@@ -222,12 +237,21 @@ namespace RollingContact
   PrmText
   read_prm(const fs::path &file)
   {
+    return read_prm_text(read_bounded(file), file.string());
+  }
+
+
+
+  PrmText
+  read_prm_text(const std::string &text, const std::string &name)
+  {
+    require_text(name + ": ", text);
     const std::string byte_order_mark = "\xEF\xBB\xBF";
     PrmText           found;
-    found.text = read_bounded(file);
+    found.text = text;
     if (found.text.compare(0, byte_order_mark.size(), byte_order_mark) == 0)
       found.text.erase(0, byte_order_mark.size());
-    Scan(found).read(file, found.text, "");
+    Scan(found).read(name, found.text, "");
     return found;
   }
 

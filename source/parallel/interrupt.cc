@@ -32,6 +32,8 @@ namespace RollingContact
       std::string           text;
     };
 
+    std::function<void()> interrupt_source;
+
     std::timed_mutex last_words_mutex;
     LastWords        last_words;
 
@@ -194,8 +196,18 @@ namespace RollingContact
 
 
   void
+  set_interrupt_source(const std::function<void()> &source)
+  {
+    interrupt_source = source;
+  }
+
+
+
+  void
   throw_if_interrupted()
   {
+    if (interrupt_source)
+      interrupt_source();
     double signal = received_signal;
     if (!Ranks::others_wait())
       signal = Ranks::maximum(signal);

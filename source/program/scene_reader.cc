@@ -51,8 +51,11 @@ namespace RollingContact
     {
       std::string value = setting.value;
       std::replace(value.begin(), value.end(), '\t', ' ');
-      const std::string place = "--set \"" + quotable(setting.path, 200) + "=" +
-                                quotable(setting.value, 200) + "\": ",
+      const std::string place   = !setting.place.empty()
+                                    ? setting.place
+                                    : "--set \"" + quotable(setting.path, 200) +
+                                      "=" + quotable(setting.value, 200) +
+                                      "\": ",
                         problem = problem_of_value(setting.value);
       if (!problem.empty())
         throw InputError(place + problem);
@@ -120,13 +123,26 @@ namespace RollingContact
   SceneInput
   read_scene(const CommandLine &command_line)
   {
+    return scene_of_text(
+      read_prm(command_line.prm_file),
+      command_line.prm_file,
+      std::filesystem::path(command_line.prm_file).parent_path(),
+      command_line.settings);
+  }
+
+
+
+  SceneInput
+  scene_of_text(const PrmText                           &file,
+                const std::string                       &name,
+                const std::filesystem::path             &folder,
+                const std::vector<CommandLine::Setting> &settings)
+  {
     SceneInput       input;
     SceneParameters &scene = input.scene;
     ParameterHandler prm;
     declare(scene, prm);
-    scene.prm_folder =
-      std::filesystem::path(command_line.prm_file).parent_path();
-    const PrmText         file = read_prm(command_line.prm_file);
+    scene.prm_folder = folder;
     const DeclaredEntries declared(prm);
     for (const PrmEntry &section : file.sections)
       declared.check_section(section);
@@ -136,14 +152,13 @@ namespace RollingContact
     try
       {
         std::istringstream lines(input.original);
-        prm.parse_input(lines, command_line.prm_file);
+        prm.parse_input(lines, name);
       }
     catch (const ExceptionBase &error)
       {
-        throw InputError(command_line.prm_file + ": " +
-                         quotable(message_of(error), 300));
+        throw InputError(name + ": " + quotable(message_of(error), 300));
       }
-    for (const auto &setting : command_line.settings)
+    for (const auto &setting : settings)
       apply_setting(setting, declared, prm);
     std::ostringstream used;
     prm.print_parameters(used, ParameterHandler::ShortText);
@@ -159,8 +174,7 @@ namespace RollingContact
     if (scene.analysis == "table")
       plan_table(scene); // all states of it are possible
     input.warnings =
-      unused_entries(scene,
-                     changed_entries(declared, file, command_line.settings));
+      unused_entries(scene, changed_entries(declared, file, settings));
     const auto doubts = implausible_values(scene);
     input.warnings.insert(input.warnings.end(), doubts.begin(), doubts.end());
     return input;

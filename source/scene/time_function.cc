@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <limits>
 #include <sstream>
 
 namespace RollingContact
@@ -130,6 +131,28 @@ namespace RollingContact
   TimeFunction::TimeFunction(const double constant)
     : points{{0., constant}}
   {}
+
+
+
+  TimeFunction::TimeFunction(
+    const std::string                            &entry,
+    const std::vector<std::pair<double, double>> &points)
+    : entry(entry)
+    , points(points)
+  {
+    if (points.empty())
+      throw InputError(entry + ": a history needs a point of time and value.");
+    double before = -std::numeric_limits<double>::infinity();
+    for (const auto &[time, value] : points)
+      {
+        if (!std::isfinite(time) || !std::isfinite(value) || !(time > before))
+          throw InputError(entry + " = " + significant(value, 6) +
+                           " at t = " + significant(time, 6) +
+                           " s: values must be finite, and times in s too and "
+                           "rising; give others.");
+        before = time;
+      }
+  }
 
 
 

@@ -4,6 +4,7 @@
 #include <rolling_contact/base/stopwatch.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/input/prm_text.h>
+#include <rolling_contact/parallel/interrupt.h>
 #include <rolling_contact/scene/scene_entries.h>
 #include <rolling_contact/sessions/kept_bodies.h>
 #include <rolling_contact/sessions/quiet_context.h>
@@ -62,7 +63,12 @@ namespace RollingContact
     class Bodies : public Session::Implementation
     {
     public:
-      using Session::Implementation::Implementation;
+      Bodies(const SceneParameters &scene,
+             std::ostream          *log,
+             const Verbosity        verbosity)
+        : Implementation(scene)
+        , context(log, verbosity)
+      {}
 
       void
       solve(const SceneParameters &scene, const std::string &bodies) override;
@@ -153,6 +159,7 @@ namespace RollingContact
           SteadyState<dim> &steady = kept.front().steady;
           if (!steady.solver.converged)
             steady.state = initial_state(steady.problem, estimate_patch(scene));
+          steady.solver.converged = false; // where it throws
           solve_on_kept_bodies(scene, steady);
           if (!steady.solver.converged)
             {
@@ -191,18 +198,28 @@ namespace RollingContact
         2 * steady.result.half_width_x / steady.grading.element_size_x;
       if (found.converged)
         found.bounds = error_bounds(scene, steady);
+      context.run.log.message(
+        "T = (" + significant(found.forces.force_x, 6) + ", " +
+        significant(found.forces.force_y, 6) +
+        ") N, N = " + significant(found.forces.normal_force, 6) + " N" +
+        (found.converged ? "" : ", not converged: " + found.reason) +
+        (found.new_bodies.empty() ? "; bodies kept"
+                                  : "; new bodies: " + found.new_bodies) +
+        '.');
     }
   } // namespace
 
 
 
-  Session::Session(const SceneParameters &scene)
+  Session::Session(const SceneParameters &scene,
+                   std::ostream          *log,
+                   const Verbosity        verbosity)
   {
     refuse_what_is_for_one_state(scene);
     if (scene.dimension == 2)
-      implementation = std::make_unique<Bodies<2>>(scene);
+      implementation = std::make_unique<Bodies<2>>(scene, log, verbosity);
     else
-      implementation = std::make_unique<Bodies<3>>(scene);
+      implementation = std::make_unique<Bodies<3>>(scene, log, verbosity);
   }
 
 
@@ -243,6 +260,7 @@ namespace RollingContact
   Session::solve()
   {
     const Stopwatch watch;
+    throw_if_interrupted();
     implementation->found   = SessionState();
     implementation->problem = nullptr;
     implementation->entries.check_scene();

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace RollingContact
 {
@@ -56,6 +57,19 @@ namespace RollingContact
 
   template <int dim>
   void
+  ContactStepper<dim>::set_drive_functions(const DrivingFunctions &driving)
+  {
+    if (driving.normal_load.has_value() != histories.normal_load.has_value() ||
+        driving.approach.has_value() != histories.approach.has_value())
+      throw std::logic_error("Load and approach of a stepper stay what they "
+                             "are.");
+    histories = driving;
+  }
+
+
+
+  template <int dim>
+  void
   ContactStepper<dim>::set_drive(const double time, const double h)
   {
     ContactProblem &problem = contact.problem;
@@ -96,7 +110,8 @@ namespace RollingContact
     if (!loads.friction_law || loads.memory_length <= 0.)
       return;
     loads.step_path =
-      std::abs(travelled.value(time + h) - travelled.value(time));
+      std::abs(histories.speed.value(time) + histories.speed.value(time + h)) /
+      2 * h;
     loads.friction_arriving =
       moved_with_flow(contact.problem.operators,
                       contact.state.friction.empty() ? loads.friction

@@ -52,12 +52,12 @@ namespace RollingContact
                        std::to_string(problem.n_nodes()) +
                        ". Start the run without --resume.");
     restore_state(checkpoint);
-    if (checkpoint.progress.step == 0)
-      return;
-    const double h                  = checkpoint.last_step.length;
     contact.problem.loads.creepages = {checkpoint.last_step.creepages[0],
                                        checkpoint.last_step.creepages[1],
                                        checkpoint.last_step.creepages[2]};
+    if (checkpoint.progress.step == 0)
+      return;
+    const double h = checkpoint.last_step.length;
     set_time_step(h);
     set_drive(checkpoint.progress.time - h, h);
     contact.solver.converged = true;

@@ -41,6 +41,13 @@ namespace RollingContact
   read_prm(const std::filesystem::path &file);
 
   /**
+   * A text as that of a .prm file, see read_prm(); @p name stands for it in
+   * messages.
+   */
+  PrmText
+  read_prm_text(const std::string &text, const std::string &name);
+
+  /**
    * What keeps a value from standing in a .prm file; empty if nothing.
    */
   std::string

@@ -2,6 +2,7 @@
 #define rolling_contact_parallel_interrupt_h
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 namespace RollingContact
@@ -38,6 +39,15 @@ namespace RollingContact
    */
   void
   throw_if_interrupted();
+
+  /**
+   * What throw_if_interrupted() calls first, for a program that follows signals
+   * by itself, as an interpreter does: it throws Interrupted if the solve is to
+   * end. Any thread may call it. An empty one asks nobody. To be set before
+   * anything is solved.
+   */
+  void
+  set_interrupt_source(const std::function<void()> &source);
 
   /**
    * What a process that is ended at once leaves: this text in the file, written

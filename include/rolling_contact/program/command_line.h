@@ -24,6 +24,7 @@ namespace RollingContact
     {
       std::string path; ///< Section/Entry, or Entry at the top level
       std::string value;
+      std::string place = ""; ///< for messages; empty: that of --set
     };
 
     std::string              prm_file;

@@ -1,6 +1,7 @@
 #ifndef rolling_contact_program_scene_reader_h
 #define rolling_contact_program_scene_reader_h
 
+#include <rolling_contact/input/prm_text.h>
 #include <rolling_contact/program/command_line.h>
 #include <rolling_contact/scene/scene_parameters.h>
 
@@ -28,6 +29,16 @@ namespace RollingContact
    */
   SceneInput
   read_scene(const CommandLine &command_line);
+
+  /**
+   * The same of a text that was read; files it names are relative to a @p
+   * folder, @p name stands for the text in messages. Throws InputError.
+   */
+  SceneInput
+  scene_of_text(const PrmText                           &text,
+                const std::string                       &name,
+                const std::filesystem::path             &folder,
+                const std::vector<CommandLine::Setting> &settings);
 
   /**
    * Every parameter with its default and documentation, as a .prm file.

@@ -33,6 +33,14 @@ namespace RollingContact
     explicit TimeFunction(const double constant);
 
     /**
+     * Linear between points of time and value, constant beyond their ends.
+     * Throws InputError naming the entry if there is none, a value is not
+     * finite or the times do not rise. Units: s.
+     */
+    TimeFunction(const std::string                            &entry,
+                 const std::vector<std::pair<double, double>> &points);
+
+    /**
      * A function from what the user wrote for an entry (Section/Entry, for
      * messages). Files are relative to a folder. Throws InputError naming the
      * entry, its text and what is allowed.

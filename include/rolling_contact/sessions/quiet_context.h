@@ -9,15 +9,16 @@ namespace RollingContact
 {
   /**
    * A RunContext for those who have no run: no folder, no table that is
-   * written, a log that nobody reads.
+   * written, a log that nobody reads unless a stream is given.
    */
   class QuietContext
   {
   public:
-    QuietContext()
+    explicit QuietContext(std::ostream   *out       = nullptr,
+                          const Verbosity verbosity = Verbosity::quiet)
       : nothing(nullptr)
       , folder("", "", "")
-      , log(Verbosity::quiet, nothing, nothing)
+      , log(verbosity, out ? *out : nothing, out ? *out : nothing)
       , run{folder, results, report, timer, log}
     {}
 

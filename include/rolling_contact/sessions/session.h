@@ -2,8 +2,10 @@
 #define rolling_contact_sessions_session_h
 
 #include <rolling_contact/assessment/error_bounds.h>
+#include <rolling_contact/run/log.h>
 #include <rolling_contact/scene/scene_parameters.h>
 
+#include <iosfwd>
 #include <memory>
 #include <string>
 
@@ -36,7 +38,7 @@ namespace RollingContact
    * them kept, where an entry outside of section Contact differs, where the
    * flow turns round, where there is friction in place of none, or where the
    * estimated patch is less than 0.9 or more than 1/0.9 times the one that the
-   * mesh was made for. Writes no files and says nothing; several sessions in a
+   * mesh was made for. Writes no files; several sessions in a
    * process do not know of each other, and one may be used by one thread at a
    * time. BLAS should have one thread, see use_one_solver_thread(). For one
    * rank.
@@ -47,9 +49,12 @@ namespace RollingContact
     /**
      * Reads the mesh files and profiles of the scene anew. Throws InputError if
      * it contradicts itself or has Mesh/Target error or Adaptive levels, which
-     * are for single states.
+     * are for single states. What the program would say while it makes bodies
+     * goes to @p log, which must outlive the session; nowhere without.
      */
-    explicit Session(const SceneParameters &scene);
+    explicit Session(const SceneParameters &scene,
+                     std::ostream          *log       = nullptr,
+                     const Verbosity        verbosity = Verbosity::quiet);
     ~Session();
 
     Session(Session &&) noexcept;

@@ -10,9 +10,9 @@ namespace RollingContact
   /**
    * Derivative of the forces of a state by its creepages, both those of the
    * components that ContactLoads::forces asks for: dF_k / dxi_l of the contact
-   * laws linearised on the touching nodes, exact but for how the edge law changes
-   * with the state. Empty if the laws are singular there. Units: N, N m over
-   * 1, 1/m.
+   * laws linearised on the touching nodes, exact but for how the edge law
+   * changes with the state. Empty if the laws are singular there. Units: N, N m
+   * over 1, 1/m.
    */
   DenseMatrix
   force_derivative(const ContactProblem &problem,

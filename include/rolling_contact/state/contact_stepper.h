@@ -91,6 +91,16 @@ namespace RollingContact
       return histories;
     }
 
+    /**
+     * Drive the steps from now on by other histories than the scene's, as under
+     * control from outside. A load or an approach is given as before, and with
+     * surfaces that move the speed stays. The past of an approach down to two
+     * steps ago counts, for the acceleration of the hub, and what it will be up
+     * to half a step beyond the end.
+     */
+    void
+    set_drive_functions(const DrivingFunctions &driving);
+
     void
     save(Checkpoint &checkpoint) const;
 
@@ -198,7 +208,7 @@ namespace RollingContact
 
     const SceneParameters               &scene;
     RunContext                          &context;
-    const DrivingFunctions               histories;
+    DrivingFunctions                     histories;
     const TravelledDistance              travelled;
     SteadyState<dim>                     contact;
     std::unique_ptr<PairIntegrator<dim>> motion;

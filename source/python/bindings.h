@@ -1,0 +1,126 @@
+#ifndef rolling_contact_python_bindings_h
+#define rolling_contact_python_bindings_h
+
+#include <pybind11/iostream.h>
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <rolling_contact/contact/contact_problem.h>
+#include <rolling_contact/program/scene_reader.h>
+
+#include <atomic>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace RollingContact
+{
+  /** The module rolling_contact for Python; see doc/python.md. */
+  namespace Bindings
+  {
+    namespace py = pybind11;
+
+    /**
+     * A scene for Python: a text with what was set beside it.
+     */
+    struct Scene
+    {
+      PrmText                            text;
+      std::string                        name; ///< of the file, for messages
+      std::filesystem::path              folder;
+      std::vector<CommandLine::Setting>  settings;
+      std::map<std::string, std::string> entries; ///< all that were given
+      std::vector<std::string>           warnings;
+      SceneParameters                    parameters;
+    };
+
+    /**
+     * Of a path, a text (which has line ends) or a Scene, with settings {entry:
+     * value} on top. Throws InputError.
+     */
+    std::shared_ptr<const Scene>
+    make_scene(const py::object &source, const py::object &settings);
+
+    /**
+     * The same in time: Analysis is transient, and there is an end where none
+     * is given. Units: s.
+     */
+    std::shared_ptr<const Scene>
+    make_scene_in_time(const py::object           &source,
+                       const py::object           &settings,
+                       const std::optional<double> time_step);
+
+    /**
+     * What a value of Python stands for in a .prm file. Throws TypeError unless
+     * it is a text, a number or true or false.
+     */
+    std::string
+    text_of_value(const std::string &entry, const py::handle &value);
+
+    /**
+     * Fields at the N contact nodes, copies of their own. Units: SI.
+     */
+    struct Fields
+    {
+      Fields(const ContactProblem &problem, const ContactState &state);
+
+      py::array_t<double>      positions, pressure, traction, gap, slip;
+      py::array_t<double>      areas, forces;
+      py::array_t<std::int8_t> node_states;
+    };
+
+    /**
+     * Where a session says what it does: sys.stdout, unless it is quiet.
+     */
+    class Speech
+    {
+    public:
+      /** Throws InputError unless it is quiet, normal or verbose. */
+      explicit Speech(const std::string &verbosity);
+
+      std::ostream *
+      stream()
+      {
+        return out.get();
+      }
+
+      Verbosity verbosity;
+
+    private:
+      std::unique_ptr<py::detail::pythonbuf> buffer;
+      std::unique_ptr<std::ostream>          out;
+    };
+
+    /**
+     * Keeps others from what one thread uses, as the interpreter runs on.
+     */
+    class InUse
+    {
+    public:
+      /** Throws std::runtime_error if it is in use. */
+      explicit InUse(std::atomic_flag &flag);
+      ~InUse();
+
+      InUse(const InUse &) = delete;
+      InUse &
+      operator=(const InUse &) = delete;
+
+    private:
+      std::atomic_flag &flag;
+    };
+
+    void
+    define_scene(py::module_ &module);
+    void
+    define_fields(py::module_ &module);
+    void
+    define_session(py::module_ &module);
+    void
+    define_transient(py::module_ &module);
+  } // namespace Bindings
+} // namespace RollingContact
+
+#endif
