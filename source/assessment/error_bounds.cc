@@ -2,7 +2,7 @@
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/contact/friction_limit.h>
 #include <rolling_contact/contact/touching_run.h>
-#include <rolling_contact/solvers/force_control.h>
+#include <rolling_contact/solvers/scaled_forces.h>
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <rolling_contact/parallel/broadcast.h>
 #include <rolling_contact/parallel/interrupt.h>
 #include <rolling_contact/solvers/force_control.h>
-#include <rolling_contact/solvers/newton_system.h>
+#include <rolling_contact/solvers/scaled_forces.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,179 +13,15 @@
 
 namespace RollingContact
 {
-  DenseMatrix
-  force_derivative(const ContactProblem &problem,
-                   const SolverControls &controls,
-                   const ContactState   &state)
-  {
-    const auto              asked = asked_components(problem.loads.forces);
-    std::vector<NodalField> slips;
-    for (const auto &[component, force] : asked)
-      slips.push_back(rigid_slip(problem.operators, unit_creepage(component)));
-    const auto unknowns = problem.operators.coupling().exists
-                            ? NewtonSystem::Unknowns::traction_and_pressure
-                            : NewtonSystem::Unknowns::traction;
-    const std::vector<ContactState> changes =
-      NewtonSystem(problem, controls, state, unknowns).response(slips);
-    DenseMatrix derivative(changes.size(), changes.size());
-    for (std::size_t l = 0; l < changes.size(); ++l)
-      {
-        const auto change =
-          plane_resultant(problem, nodal_forces(problem, changes[l]));
-        for (std::size_t k = 0; k < changes.size(); ++k)
-          derivative(k, l) = change[asked[k].first];
-      }
-    return derivative;
-  }
-
-
-
   namespace
   {
     using Vector = std::vector<double>;
+    using Asked  = std::vector<std::pair<unsigned int, double>>;
 
     double &
     component(Creepages &creepages, const unsigned int k)
     {
       return k == 0 ? creepages.x : k == 1 ? creepages.y : creepages.spin;
-    }
-
-
-
-    /**
-     * G of scaled forces, continued by its tangent close to |F| = 1.
-     */
-    class Saturation
-    {
-    public:
-      explicit Saturation(const double m)
-        : m(m)
-      {}
-
-      Vector
-      value(const Vector &F) const
-      {
-        const double size  = norm(F);
-        Vector       value = F;
-        for (double &entry : value)
-          entry *= size > 0. ? grown(size) / size : 1.;
-        return value;
-      }
-
-      /**
-       * dG/dF = g/|F| (1 - e e^T) + g' e e^T.
-       */
-      DenseMatrix
-      derivative(const Vector &F) const
-      {
-        const double      size  = norm(F);
-        const std::size_t n     = F.size();
-        const double      ratio = size > 0. ? grown(size) / size : 1.;
-        DenseMatrix       result(n, n);
-        for (std::size_t i = 0; i < n; ++i)
-          for (std::size_t j = 0; j < n; ++j)
-            result(i, j) =
-              (i == j ? ratio : 0.) +
-              (size > 0. ? (growth(size) - ratio) * F[i] * F[j] / (size * size)
-                         : 0.);
-        return result;
-      }
-
-    private:
-      double
-      growth(const double size) const
-      {
-        return std::pow(1 - std::min(size, last), 1 / m - 1);
-      }
-
-      double
-      grown(const double size) const
-      {
-        const double known = std::min(size, last);
-        return m * (1 - std::pow(1 - known, 1 / m)) +
-               growth(size) * (size - known);
-      }
-
-      const double m;
-      const double last = 1 - 1e-6;
-    };
-
-
-
-    using Asked = std::vector<std::pair<unsigned int, double>>;
-
-    /**
-     * mu N, and the moment of pure spin at full sliding; 1 without contact.
-     */
-    Vector
-    force_scales(const ContactProblem &problem, const ContactState &state)
-    {
-      Vector scales;
-      for (const auto &it : asked_components(problem.loads.forces))
-        {
-          const double sum =
-            sliding_resultant(problem, state.pressure, it.first);
-          scales.push_back(sum > 0. ? sum : 1.);
-        }
-      return scales;
-    }
-
-
-
-    /**
-     * Asked and present forces of friction alone, scaled.
-     */
-    std::pair<Vector, Vector>
-    scaled_forces(const ContactProblem &problem,
-                  const ContactState   &state,
-                  const Vector         &scales)
-    {
-      const auto total = plane_resultant(problem, nodal_forces(problem, state));
-      const auto part  = plane_resultant_of_pressure(problem, state.pressure);
-      const auto asked = asked_components(problem.loads.forces);
-      Vector     target, present;
-      for (std::size_t k = 0; k < asked.size(); ++k)
-        {
-          const unsigned int c = asked[k].first;
-          target.push_back((asked[k].second - part[c]) / scales[k]);
-          present.push_back((total[c] - part[c]) / scales[k]);
-        }
-      return {target, present};
-    }
-
-
-
-    /**
-     * force_derivative() of the scaled forces.
-     */
-    DenseMatrix
-    scaled_derivative(const ContactProblem &problem,
-                      const SolverControls &controls,
-                      const ContactState   &state,
-                      const Vector         &scales)
-    {
-      DenseMatrix derivative = force_derivative(problem, controls, state);
-      for (std::size_t k = 0; k < derivative.n_rows(); ++k)
-        for (std::size_t l = 0; l < derivative.n_columns(); ++l)
-          derivative(k, l) /= scales[k];
-      return derivative;
-    }
-
-
-
-    /**
-     * dG/dxi = dG/dF dF/dxi.
-     */
-    DenseMatrix
-    chain(const DenseMatrix &dG, const DenseMatrix &derivative)
-    {
-      const std::size_t n = dG.n_rows();
-      DenseMatrix       product(n, n);
-      for (std::size_t i = 0; i < n; ++i)
-        for (std::size_t j = 0; j < n; ++j)
-          for (std::size_t k = 0; k < n; ++k)
-            product(i, j) += dG(i, k) * derivative(k, j);
-      return product;
     }
 
 
@@ -370,7 +206,7 @@ namespace RollingContact
       const std::size_t n  = asked.size();
       const Vector      at = saturation.value(point.forces);
       DenseMatrix       right(n, 1),
-        matrix = chain(saturation.derivative(point.forces), point.derivative);
+        matrix = product(saturation.derivative(point.forces), point.derivative);
       for (std::size_t i = 0; i < n; ++i)
         right(i, 0) = G[i] - at[i];
       if (!solve_general(matrix, right))
@@ -526,38 +362,6 @@ namespace RollingContact
       return report;
     }
   } // namespace
-
-
-
-  std::vector<double>
-  creepage_margins(const ContactProblem &problem,
-                   const SolverControls &controls,
-                   const ContactState   &state,
-                   const double          part)
-  {
-    const Saturation saturation(problem.n_tangential() + 1.);
-    const Vector     scales = force_scales(problem, state),
-                 forces     = scaled_forces(problem, state, scales).second;
-    const double      size  = norm(forces);
-    const DenseMatrix derivative =
-      scaled_derivative(problem, controls, state, scales);
-    if (size + part >= 1. || derivative.n_rows() == 0)
-      return {};
-    const std::size_t n = forces.size();
-    DenseMatrix       inverse(n, n),
-      matrix = chain(saturation.derivative(forces), derivative);
-    for (std::size_t i = 0; i < n; ++i)
-      inverse(i, i) = 1.;
-    if (!solve_general(matrix, inverse))
-      return {};
-    const double change = saturation.value(Vector{size + part})[0] -
-                          saturation.value(Vector{size})[0];
-    Vector margins(n, 0.);
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = 0; j < n; ++j)
-        margins[i] += std::abs(inverse(i, j)) * change;
-    return margins;
-  }
 
 
 

@@ -1,0 +1,304 @@
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/text.h>
+#include <rolling_contact/input/prm_declarations.h>
+#include <rolling_contact/scene/scene_parameters.h>
+
+#include <cmath>
+
+namespace RollingContact
+{
+  void
+  SceneParameters::check_hubs() const
+  {
+    const bool dynamic = is_transient() && time.inertia;
+    for (const BodyParameters *body : {&wheel, &rail})
+      if (!body->rigid && body->hub == Hub::free &&
+          (!dynamic || time.initial_state == InitialState::steady))
+        throw InputError(body->section +
+                         "/Hub = free: only inertia holds such a body; take "
+                         "Analysis = transient with Time/Inertia = true and "
+                         "Time/Initial state = rest, or `clamped`.");
+    const bool free_wheel = !wheel.rigid && wheel.hub == Hub::free;
+    if (free_wheel && contact.normal_load)
+      throw InputError(
+        "Contact/Normal load = " + text_of(*contact.normal_load) +
+        " and Wheel/Hub = free: the load acts through a clamped "
+        "hub; give Contact/Approach instead.");
+    if (time.initial_velocity != 0. && !free_wheel)
+      throw InputError(
+        "Time/Initial velocity = " + text_of(time.initial_velocity) +
+        ": it is that of an elastic wheel with Wheel/Hub = "
+        "free.");
+  }
+
+
+
+  void
+  SceneParameters::check_speed() const
+  {
+    if (contact.speed || !contact.falling_friction() ||
+        (is_transient() && !time.speed.empty()))
+      return;
+    throw InputError("Contact/Friction law = " + contact.friction_law +
+                     " and Contact/Speed is empty: friction falls with the "
+                     "sliding speed |s| V, give the rolling speed V in m/s" +
+                     (is_transient() ? ", here or as Time/Speed." : "."));
+  }
+
+
+
+  void
+  SceneParameters::check_mesh_files() const
+  {
+    for (const BodyParameters *body : {&wheel, &rail})
+      {
+        if (!body->is_from_file())
+          continue;
+        const std::string why =
+          ": a body from a mesh file (" + body->section + "/Shape) ";
+        if (body_solver == BodySolver::distributed)
+          throw InputError("Body solver = distributed" + why +
+                           "lives on one rank; take direct or automatic.");
+        if (analysis == "accuracy study")
+          throw InputError("Analysis = accuracy study" + why +
+                           "has one mesh only, a study needs many.");
+        if (mesh.adaptive_levels > 0)
+          throw InputError(
+            "Mesh/Adaptive levels = " + std::to_string(mesh.adaptive_levels) +
+            why + "is not refined; set it to 0.");
+        if (mesh.rim_levels > 0)
+          throw InputError(
+            "Mesh/Rim levels = " + std::to_string(mesh.rim_levels) + why +
+            "is not refined; set it to 0.");
+      }
+  }
+
+
+
+  void
+  SceneParameters::check_surfaces() const
+  {
+    surfaces.check(dimension);
+    if (!surfaces.in_use())
+      return;
+    if (mesh.target_error && !is_transient())
+      throw InputError(
+        "Mesh/Target error = " + text_of(*mesh.target_error) +
+        ": the error of surfaces that move (section Surfaces) is not known "
+        "beforehand. Leave it empty and give Mesh/Elements across patch.");
+    if (analysis == "accuracy study")
+      throw InputError("Analysis = accuracy study: its meshes would each show "
+                       "another surface (section Surfaces). Leave the heights "
+                       "empty.");
+  }
+
+
+
+  void
+  SceneParameters::check_forces() const
+  {
+    bool of_curve = false;
+    if (analysis == "creep curve")
+      for (const CreepCurvePoint &point : creep_curve.points())
+        of_curve = of_curve || point.forces.any();
+    if (!contact.forces.any() && !of_curve)
+      return;
+    const std::string asked =
+      of_curve ? "Creep curve/Longitudinal force, Lateral force or Spin moment"
+               : "Contact/Longitudinal force, Lateral force or Spin moment";
+    if (mesh.adaptive_levels > 0)
+      throw InputError(
+        asked +
+        " and Mesh/Adaptive levels = " + std::to_string(mesh.adaptive_levels) +
+        ": levels are judged by how the forces change, and these are given. "
+        "Set the levels to 0, or give creepages.");
+    if (analysis == "accuracy study")
+      throw InputError(asked + " and Analysis = accuracy study: a study "
+                               "compares the forces of given creepages; leave "
+                               "them empty.");
+    if (of_curve && contact.friction_coefficient == 0.)
+      throw InputError(asked + " and Contact/Friction coefficient = 0: without "
+                               "friction there is no such force.");
+  }
+
+
+
+  void
+  SceneParameters::check_target_error() const
+  {
+    if (!mesh.target_error || is_transient() || analysis == "accuracy study")
+      return;
+    const std::string target =
+      "Mesh/Target error = " + text_of(*mesh.target_error);
+    if (contact.friction_coefficient <= 0.)
+      throw InputError(
+        target + " and Contact/Friction coefficient = 0: it is an error of "
+                 "the friction force. Leave it empty and give Mesh/Elements "
+                 "across patch.");
+    if (mesh.adaptive_levels > 0)
+      throw InputError(
+        target +
+        " and Mesh/Adaptive levels = " + std::to_string(mesh.adaptive_levels) +
+        ": the target chooses one mesh, levels refine it. Leave the target "
+        "empty, or set the levels to 0.");
+    for (const BodyParameters *body : {&wheel, &rail})
+      if (body->is_from_file())
+        throw InputError(target + ": a body from a mesh file (" +
+                         body->section +
+                         "/Shape) has elements of its own, whose error is not "
+                         "known. Leave it empty.");
+  }
+
+
+
+  void
+  SceneParameters::check_pair() const
+  {
+    if (wheel.rigid && rail.rigid)
+      throw InputError("Wheel/Rigid = true and Rail/Rigid = true: at least one "
+                       "body must be elastic.");
+    if (dimension == 2 && !wheel.rigid && !rail.rigid &&
+        wheel.thickness != rail.thickness)
+      throw InputError("Wheel/Thickness = " + text_of(wheel.thickness) +
+                       " and Rail/Thickness = " + text_of(rail.thickness) +
+                       ": plane strain needs the same thickness in both.");
+  }
+
+
+
+  void
+  SceneParameters::check_body_solver() const
+  {
+    if (body_solver != BodySolver::distributed)
+      return;
+    if (analysis == "accuracy study")
+      throw InputError(
+        "Body solver = distributed: an accuracy study factorises "
+        "its bodies; take direct or automatic.");
+    for (const BodyParameters *body : {&wheel, &rail})
+      if (!body->rigid &&
+          body->material.poisson_ratio > distributed_poisson_limit)
+        throw InputError(
+          body->section +
+          "/Poisson ratio = " + text_of(body->material.poisson_ratio) +
+          ": conjugate gradients with multigrid converge up to " +
+          text_of(distributed_poisson_limit) + "; take Body solver = direct.");
+  }
+
+
+
+  void
+  SceneParameters::check_study() const
+  {
+    if (analysis != "accuracy study")
+      return;
+    study.check(dimension);
+    if (mesh.adaptive_levels > 0)
+      throw InputError(
+        "Mesh/Adaptive levels = " + std::to_string(mesh.adaptive_levels) +
+        ": an accuracy study has its own meshes (Accuracy study/Elements "
+        "across patch); set it to 0.");
+  }
+
+
+
+  void
+  SceneParameters::check_table() const
+  {
+    if (analysis != "table")
+      return;
+    table.check();
+    const std::string why = ": the states of a table share bodies, whose "
+                            "compliance is found once, on one mesh; ";
+    if (mesh.target_error)
+      throw InputError("Mesh/Target error = " + text_of(*mesh.target_error) +
+                       why + "give Mesh/Elements across patch.");
+    if (mesh.adaptive_levels > 0)
+      throw InputError(
+        "Mesh/Adaptive levels = " + std::to_string(mesh.adaptive_levels) + why +
+        "set it to 0.");
+    if (body_solver == BodySolver::distributed)
+      throw InputError("Body solver = distributed" + why +
+                       "take direct or automatic.");
+  }
+
+
+
+  void
+  SceneParameters::check_profiles() const
+  {
+    if (contact.vertical_load && !profiles.in_use())
+      throw InputError(
+        "Contact/Vertical load = " + text_of(*contact.vertical_load) +
+        ": without profiles the vertical is the normal; give "
+        "Contact/Normal load.");
+    if (!profiles.in_use())
+      return;
+    const std::string given =
+      "Profiles/Wheel profile = " + profiles.wheel_profile +
+      ", Profiles/Rail profile = " + profiles.rail_profile + ": ";
+    if (profiles.wheel_profile.empty() || profiles.rail_profile.empty())
+      throw InputError(given + "give both or none of them.");
+    if (dimension == 2)
+      throw InputError(given + "profiles are across the track, take "
+                               "Dimension = 3.");
+    if (analysis == "accuracy study" && profiles.gives_creepages())
+      throw InputError("Profiles/Creepages = from kinematics: an accuracy "
+                       "study has its own creepages (Accuracy study/Creepages "
+                       "over saturation); take given.");
+    for (const BodyParameters *body : {&wheel, &rail})
+      if (body->is_from_file())
+        throw InputError(given + "a body from a mesh file (" + body->section +
+                         "/Shape) brings its own surface; leave the profiles "
+                         "empty.");
+    if (!rail.rigid && (rail.shape != "block" || rail.radius != 0.))
+      throw InputError("Rail/Shape = " + rail.shape +
+                       ", Rail/Radius = " + text_of(rail.radius) +
+                       ": a rail with a profile is straight; take Rail/Shape "
+                       "= block and Rail/Radius = 0.");
+    if (profiles.true_sections && !wheel.rigid && wheel.shape != "disc")
+      throw InputError("Wheel/Shape = " + wheel.shape +
+                       " and Profiles/Body sections = true: the wheel is a "
+                       "body of revolution then; take Wheel/Shape = disc.");
+    for (const BodyParameters *body : {&wheel, &rail})
+      if (body->lateral_radius != 0.)
+        throw InputError(body->section +
+                         "/Lateral radius = " + text_of(body->lateral_radius) +
+                         ": the surface across the track is that of Profiles/" +
+                         body->section + " profile; set it to 0 m.");
+    if (contact.vertical_load && is_transient())
+      throw InputError(
+        "Contact/Vertical load = " + text_of(*contact.vertical_load) +
+        ": in time the load is along the normal; give "
+        "Contact/Normal load.");
+    if (profiles.surface_kind == Profiles::SurfaceKind::curved &&
+        is_transient())
+      throw InputError("Profiles/Contact surface = curved: in time the surface "
+                       "of contact is plane; take Contact surface = plane.");
+    profiles.check(wheel.radius, prm_folder);
+  }
+
+
+
+  void
+  SceneParameters::check_curvatures() const
+  {
+    if (profiles.in_use())
+      return;
+    const auto curvature = [](const double radius) {
+      return radius == 0. ? 0. : 1 / radius;
+    };
+    if (dimension == 3 &&
+        curvature(wheel.lateral_radius) + curvature(rail.lateral_radius) <= 0.)
+      throw InputError(
+        "Wheel/Lateral radius = " + text_of(wheel.lateral_radius) +
+        " and Rail/Lateral radius = " + text_of(rail.lateral_radius) +
+        ": the patch would reach the edges of the bodies; the profiles must "
+        "curve away from each other across, 1/R_wheel + 1/R_rail > 0.");
+    if (curvature(wheel.radius) + curvature(rail.radius) <= 0.)
+      throw InputError("Wheel/Radius = " + text_of(wheel.radius) +
+                       " and Rail/Radius = " + text_of(rail.radius) +
+                       ": the profiles must curve away from each other, "
+                       "1/R_wheel + 1/R_rail > 0.");
+  }
+} // namespace RollingContact

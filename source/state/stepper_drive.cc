@@ -1,0 +1,101 @@
+#include <rolling_contact/contact/friction_memory.h>
+#include <rolling_contact/state/contact_stepper.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace RollingContact
+{
+  template <int dim>
+  void
+  ContactStepper<dim>::set_drive(const double time, const double h)
+  {
+    ContactProblem &problem = contact.problem;
+    const double    end     = time + h;
+    const Creepages before  = problem.loads.creepages;
+    problem.loads.creepages = histories.creepages(end);
+    problem.loads.forces    = histories.forces(time + theta() * h);
+    set_friction(time, h);
+    // those that are found start from the last ones
+    if (problem.loads.forces.x)
+      problem.loads.creepages.x = before.x;
+    if (problem.loads.forces.y)
+      problem.loads.creepages.y = before.y;
+    if (problem.loads.forces.moment)
+      problem.loads.creepages.spin = before.spin;
+    // reactions act at t + theta h, the shifted law holds beyond the end
+    const bool   ahead = scene.time.contact_law == ContactLaw::shifted;
+    const double holds = end + (ahead ? (1 - theta()) * h : 0.);
+    step_heights       = heights(holds);
+    if (histories.normal_load)
+      problem.loads.normal_load =
+        histories.normal_load->value(time + theta() * h);
+    else
+      problem.loads.approach = histories.approach->value(holds);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactStepper<dim>::set_friction(const double time, const double h)
+  {
+    ContactLoads &loads = contact.problem.loads;
+    if (!scene.surfaces.friction_share.empty())
+      loads.friction =
+        contact.pair->friction_at_nodes(scene.contact,
+                                        travelled.value(time + h));
+    if (!loads.friction_law || loads.memory_length <= 0.)
+      return;
+    loads.step_path =
+      std::abs(histories.speed.value(time) + histories.speed.value(time + h)) /
+      2 * h;
+    loads.friction_arriving =
+      moved_with_flow(contact.problem.operators,
+                      contact.state.friction.empty() ? loads.friction
+                                                     : contact.state.friction,
+                      loads.friction,
+                      loads.step_path);
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  ContactStepper<dim>::heights(const double time) const
+  {
+    const MovingSurfaces &surfaces = contact.pair->moving_surfaces();
+    if (!surfaces.in_use())
+      return {};
+    return surfaces.heights(contact.problem.operators.positions(),
+                            travelled.value(time));
+  }
+
+
+
+  template <int dim>
+  bool
+  ContactStepper<dim>::follows_jump(const double time, const double h) const
+  {
+    if (!histories.forces(time).any())
+      return false;
+    const bool starts =
+      time < 1.5 * h && scene.time.initial_state == InitialState::rest;
+    return starts || histories.jump_between(std::max(0., time - h), time);
+  }
+
+
+
+  template void
+  ContactStepper<2>::set_drive(const double, const double);
+  template std::vector<double>
+  ContactStepper<2>::heights(const double) const;
+  template bool
+  ContactStepper<2>::follows_jump(const double, const double) const;
+  template void
+  ContactStepper<3>::set_drive(const double, const double);
+  template std::vector<double>
+  ContactStepper<3>::heights(const double) const;
+  template bool
+  ContactStepper<3>::follows_jump(const double, const double) const;
+} // namespace RollingContact
