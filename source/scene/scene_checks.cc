@@ -106,6 +106,15 @@ namespace RollingContact
     const std::string asked =
       of_curve ? "Creep curve/Longitudinal force, Lateral force or Spin moment"
                : "Contact/Longitudinal force, Lateral force or Spin moment";
+    const bool across = of_curve ? !creep_curve.lateral_force.empty() ||
+                                     !creep_curve.spin_moment.empty()
+                                 : contact.forces.y || contact.forces.moment;
+    if (across && profiles.in_use() &&
+        profiles.surface_kind == Profiles::SurfaceKind::curved)
+      throw InputError("Profiles/Contact surface = curved and a Lateral force "
+                       "or Spin moment: pressure has a part in them there, and "
+                       "friction alone cannot be asked for. Give Longitudinal "
+                       "force only, creepages, or Contact surface = plane.");
     if (mesh.adaptive_levels > 0)
       throw InputError(
         asked +

@@ -340,6 +340,15 @@ BOOST_AUTO_TEST_CASE(what_does_not_go_together_is_refused)
     contains(refused([](SceneParameters &it) { it.mesh.adaptive_levels = 2; }),
              "Mesh/Adaptive levels = 2"));
   BOOST_TEST(contains(refused([](SceneParameters &it) {
+                        it.dimension              = 3;
+                        it.profiles.wheel_profile = "S1002";
+                        it.profiles.rail_profile  = "60E1";
+                        it.profiles.surface_kind =
+                          Profiles::SurfaceKind::curved;
+                        it.contact.forces.y = 10.;
+                      }),
+                      "Contact surface = curved"));
+  BOOST_TEST(contains(refused([](SceneParameters &it) {
                         it.analysis = "accuracy study";
                       }),
                       "accuracy study"));
