@@ -227,8 +227,6 @@ namespace RollingContact
     found.beta             = std::abs(pair_constants(scene).dundurs_beta);
     found.varying_friction = !scene.surfaces.friction_share.empty() ||
                              scene.contact.friction_memory > 0.;
-    found.varying_friction = !scene.surfaces.friction_share.empty() ||
-                             scene.contact.friction_memory > 0.;
     found.spin =
       scene.contact.creepages.spin != 0. || scene.contact.forces.moment;
     found.refined             = scene.mesh.rim_levels > 0;

@@ -64,16 +64,18 @@ namespace RollingContact
       std::vector<double> rise(x.size(), 0.);
       for (std::size_t i = 0; i < x.size(); ++i)
         {
-          double sum = 0.;
+          double  sum = 0., b = sign * (x[i] - x[0]) / scale;
+          Moments at_b = moments(b);
           for (std::size_t j = 0; j + 1 < x.size(); ++j)
             {
               // f = f_a + slope (u - a) in u = V (x_i - x')/(2 kappa)
-              const double a     = sign * (x[i] - x[j]) / scale,
-                           b     = sign * (x[i] - x[j + 1]) / scale;
-              const Moments at_a = moments(a), at_b = moments(b);
-              const double  slope  = (flux[j + 1] - flux[j]) / (b - a);
-              const double  zeroth = at_b.zeroth - at_a.zeroth,
-                           first   = at_b.first - at_a.first;
+              const double  a     = b;
+              const Moments at_a  = at_b;
+              b                   = sign * (x[i] - x[j + 1]) / scale;
+              at_b                = moments(b);
+              const double slope  = (flux[j + 1] - flux[j]) / (b - a),
+                           zeroth = at_b.zeroth - at_a.zeroth,
+                           first  = at_b.first - at_a.first;
               // dx' = -sign scale du
               sum -=
                 sign * scale * ((flux[j] - slope * a) * zeroth + slope * first);
