@@ -177,6 +177,14 @@ namespace RollingContact
 
 
 
+  std::string
+  zero_padded(const std::size_t number, const unsigned int digits)
+  {
+    return fmt::format("{:0{}}", number, digits);
+  }
+
+
+
   std::size_t
   n_characters(const std::string &text)
   {

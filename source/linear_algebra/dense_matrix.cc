@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <stdexcept>
+#include <string>
 
 namespace RollingContact
 {
@@ -139,6 +141,51 @@ namespace RollingContact
       return values[0];
     vector.clear();
     return std::numeric_limits<double>::infinity();
+  }
+
+
+
+  void
+  symmetric_eigenpairs(DenseMatrix &M, std::vector<double> &values)
+  {
+    const int n = M.n_rows();
+    values.assign(n, 0.);
+    if (n == 0)
+      return;
+    const int           n_work = 1 + 6 * n + 2 * n * n, n_int_work = 3 + 5 * n;
+    int                 info = 0;
+    std::vector<double> work(n_work);
+    std::vector<int>    int_work(n_int_work);
+    dsyevd_("V",
+            "L",
+            &n,
+            M.data(),
+            &n,
+            values.data(),
+            work.data(),
+            &n_work,
+            int_work.data(),
+            &n_int_work,
+            &info);
+    if (info != 0)
+      throw std::runtime_error("LAPACK found no eigenvalues of a matrix of " +
+                               std::to_string(n) +
+                               " rows (dsyevd: " + std::to_string(info) + ").");
+  }
+
+
+
+  bool
+  solve_complex(const int                          n,
+                std::vector<std::complex<double>> &A,
+                const int                          n_columns,
+                std::vector<std::complex<double>> &B)
+  {
+    int              info = 0;
+    std::vector<int> pivots(n);
+    if (n > 0)
+      zgesv_(&n, &n_columns, A.data(), &n, pivots.data(), B.data(), &n, &info);
+    return info == 0;
   }
 
 

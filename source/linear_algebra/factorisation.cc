@@ -8,6 +8,7 @@
 #include <rolling_contact/linear_algebra/factorisation.h>
 #include <rolling_contact/linear_algebra/half_solves.h>
 
+#include <algorithm>
 #include <atomic>
 #include <new>
 #include <string>
@@ -182,6 +183,35 @@ namespace RollingContact
     solve_forward(right_hand_side, z);
     solve_backward(z, x);
     return x;
+  }
+
+
+
+  void
+  Factorisation::solve(DenseMatrix &block) const
+  {
+    auto &own = *implementation;
+    require_factor(own.L);
+    n_solves += block.n_columns();
+    if (own.L->n == 0 || block.n_columns() == 0)
+      return;
+    cholmod_dense B{};
+    B.nrow = B.d     = block.n_rows();
+    B.ncol           = block.n_columns();
+    B.nzmax          = B.nrow * B.ncol;
+    B.x              = block.data();
+    B.xtype          = CHOLMOD_REAL;
+    B.dtype          = CHOLMOD_DOUBLE;
+    cholmod_dense *X = nullptr, *Y = nullptr, *E = nullptr;
+    const bool     solved = cholmod_l_solve2(
+      CHOLMOD_A, own.L, &B, nullptr, &X, nullptr, &Y, &E, &own.common);
+    if (solved)
+      std::copy_n(static_cast<const double *>(X->x), B.nzmax, block.data());
+    cholmod_l_free_dense(&X, &own.common);
+    cholmod_l_free_dense(&Y, &own.common);
+    cholmod_l_free_dense(&E, &own.common);
+    if (!solved)
+      throw std::bad_alloc();
   }
 
 

@@ -133,6 +133,14 @@ namespace RollingContact
 
 
 
+  std::optional<Axle>
+  BodyShape::axle() const
+  {
+    return std::nullopt;
+  }
+
+
+
   double
   BodyShape::largest_coarse_size() const
   {

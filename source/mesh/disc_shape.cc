@@ -120,6 +120,14 @@ namespace RollingContact
 
 
 
+  std::optional<Axle>
+  DiscShape::axle() const
+  {
+    return Axle{{{0., 0., -parameters.radius}}, {{0., 1., 0.}}};
+  }
+
+
+
   double
   DiscShape::reach_x() const
   {

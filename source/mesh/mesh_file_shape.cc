@@ -38,6 +38,16 @@ namespace RollingContact
 
 
 
+  std::optional<Axle>
+  MeshFileShape::axle() const
+  {
+    if (parameters.section != "Wheel" || !(parameters.radius > 0.))
+      return std::nullopt;
+    return Axle{{{0., 0., -parameters.radius}}, {{0., 1., 0.}}};
+  }
+
+
+
   double
   MeshFileShape::reach_x() const
   {

@@ -211,6 +211,20 @@ namespace RollingContact
 
 
 
+  std::optional<Axle>
+  WheelShape::axle() const
+  {
+    CoarseCells cells;
+    cells.size = cells.half_core  = reach_x();
+    const SectionPlacement placed = sweep(cells).first;
+    const auto             point  = placed.to_body(0., {{0., 0., 1.}}),
+               other              = placed.to_body(0., {{1., 0., 1.}});
+    return Axle{
+      point, {{other[0] - point[0], other[1] - point[1], other[2] - point[2]}}};
+  }
+
+
+
   double
   WheelShape::reach_x() const
   {

@@ -1,7 +1,9 @@
 #include <rolling_contact/analyses/contact_table.h>
 #include <rolling_contact/analyses/creep_curve.h>
 #include <rolling_contact/analyses/load_curve.h>
+#include <rolling_contact/analyses/modes.h>
 #include <rolling_contact/analyses/quasi_static.h>
+#include <rolling_contact/analyses/receptance.h>
 #include <rolling_contact/analyses/transient.h>
 #include <rolling_contact/base/choices.h>
 #include <rolling_contact/program/analysis_table.h>
@@ -99,7 +101,16 @@ namespace RollingContact
                             "section Profiles",
                             &make_contact_table,
                             &make_contact_table};
-      contacts.on_ranks = false;
+      contacts.on_ranks  = false;
+      AnalysisKind modes = kind<Modes>("modes",
+                                       "eigenfrequencies and mode shapes of "
+                                       "each body, see section Modes");
+      modes.on_ranks     = false;
+      AnalysisKind receptance =
+        kind<Receptance>("receptance",
+                         "how each body moves under harmonic forces, see "
+                         "section Receptance");
+      receptance.on_ranks = false;
       return {kind<QuasiStatic>("quasi-static", "one steady rolling state"),
               kind<CreepCurve>("creep curve",
                                "many creepages, see section Creep curve"),
@@ -109,7 +120,9 @@ namespace RollingContact
               transient,
               study,
               contacts,
-              table};
+              table,
+              modes,
+              receptance};
     }
   } // namespace
 

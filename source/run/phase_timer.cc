@@ -55,6 +55,10 @@ namespace RollingContact
           return "factorisation and condensation";
         case Phase::mass:
           return "mass and order of elimination";
+        case Phase::modes:
+          return "modes and their count";
+        case Phase::response:
+          return "frequency response";
         case Phase::body_solves:
           return "forward and backward solves";
         case Phase::contact_solve:

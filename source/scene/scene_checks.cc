@@ -8,6 +8,25 @@
 namespace RollingContact
 {
   void
+  SceneParameters::check_structures() const
+  {
+    modes.check();
+    receptance.check(dimension);
+    if (wheel.rigid && rail.rigid)
+      throw InputError("Wheel/Rigid = true and Rail/Rigid = true: Analysis = " +
+                       analysis + " needs an elastic body.");
+    if (body_solver == BodySolver::distributed)
+      throw InputError("Body solver = distributed: Analysis = " + analysis +
+                       " needs the factor of the stiffness, which blocks of "
+                       "vectors are solved with; take direct or automatic, on "
+                       "one rank.");
+    if (profiles.in_use())
+      profiles.check(wheel.radius, prm_folder);
+  }
+
+
+
+  void
   SceneParameters::check_hubs() const
   {
     const bool dynamic = is_transient() && time.inertia;

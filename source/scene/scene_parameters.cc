@@ -66,6 +66,8 @@ namespace RollingContact
     surfaces.declare(prm);
     spectrum.declare(prm);
     profiles.declare(prm);
+    modes.declare(prm);
+    receptance.declare(prm);
     output.declare(prm);
   }
 
@@ -83,7 +85,7 @@ namespace RollingContact
   void
   SceneParameters::read_surfaces()
   {
-    if (analysis != "contact table")
+    if (analysis != "contact table" && !is_of_structures())
       surfaces.read(prm_folder);
   }
 
@@ -96,6 +98,8 @@ namespace RollingContact
       return profiles.check(wheel.radius, prm_folder);
     wheel.check(dimension);
     rail.check(dimension);
+    if (is_of_structures())
+      return check_structures();
     contact.check(dimension);
     mesh.check();
     check_surfaces();

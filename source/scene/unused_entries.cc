@@ -20,6 +20,13 @@ namespace RollingContact
         idle["Load curve"] = "Analysis = load curve reads that section";
       if (scene.analysis != "table")
         idle["Table"] = "Analysis = table reads that section";
+      if (!scene.is_of_structures())
+        idle["Modes"] = "Analysis = modes and receptance read that section";
+      if (scene.analysis != "receptance")
+        idle["Receptance"] = "Analysis = receptance reads that section";
+      if (scene.is_of_structures())
+        for (const char *section : {"Mesh", "Surfaces"})
+          idle[section] = "an analysis of contact reads that section";
       if (scene.analysis == "contact table")
         for (const char *section : {"Contact", "Mesh", "Surfaces"})
           idle[section] = "an analysis with finite elements reads that section";

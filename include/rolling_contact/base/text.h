@@ -47,6 +47,10 @@ namespace RollingContact
   std::string
   quotable(const std::string &text, std::size_t most_characters = 60);
 
+  /** A number filled up with zeros to so many digits: 007. */
+  std::string
+  zero_padded(std::size_t number, unsigned int digits);
+
   /** Number of characters (not bytes) of a UTF-8 text. */
   std::size_t
   n_characters(const std::string &text);

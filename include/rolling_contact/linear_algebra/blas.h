@@ -1,6 +1,8 @@
 #ifndef rolling_contact_linear_algebra_blas_h
 #define rolling_contact_linear_algebra_blas_h
 
+#include <complex>
+
 /**
  * The Fortran BLAS and LAPACK routines in use, with 32-bit integers.
  */
@@ -124,6 +126,29 @@ dsyevr_(const char   *jobz,
         int          *iwork,
         const int    *liwork,
         int          *info);
+
+void
+dsyevd_(const char *jobz,
+        const char *uplo,
+        const int  *n,
+        double     *a,
+        const int  *lda,
+        double     *w,
+        double     *work,
+        const int  *lwork,
+        int        *iwork,
+        const int  *liwork,
+        int        *info);
+
+void
+zgesv_(const int            *n,
+       const int            *nrhs,
+       std::complex<double> *a,
+       const int            *lda,
+       int                  *ipiv,
+       std::complex<double> *b,
+       const int            *ldb,
+       int                  *info);
 }
 
 #endif

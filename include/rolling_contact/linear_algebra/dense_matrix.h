@@ -1,6 +1,7 @@
 #ifndef rolling_contact_linear_algebra_dense_matrix_h
 #define rolling_contact_linear_algebra_dense_matrix_h
 
+#include <complex>
 #include <cstddef>
 #include <vector>
 
@@ -119,6 +120,25 @@ namespace RollingContact
    */
   double
   largest_eigenvalue(DenseMatrix &M, std::vector<double> &vector);
+
+  /**
+   * All eigenvalues of a symmetric @p M in ascending order (dsyevd), and their
+   * orthonormal vectors in the columns of @p M. Throws std::runtime_error if
+   * they are not found.
+   */
+  void
+  symmetric_eigenpairs(DenseMatrix &M, std::vector<double> &values);
+
+  /**
+   * Solve A X = B in place of @p B, by columns, for a complex A of @p n rows
+   * and @p n_columns right hand sides (zgesv); @p A is destroyed. Returns false
+   * when A is singular.
+   */
+  bool
+  solve_complex(const int                          n,
+                std::vector<std::complex<double>> &A,
+                const int                          n_columns,
+                std::vector<std::complex<double>> &B);
 
   double
   dot(const std::vector<double> &x, const std::vector<double> &y);

@@ -46,7 +46,7 @@ namespace RollingContact
     {
       std::uint64_t n_factorisations    = 0;
       std::uint64_t n_condensed_columns = 0;
-      std::uint64_t n_solves            = 0; ///< calls of solve()
+      std::uint64_t n_solves            = 0; ///< columns given to solve()
     };
 
     static Work
@@ -83,6 +83,14 @@ namespace RollingContact
      */
     std::vector<double>
     solve(const std::vector<double> &right_hand_side) const;
+
+    /**
+     * K^-1 B for the columns of a block, in place: a block of 16 takes a third
+     * to a quarter of the time of 16 single columns. Not at the same time as
+     * another solve.
+     */
+    void
+    solve(DenseMatrix &block) const;
 
     /**
      * Forward solve z = L^-1 P b, with z in elimination order. Allocates

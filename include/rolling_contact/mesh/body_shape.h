@@ -17,6 +17,15 @@ namespace RollingContact
   class SweptMesh;
 
   /**
+   * The axis that a body of revolution has, in the body's frame: a point on it
+   * and its direction, of length 1. Units: m.
+   */
+  struct Axle
+  {
+    std::array<double, 3> point, direction;
+  };
+
+  /**
    * Shape of one body in its own frame: the contact point is the origin, z
    * points out of the body; the wheel is its mirror image in z. A shape is
    * either meshed by the program, as boxes in its chart() or as a section that
@@ -94,6 +103,12 @@ namespace RollingContact
     virtual std::optional<References::Annulus>
     clamped_annulus(const double young_modulus,
                     const double poisson_ratio) const;
+
+    /**
+     * The axis that the body is revolved about; nothing for other bodies.
+     */
+    virtual std::optional<Axle>
+    axle() const;
 
     /**
      * Largest coarse cell along x that still resolves the shape.

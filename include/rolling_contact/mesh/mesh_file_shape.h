@@ -19,6 +19,9 @@ namespace RollingContact
     double
     thickness_below() const override;
 
+    std::optional<Axle>
+    axle() const override;
+
     double
     reach_x() const override;
 

@@ -16,6 +16,8 @@ namespace RollingContact
     mesh,
     condensation,
     mass,
+    modes,
+    response,
     body_solves,
     contact_solve,
     fields,

@@ -9,8 +9,10 @@
 #include <rolling_contact/scene/creep_curve_parameters.h>
 #include <rolling_contact/scene/load_curve_parameters.h>
 #include <rolling_contact/scene/mesh_parameters.h>
+#include <rolling_contact/scene/modes_parameters.h>
 #include <rolling_contact/scene/output_parameters.h>
 #include <rolling_contact/scene/profile_parameters.h>
+#include <rolling_contact/scene/receptance_parameters.h>
 #include <rolling_contact/scene/solver_parameters.h>
 #include <rolling_contact/scene/spectrum_parameters.h>
 #include <rolling_contact/scene/study_parameters.h>
@@ -131,7 +133,18 @@ namespace RollingContact
     SurfaceParameters    surfaces;
     SpectrumParameters   spectrum;
     ProfileParameters    profiles;
+    ModesParameters      modes;
+    ReceptanceParameters receptance;
     OutputParameters     output;
+
+    /**
+     * Whether the analysis is one of each body alone, without contact.
+     */
+    bool
+    is_of_structures() const
+    {
+      return analysis == "modes" || analysis == "receptance";
+    }
 
   private:
     /**
@@ -143,6 +156,12 @@ namespace RollingContact
       return analysis == "transient" ||
              (analysis == "accuracy study" && study.varies_time_step);
     }
+
+    /**
+     * Rules for analyses of each body alone.
+     */
+    void
+    check_structures() const;
 
     void
     check_pair() const;

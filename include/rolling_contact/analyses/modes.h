@@ -1,0 +1,41 @@
+#ifndef rolling_contact_analyses_modes_h
+#define rolling_contact_analyses_modes_h
+
+#include <rolling_contact/analyses/analysis.h>
+#include <rolling_contact/analyses/vibrating_body.h>
+
+namespace RollingContact
+{
+  /**
+   * Analysis = modes: eigenfrequencies and mode shapes of the elastic bodies up
+   * to a frequency, in modes.csv, as a picture over the nodal diameters and as
+   * moving surfaces for ParaView.
+   */
+  template <int dim>
+  class Modes : public Analysis
+  {
+  public:
+    Modes(const SceneParameters &scene, RunContext &context)
+      : scene(scene)
+      , context(context)
+    {}
+
+    void
+    run() override;
+
+  private:
+    void
+    add_rows(const VibratingBody<dim> &body, ResultsTable &table) const;
+
+    void
+    animate(const VibratingBody<dim> &body) const;
+
+    void
+    summarise(const VibratingBody<dim> &body) const;
+
+    const SceneParameters &scene;
+    RunContext            &context;
+  };
+} // namespace RollingContact
+
+#endif

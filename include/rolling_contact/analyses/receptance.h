@@ -1,0 +1,74 @@
+#ifndef rolling_contact_analyses_receptance_h
+#define rolling_contact_analyses_receptance_h
+
+#include <rolling_contact/analyses/analysis.h>
+#include <rolling_contact/analyses/vibrating_body.h>
+#include <rolling_contact/modes/frequency_response.h>
+
+#include <complex>
+#include <string>
+#include <vector>
+
+namespace RollingContact
+{
+  /**
+   * Analysis = receptance: how much each elastic body moves under a harmonic
+   * force of 1 N, at its contact point and between named places, over
+   * frequency: receptances.csv, pictures, and the error of the modes where the
+   * whole structure is solved as well.
+   */
+  template <int dim>
+  class Receptance : public Analysis
+  {
+  public:
+    Receptance(const SceneParameters &scene, RunContext &context)
+      : scene(scene)
+      , context(context)
+    {}
+
+    void
+    run() override;
+
+  private:
+    /** A place and a direction on a body. */
+    struct Station
+    {
+      std::string  place;
+      unsigned int axis;
+      double       sign; ///< of the body's own axis in the rail's frame
+    };
+
+    /** The forces of 1 N at the stations, and their names. */
+    std::vector<std::vector<double>>
+    loads(const VibratingBody<dim> &body, std::vector<Station> &stations) const;
+
+    void
+    add_rows(const Side                               side,
+             const std::vector<Station>              &stations,
+             const double                             frequency,
+             const std::vector<std::complex<double>> &alpha,
+             ResultsTable                            &table) const;
+
+    void
+    sweep(const VibratingBody<dim> &body, ResultsTable &table);
+
+    /** Solve the whole structure at the check frequencies; the largest error of
+     * the modes over the largest of the receptances at that frequency. */
+    void
+    check(const VibratingBody<dim>               &body,
+          const VibratingStructure               &structure,
+          const FrequencyResponse                &response,
+          const std::vector<std::vector<double>> &forces) const;
+
+    void
+    plot(const Side                                            side,
+         const std::vector<Station>                           &stations,
+         const std::vector<double>                            &frequencies,
+         const std::vector<std::vector<std::complex<double>>> &alpha) const;
+
+    const SceneParameters &scene;
+    RunContext            &context;
+  };
+} // namespace RollingContact
+
+#endif

@@ -1,0 +1,61 @@
+#ifndef rolling_contact_analyses_vibrating_body_h
+#define rolling_contact_analyses_vibrating_body_h
+
+#include <rolling_contact/elasticity/direct_body.h>
+#include <rolling_contact/modes/body_places.h>
+#include <rolling_contact/modes/mode_character.h>
+#include <rolling_contact/modes/structural_modes.h>
+#include <rolling_contact/run/run_context.h>
+#include <rolling_contact/scene/scene_parameters.h>
+
+#include <memory>
+#include <vector>
+
+namespace RollingContact
+{
+  /**
+   * An elastic body of a scene without contact: its mesh, which has no zone of
+   * contact nodes, its matrices, the factor of K + shift M, and its modes up to
+   * a frequency.
+   */
+  template <int dim>
+  struct VibratingBody
+  {
+    /**
+     * Build all of it and tell the log. Units: Hz. Throws ConvergenceError if
+     * the modes are not those that the inertia counts.
+     */
+    VibratingBody(const SceneParameters &scene,
+                  const Side             side,
+                  const double           cut_off,
+                  RunContext            &context);
+
+    /**
+     * Damping ratio of each mode that the scene gives by nodal diameters.
+     */
+    std::vector<double>
+    given_damping() const;
+
+    const Side                       side;
+    const BodyParameters             parameters;
+    std::unique_ptr<DirectBody<dim>> body;
+    BodyPlaces                       places;
+    SymmetricSparseMatrix            K, M, H, C;
+    double                           shift; ///< 1/s^2
+    std::unique_ptr<Factorisation>   factor;
+    StructuralModes                  modes;
+    std::vector<ModeCharacter>       characters;
+
+  private:
+    void
+    find_modes(const ModesParameters &wanted,
+               const double           cut_off,
+               RunContext            &context);
+
+    void
+    warn_of_pairs(const std::optional<double> &speed,
+                  RunContext                  &context) const;
+  };
+} // namespace RollingContact
+
+#endif

@@ -1,0 +1,23 @@
+#ifndef rolling_contact_modes_modal_damping_h
+#define rolling_contact_modes_modal_damping_h
+
+#include <rolling_contact/modes/structural_modes.h>
+
+#include <vector>
+
+namespace RollingContact
+{
+  /**
+   * Damping ratio of each mode alone,
+   *   zeta_j + phi_j^T H phi_j / (2 lambda_j) + phi_j^T C phi_j / (2 omega_j),
+   * what is @p given and what loss stiffness H and viscous damping C (empty if
+   * there is none) add; 0 for a rigid mode. Units: 1, N/m, N s/m.
+   */
+  std::vector<double>
+  total_damping(const StructuralModes       &modes,
+                const std::vector<double>   &given,
+                const SymmetricSparseMatrix &H,
+                const SymmetricSparseMatrix &C);
+} // namespace RollingContact
+
+#endif

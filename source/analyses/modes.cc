@@ -1,0 +1,212 @@
+#include <rolling_contact/analyses/modes.h>
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/text.h>
+#include <rolling_contact/modes/measuring_point.h>
+#include <rolling_contact/modes/modal_damping.h>
+#include <rolling_contact/parallel/interrupt.h>
+#include <rolling_contact/plot/figure.h>
+#include <rolling_contact/report/mode_animation.h>
+
+#include <map>
+
+namespace RollingContact
+{
+  namespace
+  {
+    const char table_file[] = "modes.csv";
+
+
+
+    template <typename Value>
+    void
+    set_if_known(ResultsTable               &table,
+                 const std::string          &column,
+                 const std::optional<Value> &value)
+    {
+      if (value)
+        table.set(column, *value);
+      else
+        table.leave_empty(column);
+    }
+
+
+
+    /** "mostly axial" and the like: what a mode moves along. */
+    std::string
+    family(const ModeCharacter &character)
+    {
+      if (character.axial_share > 0.5)
+        return "axial";
+      return character.radial_share > 0.5 ? "radial" : "circumferential";
+    }
+
+
+
+    /**
+     * Eigenfrequencies over the nodal diameters, by the direction in which most
+     * of the energy is.
+     */
+    void
+    plot_diameters(const std::string                &section,
+                   const StructuralModes            &modes,
+                   const std::vector<ModeCharacter> &characters,
+                   RunContext                       &context)
+    {
+      std::map<std::string, std::array<std::vector<double>, 2>> families;
+      for (std::size_t j = 0; j < modes.size(); ++j)
+        if (characters[j].nodal_diameters)
+          {
+            auto &[n, f] = families[family(characters[j])];
+            n.push_back(*characters[j].nodal_diameters);
+            f.push_back(modes.frequencies[j] / 1000);
+          }
+      if (families.empty())
+        return;
+      Figure figure("Modes of the " + section,
+                    "nodal diameters",
+                    "frequency (kHz)");
+      for (const auto &[name, points] : families)
+        figure.add_curve("mostly " + name,
+                         points[0],
+                         points[1],
+                         CurveStyle::points);
+      figure.draw(context, "modes_" + section);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  Modes<dim>::run()
+  {
+    ResultsTable table(context.folder, table_file);
+    for (const Side side : both_sides)
+      {
+        if (scene.body(side).rigid)
+          continue;
+        throw_if_interrupted();
+        const VibratingBody<dim> body(scene,
+                                      side,
+                                      scene.modes.maximum_frequency,
+                                      context);
+        add_rows(body, table);
+        summarise(body);
+        PhaseTimer::Scope phase(context.timer, Phase::fields);
+        if (scene.output.plot)
+          plot_diameters(name_of(side), body.modes, body.characters, context);
+        animate(body);
+      }
+    table.flush();
+    context.log.message(table.screen_table({"body",
+                                            "mode",
+                                            "frequency_Hz",
+                                            "nodal_diameters",
+                                            "axial_share",
+                                            "radial_share",
+                                            "damping_ratio"}));
+    if (table.n_rows() == 0)
+      throw InputError("Modes/Maximum frequency = " +
+                       significant(scene.modes.maximum_frequency, 6) +
+                       " Hz: no body has a mode below; raise it.");
+  }
+
+
+
+  template <int dim>
+  void
+  Modes<dim>::add_rows(const VibratingBody<dim> &body,
+                       ResultsTable             &table) const
+  {
+    const StructuralModes &modes = body.modes;
+    const auto             damping =
+      total_damping(modes, body.given_damping(), body.H, body.C);
+    const MeasuringPoint contact(body.places, {{0., 0., 0.}}, 0.);
+    const double         up = body.side == Side::wheel ? -1. : 1.;
+    for (std::size_t j = 0; j < modes.size(); ++j)
+      {
+        const ModeCharacter &character = body.characters[j];
+        table.set("body", name_of(body.side));
+        table.set("mode", j + 1);
+        table.set("frequency_Hz", modes.frequencies[j]);
+        set_if_known(table, "nodal_diameters", character.nodal_diameters);
+        if (character.nodal_diameters)
+          table.set("diameter_share", character.diameter_share);
+        else
+          table.leave_empty("diameter_share");
+        table.set("axial_share", character.axial_share);
+        table.set("radial_share", character.radial_share);
+        table.set("circumferential_share", character.circumferential_share);
+        table.set("damping_ratio", damping[j]);
+        if (character.partner)
+          {
+            table.set("pair_mode", *character.partner + 1);
+            table.set("pair_split", character.split);
+          }
+        else
+          {
+            table.leave_empty("pair_mode");
+            table.leave_empty("pair_split");
+          }
+        const double *shape = modes.shapes.data() + j * modes.shapes.n_rows();
+        table.set("contact_x_1/sqrt(kg)", contact.motion(0, shape));
+        table.set("contact_y_1/sqrt(kg)", contact.motion(1, shape));
+        table.set("contact_z_1/sqrt(kg)", up * contact.motion(2, shape));
+        table.set("residual", modes.residuals[j]);
+        table.end_row();
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  Modes<dim>::animate(const VibratingBody<dim> &body) const
+  {
+    const std::size_t n =
+      std::min<std::size_t>(scene.modes.animated, body.modes.size());
+    for (std::size_t j = 0; j < n; ++j)
+      {
+        const double *shape =
+          body.modes.shapes.data() + j * body.modes.shapes.n_rows();
+        write_mode_animation<dim>(
+          *body.body,
+          body.body->field({shape, shape + body.modes.shapes.n_rows()}),
+          body.side == Side::wheel,
+          context.folder,
+          name_of(body.side) + "_mode_" + zero_padded(j + 1, 3));
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  Modes<dim>::summarise(const VibratingBody<dim> &body) const
+  {
+    const StructuralModes &modes = body.modes;
+    double                 worst = 0.;
+    for (const double residual : modes.residuals)
+      worst = std::max(worst, residual);
+    context.report.set_finding(
+      name_of(body.side),
+      std::to_string(modes.size()) + " modes up to " +
+        significant(modes.cut_off, 5) + " Hz" +
+        (modes.size() > 0
+           ? ", the first at " + significant(modes.frequencies[0], 5) + " Hz"
+           : "") +
+        (modes.counted ? ", none missed" : ""));
+    context.report.errors.push_back(
+      {"eigenvalue of the " + name_of(body.side),
+       worst,
+       "omega^2",
+       "its residual; the mesh's own error is not in it",
+       true,
+       ""});
+  }
+
+
+
+  template class Modes<2>;
+  template class Modes<3>;
+} // namespace RollingContact

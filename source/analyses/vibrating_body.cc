@@ -1,0 +1,204 @@
+#include <rolling_contact/analyses/vibrating_body.h>
+#include <rolling_contact/base/constants.h>
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/text.h>
+#include <rolling_contact/modes/measuring_point.h>
+#include <rolling_contact/parallel/interrupt.h>
+
+#include <algorithm>
+
+namespace RollingContact
+{
+  namespace
+  {
+    /// difference of the eigenfrequencies of a pair that is one of rounding
+    const double same_frequency = 1e-6;
+
+
+
+    template <int dim>
+    std::unique_ptr<DirectBody<dim>>
+    make_body(const BodyParameters        &parameters,
+              const std::optional<double> &size,
+              PhaseTimer                  &timer)
+    {
+      PhaseTimer::Scope phase(timer, Phase::mesh);
+      return std::make_unique<DirectBody<dim>>(
+        parameters.body_shape(),
+        parameters.material,
+        parameters.thickness,
+        size ? Grading<dim>::uniform(*size, *size) : Grading<dim>::unrefined(),
+        true,
+        parameters.model);
+    }
+
+
+
+    /** Whether K is positive definite. */
+    bool
+    is_held(const BodyParameters &body, const int dim)
+    {
+      bool on_springs = body.hub == Hub::elastic;
+      for (unsigned int axis = 0; axis < 3; ++axis)
+        if (dim == 3 || axis != 1)
+          on_springs = on_springs &&
+                       body.model.foundation.stiffness[axis] > 0. &&
+                       (!body.model.foundation.has_sleepers() ||
+                        body.model.foundation.ballast_stiffness[axis] > 0.);
+      return body.hub == Hub::clamped || on_springs;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  VibratingBody<dim>::VibratingBody(const SceneParameters &scene,
+                                    const Side             side,
+                                    const double           cut_off,
+                                    RunContext            &context)
+    : side(side)
+    , parameters(scene.body(side))
+    , body(make_body<dim>(parameters, scene.modes.element_size, context.timer))
+    , places(*body)
+    , shift(is_held(parameters, dim) ? 0. : shift_of_free_body(cut_off))
+  {
+    {
+      PhaseTimer::Scope phase(context.timer, Phase::mesh);
+      K = body->stiffness();
+      M = body->mass();
+      if (parameters.model.damping.is_viscous())
+        C = body->damping();
+      H = body->loss_stiffness();
+      if (std::all_of(H.values.begin(), H.values.end(), [](const double h) {
+            return h == 0.;
+          }))
+        H = SymmetricSparseMatrix();
+    }
+    {
+      PhaseTimer::Scope phase(context.timer, Phase::condensation);
+      factor =
+        std::make_unique<Factorisation>(shift > 0.
+                                          ? linear_combination(1., K, shift, M)
+                                          : K,
+                                        body->nodes_of_unknowns());
+      factor->factorise();
+    }
+    find_modes(scene.modes, cut_off, context);
+    warn_of_pairs(scene.contact.speed, context);
+  }
+
+
+
+  template <int dim>
+  void
+  VibratingBody<dim>::find_modes(const ModesParameters &wanted,
+                                 const double           cut_off,
+                                 RunContext            &context)
+  {
+    PhaseTimer::Scope phase(context.timer, Phase::modes);
+    ModeControls      controls;
+    controls.cut_off   = cut_off;
+    controls.tolerance = wanted.tolerance;
+    controls.count     = wanted.count;
+    controls.interrupt = []() { throw_if_interrupted(); };
+    modes              = structural_modes(
+      K, M, *factor, shift, body->nodes_of_unknowns(), controls);
+    const auto axle = parameters.body_shape()->axle();
+    characters      = mode_characters(places, axle, modes);
+    const MeasuringPoint contact(places, {{0., 0., 0.}}, 0.);
+    align_pairs(characters, contact.nearest_unknowns(), same_frequency, modes);
+
+    double worst = 0.;
+    for (const double residual : modes.residuals)
+      worst = std::max(worst, residual);
+    context.log.message(
+      parameters.section + ": " + std::to_string(body->n_unknowns()) +
+      " unknowns, " + std::to_string(modes.size()) + " modes up to " +
+      significant(cut_off, 4) + " Hz" +
+      (modes.counted ? ", as many as the inertia counts" : ", not counted") +
+      "; residuals below " + significant(worst, 2) + ", orthogonal to " +
+      significant(modes.orthogonality, 2) + "; " +
+      std::to_string(modes.n_solves) + " solves, " +
+      human_seconds(modes.lanczos_seconds) + ".");
+    if (worst > wanted.tolerance)
+      context.log.warning(
+        parameters.section + ": the residual of a mode is " +
+        significant(worst, 2) +
+        ", above Modes/Tolerance = " + significant(wanted.tolerance, 2) +
+        "; rounding may leave more on meshes with very small cells.");
+    context.report.objects.push_back(
+      {"factor of the " + name_of(side),
+       true,
+       factor->size().memory_consumption(),
+       factor->size().analysis_s + factor->size().factor_s,
+       ""});
+    context.report.objects.push_back(
+      {"modes of the " + name_of(side) + ", a Krylov space of " +
+         std::to_string(modes.n_basis),
+       true,
+       (modes.n_basis + modes.size()) * K.size() * sizeof(double),
+       modes.lanczos_seconds,
+       ""});
+    context.report.objects.push_back(
+      {"count of modes by inertia",
+       modes.counted.has_value(),
+       0,
+       modes.count_seconds,
+       modes.counted ? "" : "Modes/Count check"});
+  }
+
+
+
+  template <int dim>
+  void
+  VibratingBody<dim>::warn_of_pairs(const std::optional<double> &speed,
+                                    RunContext                  &context) const
+  {
+    const double radius  = parameters.radius;
+    std::size_t  largest = modes.size();
+    for (std::size_t j = 0; j < modes.size(); ++j)
+      if (characters[j].partner &&
+          (largest == modes.size() ||
+           characters[j].split > characters[largest].split))
+        largest = j;
+    if (largest == modes.size() || !(radius > 0.))
+      return;
+    const double split   = characters[largest].split,
+                 f       = modes.frequencies[largest];
+    const unsigned int n = *characters[largest].nodal_diameters;
+    context.log.detail(parameters.section + ": largest split of a pair " +
+                       significant(split, 2) + ", at " + significant(f, 5) +
+                       " Hz.");
+    const double v = speed.value_or(10.), rotation = n * v / (2 * pi * radius);
+    if (split * f > 0.1 * rotation)
+      context.log.warning(
+        parameters.section + ": the mesh splits the pair with " +
+        std::to_string(n) + " nodal diameters at " + significant(f, 5) +
+        " Hz by " + significant(split * f, 2) +
+        " Hz, more than a tenth of what rotation does to it at " +
+        significant(v, 3) + " m/s (" + significant(rotation, 3) +
+        " Hz). Equal cells round the axle keep pairs together.");
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  VibratingBody<dim>::given_damping() const
+  {
+    const std::vector<double> &by_diameters = parameters.model.damping.modal;
+    std::vector<double>        ratios(modes.size(), 0.);
+    if (by_diameters.empty())
+      return ratios;
+    for (std::size_t j = 0; j < modes.size(); ++j)
+      ratios[j] = by_diameters[std::min<std::size_t>(
+        by_diameters.size() - 1,
+        characters[j].nodal_diameters.value_or(by_diameters.size()))];
+    return ratios;
+  }
+
+
+
+  template struct VibratingBody<2>;
+  template struct VibratingBody<3>;
+} // namespace RollingContact

@@ -1,0 +1,216 @@
+#include <rolling_contact/base/constants.h>
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/text.h>
+#include <rolling_contact/linear_algebra/blas.h>
+#include <rolling_contact/linear_algebra/indefinite_factor.h>
+#include <rolling_contact/modes/frequency_response.h>
+
+namespace RollingContact
+{
+  namespace
+  {
+    /** A^T B of matrices with as many rows. */
+    DenseMatrix
+    transposed_product(const DenseMatrix &A, const DenseMatrix &B)
+    {
+      DenseMatrix  C(A.n_columns(), B.n_columns());
+      const int    m = A.n_columns(), n = B.n_columns(), k = A.n_rows();
+      const double one = 1., zero = 0.;
+      if (m > 0 && n > 0 && k > 0)
+        dgemm_("T",
+               "N",
+               &m,
+               &n,
+               &k,
+               &one,
+               A.data(),
+               &k,
+               B.data(),
+               &k,
+               &zero,
+               C.data(),
+               &m);
+      return C;
+    }
+
+
+
+    DenseMatrix
+    columns_of(const std::vector<std::vector<double>> &vectors,
+               const std::size_t                       n_rows)
+    {
+      DenseMatrix result(n_rows, vectors.size());
+      for (std::size_t j = 0; j < vectors.size(); ++j)
+        std::copy(vectors[j].begin(),
+                  vectors[j].end(),
+                  result.data() + j * n_rows);
+      return result;
+    }
+
+
+
+    DenseMatrix
+    times(const SymmetricSparseMatrix &A, const DenseMatrix &X)
+    {
+      DenseMatrix         result(X.n_rows(), X.n_columns());
+      std::vector<double> x(X.n_rows()), image(X.n_rows());
+      for (std::size_t j = 0; j < X.n_columns(); ++j)
+        {
+          std::copy_n(X.data() + j * X.n_rows(), X.n_rows(), x.begin());
+          A.multiply(x, image);
+          std::copy(image.begin(), image.end(), result.data() + j * X.n_rows());
+        }
+      return result;
+    }
+
+
+
+    /** X^T A X; empty if A is. */
+    DenseMatrix
+    projected(const SymmetricSparseMatrix &A, const DenseMatrix &X)
+    {
+      return A.size() == 0 ? DenseMatrix() : transposed_product(X, times(A, X));
+    }
+
+
+
+    double
+    omega_of(const double frequency)
+    {
+      return 2 * pi * frequency;
+    }
+  } // namespace
+
+
+
+  FrequencyResponse::FrequencyResponse(
+    const VibratingStructure               &structure,
+    const Factorisation                    &factor,
+    const double                            shift,
+    const StructuralModes                  &modes,
+    const std::vector<double>              &damping_ratios,
+    const std::vector<std::vector<double>> &loads)
+    : H_m(projected(structure.H, modes.shapes))
+  {
+    const std::size_t n = structure.K.size(), m = modes.size();
+    const DenseMatrix b = columns_of(loads, n);
+    phi                 = transposed_product(modes.shapes, b);
+    C_m                 = projected(structure.C, modes.shapes);
+    for (std::size_t j = 0; j < m; ++j)
+      {
+        lambda.push_back(modes.eigenvalue(j));
+        viscous_ratios.push_back(2 * damping_ratios[j] *
+                                 omega_of(modes.frequencies[j]));
+      }
+    DenseMatrix y = b;
+    factor.solve(y);
+    DenseMatrix known = phi;
+    for (std::size_t q = 0; q < known.n_columns(); ++q)
+      for (std::size_t j = 0; j < m; ++j)
+        known(j, q) /= lambda[j] + shift;
+    const int    rows = n, columns = b.n_columns(), inner = m;
+    const double minus = -1., one = 1.;
+    if (m > 0)
+      dgemm_("N",
+             "N",
+             &rows,
+             &columns,
+             &inner,
+             &minus,
+             modes.shapes.data(),
+             &rows,
+             known.data(),
+             &inner,
+             &one,
+             y.data(),
+             &rows);
+    stiff   = projected(structure.K, y);
+    heavy   = projected(structure.M, y);
+    lost    = projected(structure.H, y);
+    viscous = projected(structure.C, y);
+  }
+
+
+
+  std::vector<FrequencyResponse::Complex>
+  FrequencyResponse::receptances(const double frequency,
+                                 const bool   modal_damping) const
+  {
+    const double         omega = omega_of(frequency);
+    const int            m = lambda.size(), n = n_places();
+    std::vector<Complex> D(static_cast<std::size_t>(m) * m),
+      x(static_cast<std::size_t>(m) * n),
+      alpha(static_cast<std::size_t>(n) * n);
+    for (int j = 0; j < m; ++j)
+      for (int i = 0; i < m; ++i)
+        {
+          Complex &entry = D[i + static_cast<std::size_t>(j) * m];
+          if (i == j)
+            entry = {lambda[j] - omega * omega,
+                     modal_damping ? omega * viscous_ratios[j] : 0.};
+          if (H_m.n_rows() > 0)
+            entry += Complex(0., H_m(i, j));
+          if (C_m.n_rows() > 0)
+            entry += Complex(0., omega * C_m(i, j));
+        }
+    for (std::size_t k = 0; k < x.size(); ++k)
+      x[k] = phi.data()[k];
+    if (m > 0 && !solve_complex(m, D, n, x))
+      throw ConvergenceError("The receptance at " + significant(frequency, 6) +
+                             " Hz is infinite: this is an eigenfrequency and "
+                             "nothing damps it. Give damping, or another "
+                             "frequency.");
+    for (int q = 0; q < n; ++q)
+      for (int p = 0; p < n; ++p)
+        {
+          Complex sum(stiff(p, q) + omega * omega * heavy(p, q), 0.);
+          if (lost.n_rows() > 0)
+            sum -= Complex(0., lost(p, q));
+          if (viscous.n_rows() > 0)
+            sum -= Complex(0., omega * viscous(p, q));
+          for (int j = 0; j < m; ++j)
+            sum += phi(j, p) * x[j + static_cast<std::size_t>(q) * m];
+          alpha[p + static_cast<std::size_t>(q) * n] = sum;
+        }
+    return alpha;
+  }
+
+
+
+  std::vector<std::complex<double>>
+  direct_receptances(const VibratingStructure               &structure,
+                     const std::vector<std::vector<double>> &loads,
+                     const double                            frequency)
+  {
+    const double          omega = omega_of(frequency);
+    SymmetricSparseMatrix real  = linear_combination(1.,
+                                                    structure.K,
+                                                    -omega * omega,
+                                                    structure.M),
+                          imaginary;
+    if (structure.H.size() > 0 && structure.C.size() > 0)
+      imaginary = linear_combination(1., structure.H, omega, structure.C);
+    else if (structure.H.size() > 0)
+      imaginary = structure.H;
+    else if (structure.C.size() > 0)
+      imaginary = linear_combination(omega, structure.C, 0., structure.C);
+    else
+      imaginary = linear_combination(0., structure.M, 0., structure.M);
+    ComplexFactor factor(real, imaginary, structure.node_of_unknown);
+    std::vector<std::complex<double>> alpha;
+    for (const std::vector<double> &load : loads)
+      {
+        const ComplexFactor::Values x =
+          factor.solve({load.begin(), load.end()});
+        for (const std::vector<double> &place : loads)
+          {
+            std::complex<double> sum = 0.;
+            for (std::size_t i = 0; i < x.size(); ++i)
+              if (place[i] != 0.)
+                sum += place[i] * x[i];
+            alpha.push_back(sum);
+          }
+      }
+    return alpha;
+  }
+} // namespace RollingContact

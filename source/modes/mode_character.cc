@@ -1,0 +1,373 @@
+#include <rolling_contact/base/constants.h>
+#include <rolling_contact/modes/mode_character.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace RollingContact
+{
+  namespace
+  {
+    using Vector = std::array<double, 3>;
+
+    /// of the radius, by which nodes of a ring may differ
+    const double same_ring = 1e-6;
+
+    const unsigned int most_rings = 64, most_diameters = 24;
+
+    /// widest gap of a ring between nodes that the series is taken from (rad)
+    const double widest_gap = 0.8;
+
+    /// of a pair: difference of the frequencies over their mean, of the shares
+    const double close = 0.03, alike = 0.05;
+
+
+
+    double
+    product(const Vector &a, const Vector &b)
+    {
+      return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    }
+
+
+
+    Vector
+    cross(const Vector &a, const Vector &b)
+    {
+      return {{a[1] * b[2] - a[2] * b[1],
+               a[2] * b[0] - a[0] * b[2],
+               a[0] * b[1] - a[1] * b[0]}};
+    }
+
+
+
+    Vector
+    combination(const double  a,
+                const Vector &x,
+                const double  b,
+                const Vector &y)
+    {
+      return {{a * x[0] + b * y[0], a * x[1] + b * y[1], a * x[2] + b * y[2]}};
+    }
+
+
+
+    /**
+     * Where a node is round the axle: axes along it, outwards and around.
+     */
+    struct Cylindrical
+    {
+      Cylindrical(const Axle &axle, const Vector &point)
+        : along(axle.direction)
+      {
+        const Vector from = combination(1., point, -1., axle.point);
+        axial             = product(from, along);
+        outwards          = combination(1., from, -axial, along);
+        radius            = std::sqrt(product(outwards, outwards));
+        if (radius > 0.)
+          outwards = combination(1 / radius, outwards, 0., outwards);
+        around          = cross(along, outwards);
+        const Vector up = combination(1., {{0., 0., 1.}}, -along[2], along);
+        angle           = std::atan2(product(outwards, cross(along, up)),
+                           product(outwards, up));
+      }
+
+      Vector along, outwards, around;
+      double axial = 0., radius = 0., angle = 0.;
+    };
+
+
+
+    Vector
+    motion(const BodyPlaces::Node &node,
+           const DenseMatrix      &shapes,
+           const std::size_t       mode)
+    {
+      Vector u{};
+      for (unsigned int c = 0; c < 3; ++c)
+        if (node.unknowns[c] >= 0)
+          u[c] = shapes(node.unknowns[c], mode);
+      return u;
+    }
+
+
+
+    /**
+     * Nodes on a circle round the axle, by angle, with the weights of the
+     * trapezoidal rule.
+     */
+    struct Ring
+    {
+      struct Node
+      {
+        const BodyPlaces::Node *node;
+        Cylindrical             place;
+        double                  weight; // of the circle
+      };
+
+      std::vector<Node> nodes;
+      double            mass = 0., gap = 2 * pi;
+
+      void
+      close()
+      {
+        std::sort(nodes.begin(), nodes.end(), [](const Node &a, const Node &b) {
+          return a.place.angle < b.place.angle;
+        });
+        gap = 0.;
+        for (std::size_t k = 0; k < nodes.size(); ++k)
+          {
+            const std::size_t next = (k + 1) % nodes.size();
+            const double step = nodes[next].place.angle - nodes[k].place.angle +
+                                (next == 0 ? 2 * pi : 0.);
+            nodes[k].weight += step / (4 * pi);
+            nodes[next].weight += step / (4 * pi);
+            gap = std::max(gap, step);
+          }
+      }
+    };
+
+
+
+    /** The heaviest rings that go all the way round. */
+    std::vector<Ring>
+    rings_of(const BodyPlaces &places, const Axle &axle)
+    {
+      double largest = 0.;
+      for (const auto &node : places.nodes)
+        largest = std::max(largest, Cylindrical(axle, node.point).radius);
+      const double                          tolerance = same_ring * largest;
+      std::map<std::pair<long, long>, Ring> found;
+      for (const auto &node : places.nodes)
+        {
+          const Cylindrical place(axle, node.point);
+          if (place.radius < 1e-3 * largest)
+            continue;
+          Ring &ring = found[{std::lround(place.radius / tolerance),
+                              std::lround(place.axial / tolerance)}];
+          ring.nodes.push_back({&node, place, 0.});
+          ring.mass += node.mass;
+        }
+      std::vector<Ring> rings;
+      for (auto &[key, ring] : found)
+        {
+          ring.close();
+          if (ring.gap < widest_gap)
+            rings.push_back(std::move(ring));
+        }
+      std::sort(rings.begin(), rings.end(), [](const Ring &a, const Ring &b) {
+        return a.mass > b.mass;
+      });
+      if (rings.size() > most_rings)
+        rings.resize(most_rings);
+      return rings;
+    }
+
+
+
+    /** Energy of each order of the Fourier series round the axle. */
+    std::vector<double>
+    energy_of_orders(const std::vector<Ring> &rings,
+                     const DenseMatrix       &shapes,
+                     const std::size_t        mode)
+    {
+      double gap = 0.;
+      for (const Ring &ring : rings)
+        gap = std::max(gap, ring.gap);
+      const unsigned int n_orders =
+        std::min<unsigned int>(most_diameters, pi / gap);
+      std::vector<double> energy(n_orders + 1, 0.);
+      for (const Ring &ring : rings)
+        {
+          std::vector<Vector> cosine(n_orders + 1, Vector{}), sine = cosine;
+          for (const Ring::Node &at : ring.nodes)
+            {
+              const Vector u = motion(*at.node, shapes, mode);
+              const Vector cylindrical{
+                {at.weight * product(u, at.place.along),
+                 at.weight * product(u, at.place.outwards),
+                 at.weight * product(u, at.place.around)}};
+              for (unsigned int n = 0; n <= n_orders; ++n)
+                {
+                  const double c = std::cos(n * at.place.angle),
+                               s = std::sin(n * at.place.angle);
+                  for (unsigned int d = 0; d < 3; ++d)
+                    {
+                      cosine[n][d] += c * cylindrical[d];
+                      sine[n][d] += s * cylindrical[d];
+                    }
+                }
+            }
+          for (unsigned int n = 0; n <= n_orders; ++n)
+            energy[n] +=
+              (n == 0 ? 1. : 2.) * ring.mass *
+              (product(cosine[n], cosine[n]) + product(sine[n], sine[n]));
+        }
+      return energy;
+    }
+
+
+
+    void
+    find_shares(const BodyPlaces          &places,
+                const std::optional<Axle> &axle,
+                const DenseMatrix         &shapes,
+                const std::size_t          mode,
+                ModeCharacter             &character)
+    {
+      for (const BodyPlaces::Node &node : places.nodes)
+        {
+          const Vector u = motion(node, shapes, mode);
+          Vector       parts{{u[1], u[2], u[0]}};
+          if (axle)
+            {
+              const Cylindrical place(*axle, node.point);
+              parts = {{product(u, place.along),
+                        product(u, place.outwards),
+                        product(u, place.around)}};
+            }
+          character.axial_share += node.mass * parts[0] * parts[0];
+          character.radial_share += node.mass * parts[1] * parts[1];
+          character.circumferential_share += node.mass * parts[2] * parts[2];
+        }
+      const double sum = character.axial_share + character.radial_share +
+                         character.circumferential_share;
+      for (double *share : {&character.axial_share,
+                            &character.radial_share,
+                            &character.circumferential_share})
+        *share /= sum > 0. ? sum : 1.;
+    }
+
+
+
+    bool
+    are_alike(const ModeCharacter &a, const ModeCharacter &b)
+    {
+      return a.nodal_diameters == b.nodal_diameters &&
+             std::abs(a.axial_share - b.axial_share) < alike &&
+             std::abs(a.radial_share - b.radial_share) < alike;
+    }
+
+
+
+    void
+    find_pairs(const StructuralModes      &modes,
+               std::vector<ModeCharacter> &characters)
+    {
+      for (std::size_t i = 0; i < characters.size(); ++i)
+        {
+          if (characters[i].partner || !characters[i].nodal_diameters ||
+              *characters[i].nodal_diameters == 0)
+            continue;
+          for (std::size_t j = i + 1; j < characters.size(); ++j)
+            {
+              const double split =
+                2 * (modes.frequencies[j] - modes.frequencies[i]) /
+                (modes.frequencies[j] + modes.frequencies[i]);
+              if (!(split < close))
+                break;
+              if (characters[j].partner ||
+                  !are_alike(characters[i], characters[j]))
+                continue;
+              characters[i].partner = j;
+              characters[j].partner = i;
+              characters[i].split = characters[j].split = split;
+              break;
+            }
+        }
+    }
+  } // namespace
+
+
+
+  std::vector<ModeCharacter>
+  mode_characters(const BodyPlaces          &places,
+                  const std::optional<Axle> &axle,
+                  const StructuralModes     &modes)
+  {
+    std::vector<Ring> rings;
+    if (axle)
+      rings = rings_of(places, *axle);
+    std::vector<ModeCharacter> characters(modes.size());
+    for (std::size_t j = 0; j < modes.size(); ++j)
+      {
+        find_shares(places, axle, modes.shapes, j, characters[j]);
+        if (rings.empty())
+          continue;
+        const auto energy = energy_of_orders(rings, modes.shapes, j);
+        const auto most   = std::max_element(energy.begin(), energy.end());
+        double     sum    = 0.;
+        for (const double part : energy)
+          sum += part;
+        characters[j].nodal_diameters = most - energy.begin();
+        characters[j].diameter_share  = sum > 0. ? *most / sum : 0.;
+      }
+    find_pairs(modes, characters);
+    return characters;
+  }
+
+
+
+  namespace
+  {
+    /** The unknown of the contact at which the modes move most; -1 if none
+     * does. */
+    int
+    moved_unknown(const std::array<int, 3>       &contact,
+                  const DenseMatrix              &shapes,
+                  const std::vector<std::size_t> &modes)
+    {
+      int    moved   = -1;
+      double largest = 0.;
+      for (const int unknown : contact)
+        {
+          double length = 0.;
+          for (const std::size_t mode : modes)
+            if (unknown >= 0)
+              length = std::hypot(length, shapes(unknown, mode));
+          // the margin keeps rounding from choosing between equal ones
+          if (length > 1.01 * largest)
+            {
+              largest = length;
+              moved   = unknown;
+            }
+        }
+      return moved;
+    }
+  } // namespace
+
+
+
+  void
+  align_pairs(const std::vector<ModeCharacter> &characters,
+              const std::array<int, 3>         &contact,
+              const double                      tolerance,
+              StructuralModes                  &modes)
+  {
+    DenseMatrix &shapes = modes.shapes;
+    for (std::size_t j = 0; j < modes.size(); ++j)
+      {
+        const auto partner = characters[j].partner;
+        if (partner && *partner > j && characters[j].split < tolerance)
+          {
+            const int i = moved_unknown(contact, shapes, {j, *partner});
+            if (i < 0)
+              continue;
+            const double length = std::hypot(shapes(i, j), shapes(i, *partner)),
+                         c      = shapes(i, j) / length,
+                         s      = shapes(i, *partner) / length;
+            for (std::size_t k = 0; k < shapes.n_rows(); ++k)
+              {
+                const double a = shapes(k, j), b = shapes(k, *partner);
+                shapes(k, j)        = c * a + s * b;
+                shapes(k, *partner) = c * b - s * a;
+              }
+          }
+        const int i = moved_unknown(contact, shapes, {j});
+        if (i >= 0 && shapes(i, j) < 0.)
+          for (std::size_t k = 0; k < shapes.n_rows(); ++k)
+            shapes(k, j) *= -1;
+      }
+  }
+} // namespace RollingContact

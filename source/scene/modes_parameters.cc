@@ -1,0 +1,75 @@
+#include <deal.II/base/parameter_handler.h>
+
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/input/prm_declarations.h>
+#include <rolling_contact/scene/modes_parameters.h>
+
+namespace RollingContact
+{
+  using namespace dealii;
+
+  void
+  ModesParameters::declare(ParameterHandler &prm)
+  {
+    const Patterns::Double not_negative(0.);
+    prm.enter_subsection("Modes");
+    prm.add_parameter("Maximum frequency",
+                      maximum_frequency,
+                      "All modes up to this frequency are found. Units: Hz.",
+                      not_negative);
+    prm.add_parameter(
+      "Cut-off ratio",
+      cut_off_ratio,
+      "Receptances take all modes up to so many times the highest frequency "
+      "that is asked for. Units: 1.",
+      not_negative);
+    prm.add_parameter("Tolerance",
+                      tolerance,
+                      "Of |K phi - lambda M phi| over lambda |M phi|, as far "
+                      "as rounding allows. Units: 1.",
+                      not_negative);
+    prm.add_parameter(
+      "Count check",
+      count,
+      "Count the modes below the cut-off by the inertia of K - omega^2 M "
+      "(Sylvester), so that none can be missed; takes about a fifth of the "
+      "time.");
+    declare_number(
+      prm,
+      "Modes/Element size",
+      element_size,
+      "m",
+      "Longest edge of the cells where the program meshes a body and no "
+      "contact is computed: equal cells, with equal angles round an axle. Left "
+      "empty: as few as resolve the shape. Sections and meshes from files are "
+      "taken as they are.");
+    prm.add_parameter(
+      "Animated modes",
+      animated,
+      "For so many modes of each body, the first ones, the moving surface is "
+      "written for ParaView, 24 phases of a period each. Units: 1.",
+      Patterns::Integer(0));
+    prm.leave_subsection();
+  }
+
+
+
+  void
+  ModesParameters::check() const
+  {
+    if (!(maximum_frequency > 0.))
+      throw InputError(
+        "Modes/Maximum frequency = " + text_of(maximum_frequency) +
+        ": it must be above 0 Hz; squeal is below 6000 Hz.");
+    if (!(cut_off_ratio >= 1.))
+      throw InputError("Modes/Cut-off ratio = " + text_of(cut_off_ratio) +
+                       ": it must be at least 1; 2 is good.");
+    if (!(tolerance > 0. && tolerance <= 1e-3))
+      throw InputError("Modes/Tolerance = " + text_of(tolerance) +
+                       ": it must be above 0 and at most 1e-3.");
+    if (element_size && !(*element_size > 0.))
+      throw InputError("Modes/Element size = " + text_of(*element_size) +
+                       ": it must be above 0 m; 0.02 gives two cells through "
+                       "the web of a wheel.");
+  }
+} // namespace RollingContact
