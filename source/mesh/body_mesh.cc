@@ -29,6 +29,9 @@ namespace RollingContact
     const std::string generated_remedy =
       "take fewer Mesh/Elements across patch, a larger Mesh/Growth or a "
       "smaller Mesh/Candidate zone.";
+    const std::string file_remedy =
+      "take a coarser Mesh file or fewer Cells along, or, with a contact zone, "
+      "fewer Mesh/Elements across patch.";
 
 
 
@@ -210,7 +213,9 @@ namespace RollingContact
      */
     template <int dim>
     void
-    refine(const Grading<dim> &grading, BodyMesh<dim> &mesh)
+    refine(const Grading<dim> &grading,
+           const std::string  &remedy,
+           BodyMesh<dim>      &mesh)
     {
       Triangulation<dim> &cells     = *mesh.triangulation;
       double              n_flagged = 1.;
@@ -232,7 +237,7 @@ namespace RollingContact
           check_mesh_memory<dim>(cells.n_global_active_cells() +
                                    (std::pow(2., dim) - 1) * n_flagged,
                                  mesh.kind,
-                                 generated_remedy);
+                                 remedy);
           if (n_flagged > 0.)
             cells.execute_coarsening_and_refinement();
         }
@@ -296,13 +301,15 @@ namespace RollingContact
         fewest_swept_cells(shape, grading, largest_mesh<3>(kind));
       if (kind == MeshKind::distributed)
         check_levels<3>(coarse->size(), grading.element_size_x);
-      check_mesh_memory<3>(n_cells, kind, generated_remedy);
+      const std::string &remedy =
+        shape->has_own_cells() ? file_remedy : generated_remedy;
+      check_mesh_memory<3>(n_cells, kind, remedy);
       BodyMesh<3> mesh;
       mesh.kind          = kind;
       mesh.swept         = coarse;
       mesh.triangulation = make_triangulation<3>(kind);
       create_swept_cells(*coarse, *mesh.triangulation);
-      refine(grading, mesh);
+      refine(grading_of_body(*shape, grading), remedy, mesh);
       move_vertices(*coarse, *mesh.triangulation);
       return mesh;
     }
@@ -337,7 +344,7 @@ namespace RollingContact
                      *mesh.chart,
                      *mesh.triangulation);
 
-    refine(grading, mesh);
+    refine(grading, generated_remedy, mesh);
     return mesh;
   }
 

@@ -3,6 +3,7 @@
 #include <rolling_contact/mesh/block_shape.h>
 #include <rolling_contact/mesh/disc_shape.h>
 #include <rolling_contact/mesh/mesh_file_shape.h>
+#include <rolling_contact/mesh/section_file_shape.h>
 #include <rolling_contact/references/line_contact_approach.h>
 
 #include <algorithm>
@@ -31,6 +32,12 @@ namespace RollingContact
       {"mesh file",
        "read from Mesh file and held at its hub boundary",
        &make<MeshFileShape>,
+       true},
+      {"section",
+       "quadrilaterals from Mesh file, revolved about the axle or extruded "
+       "along the rail, and held at its hub boundary (3D only)",
+       &make<SectionFileShape>,
+       true,
        true}};
     return kinds;
   }
@@ -177,6 +184,22 @@ namespace RollingContact
   BodyShape::swept_mesh(const CoarseCells &,
                         const CoarseCells &,
                         const double) const
+  {
+    return nullptr;
+  }
+
+
+
+  bool
+  BodyShape::has_own_cells() const
+  {
+    return false;
+  }
+
+
+
+  std::shared_ptr<const SweptMesh>
+  BodyShape::equal_cells(const double, const double) const
   {
     return nullptr;
   }

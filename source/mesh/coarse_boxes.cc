@@ -179,6 +179,39 @@ namespace RollingContact
           return false;
       return true;
     }
+
+
+
+    /**
+     * All alike, none longer than a uniform grading allows; and their number.
+     */
+    template <int dim>
+    std::pair<CoarseBoxes<dim>, double>
+    equal_boxes(const std::shared_ptr<const BodyShape> &shape,
+                const Grading<dim>                     &grading)
+    {
+      const double depth = shape->thickness_below(), width = shape->reach_y();
+      CoarseCells  along;
+      along.equal = true;
+      along.size =
+        std::min(grading.element_size_x, shape->largest_coarse_size());
+      const double across =
+        std::min(grading.element_size_y, largest_coarse_depth * depth);
+      CoarseBoxes<dim> boxes;
+      boxes.size                                      = along.size;
+      const std::shared_ptr<const SurfaceChart> chart = shape->chart(along);
+      boxes.chart     = std::make_unique<BodyChart<dim>>(shape, chart);
+      boxes.breaks[0] = chart->edges_x();
+      if (dim == 3)
+        boxes.breaks[1] =
+          equal_parts(-width, width, fewest_parts(2 * width, across));
+      boxes.breaks[dim - 1] =
+        equal_parts(-depth, 0., fewest_parts(depth, across));
+      double n_cells = 1.;
+      for (const auto &points : boxes.breaks)
+        n_cells *= points.size() - 1;
+      return {std::move(boxes), n_cells};
+    }
   } // namespace
 
 
@@ -189,6 +222,8 @@ namespace RollingContact
                const Grading<dim>                     &grading,
                const double                            enough)
   {
+    if (grading.is_uniform)
+      return equal_boxes<dim>(shape, grading);
     const int most =
       std::max(0.,
                std::floor(std::log2(largest_coarse_size<dim>(*shape, grading) /
@@ -264,6 +299,15 @@ namespace RollingContact
   {
     const double element = grading.element_size_x,
                  across  = grading.element_size_y;
+    if (grading.is_uniform || shape->has_own_cells())
+      {
+        const double longest = Grading<3>::infinity;
+        const auto   mesh    = grading.is_uniform
+                                 ? shape->equal_cells(element, across)
+                                 : shape->equal_cells(longest, longest);
+        return {mesh,
+                count_cells(*mesh, grading_of_body(*shape, grading), enough)};
+      }
     // the one size between a largest and half of that; halves of it where its
     // cells are distorted, or longer ones at the strip's ends reach the zone
     const int most =
@@ -311,6 +355,16 @@ namespace RollingContact
         "Mesh/Elements across patch y, a profile nearer to a new one, or Body "
         "sections = plain.");
     return {best, fewest};
+  }
+
+
+
+  Grading<3>
+  grading_of_body(const BodyShape &shape, const Grading<3> &grading)
+  {
+    return shape.has_own_cells() && !grading.is_uniform
+             ? grading.of_coupled_body()
+             : grading;
   }
 
 

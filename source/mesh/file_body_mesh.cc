@@ -1,5 +1,6 @@
 #include <rolling_contact/mesh/file_body_mesh.h>
 #include <rolling_contact/mesh/mesh_memory.h>
+#include <rolling_contact/mesh_files/mesh_file_checks.h>
 
 #include <algorithm>
 #include <map>
@@ -79,6 +80,57 @@ namespace RollingContact
     result.triangulation = std::make_unique<Triangulation<dim>>();
     result.triangulation->create_triangulation(vertices, cells, SubCellData());
     set_boundary_ids(mesh, *result.triangulation);
+    return result;
+  }
+
+
+
+  namespace
+  {
+    /**
+     * z of the outward unit normal of a face.
+     */
+    double
+    upwards(const Triangulation<3>::active_cell_iterator &cell,
+            const unsigned int                            f)
+    {
+      const auto   face   = cell->face(f);
+      Tensor<1, 3> normal = cross_product_3d(face->vertex(3) - face->vertex(0),
+                                             face->vertex(2) - face->vertex(1));
+      if (normal * (face->center() - cell->center()) < 0.)
+        normal = -normal;
+      return normal[2] / normal.norm();
+    }
+  } // namespace
+
+
+
+  FileMesh
+  as_file_mesh(const BodyMesh<3> &mesh)
+  {
+    FileMesh result;
+    result.dimension = 3;
+    for (const Point<3> &vertex : mesh.triangulation->get_vertices())
+      result.vertices.push_back({{vertex[0], vertex[1], vertex[2]}});
+    for (const auto &cell : mesh.triangulation->active_cell_iterators())
+      {
+        result.cells.emplace_back();
+        for (const unsigned int v : cell->vertex_indices())
+          result.cells.back()[v] = cell->vertex_index(v);
+        for (const unsigned int f : cell->face_indices())
+          {
+            const auto     face = cell->face(f);
+            FileMesh::Face corners;
+            for (const unsigned int v : face->vertex_indices())
+              corners[v] = face->vertex_index(v);
+            if (face->at_boundary() && face->boundary_id() == hub_boundary)
+              result.hub_faces.push_back(corners);
+            if (face->at_boundary() &&
+                face->boundary_id() == contact_boundary &&
+                upwards(cell, f) > least_upwards)
+              result.contact_faces.push_back(corners);
+          }
+      }
     return result;
   }
 

@@ -204,6 +204,8 @@ namespace RollingContact
   bool
   Grading<dim>::refine(const Point<dim> &lower, const Point<dim> &upper) const
   {
+    if (is_uniform)
+      return false;
     const double size = size_in_x(lower, upper) / (1. + size_rounding);
     return size > allowed_size(lower, upper) ||
            exceeds_rim(size, lower, upper) || exceeds_boxes(size, lower, upper);

@@ -21,11 +21,13 @@ namespace RollingContact
 
     /**
      * Coarse cells on either side of the origin: they cover the core and stay
-     * off the equator.
+     * off the equator. None if all cells are of equal angles.
      */
     double
     cells_in_half_sector(const double radius, const CoarseCells &cells)
     {
+      if (cells.equal)
+        return 0.;
       return std::max(1.,
                       std::min(std::ceil(cells.half_core / cells.size),
                                std::floor(largest_sector * radius /
@@ -126,6 +128,11 @@ namespace RollingContact
   std::vector<double>
   RimCoordinate::edges() const
   {
+    if (cells.equal)
+      return equal_parts(0.,
+                         circumference,
+                         std::max(least_cells_outside_sector,
+                                  fewest_parts(circumference, cells.size)));
     const double        sector = 2 * half_sector * cells.size;
     std::vector<double> result = equal_parts(0., sector, 2 * half_sector);
     result.pop_back();

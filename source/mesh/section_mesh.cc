@@ -54,6 +54,28 @@ namespace RollingContact
 
 
 
+  SectionMesh::SectionMesh(
+    const std::vector<SectionPoint>                &points,
+    const std::vector<std::array<unsigned int, 4>> &corners)
+    : points(points)
+  {
+    for (const auto &quad : corners)
+      cells.push_back({quad});
+  }
+
+
+
+  std::array<unsigned int, 2>
+  SectionMesh::ends_of_edge(const unsigned int quad,
+                            const unsigned int edge) const
+  {
+    const auto &corners = cells[quad].corners;
+    return {
+      {corners[corner_of_edge[edge][0]], corners[corner_of_edge[edge][1]]}};
+  }
+
+
+
   unsigned int
   SectionMesh::vertex(const SectionPoint &point)
   {
@@ -94,10 +116,8 @@ namespace RollingContact
   {
     for (unsigned int e = 0; e < 4; ++e)
       {
-        const SectionPoint &p =
-                             points[cells[quad].corners[corner_of_edge[e][0]]],
-                           &q =
-                             points[cells[quad].corners[corner_of_edge[e][1]]];
+        const auto          ends = ends_of_edge(quad, e);
+        const SectionPoint &p = points[ends[0]], &q = points[ends[1]];
         reversed = coincide(p, end) && coincide(q, begin);
         if (reversed || (coincide(p, begin) && coincide(q, end)))
           return e;

@@ -23,6 +23,9 @@ namespace RollingContact
     const double       least_quality = 0.05;
     const unsigned int quality_parts = 4;
 
+    /// cells under the running surface that are divided further, across: m
+    const std::array<double, 3> section_cells{{18e-3, 13e-3, 9e-3}};
+
     const double least_rail = 0.2, longest_rail = 5., least_bore = 0.05,
                  largest_bow = 0.04;
   } // namespace
@@ -91,6 +94,32 @@ namespace RollingContact
                                              placement,
                                              ends_x,
                                              along.size);
+  }
+
+
+
+  std::shared_ptr<const SweptMesh>
+  SectionShape::equal_cells(const double along, const double across) const
+  {
+    CoarseCells slices;
+    slices.equal = true;
+    slices.size  = std::min(along, largest_coarse_size());
+    for (const double size : section_cells)
+      {
+        CoarseCells under_surface;
+        under_surface.size    = std::min(size, across);
+        const SectionMesh all = section(under_surface, under_surface.size);
+        if (!(all.least_quality(quality_parts) > least_quality))
+          continue;
+        const auto [placement, ends_x] = sweep(slices);
+        return std::make_shared<const SweptMesh>(all.divided(across),
+                                                 placement,
+                                                 ends_x,
+                                                 slices.size);
+      }
+    throw InputError("Profiles/Body sections = true: the profiles' sections "
+                     "cannot be meshed, cells would be folded: take profiles "
+                     "nearer to new ones, or Body sections = plain.");
   }
 
 

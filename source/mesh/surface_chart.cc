@@ -31,6 +31,15 @@ namespace RollingContact
 
 
 
+  unsigned int
+  fewest_parts(const double length, const double longest)
+  {
+    const double rounding = 1e-9;
+    return std::max(1., std::ceil(length / longest - rounding));
+  }
+
+
+
   double
   CoarseCells::length_at(const double position) const
   {
@@ -66,6 +75,8 @@ namespace RollingContact
   break_points(const double begin, const double end, const CoarseCells &cells)
   {
     const double size = cells.size;
+    if (cells.equal)
+      return equal_parts(begin, end, fewest_parts(end - begin, size));
     const double half_core =
       cells.allowed ? cells.half_core : end - begin + std::abs(cells.origin);
     const int           n_core = std::ceil(half_core / size);

@@ -50,8 +50,10 @@ namespace RollingContact
         reject(file,
                "deal.II cannot read it as a mesh of " +
                  std::string(dimension == 2 ? "quadrilaterals" : "hexahedra") +
-                 " (Dimension = " + std::to_string(dimension) +
-                 "): " + (cause.empty() ? message_of(error) : cause));
+                 (file.is_section
+                    ? " (Shape = section): "
+                    : " (Dimension = " + std::to_string(dimension) + "): ") +
+                 (cause.empty() ? message_of(error) : cause));
       }
     catch (const std::exception &error)
       {

@@ -224,10 +224,12 @@ namespace RollingContact
     };
     if (at_origin == nullptr)
       reject(file,
-             boundary + " is not around the origin: it reaches from x = " +
-               range(0) + (mesh.dimension == 3 ? ", y = " + range(1) : "") +
-               ". Move the contact point to the origin, with x in the rolling "
-               "direction and z from rail to wheel" +
+             boundary + " is not around the origin: it reaches from " +
+               (file.is_section ? "y = " : "x = ") + range(0) +
+               (mesh.dimension == 3 ? ", y = " + range(1) : "") +
+               ". Move the contact point to the origin, with " +
+               (file.is_section ? "y across" : "x in the rolling direction") +
+               " and z from rail to wheel" +
                (mesh.dimension == 2 ? " (the file's y)." : "."));
     if (at_origin->upwards <= least_upwards)
       reject(file,

@@ -326,33 +326,31 @@ namespace RollingContact
   FileSurface
   couple_to_interface(const SceneParameters &scene,
                       const Side             side,
+                      const FileMesh        &mesh,
                       const Trace           &interface)
   {
     const BodyParameters &body = scene.body(side);
-    const auto            mesh = body.mesh;
     const Box             zone = box_of(interface);
     FileSurface           result;
-    const SurfaceMesh     surface = surface_over(zone, *mesh, result.face_size);
+    const SurfaceMesh     surface = surface_over(zone, mesh, result.face_size);
     check_faces(body, surface, result.face_size, zone);
     MortarProjection projection = mortar_projection(interface, surface);
     check_cover(body, interface, projection);
-    check_free_of_hub(body, *mesh, projection.nodes);
-    result.vertices       = projection.nodes;
-    result.face_size      = size_of_used_faces(surface, projection.nodes);
-    const double distance = check_heights(body,
-                                          *mesh,
-                                          result.vertices,
-                                          largest_gap(scene, interface));
+    check_free_of_hub(body, mesh, projection.nodes);
+    result.vertices  = projection.nodes;
+    result.face_size = size_of_used_faces(surface, projection.nodes);
+    const double distance =
+      check_heights(body, mesh, result.vertices, largest_gap(scene, interface));
     result.coupling =
       SurfaceCoupling(std::move(projection.rows), result.vertices.size());
     if (body.surface == SurfaceSource::nodes)
       {
         std::vector<double> heights;
         for (const unsigned int vertex : result.vertices)
-          heights.push_back(mesh->vertices[vertex][2]);
+          heights.push_back(mesh.vertices[vertex][2]);
         result.heights = result.coupling.to_interface(heights);
       }
-    result.note = {note_on(body, *mesh, result, distance),
+    result.note = {note_on(body, mesh, result, distance),
                    warning_of(body, result, interface)};
     return result;
   }

@@ -45,7 +45,8 @@ namespace RollingContact
     {
       const auto   shape = body.body_shape();
       const double reach = d == 0 ? shape->reach_x() : shape->reach_y(),
-                   size  = smallest_face(*body.mesh, d),
+                   // a section's are divided as needed
+        size = body.is_section() ? 0. : smallest_face(*body.mesh, d),
                    limit =
                      largest_smallest_face * std::max(1., zone) * half_width;
       const auto complain = [&](const std::string &what) {

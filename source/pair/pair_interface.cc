@@ -1,6 +1,7 @@
 #include <deal.II/base/exceptions.h>
 
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/mesh/file_body_mesh.h>
 #include <rolling_contact/pair/interface_mesh.h>
 #include <rolling_contact/pair/pair_interface.h>
 #include <rolling_contact/pair/profile_surface.h>
@@ -57,6 +58,27 @@ namespace RollingContact
 
 
 
+    /**
+     * The mesh of a body from a file; that of a section is made again on ranks
+     * that do not hold the body.
+     */
+    template <int dim>
+    std::shared_ptr<const FileMesh>
+    mesh_of(const BodyParameters   &parameters,
+            const ElasticBody<dim> *body,
+            const Grading<dim>     &grading)
+    {
+      if constexpr (dim == 3)
+        if (parameters.is_section())
+          return std::make_shared<const FileMesh>(
+            body ? as_file_mesh(body->mesh())
+                 : as_file_mesh(
+                     make_body_mesh<3>(parameters.body_shape(), grading)));
+      return parameters.mesh;
+    }
+
+
+
     template <int dim>
     std::array<double, 2>
     xy(const Point<dim> &point)
@@ -91,7 +113,11 @@ namespace RollingContact
     for (const Side side : both_sides)
       if (scene.body(side).is_from_file())
         {
-          const FileSurface surface = couple_to_interface(scene, side, trace);
+          const FileSurface surface = couple_to_interface(
+            scene,
+            side,
+            *mesh_of(scene.body(side), bodies.body(side), grading),
+            trace);
           if (has_own_mesh)
             check_resolution(scene,
                              side,

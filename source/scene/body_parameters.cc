@@ -4,6 +4,7 @@
 #include <rolling_contact/input/prm_declarations.h>
 #include <rolling_contact/mesh/section_shapes.h>
 #include <rolling_contact/mesh_files/mesh_file.h>
+#include <rolling_contact/mesh_files/section_file.h>
 #include <rolling_contact/scene/body_parameters.h>
 
 namespace RollingContact
@@ -56,7 +57,9 @@ namespace RollingContact
       "Radius",
       radius,
       "Radius of the profile in the rolling direction. For a block or a mesh "
-      "file, 0 is flat and a negative radius is concave. Units: m.",
+      "file, 0 is flat and a negative radius is concave; a section is revolved "
+      "about an axle so far behind the contact point, with 0 extruded. Units: "
+      "m.",
       any);
     prm.add_parameter(
       "Lateral radius",
@@ -78,7 +81,8 @@ namespace RollingContact
                       not_negative);
     prm.add_parameter("Block length",
                       block_length,
-                      "Extent of a block in the rolling direction. Units: m.",
+                      "Extent of a block, or of a section that is extruded, in "
+                      "the rolling direction. Units: m.",
                       not_negative);
     prm.add_parameter("Block depth",
                       block_depth,
@@ -117,7 +121,9 @@ namespace RollingContact
       "hexahedra (3D), relative to the folder of the .prm file. x "
       "is the rolling direction, z (in 2D the file's y) goes from "
       "rail to wheel, the contact point is the origin, the wheel "
-      "lies above it and the rail below.",
+      "lies above it and the rail below. For Shape = section "
+      "quadrilaterals of the section: the file's x is y, across, its y is z, "
+      "so that an axle lies at z = Radius (wheel) or -Radius.",
       Patterns::Anything());
     prm.add_parameter(
       "Mesh unit",
@@ -135,6 +141,12 @@ namespace RollingContact
     prm.add_parameter("Hub boundary id",
                       hub_boundary,
                       "The same of the part that is clamped. Units: 1.",
+                      Patterns::Integer(1));
+    prm.add_parameter("Cells along",
+                      cells_along,
+                      "Number of equal cells of a section round its axle or "
+                      "along the rail; those at the patch are divided as the "
+                      "contact needs. Units: 1.",
                       Patterns::Integer(1));
     declare_choice(
       prm,
@@ -181,9 +193,10 @@ namespace RollingContact
   void
   BodyParameters::check(const unsigned int dimension) const
   {
-    if (!is_from_file() && !mesh_file.empty())
+    const auto &kind = choice(body_shape_kinds(), shape, section + "/Shape");
+    if (!kind.from_file && !mesh_file.empty())
       throw InputError(section + "/Mesh file = " + mesh_file +
-                       ": it is read with Shape = mesh file only.");
+                       ": it is read with Shape = mesh file or section only.");
     if (dimension == 2)
       require(lateral_radius == 0.,
               "Lateral radius",
@@ -245,7 +258,10 @@ namespace RollingContact
     file.hub_boundary     = hub_boundary;
     file.has_hub          = hub == Hub::clamped;
     file.mirrored         = section == "Wheel";
-    mesh = dimension == 2 ? read_mesh_file<2>(file) : read_mesh_file<3>(file);
+    file.is_section       = is_section();
+    mesh                  = is_section()     ? read_section_file(file, radius)
+                            : dimension == 2 ? read_mesh_file<2>(file)
+                                             : read_mesh_file<3>(file);
   }
 
 
@@ -265,6 +281,16 @@ namespace RollingContact
   bool
   BodyParameters::is_from_file() const
   {
-    return choice(body_shape_kinds(), shape, section + "/Shape").from_file;
+    return !rigid &&
+           choice(body_shape_kinds(), shape, section + "/Shape").from_file;
+  }
+
+
+
+  bool
+  BodyParameters::is_section() const
+  {
+    return is_from_file() &&
+           choice(body_shape_kinds(), shape, section + "/Shape").is_section;
   }
 } // namespace RollingContact

@@ -73,8 +73,14 @@ namespace RollingContact
       {
         if (!body->is_from_file())
           continue;
+        const bool        section = body->is_section();
         const std::string why =
-          ": a body from a mesh file (" + body->section + "/Shape) ";
+          section ? ": a body with a section from a file (" + body->section +
+                      "/Shape) "
+                  : ": a body from a mesh file (" + body->section + "/Shape) ";
+        const std::string not_refined =
+          section ? "is refined for the estimated patch only; set it to 0."
+                  : "is not refined; set it to 0.";
         if (body_solver == BodySolver::distributed)
           throw InputError("Body solver = distributed" + why +
                            "lives on one rank; take direct or automatic.");
@@ -84,11 +90,10 @@ namespace RollingContact
         if (mesh.adaptive_levels > 0)
           throw InputError(
             "Mesh/Adaptive levels = " + std::to_string(mesh.adaptive_levels) +
-            why + "is not refined; set it to 0.");
+            why + not_refined);
         if (mesh.rim_levels > 0)
-          throw InputError(
-            "Mesh/Rim levels = " + std::to_string(mesh.rim_levels) + why +
-            "is not refined; set it to 0.");
+          throw InputError("Mesh/Rim levels = " +
+                           std::to_string(mesh.rim_levels) + why + not_refined);
       }
   }
 

@@ -140,6 +140,20 @@ namespace RollingContact
                const double       deepest) const;
 
     /**
+     * Whether its coarse cells are its own and do not depend on the zone of
+     * contact nodes, so that none of those is on its surface.
+     */
+    virtual bool
+    has_own_cells() const;
+
+    /**
+     * The cells of a swept section, all along alike, none longer than @p along
+     * and, in the section, than @p across; nullptr for other shapes. Units: m.
+     */
+    virtual std::shared_ptr<const SweptMesh>
+    equal_cells(const double along, const double across) const;
+
+    /**
      * The mesh that the shape brings; nullptr if the program meshes it.
      */
     virtual std::shared_ptr<const FileMesh>
@@ -186,7 +200,8 @@ namespace RollingContact
     std::string name;
     std::string help; ///< how it is held
     Maker       make;
-    bool        from_file = false; ///< needs ShapeParameters::mesh
+    bool        from_file  = false; ///< needs ShapeParameters::mesh
+    bool        is_section = false; ///< which is that of a section
   };
 
   const std::vector<BodyShapeKind> &

@@ -30,7 +30,7 @@ namespace RollingContact
    * The coarse cells whose size, a power of two times the element's, makes the
    * mesh of a generated body with the fewest cells, and how many those are at
    * least, counted without making the mesh; a number above @p enough if there
-   * are more.
+   * are more. With a uniform grading boxes all alike, none longer than it asks.
    */
   template <int dim>
   std::pair<CoarseBoxes<dim>, double>
@@ -39,7 +39,15 @@ namespace RollingContact
                const double                            enough);
 
   /**
-   * The same for a body with a swept section. Throws InputError if none of the
+   * The grading of the cells of a body with a swept section, of which @p
+   * grading asks for the nodes of the interface.
+   */
+  Grading<3>
+  grading_of_body(const BodyShape &shape, const Grading<3> &grading);
+
+  /**
+   * As fewest_cells() for a body with a swept section; as few as its own
+   * coarse cells or a uniform grading make. Throws InputError if none of the
    * sizes makes cells that are fit for use.
    */
   std::pair<std::shared_ptr<const SweptMesh>, double>

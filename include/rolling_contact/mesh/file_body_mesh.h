@@ -13,6 +13,14 @@ namespace RollingContact
   template <int dim>
   BodyMesh<dim>
   file_body_mesh(const FileMesh &mesh);
+
+  /**
+   * The active cells of a mesh in space as a FileMesh: its vertices with their
+   * numbers, the faces of the hub, and those of the contact boundary that look
+   * towards the other body.
+   */
+  FileMesh
+  as_file_mesh(const BodyMesh<3> &mesh);
 } // namespace RollingContact
 
 #endif

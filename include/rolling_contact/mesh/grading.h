@@ -42,8 +42,8 @@ namespace RollingContact
    * and one element around it, to zone_depth, growing by @p growth times the
    * distance from there, and beyond far_distance by far_growth. Towards the rim
    * of the patch, sizes are halved up to rim_levels more times, the leading
-   * edge alone if leading_edge_only. Refined boxes come on top. Units: m,
-   * shifts in elements.
+   * edge alone if leading_edge_only. Refined boxes come on top. A uniform
+   * grading has no zone. Units: m, shifts in elements.
    */
   template <int dim>
   struct Grading
@@ -68,6 +68,50 @@ namespace RollingContact
 
     std::vector<RefinedBox<dim>> boxes;
     std::vector<ZoneBox>         zone_boxes;
+
+    bool is_uniform = false; ///< all cells alike, of at most the element sizes
+
+    /**
+     * Without a contact zone, for analyses of a body alone: cells all along x
+     * alike, with equal angles round an axle, none longer than @p along nor, in
+     * the section, than @p across. Units: m.
+     */
+    static Grading
+    uniform(const double along, const double across)
+    {
+      Grading grading;
+      grading.element_size_x = along;
+      grading.element_size_y = across;
+      grading.is_uniform     = true;
+      return grading;
+    }
+
+    /**
+     * Uniform, with as few cells as resolve the shape; a section from a file is
+     * swept as it is.
+     */
+    static Grading
+    unrefined()
+    {
+      return uniform(infinity, infinity);
+    }
+
+    /**
+     * That of a body which is coupled by a mortar to an interface of this
+     * grading: elements shorter than the interface's, in a zone larger by some
+     * of them, so that none hangs where they are coupled.
+     */
+    Grading
+    of_coupled_body() const
+    {
+      const double       share    = 0.8; // beyond check_resolution()'s 1 / 1.2
+      const unsigned int n_around = 2;
+      Grading            grading  = *this;
+      grading.element_size_x *= share;
+      grading.element_size_y *= share;
+      grading.enlarge_zone(n_around);
+      return grading;
+    }
 
     /**
      * Elements across the patch that the mesh was made for.

@@ -9,8 +9,9 @@ namespace RollingContact
 {
   /**
    * The coordinate x around a rim. In the contact sector, made of coarse cells
-   * of one size, it is the Cartesian x, outside of it arc length. A chart
-   * counts it from the begin of the sector, where it is closed. Units: m, rad.
+   * of one size, it is the Cartesian x, outside of it arc length; with cells of
+   * equal angles there is no sector. A chart counts it from the begin of the
+   * sector, where it is closed. Units: m, rad.
    */
   class RimCoordinate
   {

@@ -53,6 +53,15 @@ namespace RollingContact
       std::optional<std::array<ChartPoint, 4>> chart = {};
     };
 
+    SectionMesh() = default;
+
+    /**
+     * With these points and quadrilaterals between them, of positive area and
+     * with straight edges.
+     */
+    SectionMesh(const std::vector<SectionPoint>                &points,
+                const std::vector<std::array<unsigned int, 4>> &corners);
+
     /**
      * Add a quadrilateral, its corners with a fastest; corners that coincide
      * with others are shared with them. The curve of the edge b = 1 and what
@@ -72,6 +81,30 @@ namespace RollingContact
               const SectionPoint &begin,
               const SectionPoint &end,
               const Curve        &curve);
+
+    /**
+     * Let an edge of a quadrilateral, 0 to 3, follow a curve by ascending a or
+     * b.
+     */
+    void
+    set_curve(const unsigned int quad,
+              const unsigned int edge,
+              const Curve       &curve)
+    {
+      cells[quad].curves[edge] = curve;
+    }
+
+    void
+    set_boundary(const unsigned int    quad,
+                 const unsigned int    edge,
+                 const SectionBoundary boundary)
+    {
+      cells[quad].boundary[edge] = boundary;
+    }
+
+    /** Numbers of the begin and the end of an edge of a quadrilateral. */
+    std::array<unsigned int, 2>
+    ends_of_edge(const unsigned int quad, const unsigned int edge) const;
 
     void
     set_boundary(const unsigned int    quad,
@@ -109,6 +142,15 @@ namespace RollingContact
      */
     double
     least_quality(const unsigned int parts) const;
+
+    /**
+     * The section with its quadrilaterals divided so that no edge is longer
+     * than @p longest: edges opposite each other, through the whole section,
+     * into equal numbers of parts, so that no node hangs. New edges are
+     * straight, between points on the curves. Units: m.
+     */
+    SectionMesh
+    divided(const double longest) const;
 
   private:
     unsigned int

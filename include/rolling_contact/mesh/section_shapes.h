@@ -39,6 +39,9 @@ namespace RollingContact
                const CoarseCells &across,
                const double       deepest) const override;
 
+    std::shared_ptr<const SweptMesh>
+    equal_cells(const double along, const double across) const override;
+
     const RunningSurface &
     running_surface() const
     {

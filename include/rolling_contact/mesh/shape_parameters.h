@@ -46,6 +46,7 @@ namespace RollingContact
     double       mesh_unit        = 1.;
     unsigned int contact_boundary = 1;
     unsigned int hub_boundary     = 2;
+    unsigned int cells_along      = 96; ///< of a section, along x
 
     std::shared_ptr<const FileMesh> mesh; ///< what mesh_file holds, once read
 

@@ -19,7 +19,9 @@ namespace RollingContact
    * Coarse cells in one direction: edges at origin + k * size up to half a
    * core, where bodies share their surface nodes. Beyond it cells are at least
    * as long as that, and as long as @p allowed at the end nearer to the
-   * contact, at most @p largest; without @p allowed all are alike. Units: m.
+   * contact, at most @p largest; without @p allowed all are alike. Those that
+   * are @p equal fill the body from end to end, all alike, round an axle with
+   * equal angles, and at most as long as their size. Units: m.
    */
   struct CoarseCells
   {
@@ -27,6 +29,7 @@ namespace RollingContact
     double size      = 0.;
     double half_core = 0.;
     double largest   = 0.;
+    bool   equal     = false;
 
     std::function<double(const double position)> allowed = {};
 
@@ -91,6 +94,13 @@ namespace RollingContact
    */
   std::vector<double>
   equal_parts(const double begin, const double end, const unsigned int n);
+
+  /**
+   * How many equal parts of a length are none longer than @p longest, one at
+   * least.
+   */
+  unsigned int
+  fewest_parts(const double length, const double longest);
 
   /**
    * The ends of cells from @p begin to @p end, upwards or downwards, as long as

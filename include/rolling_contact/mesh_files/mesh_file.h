@@ -26,6 +26,8 @@ namespace RollingContact
     unsigned int          hub_boundary     = 2;
     bool                  has_hub  = true;  ///< false: nothing holds the body
     bool                  mirrored = false; ///< the wheel
+    /** A section, for messages: the file's first coordinate is y, across. */
+    bool is_section = false;
   };
 
   /**

@@ -30,15 +30,17 @@ namespace RollingContact
   };
 
   /**
-   * Couple the body of a side, read from a mesh file, to the interface. Throws
-   * InputError if its contact boundary ends in the zone of contact nodes, is
-   * too coarse, folded or clamped there, or is farther from the surface given
-   * by its radii than 1 % of the largest gap in the zone (half of that gap if
-   * the nodes themselves give the surface). Needs no other rank.
+   * Couple the body of a side, with this @p mesh from a file or of a section
+   * from a file, to the interface. Throws InputError if its contact boundary
+   * ends in the zone of contact nodes, is too coarse, folded or clamped there,
+   * or is farther from the surface given by its radii than 1 % of the largest
+   * gap in the zone (half of that gap if the nodes themselves give the
+   * surface). Needs no other rank.
    */
   FileSurface
   couple_to_interface(const SceneParameters &scene,
                       const Side             side,
+                      const FileMesh        &mesh,
                       const Trace           &interface);
 
   /**

@@ -14,7 +14,8 @@ namespace RollingContact
    * The interface between the bodies of a pair, on all ranks: the nodes and
    * elements where the contact laws hold, and how each body is coupled to them.
    * Bodies that the program meshes have the interface's nodes on their surface;
-   * a body from a mesh file is coupled by a mortar projection.
+   * a body from a mesh file, or with a section from one, is coupled by a mortar
+   * projection.
    */
   template <int dim>
   struct PairInterface

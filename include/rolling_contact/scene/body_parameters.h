@@ -40,7 +40,8 @@ namespace RollingContact
     check(const unsigned int dimension) const;
 
     /**
-     * Read the mesh file, if there is one, from @p folder. Throws InputError.
+     * Read the mesh or section file of an elastic body, if there is one, from
+     * @p folder. Throws InputError.
      */
     void
     read_mesh(const unsigned int           dimension,
@@ -53,8 +54,17 @@ namespace RollingContact
     std::shared_ptr<const BodyShape>
     body_shape() const;
 
+    /**
+     * Whether it is elastic with a mesh or a section from a file.
+     */
     bool
     is_from_file() const;
+
+    /**
+     * Whether it is elastic with a section from a file.
+     */
+    bool
+    is_section() const;
 
     std::string   shape                = "disc";
     bool          rigid                = false;
