@@ -1,0 +1,362 @@
+#include <boost/test/unit_test.hpp>
+
+#include <rolling_contact/base/constants.h>
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/linear_algebra/block_lanczos.h>
+#include <rolling_contact/linear_algebra/indefinite_factor.h>
+#include <rolling_contact/modes/frequency_response.h>
+#include <rolling_contact/modes/modal_damping.h>
+#include <rolling_contact/modes/structural_modes.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+using namespace RollingContact;
+
+BOOST_AUTO_TEST_SUITE(modes)
+
+namespace
+{
+  /** Masses m on a line, on a square or in a cube of n places a side, between
+   * springs of k = 1: eigenvalues are sums of those of a line. */
+  struct Springs
+  {
+    Springs(const unsigned int n,
+            const unsigned int dimensions,
+            const bool         held)
+      : n(n)
+      , dimensions(dimensions)
+      , held(held)
+    {
+      const std::size_t size = std::lround(std::pow(n, dimensions));
+      K.column_starts.push_back(0);
+      for (std::size_t i = 0; i < size; ++i)
+        {
+          double                   sum    = 0.;
+          std::size_t              stride = 1;
+          std::vector<std::size_t> next;
+          for (unsigned int d = 0; d < dimensions; ++d, stride *= n)
+            {
+              const std::size_t at = (i / stride) % n;
+              sum += (held || at > 0 ? 1 : 0) + (held || at + 1 < n ? 1 : 0);
+              if (at + 1 < n)
+                next.push_back(i + stride);
+            }
+          K.row_indices.push_back(i);
+          K.values.push_back(sum);
+          for (const std::size_t j : next)
+            {
+              K.row_indices.push_back(j);
+              K.values.push_back(-1.);
+            }
+          K.column_starts.push_back(K.values.size());
+        }
+      M = diagonal_matrix(std::vector<double>(size, mass));
+      nodes.resize(size);
+      std::iota(nodes.begin(), nodes.end(), 0);
+    }
+
+    std::vector<double>
+    eigenvalues() const
+    {
+      std::vector<double> line, sums{0.};
+      for (unsigned int i = 0; i < n; ++i)
+        line.push_back(held ? 2 - 2 * std::cos(pi * (i + 1) / (n + 1))
+                            : 2 - 2 * std::cos(pi * i / n));
+      for (unsigned int d = 0; d < dimensions; ++d)
+        {
+          std::vector<double> larger;
+          for (const double a : sums)
+            for (const double b : line)
+              larger.push_back(a + b);
+          sums = larger;
+        }
+      for (double &value : sums)
+        value /= mass;
+      std::sort(sums.begin(), sums.end());
+      return sums;
+    }
+
+    Factorisation
+    factor(const double shift) const
+    {
+      Factorisation result(linear_combination(1., K, shift, M), nodes);
+      result.factorise();
+      return result;
+    }
+
+    unsigned int              n, dimensions;
+    bool                      held;
+    double                    mass = 0.5;
+    SymmetricSparseMatrix     K, M;
+    std::vector<unsigned int> nodes;
+  };
+
+
+
+  double
+  frequency(const double eigenvalue)
+  {
+    return std::sqrt(eigenvalue) / (2 * pi);
+  }
+
+
+
+  StructuralModes
+  modes_of(const Springs &springs, const double largest, const double shift)
+  {
+    ModeControls controls;
+    controls.cut_off = frequency(largest);
+    return structural_modes(springs.K,
+                            springs.M,
+                            springs.factor(shift),
+                            shift,
+                            springs.nodes,
+                            controls);
+  }
+} // namespace
+
+
+
+/** In a cube eigenvalues are up to six times there. */
+BOOST_AUTO_TEST_CASE(all_modes_of_a_cube_are_found_as_often_as_they_are_there)
+{
+  const Springs springs(9, 3, true);
+  const auto    exact   = springs.eigenvalues();
+  const double  largest = 0.5 * (exact[150] + exact[160]);
+  const auto    modes   = modes_of(springs, largest, 0.);
+  const auto    n =
+    std::upper_bound(exact.begin(), exact.end(), largest) - exact.begin();
+  BOOST_TEST_REQUIRE(modes.size() == static_cast<std::size_t>(n));
+  for (std::size_t j = 0; j < modes.size(); ++j)
+    {
+      BOOST_TEST(modes.eigenvalue(j) == exact[j],
+                 boost::test_tools::tolerance(1e-11));
+      BOOST_TEST(modes.residuals[j] < 1e-8);
+    }
+  BOOST_TEST(modes.orthogonality < 1e-12);
+  BOOST_TEST(*modes.counted == modes.size());
+}
+
+
+
+BOOST_AUTO_TEST_CASE(a_space_that_is_exhausted_gives_all_modes)
+{
+  const Springs springs(11, 1, true);
+  const auto    exact = springs.eigenvalues();
+  const auto    modes = modes_of(springs, 2 * exact.back(), 0.);
+  BOOST_TEST_REQUIRE(modes.size() == exact.size());
+  for (std::size_t j = 0; j < exact.size(); ++j)
+    BOOST_TEST(modes.eigenvalue(j) == exact[j],
+               boost::test_tools::tolerance(1e-10));
+}
+
+
+
+BOOST_AUTO_TEST_CASE(a_free_body_moves_rigidly_at_no_frequency)
+{
+  const Springs springs(7, 3, false);
+  const auto    exact = springs.eigenvalues();
+  const auto    modes = modes_of(springs, 0.5 * (exact[30] + exact[31]), 0.05);
+  BOOST_TEST(modes.frequencies[0] < 1e-4 * modes.frequencies[1]);
+  BOOST_TEST(modes.residuals[0] < 1e-8);
+  for (std::size_t j = 1; j < modes.size(); ++j)
+    BOOST_TEST(modes.eigenvalue(j) == exact[j],
+               boost::test_tools::tolerance(1e-9));
+}
+
+
+
+BOOST_AUTO_TEST_CASE(the_inertia_counts_eigenvalues_below)
+{
+  const Springs springs(6, 3, true);
+  const auto    exact = springs.eigenvalues();
+  for (const double value : {0.01, 2.3, 7.7, 13.1, 30.})
+    {
+      const auto n =
+        std::upper_bound(exact.begin(), exact.end(), value) - exact.begin();
+      BOOST_TEST(n_negative_eigenvalues(
+                   linear_combination(1., springs.K, -value, springs.M),
+                   springs.nodes) == static_cast<std::size_t>(n));
+    }
+  // zeros on the diagonal
+  SymmetricSparseMatrix swap;
+  swap.column_starts = {0, 2, 3};
+  swap.row_indices   = {0, 1, 1};
+  swap.values        = {0., 1., 0.};
+  BOOST_TEST(n_negative_eigenvalues(swap, {0, 1}) == 1u);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(modes_that_are_missed_are_noticed)
+{
+  // the count is that of twice the stiffness: half of the modes
+  const Springs springs(5, 2, true);
+  auto          softer = springs.K;
+  for (double &value : softer.values)
+    value *= 0.5;
+  ModeControls controls;
+  controls.cut_off = frequency(4.);
+  BOOST_CHECK_THROW(
+    structural_modes(
+      softer, springs.M, springs.factor(0.), 0., springs.nodes, controls),
+    ConvergenceError);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(blocks_are_solved_like_columns)
+{
+  const Springs springs(6, 3, true);
+  const auto    factor = springs.factor(0.);
+  DenseMatrix   block(springs.K.size(), 5);
+  for (std::size_t i = 0; i < block.n_rows() * block.n_columns(); ++i)
+    block.data()[i] = std::sin(3. * i);
+  DenseMatrix solved = block;
+  factor.solve(solved);
+  for (std::size_t j = 0; j < block.n_columns(); ++j)
+    {
+      const auto x = factor.solve(
+        std::vector<double>(block.data() + j * block.n_rows(),
+                            block.data() + (j + 1) * block.n_rows()));
+      for (std::size_t i = 0; i < x.size(); ++i)
+        BOOST_TEST(solved(i, j) == x[i], boost::test_tools::tolerance(1e-12));
+    }
+}
+
+
+
+namespace
+{
+  using Complex = std::complex<double>;
+
+  /** Two masses between three springs, the first and the last of which lose
+   * energy, and a damper at the second mass: by Cramer's rule. */
+  std::array<Complex, 3>
+  two_masses(const double omega)
+  {
+    const Complex i(0., 1.);
+    const Complex a = 3. + 0.3 * i - omega * omega * 2., b = -1.,
+                  d   = 5. + i * 0.2 + i * omega * 0.4 - omega * omega * 1.,
+                  det = a * d - b * b;
+    return {{d / det, -b / det, a / det}};
+  }
+
+  VibratingStructure
+  structure_of_two_masses()
+  {
+    VibratingStructure structure;
+    structure.K.column_starts = {0, 2, 3};
+    structure.K.row_indices   = {0, 1, 1};
+    structure.K.values        = {3., -1., 5.};
+    structure.M               = diagonal_matrix({2., 1.});
+    structure.H               = diagonal_matrix({0.3, 0.2});
+    structure.C               = diagonal_matrix({0., 0.4});
+    structure.node_of_unknown = {0, 1};
+    return structure;
+  }
+} // namespace
+
+
+
+BOOST_AUTO_TEST_CASE(two_masses_vibrate_as_cramers_rule_has_it)
+{
+  const VibratingStructure               structure = structure_of_two_masses();
+  const std::vector<std::vector<double>> loads{{1., 0.}, {0., 1.}};
+  Factorisation factor(structure.K, structure.node_of_unknown);
+  factor.factorise();
+  ModeControls controls;
+  controls.cut_off = 10.;
+  const auto modes = structural_modes(
+    structure.K, structure.M, factor, 0., structure.node_of_unknown, controls);
+  BOOST_TEST_REQUIRE(modes.size() == 2u);
+  const FrequencyResponse response(
+    structure, factor, 0., modes, {0., 0.}, loads);
+  for (const double f : {0.01, 0.2, 0.35, 1.})
+    {
+      const auto exact  = two_masses(2 * pi * f);
+      const auto modal  = response.receptances(f),
+                 direct = direct_receptances(structure, loads, f);
+      for (const auto &found : {modal, direct})
+        {
+          BOOST_TEST(std::abs(found[0] - exact[0]) < 1e-12);
+          BOOST_TEST(std::abs(found[1] - exact[1]) < 1e-12);
+          BOOST_TEST(std::abs(found[2] - exact[1]) < 1e-12);
+          BOOST_TEST(std::abs(found[3] - exact[2]) < 1e-12);
+        }
+    }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(modal_damping_limits_a_resonance)
+{
+  const Springs       springs(40, 1, true);
+  const auto          factor = springs.factor(0.);
+  const auto          modes  = modes_of(springs, 1., 0.);
+  std::vector<double> ratios(modes.size(), 0.01), load(springs.K.size(), 0.);
+  load[3] = 1.;
+  const VibratingStructure structure{
+    springs.K, springs.M, {}, {}, springs.nodes};
+  const FrequencyResponse response(
+    structure, factor, 0., modes, ratios, {load});
+  // alone at its resonance a mode has phi^2 / (2 i zeta omega^2)
+  const double phi = modes.shapes(3, 0);
+  const auto   at  = response.receptances(modes.frequencies[0])[0];
+  BOOST_TEST(-at.imag() == phi * phi / (0.02 * modes.eigenvalue(0)),
+             boost::test_tools::tolerance(1e-3));
+  BOOST_TEST(total_damping(modes, ratios, {}, {})[0] == 0.01);
+}
+
+
+
+/** What modes leave out shrinks with the fourth power of the frequency over
+ * the cut-off once its compliance and its mass are there. */
+BOOST_AUTO_TEST_CASE(what_modes_leave_out_is_of_fourth_order)
+{
+  const Springs       springs(60, 1, true);
+  const auto          factor = springs.factor(0.);
+  std::vector<double> load(springs.K.size(), 0.);
+  load[7] = load[8] = 0.5;
+  const VibratingStructure structure{
+    springs.K, springs.M, {}, {}, springs.nodes};
+  std::vector<double> errors;
+  const double        f = frequency(0.0931);
+  for (const double ratio : {2., 4.})
+    {
+      const auto modes = modes_of(springs, 0.0931 * ratio * ratio, 0.);
+      const FrequencyResponse response(structure,
+                                       factor,
+                                       0.,
+                                       modes,
+                                       std::vector<double>(modes.size(), 0.),
+                                       {load});
+      const auto direct = direct_receptances(structure, {load}, f)[0];
+      errors.push_back(std::abs(response.receptances(f)[0] - direct) /
+                       std::abs(direct));
+    }
+  BOOST_TEST(errors[0] < 3e-3);
+  BOOST_TEST(errors[1] < errors[0] / 10);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(losses_become_damping_ratios)
+{
+  const Springs springs(20, 1, true);
+  const auto    modes = modes_of(springs, 3., 0.);
+  auto          H = springs.K, C = springs.M;
+  for (double &value : H.values)
+    value *= 0.02;
+  for (double &value : C.values)
+    value *= 0.1;
+  const auto ratios =
+    total_damping(modes, std::vector<double>(modes.size(), 1e-3), H, C);
+  for (std::size_t j = 0; j < modes.size(); ++j)
+    BOOST_TEST(ratios[j] == 1e-3 + 0.01 + 0.05 / std::sqrt(modes.eigenvalue(j)),
+               boost::test_tools::tolerance(1e-9));
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,362 @@
+#include <boost/test/unit_test.hpp>
+
+#include <rolling_contact/base/constants.h>
+#include <rolling_contact/elasticity/direct_body.h>
+#include <rolling_contact/modes/body_places.h>
+#include <rolling_contact/modes/frequency_response.h>
+#include <rolling_contact/modes/measuring_point.h>
+#include <rolling_contact/modes/mode_character.h>
+#include <rolling_contact/scene/body_parameters.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+using namespace RollingContact;
+
+BOOST_AUTO_TEST_SUITE(vibrating_bodies)
+
+namespace
+{
+  BodyParameters
+  section(const std::string &body,
+          const std::string &file,
+          const double       radius,
+          const unsigned int cells_along)
+  {
+    BodyParameters parameters(body);
+    parameters.shape          = "section";
+    parameters.mesh_file      = file;
+    parameters.radius         = radius;
+    parameters.cells_along    = cells_along;
+    parameters.model.elements = ElementKind::enhanced;
+    parameters.read_mesh(3, std::string(TEST_DATA) + "/../../prm/sections");
+    return parameters;
+  }
+
+  /** A body, its modes and what they look like. */
+  struct Vibrating
+  {
+    Vibrating(const BodyParameters &parameters,
+              const double          cut_off,
+              const double          size = 0.)
+      : body(parameters.body_shape(),
+             parameters.material,
+             parameters.thickness,
+             size > 0. ? Grading<3>::uniform(size, size)
+                       : Grading<3>::unrefined(),
+             true,
+             parameters.model)
+      , places(body)
+      , K(body.stiffness())
+      , M(body.mass())
+      , shift(is_loose(parameters.hub) ? shift_of_free_body(cut_off) : 0.)
+      , factor(linear_combination(1., K, shift, M), body.nodes_of_unknowns())
+    {
+      factor.factorise();
+      ModeControls controls;
+      controls.cut_off = cut_off;
+      modes            = structural_modes(
+        K, M, factor, shift, body.nodes_of_unknowns(), controls);
+      characters =
+        mode_characters(places, parameters.body_shape()->axle(), modes);
+    }
+
+    /** The frequencies with so many nodal diameters, one of each pair. */
+    std::vector<double>
+    with_diameters(const unsigned int n) const
+    {
+      std::vector<double> found;
+      for (std::size_t j = 0; j < modes.size(); ++j)
+        if (characters[j].nodal_diameters == n &&
+            !(characters[j].partner && *characters[j].partner < j))
+          found.push_back(modes.frequencies[j]);
+      return found;
+    }
+
+    double
+    largest_split() const
+    {
+      double largest = 0.;
+      for (const ModeCharacter &character : characters)
+        largest = std::max(largest, character.split);
+      return largest;
+    }
+
+    DirectBody<3>              body;
+    BodyPlaces                 places;
+    SymmetricSparseMatrix      K, M;
+    double                     shift;
+    Factorisation              factor;
+    StructuralModes            modes;
+    std::vector<ModeCharacter> characters;
+  };
+
+
+
+  /** Frequencies (Hz) by nodal diameters. */
+  using Reference = std::map<unsigned int, std::vector<double>>;
+
+  /** Relative errors; those of the first family of each number apart. */
+  struct Errors
+  {
+    Errors(const Vibrating &found, const Reference &exact)
+    {
+      for (const auto &[n, frequencies] : exact)
+        {
+          const auto computed = found.with_diameters(n);
+          BOOST_TEST_REQUIRE(computed.size() >= frequencies.size());
+          for (std::size_t k = 0; k < frequencies.size(); ++k)
+            {
+              const double error = std::abs(computed[k] / frequencies[k] - 1);
+              mean += error;
+              ++count;
+              largest = std::max(largest, error);
+              if (k == 0)
+                first[n] = error;
+            }
+        }
+      mean /= count;
+    }
+
+    double                         mean = 0., largest = 0.;
+    unsigned int                   count = 0;
+    std::map<unsigned int, double> first;
+  };
+} // namespace
+
+
+
+/** Against a Fourier expansion round the axle, linear elasticity in three
+ * dimensions, converged; Kirchhoff's plate is 1 % above it. */
+BOOST_AUTO_TEST_CASE(an_annular_plate_has_its_frequencies)
+{
+  const Vibrating plate(section("Wheel", "annular_plate.msh", 0.46, 96), 2300.);
+  const Errors    errors(plate,
+                      {{0, {114.99, 567.71, 699.75, 1999.9}},
+                          {1, {103.80, 750.83, 1645.57}},
+                          {2, {143.80, 928.13, 2279.95}}});
+  BOOST_TEST_MESSAGE("mean " << errors.mean << " largest " << errors.largest);
+  BOOST_TEST(errors.count == 10u);
+  BOOST_TEST(errors.mean < 0.01);
+  BOOST_TEST(errors.largest < 0.025);
+  BOOST_TEST(plate.largest_split() < 1e-6);
+  // the first family bends, that at 568 Hz turns
+  BOOST_TEST(plate.characters[0].axial_share > 0.99);
+  for (std::size_t j = 0; j < plate.modes.size(); ++j)
+    if (std::abs(plate.modes.frequencies[j] - 567.71) < 6.)
+      BOOST_TEST(plate.characters[j].circumferential_share > 0.9);
+}
+
+
+
+/** 32 frequencies below 5.5 kHz against a Fourier expansion with elements of
+ * fourth order, 16 752 unknowns for each number of nodal diameters. */
+BOOST_AUTO_TEST_CASE(a_wheel_has_its_frequencies)
+{
+  const Vibrating wheel(section("Wheel", "wheel_2.msh", 0.46, 96), 5600.);
+  const Reference exact{{0,
+                         {214.32, 495.00, 1475.26, 2561.67, 3378.24, 5453.24}},
+                        {1, {141.82, 1152.06, 1661.20, 2821.33, 3424.96}},
+                        {2, {383.68, 1620.56, 2138.85, 3272.21, 4505.79}},
+                        {3, {1044.18, 2111.94, 2748.13, 3894.69}},
+                        {4, {1895.51, 2728.24, 3425.53, 4699.26}},
+                        {5, {2856.05, 3462.86, 4176.55}},
+                        {6, {3876.08, 4289.46, 5012.41}},
+                        {7, {4919.86, 5192.01}}};
+  const Errors    errors(wheel, exact);
+  BOOST_TEST_MESSAGE("mean " << errors.mean << " largest " << errors.largest);
+  BOOST_TEST(errors.count == 32u);
+  BOOST_TEST(errors.mean < 0.012);
+  BOOST_TEST(errors.first.at(2) < 0.008);
+  for (unsigned int n = 3; n <= 7; ++n)
+    BOOST_TEST(errors.first.at(n) < 0.004);
+  BOOST_TEST(wheel.largest_split() < 1e-6);
+  BOOST_TEST(wheel.modes.orthogonality < 1e-12);
+  for (const double residual : wheel.modes.residuals)
+    BOOST_TEST(residual < 1e-8);
+}
+
+
+
+/** The second of a pair does not move the contact point, so that shapes do not
+ * depend on the random start. */
+BOOST_AUTO_TEST_CASE(pairs_are_turned_to_the_contact)
+{
+  Vibrating plate(section("Wheel", "annular_plate.msh", 0.46, 48), 800.);
+  const MeasuringPoint contact(plate.places, {{0., 0., 0.}}, 0.);
+  align_pairs(plate.characters, contact.nearest_unknowns(), 1e-6, plate.modes);
+  unsigned int n_pairs = 0;
+  for (std::size_t j = 0; j < plate.modes.size(); ++j)
+    {
+      const auto partner = plate.characters[j].partner;
+      if (!partner || *partner < j)
+        continue;
+      ++n_pairs;
+      const std::size_t n     = plate.modes.shapes.n_rows();
+      const double     *first = plate.modes.shapes.data() + j * n,
+                   *second    = plate.modes.shapes.data() + *partner * n;
+      BOOST_TEST(contact.motion(1, first) > 0.1);
+      BOOST_TEST(std::abs(contact.motion(1, second)) < 1e-9);
+      std::vector<double> image(n);
+      plate.M.multiply(std::vector<double>(first, first + n), image);
+      BOOST_TEST(std::abs(dot(image, std::vector<double>(second, second + n))) <
+                 1e-9);
+    }
+  BOOST_TEST(n_pairs >= 4u);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(a_free_wheel_has_six_rigid_modes)
+{
+  auto parameters = section("Wheel", "wheel_2.msh", 0.46, 48);
+  parameters.hub  = Hub::free;
+  const Vibrating wheel(parameters, 1500.);
+  BOOST_TEST(wheel.modes.frequencies[5] < 1e-4 * wheel.modes.frequencies[6]);
+  BOOST_TEST(wheel.modes.frequencies[6] > 100.);
+}
+
+
+
+/** A force on the mean over some nodes does what the mean of its work says. */
+BOOST_AUTO_TEST_CASE(a_measuring_point_spreads_a_force_as_it_takes_a_mean)
+{
+  const Vibrating plate(section("Wheel", "annular_plate.msh", 0.46, 48), 200.);
+  const MeasuringPoint point(plate.places, {{0., 0., -0.03}}, 0.05);
+  BOOST_TEST(point.n_nodes() > 3u);
+  for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      const auto force = point.load(axis, plate.K.size());
+      double     sum   = 0.;
+      for (const double value : force)
+        sum += value;
+      BOOST_TEST(sum == 1., boost::test_tools::tolerance(1e-12));
+      std::vector<double> motion(plate.K.size());
+      for (std::size_t i = 0; i < motion.size(); ++i)
+        motion[i] = std::sin(0.1 * i);
+      BOOST_TEST(point.motion(axis, motion.data()) == dot(force, motion),
+                 boost::test_tools::tolerance(1e-12));
+    }
+}
+
+
+
+namespace
+{
+  const double pulse_length = 1e-3; // s
+
+  double
+  hammer(const double time)
+  {
+    return time < pulse_length ? 1e3 * std::sin(pi * time / pulse_length) : 0.;
+  }
+
+
+
+  /** The node at the contact point, as dynamics takes contact nodes. */
+  DirectBody<3>::SurfaceNode
+  contact_node(const DirectBody<3> &body)
+  {
+    for (const auto &cell : body.dof_handler().active_cell_iterators())
+      for (const unsigned int v : cell->vertex_indices())
+        if (cell->vertex(v).norm() < 1e-9)
+          {
+            DirectBody<3>::SurfaceNode node;
+            for (unsigned int d = 0; d < 3; ++d)
+              node.dofs[d] = cell->vertex_dof_index(v, d);
+            return node;
+          }
+    throw std::logic_error("no node at the contact point");
+  }
+
+
+
+  /** Axial displacement of the contact point under the hammer by the
+   * theta-scheme on all unknowns, with damping alpha M. */
+  std::vector<double>
+  by_steps(DirectBody<3> &body,
+           const double   alpha,
+           const double   h,
+           const double   length)
+  {
+    ThetaScheme scheme;
+    scheme.theta        = 0.5;
+    scheme.mass_damping = alpha;
+    const auto motion =
+      body.in_time(scheme, MassKind::lumped, {contact_node(body)}, {1});
+    motion->set_time_step(h);
+    std::vector<double> displacement{0.};
+    for (unsigned int k = 0; k < std::lround(length / h); ++k)
+      {
+        motion->begin_step();
+        motion->end_step({hammer((k + 0.5) * h)});
+        displacement.push_back(motion->contact_displacement()[0]);
+      }
+    return displacement;
+  }
+
+
+
+  /** The same by modes, each stepped finely, and the compliance of the rest. */
+  std::vector<double>
+  by_modes(const Vibrating &plate,
+           const double     alpha,
+           const double     h,
+           const double     length)
+  {
+    const MeasuringPoint contact(plate.places, {{0., 0., 0.}}, 0.);
+    const std::size_t    n    = plate.modes.shapes.n_rows(),
+                      n_steps = std::lround(length / h);
+    const auto load           = contact.load(1, n);
+    double     rest = contact.motion(1, plate.factor.solve(load).data());
+    std::vector<double> displacement(n_steps + 1, 0.);
+    for (std::size_t j = 0; j < plate.modes.size(); ++j)
+      {
+        const double phi = contact.motion(1, plate.modes.shapes.data() + j * n),
+                     lambda = plate.modes.eigenvalue(j);
+        rest -= phi * phi / lambda;
+        const unsigned int parts = 20;
+        const double       fine  = h / parts;
+        double             q = 0., v = 0.;
+        for (std::size_t k = 0; k < n_steps; ++k)
+          {
+            for (unsigned int i = 0; i < parts; ++i)
+              {
+                const double force = phi * hammer(k * h + (i + 0.5) * fine);
+                const double middle =
+                  (v + fine / 2 * (force - lambda * q)) /
+                  (1 + fine / 2 * alpha + fine * fine / 4 * lambda);
+                q += fine * middle;
+                v = 2 * middle - v;
+              }
+            displacement[k + 1] += phi * q;
+          }
+      }
+    for (std::size_t k = 0; k <= n_steps; ++k)
+      displacement[k] += rest * hammer(k * h);
+    return displacement;
+  }
+} // namespace
+
+
+
+/** 10 ms after the blow of a hammer. */
+BOOST_AUTO_TEST_CASE(modes_answer_a_hammer_as_the_theta_scheme_does)
+{
+  Vibrating    plate(section("Wheel", "annular_plate.msh", 0.46, 24), 8000.);
+  const double alpha = 40., h = 4e-6, length = 10e-3;
+  const auto   steps = by_steps(plate.body, alpha, h, length),
+             modes   = by_modes(plate, alpha, h, length);
+  double largest = 0., difference = 0.;
+  for (std::size_t k = 0; k < steps.size(); ++k)
+    {
+      largest    = std::max(largest, std::abs(steps[k]));
+      difference = std::max(difference, std::abs(steps[k] - modes[k]));
+    }
+  BOOST_TEST_MESSAGE("difference " << difference / largest);
+  BOOST_TEST(difference < 0.01 * largest);
+  BOOST_TEST(largest > 1e-5);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
