@@ -1,3 +1,4 @@
+#include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/stopwatch.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/distributed/distributed_body.h>
@@ -30,16 +31,24 @@ namespace RollingContact
     const Material                         &material,
     const double                            thickness,
     const Grading<dim>                     &grading,
-    const unsigned int                      model_rank)
+    const unsigned int                      model_rank,
+    const BodyModel                        &model)
     : ElasticBody<dim>(shape,
                        material,
                        thickness,
                        grading,
-                       MeshKind::distributed)
+                       MeshKind::distributed,
+                       model)
     , shape(shape)
     , grading(grading)
     , model_rank(model_rank)
   {
+    if (shape->hub() == Hub::elastic || shape->hub() == Hub::mass)
+      throw InputError(
+        "Body solver = distributed and Hub = " +
+        std::string(shape->hub() == Hub::elastic ? "elastic" : "mass") +
+        ": a body spread over ranks has no springs and masses at its hub; take "
+        "Body solver = direct, on one rank for each body.");
     double n = 0.;
     for (const auto dof : this->dofs.locally_owned_dofs())
       n += !this->constraints.is_constrained(dof);
@@ -66,7 +75,7 @@ namespace RollingContact
   {
     if (multigrid != nullptr)
       return;
-    this->require_clamped_hub();
+    this->require_held();
     const Stopwatch watch;
     assemble_stiffness(discretisation(), K);
     this->assembly_s += watch.seconds();
@@ -89,7 +98,7 @@ namespace RollingContact
     coarser.growth       = std::max(grading.growth, near_growth);
     coarser.far_growth   = std::max(grading.growth, far_growth);
     return std::make_unique<DirectBody<dim>>(
-      shape, this->material, this->thickness, coarser, false);
+      shape, this->material, this->thickness, coarser, false, this->model);
   }
 
 
@@ -307,10 +316,23 @@ namespace RollingContact
                                 const std::vector<SurfaceNode>  &nodes,
                                 const std::vector<unsigned int> &components)
   {
+    const BodyDamping &damping = this->model.damping;
+    if (damping.has_sponge())
+      throw InputError(
+        "Body solver = distributed and Sponge length = " +
+        significant(damping.sponge_length, 4) +
+        " m: a body spread over ranks has no absorbing ends; take Body solver "
+        "= direct, on one rank for each body, or a length of 0.");
+    ThetaScheme damped = scheme;
+    damped.mass_damping += damping.mass_damping;
+    damped.stiffness_damping += damping.stiffness_damping;
+    if (damping.loss_factor > 0.)
+      damped.stiffness_damping +=
+        damping.loss_factor / (2 * numbers::PI * damping.loss_frequency);
     return std::make_unique<DistributedMotion<dim>>(
       *this,
       std::make_shared<DistributedThetaSystem<dim>>(
-        *this, scheme, mass, nodes, components));
+        *this, damped, mass, nodes, components));
   }
 
 

@@ -13,13 +13,14 @@ namespace RollingContact
             const double                            thickness,
             const Grading<dim>                     &grading,
             const bool                              recovers,
-            const unsigned int                      model_rank)
+            const unsigned int                      model_rank,
+            const BodyModel                        &model)
   {
     if (solver == BodySolver::distributed)
       return std::make_shared<DistributedBody<dim>>(
-        shape, material, thickness, grading, model_rank);
+        shape, material, thickness, grading, model_rank, model);
     return std::make_shared<DirectBody<dim>>(
-      shape, material, thickness, grading, recovers);
+      shape, material, thickness, grading, recovers, model);
   }
 
 
@@ -41,7 +42,8 @@ namespace RollingContact
             const double,
             const Grading<2> &,
             const bool,
-            const unsigned int);
+            const unsigned int,
+            const BodyModel &);
   template std::shared_ptr<ElasticBody<3>>
   make_body(const BodySolver,
             const std::shared_ptr<const BodyShape> &,
@@ -49,7 +51,8 @@ namespace RollingContact
             const double,
             const Grading<3> &,
             const bool,
-            const unsigned int);
+            const unsigned int,
+            const BodyModel &);
   template double
   direct_memory<2>(const std::size_t);
   template double

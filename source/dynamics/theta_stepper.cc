@@ -148,6 +148,11 @@ namespace RollingContact
     step_energy              = StepEnergy();
     step_energy.contact_work = h * dot(reactions, on_contact(work));
     step_energy.load_work    = f.empty() ? 0. : h * dot(f, work);
+    if (matrices->damping().size() > 0)
+      {
+        matrices->damping().multiply(work, z);
+        step_energy.damping = h * dot(work, z);
+      }
     for (std::size_t i = 0; i < u.size(); ++i)
       u[i] += h * work[i];
     return energy_before;

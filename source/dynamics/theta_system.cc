@@ -11,10 +11,12 @@ namespace RollingContact
                            SymmetricSparseMatrix            stiffness,
                            SymmetricSparseMatrix            mass,
                            const std::vector<unsigned int> &node_of_unknown,
-                           std::vector<std::size_t>         contact_unknowns)
+                           std::vector<std::size_t>         contact_unknowns,
+                           SymmetricSparseMatrix            damping)
     : parameters(scheme)
     , K(std::move(stiffness))
     , M(std::move(mass))
+    , D(std::move(damping))
     , contact(std::move(contact_unknowns))
     , factor(step_matrix(1.), node_of_unknown)
   {
@@ -26,12 +28,13 @@ namespace RollingContact
   SymmetricSparseMatrix
   ThetaSystem::step_matrix(const double h) const
   {
-    const double theta = parameters.theta;
-    return linear_combination(1 + theta * h * parameters.mass_damping,
-                              M,
-                              theta * h *
-                                (theta * h + parameters.stiffness_damping),
-                              K);
+    const double          theta = parameters.theta;
+    SymmetricSparseMatrix A =
+      linear_combination(1 + theta * h * parameters.mass_damping,
+                         M,
+                         theta * h * (theta * h + parameters.stiffness_damping),
+                         K);
+    return D.size() == 0 ? A : linear_combination(1., A, theta * h, D);
   }
 
 
@@ -62,6 +65,7 @@ namespace RollingContact
   {
     return factor.size().memory_consumption() + Y.memory_consumption() +
            compliance.memory_consumption() + K.memory_consumption() +
-           M.memory_consumption() + contact.capacity() * sizeof(std::size_t);
+           M.memory_consumption() + D.memory_consumption() +
+           contact.capacity() * sizeof(std::size_t);
   }
 } // namespace RollingContact

@@ -53,21 +53,129 @@ namespace RollingContact
 
 
     /**
+     * As DoFTools::make_sparsity_pattern(), for a pattern that is larger than
+     * the degrees of freedom are many.
+     */
+    template <int dim>
+    void
+    add_cell_couplings(const Discretisation<dim> &body,
+                       const bool                 all_components,
+                       DynamicSparsityPattern    &pattern)
+    {
+      const auto        &element = body.dofs.get_fe();
+      const unsigned int n       = element.dofs_per_cell;
+      Table<2, bool>     mask(n, n);
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          mask(i, j) =
+            all_components || element.system_to_component_index(i).first ==
+                                element.system_to_component_index(j).first;
+      std::vector<types::global_dof_index> cell_dofs(n);
+      for (const auto &cell : body.dofs.active_cell_iterators())
+        {
+          cell->get_dof_indices(cell_dofs);
+          body.constraints.add_entries_local_to_global(cell_dofs,
+                                                       pattern,
+                                                       false,
+                                                       mask);
+        }
+    }
+
+
+
+    /**
      * The pattern of a matrix that couples all components or each with itself.
      */
     template <int dim>
     SparsityPattern
     sparsity_pattern(const Discretisation<dim> &body, const bool all_components)
     {
-      DynamicSparsityPattern dynamic(body.dofs.n_dofs());
-      DoFTools::make_sparsity_pattern(body.dofs,
-                                      couplings<dim>(all_components),
-                                      dynamic,
-                                      body.constraints,
-                                      false);
+      DynamicSparsityPattern dynamic(body.dofs.n_dofs() +
+                                     body.supports.n_extra());
+      if (body.supports.n_extra() == 0)
+        DoFTools::make_sparsity_pattern(body.dofs,
+                                        couplings<dim>(all_components),
+                                        dynamic,
+                                        body.constraints,
+                                        false);
+      else
+        add_cell_couplings(body, all_components, dynamic);
+      body.supports.add_couplings(body.constraints, dynamic);
       SparsityPattern pattern;
       pattern.copy_from(dynamic);
       return pattern;
+    }
+
+
+
+    /**
+     * The masses of nodes that are tied to a rigid mass, T^T M T on its
+     * unknowns.
+     */
+    template <int dim>
+    FullMatrix<double>
+    mass_of_tied_nodes(const Discretisation<dim> &body,
+                       const Vector<double>      &masses)
+    {
+      const std::size_t  first = body.dofs.n_dofs();
+      FullMatrix<double> sum(body.supports.n_extra());
+      for (std::size_t i = 0; i < first; ++i)
+        if (const auto *line = body.constraints.get_constraint_entries(i))
+          for (const auto &a : *line)
+            for (const auto &b : *line)
+              if (a.first >= first && b.first >= first)
+                sum(a.first - first, b.first - first) +=
+                  a.second * masses[i] * b.second;
+      return sum;
+    }
+
+
+
+    /**
+     * A diagonal matrix with the lower triangle of @p block on its last
+     * unknowns added.
+     */
+    SymmetricSparseMatrix
+    with_last_block(const std::vector<double> &diagonal,
+                    const FullMatrix<double>  &block)
+    {
+      SymmetricSparseMatrix result;
+      const std::size_t     first = diagonal.size() - block.m();
+      result.column_starts.push_back(0);
+      for (std::size_t j = 0; j < diagonal.size(); ++j)
+        {
+          const std::size_t end = j < first ? j + 1 : diagonal.size();
+          for (std::size_t i = j; i < end; ++i)
+            {
+              result.row_indices.push_back(i);
+              result.values.push_back(
+                (i == j ? diagonal[j] : 0.) +
+                (j < first ? 0. : block(i - first, j - first)));
+            }
+          result.column_starts.push_back(result.values.size());
+        }
+      return result;
+    }
+
+
+
+    /**
+     * The body with nothing but its hanging nodes constrained, if @p hanging is
+     * that.
+     */
+    template <int dim>
+    Discretisation<dim>
+    untied(const Discretisation<dim>       &body,
+           const AffineConstraints<double> &hanging)
+    {
+      return {body.dofs,
+              hanging,
+              body.unknown_of_dof,
+              body.n_unknowns,
+              body.material,
+              body.thickness,
+              body.elements,
+              body.supports};
     }
 
 
@@ -76,13 +184,22 @@ namespace RollingContact
     SymmetricSparseMatrix
     lumped_mass(const Discretisation<dim> &body)
     {
-      Vector<double> masses(body.dofs.n_dofs());
-      add_lumped_mass(body, masses);
+      const bool                is_tied = body.supports.is_tied();
+      Vector<double>            masses(body.dofs.n_dofs());
+      AffineConstraints<double> hanging;
+      if (is_tied)
+        DoFTools::make_hanging_node_constraints(body.dofs, hanging);
+      hanging.close();
+      add_lumped_mass(is_tied ? untied(body, hanging) : body, masses);
       std::vector<double> entries(body.n_unknowns);
       for (std::size_t i = 0; i < masses.size(); ++i)
         if (body.unknown_of_dof[i] >= 0)
           entries[body.unknown_of_dof[i]] = masses[i];
-      return diagonal_matrix(entries);
+      const std::vector<double> extra = body.supports.masses();
+      std::copy(extra.begin(), extra.end(), entries.end() - extra.size());
+      return is_tied
+               ? with_last_block(entries, mass_of_tied_nodes(body, masses))
+               : diagonal_matrix(entries);
     }
   } // namespace
 
@@ -90,11 +207,19 @@ namespace RollingContact
 
   template <int dim>
   SymmetricSparseMatrix
-  assemble_stiffness(const Discretisation<dim> &body)
+  assemble_stiffness(const Discretisation<dim> &body,
+                     const StiffnessParts      &parts)
   {
     const SparsityPattern pattern = sparsity_pattern(body, true);
     SparseMatrix<double>  K(pattern);
-    add_stiffness(body, K);
+    if (parts.material != 0.)
+      add_stiffness(body, K);
+    if (parts.material != 0. && parts.material != 1.)
+      K *= parts.material;
+    body.supports.add_stiffness(body.constraints,
+                                parts.foundation,
+                                parts.ballast,
+                                K);
     return restrict_to_unknowns(K, body.unknown_of_dof, body.n_unknowns);
   }
 
@@ -109,15 +234,18 @@ namespace RollingContact
     const SparsityPattern pattern = sparsity_pattern(body, false);
     SparseMatrix<double>  M(pattern);
     add_mass(body, M);
+    const std::vector<double> extra = body.supports.masses();
+    for (std::size_t i = 0; i < extra.size(); ++i)
+      M.add(body.dofs.n_dofs() + i, body.dofs.n_dofs() + i, extra[i]);
     return restrict_to_unknowns(M, body.unknown_of_dof, body.n_unknowns);
   }
 
 
 
   template SymmetricSparseMatrix
-  assemble_stiffness(const Discretisation<2> &);
+  assemble_stiffness(const Discretisation<2> &, const StiffnessParts &);
   template SymmetricSparseMatrix
-  assemble_stiffness(const Discretisation<3> &);
+  assemble_stiffness(const Discretisation<3> &, const StiffnessParts &);
   template SymmetricSparseMatrix
   assemble_mass(const Discretisation<2> &, const MassKind);
   template SymmetricSparseMatrix

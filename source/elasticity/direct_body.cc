@@ -17,10 +17,16 @@ namespace RollingContact
                               const Material                         &material,
                               const double                            thickness,
                               const Grading<dim>                     &grading,
-                              const bool                              recovers)
-    : ElasticBody<dim>(shape, material, thickness, grading, MeshKind::serial)
+                              const bool                              recovers,
+                              const BodyModel                        &model)
+    : ElasticBody<dim>(shape,
+                       material,
+                       thickness,
+                       grading,
+                       MeshKind::serial,
+                       model)
     , recovers(recovers)
-    , unknown_of_dof(this->dofs.n_dofs(), -1)
+    , unknown_of_dof(this->dofs.n_dofs() + this->supports.n_extra(), -1)
   {
     int unknown = 0;
     for (types::global_dof_index i = 0; i < unknown_of_dof.size(); ++i)
@@ -47,7 +53,9 @@ namespace RollingContact
             unknown_of_dof,
             n_unknowns(),
             this->material,
-            this->thickness};
+            this->thickness,
+            this->model.elements,
+            this->supports};
   }
 
 
@@ -66,6 +74,103 @@ namespace RollingContact
   DirectBody<dim>::mass(const MassKind kind) const
   {
     return assemble_mass(discretisation(), kind);
+  }
+
+
+
+  template <int dim>
+  bool
+  DirectBody<dim>::has_losses() const
+  {
+    const Foundation &foundation = this->model.foundation;
+    return this->model.damping.loss_factor > 0. ||
+           (this->hub == Hub::elastic &&
+            (foundation.loss_factor > 0. ||
+             (foundation.has_sleepers() &&
+              foundation.ballast_loss_factor > 0.)));
+  }
+
+
+
+  template <int dim>
+  SymmetricSparseMatrix
+  DirectBody<dim>::loss_stiffness() const
+  {
+    return assemble_stiffness(discretisation(),
+                              {this->model.damping.loss_factor,
+                               this->model.foundation.loss_factor,
+                               this->model.foundation.ballast_loss_factor});
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  DirectBody<dim>::sponge() const
+  {
+    std::vector<Point<dim>> positions(this->dofs.n_dofs());
+    DoFTools::map_dofs_to_support_points(MappingQ1<dim>(),
+                                         this->dofs,
+                                         positions);
+    const auto [first, last] =
+      std::minmax_element(positions.begin(),
+                          positions.end(),
+                          [](const auto &a, const auto &b) {
+                            return a[0] < b[0];
+                          });
+    const BodyDamping &damping = this->model.damping;
+    const double       from = (*first)[0], to = (*last)[0];
+    const auto         rate = [&](const double x) {
+      const double depth = damping.sponge_length - std::min(x - from, to - x);
+      return depth > 0. ? damping.sponge_rate *
+                            std::pow(depth / damping.sponge_length, 2)
+                                : 0.;
+    };
+    const SymmetricSparseMatrix M = mass(MassKind::lumped);
+    std::vector<double>         result(n_unknowns(), 0.);
+    const std::size_t           n_nodal = positions.size(),
+                      n_moving = n_nodal + this->supports.n_translations();
+    for (std::size_t i = 0; i < n_moving; ++i)
+      if (const int unknown = unknown_of_dof[i]; unknown >= 0)
+        result[unknown] =
+          M.values[M.column_starts[unknown]] *
+          rate(i < n_nodal ? positions[i][0]
+                           : this->supports.x_of_translation(i - n_nodal));
+    return result;
+  }
+
+
+
+  template <int dim>
+  SymmetricSparseMatrix
+  DirectBody<dim>::damping(const MassKind kind) const
+  {
+    const BodyDamping    &damping = this->model.damping;
+    SymmetricSparseMatrix C       = diagonal_matrix(
+      damping.has_sponge() ? sponge() : std::vector<double>(n_unknowns(), 0.));
+    if (damping.mass_damping > 0.)
+      C = linear_combination(1., C, damping.mass_damping, mass(kind));
+    if (damping.stiffness_damping > 0.)
+      C = linear_combination(1., C, damping.stiffness_damping, stiffness());
+    return C;
+  }
+
+
+
+  template <int dim>
+  SymmetricSparseMatrix
+  DirectBody<dim>::damping_in_time(const MassKind kind) const
+  {
+    const BodyDamping    &damping = this->model.damping;
+    SymmetricSparseMatrix C;
+    if (damping.is_viscous() || has_losses())
+      C = this->damping(kind);
+    if (has_losses())
+      C = linear_combination(1.,
+                             C,
+                             1 / (2 * numbers::PI * damping.loss_frequency),
+                             loss_stiffness());
+    return C;
   }
 
 
@@ -90,7 +195,9 @@ namespace RollingContact
                            const double       value) const
   {
     std::vector<double> result(n_unknowns(), 0.);
-    for (std::size_t i = 0; i < unknown_of_dof.size(); ++i)
+    const std::size_t   n_moving =
+      this->dofs.n_dofs() + this->supports.n_translations();
+    for (std::size_t i = 0; i < n_moving; ++i)
       if (unknown_of_dof[i] >= 0 && i % dim == component)
         result[unknown_of_dof[i]] = value;
     return result;
@@ -129,18 +236,21 @@ namespace RollingContact
   std::vector<std::size_t>
   DirectBody<dim>::portable_dof_order() const
   {
-    std::vector<Point<dim>> positions(unknown_of_dof.size());
+    std::vector<Point<dim>> positions(this->dofs.n_dofs());
     DoFTools::map_dofs_to_support_points(MappingQ1<dim>(),
                                          this->dofs,
                                          positions);
     std::vector<NodeValue<dim>> values;
     values.reserve(n_unknowns());
-    for (std::size_t i = 0; i < unknown_of_dof.size(); ++i)
+    for (std::size_t i = 0; i < positions.size(); ++i)
       if (unknown_of_dof[i] >= 0)
         values.push_back({positions[i],
                           static_cast<unsigned int>(i % dim),
                           static_cast<std::size_t>(unknown_of_dof[i])});
-    return in_portable_order(std::move(values));
+    std::vector<std::size_t> order = in_portable_order(std::move(values));
+    for (std::size_t i = positions.size(); i < unknown_of_dof.size(); ++i)
+      order.push_back(unknown_of_dof[i]);
+    return order;
   }
 
 
@@ -151,7 +261,7 @@ namespace RollingContact
   {
     if (factor != nullptr)
       return;
-    this->require_clamped_hub();
+    this->require_held();
     const Stopwatch watch;
     factor = std::make_unique<Factorisation>(stiffness(), node_of_unknown);
     this->assembly_s += watch.seconds() - factor->size().analysis_s;
@@ -226,7 +336,8 @@ namespace RollingContact
                                     stiffness(),
                                     mass(mass_kind),
                                     node_of_unknown,
-                                    unknowns(nodes, components)));
+                                    unknowns(nodes, components),
+                                    damping_in_time(mass_kind)));
   }
 
 

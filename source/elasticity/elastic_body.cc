@@ -46,10 +46,12 @@ namespace RollingContact
                                 const Material     &material,
                                 const double        thickness,
                                 const Grading<dim> &grading,
-                                const MeshKind      kind)
+                                const MeshKind      kind,
+                                const BodyModel    &model)
     : material(material)
     , thickness(thickness)
-    , hub_clamped(shape->hub_clamped())
+    , hub(shape->hub())
+    , model(model)
     , body_mesh(make_body_mesh<dim>(shape, grading, kind))
     , element(FE_Q<dim>(1), dim)
     , dofs(*body_mesh.triangulation)
@@ -58,10 +60,16 @@ namespace RollingContact
     dofs.distribute_dofs(element);
     check_component_numbers(dofs);
     DoFTools::extract_locally_relevant_dofs(dofs, relevant_dofs);
-    constraints.reinit(relevant_dofs);
+    if (kind == MeshKind::serial)
+      supports = Supports<dim>(dofs, hub, model);
+    constraints.reinit(
+      supports.n_extra() == 0
+        ? relevant_dofs
+        : complete_index_set(dofs.n_dofs() + supports.n_extra()));
     DoFTools::make_hanging_node_constraints(dofs, constraints);
-    if (hub_clamped)
+    if (hub == Hub::clamped)
       DoFTools::make_zero_boundary_constraints(dofs, hub_boundary, constraints);
+    supports.tie_hub(constraints);
     constraints.close();
     assembly_s = watch.seconds();
   }
@@ -70,11 +78,31 @@ namespace RollingContact
 
   template <int dim>
   void
-  ElasticBody<dim>::require_clamped_hub() const
+  ElasticBody<dim>::require_held() const
   {
-    if (!hub_clamped)
-      throw InputError("Hub = free: a body that nothing holds has no static "
-                       "compliance; take Hub = clamped.");
+    if (is_loose(hub))
+      throw InputError(
+        "Hub = " + std::string(hub == Hub::free ? "free" : "mass") +
+        ": a body that nothing holds has no static compliance; "
+        "take Hub = clamped or elastic.");
+    if (hub != Hub::elastic)
+      return;
+    const std::string axes = "xyz";
+    for (int c = 0; c < 3; ++c)
+      if (c != 1 || dim == 3)
+        {
+          if (model.foundation.stiffness[c] == 0.)
+            throw InputError("Foundation stiffness " + axes.substr(c, 1) +
+                             " = 0: nothing holds the body along " + axes[c] +
+                             " and it has no static compliance; give N/m^2.");
+          if (model.foundation.has_sleepers() &&
+              model.foundation.ballast_stiffness[c] == 0.)
+            throw InputError("Ballast stiffness " + axes.substr(c, 1) +
+                             " = 0: nothing holds the sleepers along " +
+                             axes[c] +
+                             " and the body has no static compliance; give "
+                             "N/m^2.");
+        }
   }
 
 

@@ -215,19 +215,10 @@ namespace RollingContact
 
 
   bool
-  BodyShape::hub_clamped() const
-  {
-    return parameters.hub == Hub::clamped;
-  }
-
-
-
-  bool
   BodyShape::is_twin_of(const BodyShape &other) const
   {
     return typeid(*this) == typeid(other) && !mesh() && !is_swept() &&
-           hub_clamped() == other.hub_clamped() &&
-           dimensions() == other.dimensions();
+           hub() == other.hub() && dimensions() == other.dimensions();
   }
 
 

@@ -161,8 +161,9 @@ namespace RollingContact
   DiscShape::clamped_annulus(const double young_modulus,
                              const double poisson_ratio) const
   {
-    if (parameters.hub_radius >=
-        References::largest_hub_ratio * parameters.radius)
+    if (hub() == Hub::elastic || hub() == Hub::mass ||
+        parameters.hub_radius >=
+          References::largest_hub_ratio * parameters.radius)
       return {};
     return References::Annulus{parameters.radius,
                                parameters.hub_radius,

@@ -107,7 +107,8 @@ namespace RollingContact
     , are_twins(
         !scene.wheel.rigid && !scene.rail.rigid &&
         scene.wheel.body_shape()->is_twin_of(*scene.rail.body_shape()) &&
-        scene.wheel.material == scene.rail.material)
+        scene.wheel.material == scene.rail.material &&
+        scene.wheel.model == scene.rail.model)
     , elastic{!scene.wheel.rigid, !scene.rail.rigid}
   {
     check_room(scene, grading);
@@ -129,7 +130,9 @@ namespace RollingContact
       const auto needs = [](const BodyParameters &body) {
         return body.is_from_file() ||
                (!body.rigid &&
-                body.material.poisson_ratio > distributed_poisson_limit);
+                (body.material.poisson_ratio > distributed_poisson_limit ||
+                 body.hub == Hub::elastic || body.hub == Hub::mass ||
+                 body.model.damping.has_sponge()));
       };
       return demands.factors || needs(scene.wheel) || needs(scene.rail);
     }
@@ -220,7 +223,8 @@ namespace RollingContact
                                     parameters.thickness,
                                     grading,
                                     demands.displacements,
-                                    ranks[side]);
+                                    ranks[side],
+                                    parameters.model);
       if (statics)
         bodies[side]->analyse();
     };

@@ -15,7 +15,7 @@ namespace RollingContact
         , n_threads(pair.bodies().n_threads())
         , theta(scene.time.theta)
         , shifted(scene.time.contact_law == ContactLaw::shifted)
-        , free_wheel(!scene.wheel.rigid && scene.wheel.hub == Hub::free)
+        , free_wheel(!scene.wheel.rigid && is_loose(scene.wheel.hub))
       {
         const ThetaScheme scheme{theta,
                                  scene.time.rayleigh_alpha,

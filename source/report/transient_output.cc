@@ -91,7 +91,7 @@ namespace RollingContact
         {"iterations",
          [](S s) -> double { return s.outcome.solver.iterations; }},
         {"parts", [](S s) -> double { return s.outcome.n_parts; }}};
-      if (scene.wheel.hub == Hub::free && !scene.wheel.rigid)
+      if (is_loose(scene.wheel.hub) && !scene.wheel.rigid)
         columns.push_back({"wheel_velocity_m/s",
                            [](S s) { return *s.outcome.wheel_velocity; }});
       if (scene.surfaces.in_use())

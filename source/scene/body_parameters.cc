@@ -13,8 +13,6 @@ namespace RollingContact
 
   namespace
   {
-    const std::vector<NamedValue<Hub>> named_hubs{{"clamped", Hub::clamped},
-                                                  {"free", Hub::free}};
     const std::vector<NamedValue<SurfaceSource>> named_surfaces{
       {"radii", SurfaceSource::radii},
       {"nodes", SurfaceSource::nodes}};
@@ -37,6 +35,9 @@ namespace RollingContact
     declare_extent(prm);
     declare_mesh_file(prm);
     declare_material(prm);
+    declare_hub(prm);
+    declare_foundation(prm);
+    declare_damping(prm);
     prm.leave_subsection();
   }
 
@@ -99,13 +100,6 @@ namespace RollingContact
                       width,
                       "Extent across the rolling direction, 3D only. Units: m.",
                       not_negative);
-    declare_choice(prm,
-                   "Hub",
-                   hub,
-                   named_hubs,
-                   "What the inner circle of a disc or the bottom of a block "
-                   "does: `clamped`, or `free` in a transient analysis, where "
-                   "inertia alone holds the body.");
   }
 
 
@@ -140,7 +134,7 @@ namespace RollingContact
       Patterns::Integer(1));
     prm.add_parameter("Hub boundary id",
                       hub_boundary,
-                      "The same of the part that is clamped. Units: 1.",
+                      "The same of the part that is the hub. Units: 1.",
                       Patterns::Integer(1));
     prm.add_parameter("Cells along",
                       cells_along,
@@ -204,9 +198,7 @@ namespace RollingContact
               "in 2D the profile is straight across; set it to 0 or take "
               "Dimension = 3.");
     body_shape()->check(dimension, rigid);
-    if (rigid && hub == Hub::free)
-      throw InputError(section + "/Hub = free: a rigid body is held; take "
-                                 "Rigid = false or Hub = clamped.");
+    check_model();
     if (!rigid)
       check_material(dimension);
   }
@@ -256,7 +248,7 @@ namespace RollingContact
     file.unit             = mesh_unit;
     file.contact_boundary = contact_boundary;
     file.hub_boundary     = hub_boundary;
-    file.has_hub          = hub == Hub::clamped;
+    file.has_hub          = hub != Hub::free;
     file.mirrored         = section == "Wheel";
     file.is_section       = is_section();
     mesh                  = is_section()     ? read_section_file(file, radius)

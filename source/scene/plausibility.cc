@@ -46,6 +46,8 @@ namespace RollingContact
       void
       check_material(const BodyParameters &body);
       void
+      check_model(const BodyParameters &body);
+      void
       check_approach();
       void
       check_load();
@@ -137,6 +139,40 @@ namespace RollingContact
               "kg/m^3",
               "steel has 7800 kg/m^3",
               density < 30. ? significant(density, 6) + "e3 (g/cm^3)" : "");
+    }
+
+
+
+    void
+    Doubts::check_model(const BodyParameters &body)
+    {
+      if (body.rigid)
+        return;
+      const double locking = 0.45;
+      if (body.model.elements == ElementKind::enhanced &&
+          body.material.poisson_ratio > locking)
+        sentences.push_back(
+          body.section + "/Elements = enhanced and Poisson ratio = " +
+          significant(body.material.poisson_ratio, 6) +
+          ": near 0.5 such elements are too stiff where cells are distorted; "
+          "take B-bar.");
+      if (body.hub != Hub::elastic)
+        return;
+      const double softest = 1e5, stiffest = 1e12; // per metre, N/m^2
+      const double stiffness = body.model.foundation.stiffness[2];
+      if (stiffness < softest || stiffness > stiffest)
+        doubt(body.section + "/Foundation stiffness z",
+              stiffness,
+              "N/m^2",
+              "rails lie on 1e7 to 1e9 N/m^2, of a metre of length",
+              "");
+      if (scene.contact.approach)
+        sentences.push_back(
+          "Contact/Approach = " + significant(*scene.contact.approach, 6) +
+          " m and " + body.section +
+          "/Hub = elastic: the foundation takes most of an approach, and the "
+          "mesh is made for a patch without; Contact/Normal load makes it for "
+          "the patch that there is.");
     }
 
 
@@ -286,6 +322,7 @@ namespace RollingContact
         {
           check_sizes(*body);
           check_material(*body);
+          check_model(*body);
         }
       check_approach();
       check_load();

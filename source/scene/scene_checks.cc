@@ -30,24 +30,21 @@ namespace RollingContact
   SceneParameters::check_hubs() const
   {
     const bool dynamic = is_transient() && time.inertia;
-    for (const BodyParameters *body : {&wheel, &rail})
-      if (!body->rigid && body->hub == Hub::free &&
-          (!dynamic || time.initial_state == InitialState::steady))
-        throw InputError(body->section +
-                         "/Hub = free: only inertia holds such a body; take "
-                         "Analysis = transient with Time/Inertia = true and "
-                         "Time/Initial state = rest, or `clamped`.");
-    const bool free_wheel = !wheel.rigid && wheel.hub == Hub::free;
+    if (!dynamic || time.initial_state == InitialState::steady)
+      for (const BodyParameters *body : {&wheel, &rail})
+        body->check_held(dimension);
+    const bool free_wheel = !wheel.rigid && is_loose(wheel.hub);
     if (free_wheel && contact.normal_load)
       throw InputError(
         "Contact/Normal load = " + text_of(*contact.normal_load) +
-        " and Wheel/Hub = free: the load acts through a clamped "
-        "hub; give Contact/Approach instead.");
+        " and Wheel/Hub = " + (wheel.hub == Hub::free ? "free" : "mass") +
+        ": the load acts through a hub that is held; give Contact/Approach "
+        "instead.");
     if (time.initial_velocity != 0. && !free_wheel)
       throw InputError(
         "Time/Initial velocity = " + text_of(time.initial_velocity) +
         ": it is that of an elastic wheel with Wheel/Hub = "
-        "free.");
+        "free or mass.");
   }
 
 

@@ -120,7 +120,7 @@ namespace RollingContact
     prm.add_parameter(
       "Initial velocity",
       initial_velocity,
-      "Velocity of a wheel with Hub = free at the start, along z: "
+      "Velocity of a wheel with Hub = free or mass at the start, along z: "
       "negative towards the rail. Units: m/s.",
       Patterns::Double());
   }

@@ -193,6 +193,114 @@ namespace RollingContact
 
 
 
+  namespace
+  {
+    /** Of the supports of a body, entries without a use, and why. */
+    void
+    add_idle_supports(const BodyParameters               &body,
+                      const unsigned int                  dimension,
+                      std::map<std::string, std::string> &idle)
+    {
+      const Foundation &foundation = body.model.foundation;
+      const auto        add = [&](const std::vector<std::string> &entries,
+                           const std::string              &why) {
+        for (const std::string &entry : entries)
+          idle.emplace(body.section + '/' + entry, why);
+      };
+      const std::vector<std::string> pads{"Pad length",
+                                          "Pad offset",
+                                          "Sleeper mass"},
+        ballast{"Ballast stiffness x",
+                "Ballast stiffness y",
+                "Ballast stiffness z",
+                "Ballast loss factor"};
+      if (dimension == 2)
+        add({"Foundation stiffness y",
+             "Ballast stiffness y",
+             "Hub inertia x",
+             "Hub inertia z"},
+            "it has a meaning in 3D only");
+      if (body.rigid || body.hub != Hub::elastic)
+        {
+          const std::string why = "an elastic body with Hub = elastic reads it";
+          add({"Foundation stiffness x",
+               "Foundation stiffness y",
+               "Foundation stiffness z",
+               "Foundation loss factor",
+               "Pad spacing"},
+              why);
+          add(pads, why);
+          add(ballast, why);
+        }
+      if (foundation.pad_spacing == 0.)
+        add(pads, "the layer is continuous, Pad spacing = 0");
+      if (!foundation.has_sleepers())
+        add(ballast, "there are no sleepers, Sleeper mass = 0");
+      if (body.rigid || body.hub != Hub::mass)
+        add({"Hub mass", "Hub inertia x", "Hub inertia y", "Hub inertia z"},
+            "an elastic body with Hub = mass reads it");
+    }
+
+
+
+    /** Of the damping of a body, entries without a use, and why. */
+    void
+    add_idle_damping(const SceneParameters              &scene,
+                     const BodyParameters               &body,
+                     std::map<std::string, std::string> &idle)
+    {
+      const BodyDamping &damping = body.model.damping;
+      const auto         add     = [&](const std::vector<std::string> &entries,
+                           const std::string              &why) {
+        for (const std::string &entry : entries)
+          idle.emplace(body.section + '/' + entry, why);
+      };
+      const std::vector<std::string> all{"Loss factor",
+                                         "Loss frequency",
+                                         "Foundation loss factor",
+                                         "Ballast loss factor",
+                                         "Rayleigh mass",
+                                         "Rayleigh stiffness",
+                                         "Sponge length",
+                                         "Sponge rate"};
+      const bool                     moves =
+        scene.time.inertia &&
+        (scene.analysis == "transient" ||
+         (scene.analysis == "accuracy study" && scene.study.varies_time_step));
+      if (body.rigid)
+        add(all, "a rigid body has no damping");
+      if (!moves)
+        add(all,
+            "only bodies with inertia are damped, Analysis = transient with "
+            "Time/Inertia = true");
+      add({"Modal damping"},
+          "modes of a body have it, and this analysis finds "
+          "none");
+      if (damping.sponge_length == 0.)
+        add({"Sponge rate"}, "there are no absorbing ends, Sponge length = 0");
+      if (damping.loss_factor == 0. &&
+          body.model.foundation.loss_factor == 0. &&
+          body.model.foundation.ballast_loss_factor == 0.)
+        add({"Loss frequency"}, "all loss factors are 0");
+    }
+
+
+
+    std::map<std::string, std::string>
+    idle_body_entries(const SceneParameters &scene)
+    {
+      std::map<std::string, std::string> idle;
+      for (const BodyParameters *body : {&scene.wheel, &scene.rail})
+        {
+          add_idle_supports(*body, scene.dimension, idle);
+          add_idle_damping(scene, *body, idle);
+        }
+      return idle;
+    }
+  } // namespace
+
+
+
   std::vector<std::string>
   unused_entries(const SceneParameters &scene, const PrmEntries &given)
   {
@@ -217,6 +325,8 @@ namespace RollingContact
     for (const auto &[path, why] : entries_of_other_dimension(scene))
       check(path, why);
     for (const auto &[path, why] : idle_profile_entries(scene))
+      check(path, why);
+    for (const auto &[path, why] : idle_body_entries(scene))
       check(path, why);
     for (const auto &[path, why] : idle_surface_entries(scene))
       check(path, why);

@@ -25,13 +25,14 @@ namespace RollingContact
 
     /**
      * Mesh the body; @p model_rank will hold its model. Thickness in 2D. Units:
-     * m.
+     * m. Throws InputError for springs or a mass at the hub.
      */
     DistributedBody(const std::shared_ptr<const BodyShape> &shape,
                     const Material                         &material,
                     const double                            thickness,
                     const Grading<dim>                     &grading,
-                    const unsigned int                      model_rank);
+                    const unsigned int                      model_rank,
+                    const BodyModel                        &model = {});
 
     void
     analyse() override;
@@ -85,7 +86,8 @@ namespace RollingContact
               this->relevant_dofs,
               this->constraints,
               this->material,
-              this->thickness};
+              this->thickness,
+              this->model.elements};
     }
 
     /**

@@ -6,6 +6,7 @@
 #include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
+#include <rolling_contact/elasticity/body_model.h>
 #include <rolling_contact/elasticity/material.h>
 
 #include <vector>
@@ -26,13 +27,14 @@ namespace RollingContact
     const dealii::AffineConstraints<double> &constraints;
     Material                                 material;
     double                                   thickness;
+    ElementKind                              elements;
   };
 
   using DistributedVector = dealii::LinearAlgebra::distributed::Vector<double>;
 
   /**
-   * Assemble the stiffness matrix K with B-bar, see cell_stiffness(). Units:
-   * N/m. Collective.
+   * Assemble the stiffness matrix K, see add_stiffness(). Units: N/m.
+   * Collective.
    */
   template <int dim>
   void

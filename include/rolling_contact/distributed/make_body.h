@@ -20,7 +20,8 @@ namespace RollingContact
             const double                            thickness,
             const Grading<dim>                     &grading,
             const bool                              recovers,
-            const unsigned int                      model_rank);
+            const unsigned int                      model_rank,
+            const BodyModel                        &model = {});
 
   /**
    * Estimated memory in bytes for factor and condensation of a direct body that

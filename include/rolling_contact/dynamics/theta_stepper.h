@@ -145,7 +145,7 @@ namespace RollingContact
 
     /**
      * Set u at the end of the step from v_th in `work`, with the work of the
-     * reactions and loads; returns the energy before.
+     * reactions, loads and damping; uses `z`; returns the energy before.
      */
     double
     move_displacement(const std::vector<double> &reactions);

@@ -13,20 +13,23 @@ namespace RollingContact
    * The matrices of one body in time, shared by all states of it (two for
    * mirror-identical bodies): K, M and, for a time step h, the factor of
    *   A = M + theta h C + theta^2 h^2 K,
-   * its condensed columns Y = L^-1 E for the contact unknowns, and h^2 Y^T Y.
+   * C being that of the scheme (Rayleigh) and a given one; its condensed
+   * columns Y = L^-1 E for the contact unknowns, and h^2 Y^T Y.
    */
   class ThetaSystem
   {
   public:
     /**
      * Order, analyse; nothing is factorised before set_time_step(). K and M
-     * have the same size, M may be diagonal (lumped). Units: N/m, kg.
+     * have the same size, M may be diagonal (lumped). The @p damping, of size 0
+     * if there is none, adds to that of the scheme. Units: N/m, kg, N s/m.
      */
     ThetaSystem(const ThetaScheme               &scheme,
                 SymmetricSparseMatrix            stiffness,
                 SymmetricSparseMatrix            mass,
                 const std::vector<unsigned int> &node_of_unknown,
-                std::vector<std::size_t>         contact_unknowns);
+                std::vector<std::size_t>         contact_unknowns,
+                SymmetricSparseMatrix            damping = {});
 
     /**
      * Factorise A and condense, if @p h is not the current step. Throws
@@ -91,6 +94,15 @@ namespace RollingContact
       return M;
     }
 
+    /**
+     * Damping beside that of the scheme; of size 0 if there is none.
+     */
+    const SymmetricSparseMatrix &
+    damping() const
+    {
+      return D;
+    }
+
     const std::vector<std::size_t> &
     contact_unknowns() const
     {
@@ -98,7 +110,7 @@ namespace RollingContact
     }
 
     /**
-     * Bytes of the factor, Y, the compliance, K and M.
+     * Bytes of the factor, Y, the compliance, K, M and the damping.
      */
     std::size_t
     memory_consumption() const;
@@ -108,7 +120,7 @@ namespace RollingContact
     step_matrix(const double h) const;
 
     ThetaScheme              parameters;
-    SymmetricSparseMatrix    K, M;
+    SymmetricSparseMatrix    K, M, D;
     std::vector<std::size_t> contact;
     Factorisation            factor;
     double                   h = 0.;

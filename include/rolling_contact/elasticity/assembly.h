@@ -4,6 +4,7 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_tools.h>
 
+#include <rolling_contact/elasticity/body_model.h>
 #include <rolling_contact/elasticity/cell_matrices.h>
 
 #include <vector>
@@ -71,7 +72,8 @@ namespace RollingContact
 
 
   /**
-   * Add the stiffness of all cells to the matrix @p K, see cell_stiffness().
+   * Add the stiffness of all cells to the matrix @p K, see cell_stiffness() and
+   * cell_stiffness_enhanced().
    */
   template <int dim, template <int> class Body, class Matrix>
   void
@@ -82,7 +84,10 @@ namespace RollingContact
       dealii::QGauss<dim>(2),
       dealii::update_gradients,
       [&](const auto &values, auto &stiffness) {
-        cell_stiffness(values, body.material, stiffness);
+        if (body.elements == ElementKind::enhanced)
+          cell_stiffness_enhanced(values, body.material, stiffness);
+        else
+          cell_stiffness(values, body.material, stiffness);
       },
       K);
   }

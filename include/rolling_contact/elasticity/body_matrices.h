@@ -6,6 +6,7 @@
 
 #include <rolling_contact/dynamics/theta_scheme.h>
 #include <rolling_contact/elasticity/material.h>
+#include <rolling_contact/elasticity/supports.h>
 #include <rolling_contact/linear_algebra/symmetric_sparse_matrix.h>
 
 #include <vector>
@@ -14,8 +15,9 @@ namespace RollingContact
 {
   /**
    * What the matrices of a body are assembled from: linear elements, their
-   * hanging nodes and clamped nodes constrained, the rest numbered as unknowns
-   * (-1 if constrained). @p thickness is used in 2D. Units: m.
+   * hanging nodes and clamped or tied nodes constrained, the rest and then the
+   * extra unknowns of the supports numbered as unknowns (-1 if constrained).
+   * @p thickness is used in 2D. Units: m.
    */
   template <int dim>
   struct Discretisation
@@ -26,21 +28,36 @@ namespace RollingContact
     std::size_t                              n_unknowns;
     Material                                 material;
     double                                   thickness;
+    ElementKind                              elements;
+    const Supports<dim>                     &supports;
   };
 
   /**
-   * Stiffness K of the unknowns: linear elements with B-bar, in 2D plane
-   * strain. Units: N/m.
+   * Factors of the parts that a stiffness is the sum of.
+   */
+  struct StiffnessParts
+  {
+    double material   = 1.;
+    double foundation = 1.;
+    double ballast    = 1.;
+  };
+
+  /**
+   * Stiffness K of the unknowns, the sum of its @p parts: linear elements, in
+   * 2D plane strain, and supports. Units: N/m.
    */
   template <int dim>
   SymmetricSparseMatrix
-  assemble_stiffness(const Discretisation<dim> &body);
+  assemble_stiffness(const Discretisation<dim> &body,
+                     const StiffnessParts      &parts = {});
 
   /**
    * Mass M of the unknowns. Consistent: the integral of rho phi_i phi_j.
    * Lumped: its row sums, the integral of rho phi_i, a diagonal matrix; a
    * hanging node's mass goes to the nodes it hangs between by their weights,
-   * which keeps the total mass and the centre of mass. Units: kg.
+   * which keeps the total mass and the centre of mass. The masses of a hub that
+   * is fixed to a rigid mass join it: a dense block of the last unknowns.
+   * Units: kg.
    */
   template <int dim>
   SymmetricSparseMatrix

@@ -23,6 +23,20 @@ namespace RollingContact
                  dealii::FullMatrix<double>       &stiffness);
 
   /**
+   * Stiffness of a cell with incompatible modes, which passes the patch test:
+   * strains are those of the shape functions and of dim modes 1 - xi_i^2 in
+   * each component, with gradients (j0/j) J0^-T grad_xi by the Jacobian of the
+   * middle of the cell; the dim^2 internal unknowns are condensed, K_uu - K_ua
+   * K_aa^-1 K_au (Taylor, Beresford, Wilson 1976; the enhanced strains of Simo
+   * and Rifai 1990 with 9 modes). Units: N/m, in 2D per metre of thickness.
+   */
+  template <int dim>
+  void
+  cell_stiffness_enhanced(const dealii::FEValues<dim, dim> &values,
+                          const Material                   &material,
+                          dealii::FullMatrix<double>       &stiffness);
+
+  /**
    * Consistent mass of a cell, the integral of rho phi_i phi_j. Units: kg, in
    * 2D per metre of thickness.
    */

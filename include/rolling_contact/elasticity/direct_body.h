@@ -20,13 +20,15 @@ namespace RollingContact
     /**
      * Mesh and number the unknowns. Unless the body @p recovers displacements,
      * the factor of K is freed as soon as the compliance is known and recover()
-     * throws.
+     * throws. Sleepers and a mass at the hub bring unknowns of their own, the
+     * last ones; values at unknowns and fields hold these as well.
      */
     DirectBody(const std::shared_ptr<const BodyShape> &shape,
                const Material                         &material,
                const double                            thickness,
                const Grading<dim>                     &grading,
-               const bool                              recovers = true);
+               const bool                              recovers = true,
+               const BodyModel                        &model    = {});
 
     void
     analyse() override;
@@ -89,6 +91,29 @@ namespace RollingContact
     mass(const MassKind kind = MassKind::lumped) const;
 
     /**
+     * Loss stiffness, the sum of eta_i K_i over material, foundation and
+     * ballast: the imaginary part of the stiffness in the frequency domain.
+     * Units: N/m.
+     */
+    SymmetricSparseMatrix
+    loss_stiffness() const;
+
+    /**
+     * Viscous damping C: Rayleigh's and that of absorbing ends, which take
+     * a(x) of the lumped mass; without loss factors. Zero on the diagonal where
+     * there is none. Units: N s/m.
+     */
+    SymmetricSparseMatrix
+    damping(const MassKind kind = MassKind::lumped) const;
+
+    /**
+     * Damping in time, damping() + loss_stiffness() / (2 pi f0) with the loss
+     * frequency f0; of size 0 if there is none. Units: N s/m.
+     */
+    SymmetricSparseMatrix
+    damping_in_time(const MassKind kind = MassKind::lumped) const;
+
+    /**
      * The node of each unknown, for the order of elimination.
      */
     const std::vector<unsigned int> &
@@ -107,14 +132,15 @@ namespace RollingContact
 
     /**
      * Values at the unknowns of a field that is @p value in one component and
-     * zero in the others, away from a clamped hub.
+     * zero in the others, away from a clamped hub; masses move with it and do
+     * not turn.
      */
     std::vector<double>
     uniform(const unsigned int component, const double value) const;
 
     /**
      * The field of given unknowns on all nodes, hanging and clamped ones
-     * included.
+     * included, and behind them the extra unknowns of the supports.
      */
     BodyField
     field(const std::vector<double> &values) const;
@@ -135,6 +161,15 @@ namespace RollingContact
   private:
     Discretisation<dim>
     discretisation() const;
+
+    bool
+    has_losses() const;
+
+    /**
+     * The damping of the absorbing ends, a diagonal. Units: N s/m.
+     */
+    std::vector<double>
+    sponge() const;
 
     const bool                     recovers;
     std::vector<int>               unknown_of_dof; ///< -1 if constrained

@@ -8,6 +8,7 @@
 #include <rolling_contact/dynamics/body_dynamics.h>
 #include <rolling_contact/elasticity/body_matrices.h>
 #include <rolling_contact/elasticity/material.h>
+#include <rolling_contact/elasticity/supports.h>
 #include <rolling_contact/linear_algebra/dense_matrix.h>
 #include <rolling_contact/mesh/body_mesh.h>
 
@@ -18,12 +19,13 @@
 namespace RollingContact
 {
   /**
-   * One elastic body in its own frame (z out of the body), hub clamped or free:
-   * linear elements with B-bar, in 2D plane strain with a thickness. Contact
-   * space sees it only through compliance(), response() and recover(), dynamics
-   * through in_time(). How K is solved is left to DirectBody and
-   * DistributedBody. All members are called on all ranks that hold a part of
-   * the body, and unless they say otherwise give the same on each.
+   * One elastic body in its own frame (z out of the body): linear elements, in
+   * 2D plane strain with a thickness, what is at its hub, damping; see
+   * BodyModel. Contact space sees it only through compliance(), response() and
+   * recover(), dynamics through in_time(). How K is solved is left to
+   * DirectBody and DistributedBody. All members are called on all ranks that
+   * hold a part of the body, and unless they say otherwise give the same on
+   * each.
    */
   template <int dim>
   class ElasticBody
@@ -69,7 +71,7 @@ namespace RollingContact
 
     /**
      * Assemble K and prepare its solution for compliance(), which does so
-     * itself if need be. Throws InputError if the hub is free.
+     * itself if need be. Throws InputError if nothing holds the body.
      */
     virtual void
     analyse() = 0;
@@ -158,6 +160,12 @@ namespace RollingContact
       return material;
     }
 
+    const BodyModel &
+    how_modelled() const
+    {
+      return model;
+    }
+
     const BodyMesh<dim> &
     mesh() const
     {
@@ -178,21 +186,24 @@ namespace RollingContact
                 const Material                         &material,
                 const double                            thickness,
                 const Grading<dim>                     &grading,
-                const MeshKind                          kind);
+                const MeshKind                          kind,
+                const BodyModel                        &model);
 
     /**
      * Throws InputError if nothing holds the body.
      */
     void
-    require_clamped_hub() const;
+    require_held() const;
 
     Material                          material;
     double                            thickness;
-    bool                              hub_clamped;
+    Hub                               hub;
+    BodyModel                         model;
     BodyMesh<dim>                     body_mesh;
     dealii::FESystem<dim>             element;
     dealii::DoFHandler<dim>           dofs;
     dealii::IndexSet                  relevant_dofs;
+    Supports<dim>                     supports;
     dealii::AffineConstraints<double> constraints;
     double                            assembly_s = 0.;
 

@@ -159,11 +159,17 @@ namespace RollingContact
     virtual std::shared_ptr<const FileMesh>
     mesh() const;
 
-    /**
-     * False if nothing holds the body.
-     */
     bool
-    hub_clamped() const;
+    hub_clamped() const
+    {
+      return hub() == Hub::clamped;
+    }
+
+    Hub
+    hub() const
+    {
+      return parameters.hub;
+    }
 
     /**
      * True for mirror images of each other, which share one mesh. Bodies that

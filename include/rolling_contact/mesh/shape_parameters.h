@@ -15,8 +15,19 @@ namespace RollingContact
   enum class Hub
   {
     clamped,
-    free ///< held by inertia alone
+    free,    ///< held by inertia alone
+    elastic, ///< on springs, pads or sleepers
+    mass     ///< fixed to a rigid mass, which is free
   };
+
+  /**
+   * Whether nothing but inertia holds a body.
+   */
+  inline bool
+  is_loose(const Hub hub)
+  {
+    return hub == Hub::free || hub == Hub::mass;
+  }
 
   /**
    * What section `Wheel` or `Rail` says of the shape of its body. Every shape
@@ -41,7 +52,7 @@ namespace RollingContact
     double       block_length   = 1.;   ///< in the rolling direction
     double       block_depth    = 0.5;  ///< down to the bottom, the hub
     double       width          = 0.1;  ///< across, 3D only
-    Hub          hub            = Hub::clamped; ///< or "free": nothing holds it
+    Hub          hub            = Hub::clamped;
     std::string  mesh_file;
     double       mesh_unit        = 1.;
     unsigned int contact_boundary = 1;

@@ -108,8 +108,8 @@ namespace RollingContact
     }
 
     /**
-     * True if both bodies are meshed by the program with the same geometry and
-     * material.
+     * True if both bodies are meshed by the program with the same geometry,
+     * material and model.
      */
     bool
     twins() const

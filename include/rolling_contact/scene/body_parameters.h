@@ -1,6 +1,7 @@
 #ifndef rolling_contact_scene_body_parameters_h
 #define rolling_contact_scene_body_parameters_h
 
+#include <rolling_contact/elasticity/body_model.h>
 #include <rolling_contact/elasticity/material.h>
 #include <rolling_contact/mesh/body_shape.h>
 
@@ -24,7 +25,7 @@ namespace RollingContact
   };
 
   /**
-   * Section `Wheel` or `Rail`: shape and material of one body.
+   * Section `Wheel` or `Rail`: shape, material and model of one body.
    */
   struct BodyParameters : public ShapeParameters
   {
@@ -38,6 +39,13 @@ namespace RollingContact
      */
     void
     check(const unsigned int dimension) const;
+
+    /**
+     * Throws InputError if the body has no static compliance: nothing but
+     * inertia holds it along some axis.
+     */
+    void
+    check_held(const unsigned int dimension) const;
 
     /**
      * Read the mesh or section file of an elastic body, if there is one, from
@@ -66,11 +74,12 @@ namespace RollingContact
     bool
     is_section() const;
 
-    std::string   shape                = "disc";
-    bool          rigid                = false;
-    double        thickness            = 0.02;
-    SurfaceSource surface              = SurfaceSource::radii;
-    Material      material             = {210e9, 0.3};
+    std::string   shape     = "disc";
+    bool          rigid     = false;
+    double        thickness = 0.02;
+    SurfaceSource surface   = SurfaceSource::radii;
+    Material      material  = {210e9, 0.3};
+    BodyModel     model;
     double        thermal_conductivity = 50.;  ///< W/(m K)
     double        heat_capacity        = 460.; ///< J/(kg K)
 
@@ -88,7 +97,34 @@ namespace RollingContact
     declare_material(dealii::ParameterHandler &prm);
 
     void
+    declare_hub(dealii::ParameterHandler &prm);
+
+    void
+    declare_foundation(dealii::ParameterHandler &prm);
+
+    void
+    declare_damping(dealii::ParameterHandler &prm);
+
+    void
     check_material(const unsigned int dimension) const;
+
+    /**
+     * Rules for what is at the hub and for damping.
+     */
+    void
+    check_model() const;
+
+    void
+    check_foundation() const;
+
+    /**
+     * Throws InputError unless a pad lies wholly within @p reach of x = 0.
+     */
+    void
+    check_pads_on(const double reach) const;
+
+    void
+    check_damping() const;
   };
 } // namespace RollingContact
 
