@@ -6,6 +6,7 @@
 #include <rolling_contact/parallel/interrupt.h>
 #include <rolling_contact/plot/figure.h>
 #include <rolling_contact/report/mode_animation.h>
+#include <rolling_contact/report/mode_sections.h>
 
 #include <map>
 
@@ -76,6 +77,40 @@ namespace RollingContact
 
 
 
+  namespace
+  {
+    /** The first shapes, of pairs one, in the section at the contact. */
+    void
+    plot_shapes(const VibratingBody<3> &body, RunContext &context)
+    {
+      const unsigned int     most = 8;
+      std::vector<ShownMode> shown;
+      const DenseMatrix     &shapes = body.modes.shapes;
+      for (std::size_t j = 0; j < body.modes.size() && shown.size() < most; ++j)
+        {
+          const ModeCharacter &character = body.characters[j];
+          if (character.partner && *character.partner < j)
+            continue;
+          const double *shape = shapes.data() + j * shapes.n_rows();
+          shown.push_back(
+            {significant(body.modes.frequencies[j], 4) + " Hz" +
+               (character.nodal_diameters
+                  ? ", n = " + std::to_string(*character.nodal_diameters)
+                  : ""),
+             body.body->field({shape, shape + shapes.n_rows()})});
+        }
+      plot_mode_sections(*body.body,
+                         shown,
+                         body.side == Side::wheel,
+                         "Modes of the " + name_of(body.side) +
+                           " in the section at the contact",
+                         context,
+                         "mode_shapes_" + name_of(body.side));
+    }
+  } // namespace
+
+
+
   template <int dim>
   void
   Modes<dim>::run()
@@ -94,7 +129,11 @@ namespace RollingContact
         summarise(body);
         PhaseTimer::Scope phase(context.timer, Phase::fields);
         if (scene.output.plot)
-          plot_diameters(name_of(side), body.modes, body.characters, context);
+          {
+            plot_diameters(name_of(side), body.modes, body.characters, context);
+            if constexpr (dim == 3)
+              plot_shapes(body, context);
+          }
         animate(body);
       }
     table.flush();

@@ -86,8 +86,29 @@ namespace RollingContact
 
   template <int dim>
   void
+  Receptance<dim>::read_measured(const Side side)
+  {
+    const std::string &file = side == Side::wheel
+                                ? scene.receptance.measured_wheel
+                                : scene.receptance.measured_rail;
+    if (file.empty())
+      return;
+    const std::string entry =
+      std::string("Receptance/Measured ") + name_of(side) + " = " + file;
+    const NamedRows rows = read_rows(entry, scene.prm_folder / file);
+    measured[side]       = Curve{"measured: " + file,
+                           column(rows, "frequency_Hz", entry),
+                           column(rows, "receptance_m/N", entry)};
+  }
+
+
+
+  template <int dim>
+  void
   Receptance<dim>::run()
   {
+    for (const Side side : both_sides)
+      read_measured(side);
     ResultsTable table(context.folder, table_file);
     for (const Side side : both_sides)
       {
@@ -289,19 +310,11 @@ namespace RollingContact
           figure.add_curve(name, frequencies, size);
           phases.add_curve("", frequencies, angle);
         }
-    const std::string &file = side == Side::wheel
-                                ? scene.receptance.measured_wheel
-                                : scene.receptance.measured_rail;
-    if (!file.empty())
-      {
-        const std::string entry =
-          std::string("Receptance/Measured ") + name_of(side) + " = " + file;
-        const NamedRows rows = read_rows(entry, scene.prm_folder / file);
-        figure.add_curve("measured: " + file,
-                         column(rows, "frequency_Hz", entry),
-                         column(rows, "receptance_m/N", entry),
-                         CurveStyle::reference);
-      }
+    if (const auto &curve = measured[side])
+      figure.add_curve(curve->label,
+                       curve->frequencies,
+                       curve->sizes,
+                       CurveStyle::reference);
     figure.add_panel(phases);
     figure.draw(context, "receptances_" + name_of(side));
   }

@@ -6,6 +6,7 @@
 #include <rolling_contact/modes/frequency_response.h>
 
 #include <complex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,17 @@ namespace RollingContact
     run() override;
 
   private:
+    /** What was measured, to be drawn. */
+    struct Curve
+    {
+      std::string         label;
+      std::vector<double> frequencies, sizes;
+    };
+
+    /** Throws InputError if the file of a body cannot be used. */
+    void
+    read_measured(const Side side);
+
     /** A place and a direction on a body. */
     struct Station
     {
@@ -66,8 +78,9 @@ namespace RollingContact
          const std::vector<double>                            &frequencies,
          const std::vector<std::vector<std::complex<double>>> &alpha) const;
 
-    const SceneParameters &scene;
-    RunContext            &context;
+    const SceneParameters        &scene;
+    RunContext                   &context;
+    PerSide<std::optional<Curve>> measured;
   };
 } // namespace RollingContact
 
