@@ -4,14 +4,12 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "complaint.h"
-#include "mesh_files.h"
+#include "section_files.h"
 
-#include <rolling_contact/mesh/body_mesh.h>
+#include <rolling_contact/mesh/file_body_mesh.h>
 #include <rolling_contact/mesh/section_file_shape.h>
 #include <rolling_contact/mesh/section_shapes.h>
 #include <rolling_contact/profiles/nominal_profiles.h>
-#include <rolling_contact/scene/scene_parameters.h>
 
 #include <cmath>
 #include <map>
@@ -27,28 +25,9 @@ namespace
   const double pi = std::acos(-1.);
 
   BodyParameters
-  body_of(const std::string &section, const std::string &file)
-  {
-    BodyParameters body(section);
-    body.shape     = "section";
-    body.mesh_file = TEST_DATA "/../../prm/sections/" + file;
-    if (section == "Rail")
-      body.radius = 0.;
-    return body;
-  }
-
-  std::shared_ptr<const BodyShape>
-  shape_of(BodyParameters body)
-  {
-    body.check(3);
-    body.read_mesh(3, "");
-    return body.body_shape();
-  }
-
-  BodyParameters
   plate(const unsigned int cells_along)
   {
-    BodyParameters body = body_of("Wheel", "annular_plate.msh");
+    BodyParameters body = section_body("Wheel", "annular_plate.msh");
     body.cells_along    = cells_along;
     return body;
   }
@@ -93,12 +72,6 @@ namespace
         if (face->at_boundary() && face->boundary_id() == boundary)
           sum += face->measure();
     return sum;
-  }
-
-  double
-  relative(const double value, const double expected)
-  {
-    return std::abs(value / expected - 1);
   }
 
   using Place = std::array<long, 3>;
@@ -191,7 +164,7 @@ BOOST_AUTO_TEST_CASE(the_wheel_has_its_section_and_equal_angles)
   for (const unsigned int through : {2, 3})
     {
       BodyParameters body =
-        body_of("Wheel", "wheel_" + std::to_string(through) + ".msh");
+        section_body("Wheel", "wheel_" + std::to_string(through) + ".msh");
       const auto mesh =
         make_body_mesh<3>(shape_of(body), Grading<3>::unrefined());
       BOOST_TEST(is_symmetric(mesh, 0.46, 2 * pi / 96));
@@ -214,7 +187,7 @@ BOOST_AUTO_TEST_CASE(an_extruded_rail_is_a_60e1)
   for (const unsigned int through : {2, 3})
     {
       BodyParameters body =
-        body_of("Rail", "rail_" + std::to_string(through) + ".msh");
+        section_body("Rail", "rail_" + std::to_string(through) + ".msh");
       body.block_length = 2.;
       body.cells_along  = 51;
       const auto mesh =
@@ -243,7 +216,7 @@ BOOST_AUTO_TEST_CASE(an_extruded_rail_is_a_60e1)
 
 BOOST_AUTO_TEST_CASE(finer_uniform_gradings_divide_a_section)
 {
-  const auto shape = shape_of(body_of("Wheel", "wheel_2.msh"));
+  const auto shape = shape_of(section_body("Wheel", "wheel_2.msh"));
   const auto mesh  = make_body_mesh<3>(shape, Grading<3>::uniform(0.02, 0.009));
   BOOST_TEST(mesh.triangulation->n_levels() == 1u); // nothing hangs
   for (const auto &cell : mesh.triangulation->active_cell_iterators())
@@ -263,136 +236,123 @@ BOOST_AUTO_TEST_CASE(finer_uniform_gradings_divide_a_section)
 
 namespace
 {
-  /** What is said of a wheel, R = 20 mm, with this section below its axle. */
-  struct Sections : public Files
+  /** Largest distance between the ends of an edge, along x and otherwise. */
+  std::array<double, 2>
+  longest_edges(const BodyMesh<3> &mesh, const double axle)
   {
-    std::string
-    said(const std::function<void(WrittenMesh &)>    &deform,
-         const std::function<void(BodyParameters &)> &change = {}) const
-    {
-      WrittenMesh mesh;
-      mesh.a        = equal(-0.01, 0.01, 4);
-      mesh.c        = equal(0., 0.01, 3);
-      mesh.mirrored = true;
-      mesh.map      = [](double a, double, double c) {
-        return WrittenMesh::Point{{a, 0., -c}};
-      };
-      deform(mesh);
-      BodyParameters body("Wheel");
-      take(body, save("section.msh", mesh.gmsh()));
-      body.shape  = "section";
-      body.radius = 0.02;
-      if (change)
-        change(body);
-      return complaint([&]() { shape_of(body); });
-    }
-  };
-
-  void
-  check(const std::string &said, const std::string &part)
-  {
-    BOOST_TEST(contains(said, part), said);
-    BOOST_TEST(contains(said, "Wheel/"), said);
+    std::array<double, 2> longest{{0., 0.}};
+    for (const auto &cell : mesh.triangulation->active_cell_iterators())
+      for (unsigned int line = 0; line < 12; ++line)
+        {
+          const auto vertex = [&](const unsigned int end) {
+            return cell->line(line)->vertex(end);
+          };
+          const bool along =
+            std::abs(vertex(0)[1] - vertex(1)[1]) < 1e-9 &&
+            std::abs(std::hypot(vertex(0)[0], vertex(0)[2] + axle) -
+                     std::hypot(vertex(1)[0], vertex(1)[2] + axle)) < 1e-9;
+          double &here = longest[along ? 0 : 1];
+          here         = std::max(here, cell->line(line)->diameter());
+        }
+    return longest;
   }
 } // namespace
 
-BOOST_AUTO_TEST_CASE(sections_that_cannot_be_used)
+BOOST_AUTO_TEST_CASE(plain_bodies_and_profiles_have_uniform_meshes)
 {
-  const Sections sections;
-  const auto     as_it_is = [](WrittenMesh &) {};
-  const auto     moved    = [](const double y, const double z) {
-    return [=](WrittenMesh &mesh) {
-      mesh.map = [=](double a, double, double c) {
-        return WrittenMesh::Point{{a + y, 0., z - c}};
-      };
-    };
-  };
-  BOOST_TEST(sections.said(as_it_is) == "");
-  check(sections.said(as_it_is,
-                      [](BodyParameters &body) { body.radius = 0.01; }),
-        "crosses or touches its axle, which is Wheel/Radius = 0.01 m above");
-  check(sections.said(as_it_is, [](BodyParameters &body) { body.radius = -1; }),
-        "revolved about an axle one radius behind the contact point");
-  check(sections.said(moved(0., -0.001)),
-        "passes 0.001 m over or under the contact point");
-  check(sections.said(moved(0.02, 0.)), "it reaches from y = 0.01 to 0.03 m");
-  check(sections.said([](WrittenMesh &mesh) {
-    mesh.map = [](double a, double, double c) {
-      return WrittenMesh::Point{{c > 0.004 && c < 0.008 ? -a : a, 0., -c}};
-    };
-  }),
-        "cells are inverted, folded or flat, the first at");
-  const auto other_hub = [](BodyParameters &body) { body.hub_boundary = 7; };
-  check(sections.said(as_it_is, other_hub),
-        "no face of its boundary has Wheel/Hub boundary id = 7");
-  BOOST_TEST(sections.said(as_it_is, [&](BodyParameters &body) {
-    other_hub(body);
-    body.hub = Hub::free;
-  }) == "");
-  check(sections.said(as_it_is,
-                      [](BodyParameters &body) { body.hub_boundary = 1; }),
-        "Hub boundary id are both 1");
-  check(sections.said(as_it_is,
-                      [](BodyParameters &body) { body.cells_along = 4; }),
-        "Cells along = 4: give 8 to 100000");
-  check(sections.said(as_it_is,
-                      [](BodyParameters &body) { body.mesh_file = ""; }),
-        "Mesh file = : Shape = section needs");
-  check(sections.said(as_it_is,
-                      [&](BodyParameters &body) {
-                        sections.save("solid.msh", block(3, 4, 0.).gmsh());
-                        sections.take(body, "solid.msh");
-                        body.shape = "section";
-                      }),
-        "cannot read it as a mesh of quadrilaterals (Shape = section)");
-  BodyParameters flat("Wheel");
-  flat.shape = "section";
-  check(complaint([&]() { flat.check(2); }), "take Dimension = 3");
-}
+  const auto      size = Grading<3>::uniform(0.04, 0.016);
+  ShapeParameters plain;
+  const auto disc = make_body_mesh<3>(make_body_shape("disc", plain), size);
+  const unsigned int n = std::ceil(2 * pi * 0.46 / 0.04);
+  BOOST_TEST(longest_edges(disc, 0.46)[0] <= 0.04);
+  BOOST_TEST(longest_edges(disc, 0.46)[1] <= 0.016 * (1 + 1e-9));
+  BOOST_TEST(is_symmetric(disc, 0.46, 2 * pi / n));
+  BOOST_TEST(relative(volume(disc),
+                      n * std::sin(2 * pi / n) * 0.1 *
+                        (0.46 * 0.46 - 0.08 * 0.08) / 2) < 1e-10);
 
-BOOST_AUTO_TEST_CASE(scenes_that_sections_do_not_allow)
-{
-  const auto said = [](const std::function<void(SceneParameters &)> &change) {
-    SceneParameters scene;
-    scene.dimension           = 3;
-    scene.wheel               = body_of("Wheel", "wheel_2.msh");
-    scene.rail                = body_of("Rail", "rail_2.msh");
-    scene.rail.lateral_radius = 0.3;
-    change(scene);
-    return complaint([&]() { scene.check(); });
-  };
-  BOOST_TEST(said([](SceneParameters &) {}) == "");
-  // a rigid one is a surface by its radii
-  BOOST_TEST(said([](SceneParameters &scene) { scene.rail.rigid = true; }) ==
-             "");
-  const std::string why = ": a body with a section from a file (Wheel/Shape) ";
-  const auto        check = [&](const std::string                            &part,
-                         const std::function<void(SceneParameters &)> &change) {
-    BOOST_TEST(contains(said(change), part), said(change));
-  };
-  check("Body solver = distributed" + why + "lives on one rank",
-        [](SceneParameters &scene) {
-          scene.body_solver = BodySolver::distributed;
-        });
-  check("Mesh/Adaptive levels = 2" + why + "is refined for the estimated patch",
-        [](SceneParameters &scene) { scene.mesh.adaptive_levels = 2; });
-  check("Mesh/Rim levels = 1" + why + "is refined for the estimated patch",
-        [](SceneParameters &scene) { scene.mesh.rim_levels = 1; });
-}
+  plain.radius     = 0.;
+  const auto block = make_body_mesh<3>(make_body_shape("block", plain), size);
+  BOOST_TEST(block.triangulation->n_active_cells() == 25u * 7u * 32u);
+  BOOST_TEST(relative(volume(block), 0.05) < 1e-10);
 
-BOOST_AUTO_TEST_CASE(a_section_too_large_for_the_memory_is_refused)
-{
-  BodyParameters body = body_of("Wheel", "wheel_3.msh");
-  body.cells_along    = 100000;
-  try
+  PlacedProfile profile{Profiles::s1002(), [](const double across) {
+                          return std::optional<double>(
+                            Profiles::s1002().length() / 2 + across);
+                        }};
+  profile.radius = 0.46;
+  ShapeParameters wheel;
+  wheel.hub_radius = 0.095;
+  wheel.profile    = std::make_shared<const PlacedProfile>(profile);
+  const auto shape = std::make_shared<const WheelShape>(wheel);
+  for (const double across : {0.03, 0.01})
     {
-      make_body_mesh<3>(shape_of(body), Grading<3>::unrefined());
-      BOOST_ERROR("it was meshed");
-    }
-  catch (const MemoryError &error)
-    {
-      BOOST_TEST(contains(error.what(), "fewer Cells along"), error.what());
+      const auto mesh =
+        make_body_mesh<3>(shape, Grading<3>::uniform(0.06, across));
+      BOOST_TEST(mesh.triangulation->n_levels() == 1u);
+      const double axle = shape->thickness_below() + wheel.hub_radius;
+      BOOST_TEST(longest_edges(mesh, axle)[1] < across * (1 + 1e-9));
+      BOOST_TEST(
+        is_symmetric(mesh, axle, 2 * pi / std::ceil(2 * pi * axle / 0.06)));
     }
 }
+
+
+
+namespace
+{
+  Grading<3>
+  small_zone()
+  {
+    Grading<3> grading;
+    grading.element_size_x = 1.2e-3;
+    grading.element_size_y = 1e-3;
+    grading.zone_x         = 7e-3;
+    grading.zone_y         = 5e-3;
+    grading.zone_depth     = 4e-3;
+    grading.growth         = 0.8;
+    return grading;
+  }
+} // namespace
+
+BOOST_AUTO_TEST_CASE(cells_at_the_patch_are_divided_on_the_true_surface)
+{
+  const auto     zone = small_zone();
+  BodyParameters rail = section_body("Rail", "rail_2.msh");
+  rail.lateral_radius = 0.3;
+  rail.cells_along    = 60;
+  for (const BodyParameters &body :
+       {section_body("Wheel", "wheel_2.msh"), rail})
+    {
+      const auto shape = shape_of(body);
+      const auto cells = make_body_mesh<3>(shape, zone);
+      BOOST_TEST(cells.triangulation->n_active_cells() ==
+                   least_cells<3>(shape, zone),
+                 boost::test_tools::tolerance(0.1));
+      const FileMesh mesh    = as_file_mesh(cells);
+      double         covered = 0.;
+      for (const auto &face : mesh.contact_faces)
+        {
+          const auto  &p = mesh.vertices[face[0]], &q = mesh.vertices[face[3]];
+          const double x = (p[0] + q[0]) / 2, y = (p[1] + q[1]) / 2;
+          if (std::hypot(x / (zone.zone_x + 1.2e-3), y / (zone.zone_y + 1e-3)) >
+              1)
+            continue;
+          covered += std::abs((q[0] - p[0]) * (q[1] - p[1]));
+          BOOST_TEST_REQUIRE(std::abs(q[0] - p[0]) < zone.element_size_x / 1.2);
+          BOOST_TEST_REQUIRE(std::abs(q[1] - p[1]) < zone.element_size_y / 1.2);
+          for (const unsigned int v : face)
+            {
+              const auto &at = mesh.vertices[v];
+              BOOST_TEST_REQUIRE(
+                std::abs(at[2] - shape->surface_height(at[0], at[1])) < 1e-12);
+            }
+        }
+      BOOST_TEST(covered == pi * 8.2e-3 * 6e-3,
+                 boost::test_tools::tolerance(0.05));
+    }
+}
+
+
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -69,6 +69,8 @@ namespace RollingContact
     std::vector<RefinedBox<dim>> boxes;
     std::vector<ZoneBox>         zone_boxes;
 
+    double deeper = 1.; ///< elements, see element_size_z()
+
     bool is_uniform = false; ///< all cells alike, of at most the element sizes
 
     /**
@@ -99,7 +101,8 @@ namespace RollingContact
     /**
      * That of a body which is coupled by a mortar to an interface of this
      * grading: elements shorter than the interface's, in a zone larger by some
-     * of them, so that none hangs where they are coupled.
+     * of them, so that none hangs where they are coupled. Its cells are halved
+     * in all directions at once: some more depth saves many.
      */
     Grading
     of_coupled_body() const
@@ -109,6 +112,7 @@ namespace RollingContact
       Grading            grading  = *this;
       grading.element_size_x *= share;
       grading.element_size_y *= share;
+      grading.deeper = 1.4;
       grading.enlarge_zone(n_around);
       return grading;
     }
@@ -124,15 +128,16 @@ namespace RollingContact
 
     /**
      * Size of the elements in depth: that along x, but at most a few times that
-     * across, as stresses fade over the width of a slender patch.
+     * across, as stresses fade over the width of a slender patch; @p deeper
+     * times that.
      */
     double
     element_size_z() const
     {
       const double largest = 2.5;
-      return dim == 3 && element_size_y > 0.
-               ? std::min(element_size_x, largest * element_size_y)
-               : element_size_x;
+      return deeper * (dim == 3 && element_size_y > 0.
+                         ? std::min(element_size_x, largest * element_size_y)
+                         : element_size_x);
     }
 
     /**
