@@ -1,5 +1,9 @@
 #include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/mapping_q1.h>
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_tools.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -364,6 +368,124 @@ BOOST_AUTO_TEST_CASE(sleepers_have_their_masses)
   for (std::size_t i = 0; i < values.size(); ++i)
     values[i] = i + 1.;
   BOOST_TEST(body.unknowns_of(body.field(values)) == values);
+}
+
+namespace
+{
+  /**
+   * Stiffness or masses of the supports alone, of a mesh with one boundary as
+   * the hub, turned about x by an @p angle.
+   */
+  struct TurnedMesh
+  {
+    explicit TurnedMesh(const double angle)
+      : element(dealii::FE_Q<3>(1), 3)
+      , up({0., -std::sin(angle), std::cos(angle)})
+      , across({0., std::cos(angle), std::sin(angle)})
+      , angle(angle)
+    {}
+
+    void
+    turn()
+    {
+      dealii::GridTools::rotate(dealii::Tensor<1, 3>({1., 0., 0.}),
+                                angle,
+                                mesh);
+      dofs.reinit(mesh);
+      dofs.distribute_dofs(element);
+    }
+
+    dealii::FESystem<3>      element;
+    dealii::Triangulation<3> mesh;
+    dealii::DoFHandler<3>    dofs;
+    dealii::Tensor<1, 3>     up, across;
+    double                   angle;
+  };
+
+  /** What a translation of all nodes along @p direction costs. */
+  double
+  cost(const TurnedMesh           &turned,
+       const Supports<3>          &supports,
+       const dealii::Tensor<1, 3> &direction)
+  {
+    dealii::AffineConstraints<double> none;
+    none.close();
+    dealii::DynamicSparsityPattern pattern(turned.dofs.n_dofs() +
+                                           supports.n_extra());
+    dealii::DoFTools::make_sparsity_pattern(turned.dofs, pattern);
+    supports.add_couplings(none, pattern);
+    dealii::SparsityPattern sparsity;
+    sparsity.copy_from(pattern);
+    dealii::SparseMatrix<double> K(sparsity);
+    supports.add_stiffness(none, 1., 1., K);
+    dealii::Vector<double> moved(K.m());
+    for (unsigned int i = 0; i < turned.dofs.n_dofs(); ++i)
+      moved[i] = direction[i % 3];
+    return K.matrix_norm_square(moved);
+  }
+} // namespace
+
+BOOST_AUTO_TEST_CASE(springs_of_a_turned_sole_are_along_its_normal)
+{
+  for (const double angle : {0., 0.3, -1.1})
+    {
+      TurnedMesh turned(angle);
+      dealii::GridGenerator::subdivided_hyper_rectangle(
+        turned.mesh,
+        {12, 2, 2},
+        dealii::Point<3>(-0.6, -0.1, -0.2),
+        dealii::Point<3>(0.6, 0.1, 0.));
+      for (const auto &cell : turned.mesh.active_cell_iterators())
+        if (cell->face(4)->at_boundary())
+          cell->face(4)->set_boundary_id(hub_boundary);
+      turned.turn();
+      BodyModel         model = on_layer(1e8, 2e8, 5e8);
+      const Supports<3> layer(turned.dofs, Hub::elastic, model);
+      BOOST_TEST(std::abs(cost(turned, layer, turned.up) / 6e8 - 1) < 1e-9);
+      BOOST_TEST(std::abs(cost(turned, layer, turned.across) / 2.4e8 - 1) <
+                 1e-9);
+      model                        = on_sleepers();
+      model.foundation.pad_spacing = 0.4;
+      const Supports<3> sleepers(turned.dofs, Hub::elastic, model);
+      BOOST_TEST(sleepers.n_extra() == 9u);
+      // sleepers at rest: the pads alone
+      BOOST_TEST(std::abs(cost(turned, sleepers, turned.up) / 6e8 - 1) < 1e-9);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(inertia_of_an_axle_is_about_its_bore)
+{
+  const double angle = 0.7;
+  TurnedMesh   turned(angle);
+  dealii::GridGenerator::cylinder_shell(turned.mesh, 0.2, 0.1, 0.3, 12, 1);
+  // from the axis z to y
+  dealii::GridTools::rotate(dealii::Tensor<1, 3>({1., 0., 0.}),
+                            -pi / 2,
+                            turned.mesh);
+  for (const auto &cell : turned.mesh.active_cell_iterators())
+    for (const auto f : cell->face_indices())
+      {
+        const auto middle = cell->face(f)->center();
+        if (cell->face(f)->at_boundary() &&
+            std::hypot(middle[0], middle[2]) < 0.11 &&
+            std::abs(std::abs(middle[1] - 0.1) - 0.1) > 0.01)
+          cell->face(f)->set_boundary_id(hub_boundary);
+      }
+  turned.turn();
+  BodyModel model;
+  model.hub_mass = {10., {{3., 7., 3.}}};
+  const Supports<3> axle(turned.dofs, Hub::mass, model);
+  BOOST_TEST(axle.n_extra() == 6u);
+  double along = 0., about_x = 0., sum = 0.;
+  for (const auto &[i, j, value] : axle.masses())
+    if (i > 2)
+      {
+        along += turned.across[i - 3] * value * turned.across[j - 3];
+        about_x += i == 3 && j == 3 ? value : 0.;
+        sum += i == j ? value : 0.;
+      }
+  BOOST_TEST(std::abs(along / sum - 7. / 13) < 1e-9);
+  BOOST_TEST(std::abs(about_x / sum - 3. / 13) < 1e-9);
 }
 
 BOOST_AUTO_TEST_CASE(a_body_on_its_axle_moves_as_one)
