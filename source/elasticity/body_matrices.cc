@@ -195,11 +195,17 @@ namespace RollingContact
       for (std::size_t i = 0; i < masses.size(); ++i)
         if (body.unknown_of_dof[i] >= 0)
           entries[body.unknown_of_dof[i]] = masses[i];
-      const std::vector<double> extra = body.supports.masses();
-      std::copy(extra.begin(), extra.end(), entries.end() - extra.size());
-      return is_tied
-               ? with_last_block(entries, mass_of_tied_nodes(body, masses))
-               : diagonal_matrix(entries);
+      FullMatrix<double> block;
+      if (is_tied)
+        block = mass_of_tied_nodes(body, masses);
+      const std::size_t first = body.n_unknowns - body.supports.n_extra();
+      for (const auto &[i, j, mass] : body.supports.masses())
+        if (is_tied)
+          block(i, j) += mass;
+        else
+          entries[first + i] = mass;
+      return is_tied ? with_last_block(entries, block)
+                     : diagonal_matrix(entries);
     }
   } // namespace
 
@@ -234,9 +240,9 @@ namespace RollingContact
     const SparsityPattern pattern = sparsity_pattern(body, false);
     SparseMatrix<double>  M(pattern);
     add_mass(body, M);
-    const std::vector<double> extra = body.supports.masses();
-    for (std::size_t i = 0; i < extra.size(); ++i)
-      M.add(body.dofs.n_dofs() + i, body.dofs.n_dofs() + i, extra[i]);
+    const std::size_t first = body.dofs.n_dofs();
+    for (const auto &[i, j, mass] : body.supports.masses())
+      M.add(first + i, first + j, mass);
     return restrict_to_unknowns(M, body.unknown_of_dof, body.n_unknowns);
   }
 

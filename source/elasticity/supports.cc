@@ -1,13 +1,12 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
+#include <rolling_contact/elasticity/hub_faces.h>
 #include <rolling_contact/elasticity/supports.h>
-#include <rolling_contact/mesh/body_mesh.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
-#include <set>
 
 namespace RollingContact
 {
@@ -17,117 +16,6 @@ namespace RollingContact
   {
     /** Points of integration over the length of a pad, at least. */
     const unsigned int points_of_pad = 32;
-    const unsigned int most_parts    = 64; ///< of a face along an edge
-
-
-
-    /** Number of component @p c of @p dim among x, y, z. */
-    template <int dim>
-    unsigned int
-    axis(const unsigned int c)
-    {
-      return c == dim - 1 ? 2 : c;
-    }
-
-
-
-    template <int dim>
-    void
-    for_each_hub_face(
-      const DoFHandler<dim> &dofs,
-      const std::function<
-        void(const typename DoFHandler<dim>::active_face_iterator &)> &action)
-    {
-      for (const auto &cell : dofs.active_cell_iterators())
-        for (const unsigned int f : cell->face_indices())
-          if (cell->face(f)->at_boundary() &&
-              cell->face(f)->boundary_id() == hub_boundary)
-            action(cell->face(f));
-    }
-
-
-
-    /**
-     * A point of integration of a face: where it is, its area, what its corners
-     * have of it.
-     */
-    template <int dim>
-    struct FacePoint
-    {
-      Point<dim>          at;
-      double              area;
-      std::vector<double> shape;
-    };
-
-
-
-    /** d at / d s and the like of a straight-sided face at (s, t). */
-    template <int dim, typename Face>
-    FacePoint<dim>
-    face_point(const Face &face, const double s, const double t)
-    {
-      FacePoint<dim> point;
-      Tensor<1, dim> along_s, along_t;
-      for (const unsigned int v : face->vertex_indices())
-        {
-          const double of_s = v & 1 ? s : 1 - s,
-                       of_t = dim == 2 ? 1. : (v & 2 ? t : 1 - t);
-          point.shape.push_back(of_s * of_t);
-          point.at += of_s * of_t * face->vertex(v);
-          along_s += (v & 1 ? 1. : -1.) * of_t * face->vertex(v);
-          along_t += (v & 2 ? 1. : -1.) * of_s * face->vertex(v);
-        }
-      if constexpr (dim == 2)
-        point.area = along_s.norm();
-      else
-        point.area = cross_product_3d(along_s, along_t).norm();
-      return point;
-    }
-
-
-
-    /** How many parts keep steps along x below @p step, along s and t. */
-    template <int dim, typename Face>
-    std::array<unsigned int, 2>
-    parts_of(const Face &face, const double step)
-    {
-      std::array<unsigned int, 2> parts{{1, 1}};
-      for (unsigned int d = 0; d + 1 < dim; ++d)
-        for (const unsigned int v : face->vertex_indices())
-          if (!((v >> d) & 1))
-            {
-              const double length =
-                std::abs(face->vertex(v + (1 << d))[0] - face->vertex(v)[0]);
-              parts[d] =
-                std::clamp<unsigned int>(std::ceil(std::min(length / step,
-                                                            1. * most_parts)),
-                                         parts[d],
-                                         most_parts);
-            }
-      return parts;
-    }
-
-
-
-    /** Gauss's two points in each part of a face. */
-    template <int dim, typename Face, typename Action>
-    void
-    integrate(const Face &face, const double step, const Action &action)
-    {
-      const auto   parts = parts_of<dim>(face, step);
-      const double gauss = std::sqrt(1. / 12);
-      const auto   place = [&](const unsigned int k, const unsigned int n) {
-        return (k / 2 + 0.5 + (k % 2 ? gauss : -gauss)) / n;
-      };
-      for (unsigned int i = 0; i < 2 * parts[0]; ++i)
-        for (unsigned int j = 0; j < (dim == 2 ? 1 : 2 * parts[1]); ++j)
-          {
-            FacePoint<dim> point =
-              face_point<dim>(face, place(i, parts[0]), place(j, parts[1]));
-            point.area /= 2 * parts[0] * (dim == 2 ? 1. : 2. * parts[1]);
-            action(point);
-          }
-    }
   } // namespace
 
 
@@ -140,6 +28,8 @@ namespace RollingContact
     , hub_mass(model.hub_mass)
     , first_extra(dofs.n_dofs())
   {
+    if (hub == Hub::elastic || hub == Hub::mass)
+      axes = hub_axes(dofs);
     if (hub == Hub::elastic)
       find_pads(dofs);
     if (hub == Hub::mass)
@@ -153,13 +43,14 @@ namespace RollingContact
   Supports<dim>::find_pads(const DoFHandler<dim> &dofs)
   {
     double first = std::numeric_limits<double>::infinity(), last = -first;
-    for_each_hub_face<dim>(dofs, [&](const auto &face) {
-      for (const unsigned int v : face->vertex_indices())
-        {
-          first = std::min(first, face->vertex(v)[0]);
-          last  = std::max(last, face->vertex(v)[0]);
-        }
-    });
+    for (const auto &face : hub_faces(dofs))
+      {
+        for (const unsigned int v : face->vertex_indices())
+          {
+            first = std::min(first, face->vertex(v)[0]);
+            last  = std::max(last, face->vertex(v)[0]);
+          }
+      }
     const double spacing = foundation.pad_spacing,
                  reach   = foundation.pad_length / 2;
     const auto pad_at    = [&](const double x) {
@@ -173,16 +64,17 @@ namespace RollingContact
     const double step = spacing > 0. ? 2 * foundation.pad_length / points_of_pad
                                      : std::numeric_limits<double>::infinity();
     std::map<long, std::map<Dof, double>> areas;
-    for_each_hub_face<dim>(dofs, [&](const auto &face) {
-      integrate<dim>(face, step, [&](const FacePoint<dim> &point) {
-        const long pad = pad_at(point.at[0]);
-        if (spacing > 0. && std::abs(point.at[0] - middle(pad)) > reach)
-          return;
-        for (unsigned int v = 0; v < point.shape.size(); ++v)
-          areas[pad][face->vertex_dof_index(v, 0)] +=
-            point.shape[v] * point.area;
-      });
-    });
+    for (const auto &face : hub_faces(dofs))
+      {
+        integrate<dim>(face, step, [&](const FacePoint<dim> &point) {
+          const long pad = pad_at(point.at[0]);
+          if (spacing > 0. && std::abs(point.at[0] - middle(pad)) > reach)
+            return;
+          for (unsigned int v = 0; v < point.shape.size(); ++v)
+            areas[pad][face->vertex_dof_index(v, 0)] +=
+              point.shape[v] * point.area;
+        });
+      }
     const double rounding = 1e-9 * (last - first);
     for (const auto &[pad, nodes] : areas)
       if (spacing == 0. || (middle(pad) - reach > first - rounding &&
@@ -216,16 +108,17 @@ namespace RollingContact
     std::map<Dof, Point<dim>> nodes;
     Point<dim>                centre;
     double                    area = 0.;
-    for_each_hub_face<dim>(dofs, [&](const auto &face) {
-      for (const unsigned int v : face->vertex_indices())
-        nodes[face->vertex_dof_index(v, 0)] = face->vertex(v);
-      integrate<dim>(face,
-                     std::numeric_limits<double>::infinity(),
-                     [&](const FacePoint<dim> &point) {
-                       centre += point.area * point.at;
-                       area += point.area;
-                     });
-    });
+    for (const auto &face : hub_faces(dofs))
+      {
+        for (const unsigned int v : face->vertex_indices())
+          nodes[face->vertex_dof_index(v, 0)] = face->vertex(v);
+        integrate<dim>(face,
+                       std::numeric_limits<double>::infinity(),
+                       [&](const FacePoint<dim> &point) {
+                         centre += point.area * point.at;
+                         area += point.area;
+                       });
+      }
     centre /= area;
     lever = 0.;
     for (const auto &[dof, at] : nodes)
@@ -233,6 +126,18 @@ namespace RollingContact
         hub_nodes.emplace_back(dof, at - centre);
         lever = std::max(lever, hub_nodes.back().second.norm());
       }
+  }
+
+
+
+  template <int dim>
+  Tensor<2, dim>
+  Supports<dim>::along_axes(const std::array<double, 3> &values) const
+  {
+    Tensor<2, dim> result;
+    for (unsigned int c = 0; c < dim; ++c)
+      result += values[c == dim - 1 ? 2 : c] * outer_product(axes[c], axes[c]);
+    return result;
   }
 
 
@@ -305,18 +210,21 @@ namespace RollingContact
   {
     if (n_extra() == 0)
       return;
-    for (Dof i = first_extra; i < first_extra + n_extra(); ++i)
-      for (Dof j = first_extra; j < first_extra + n_extra(); ++j)
-        if (is_tied() || i == j)
-          pattern.add(i, j);
+    const unsigned int block = is_tied() ? n_extra() : dim;
+    for (unsigned int i = 0; i < n_extra(); ++i)
+      for (unsigned int j = i - i % block; j < i - i % block + block; ++j)
+        pattern.add(first_extra + i, first_extra + j);
+    std::vector<Dof> ends(2 * dim);
     for (std::size_t p = 0; p < springs.size(); ++p)
       for (const auto &share : springs[p].shares)
-        for (unsigned int c = 0; c < dim; ++c)
-          {
-            const Dof              sleeper = first_extra + p * dim + c;
-            const std::vector<Dof> ends{share.first + c, sleeper};
-            constraints.add_entries_local_to_global(ends, pattern, false);
-          }
+        {
+          for (unsigned int c = 0; c < dim; ++c)
+            {
+              ends[c]       = share.first + c;
+              ends[dim + c] = first_extra + p * dim + c;
+            }
+          constraints.add_entries_local_to_global(ends, pattern, false);
+        }
   }
 
 
@@ -328,45 +236,55 @@ namespace RollingContact
                                const double                     of_ballast,
                                SparseMatrix<double>            &K) const
   {
-    const bool         has_sleepers = foundation.has_sleepers();
-    FullMatrix<double> spring(has_sleepers ? 2 : 1, has_sleepers ? 2 : 1);
-    std::vector<Dof>   ends(spring.m());
+    const Tensor<2, dim> layer   = along_axes(foundation.stiffness),
+                         ballast = along_axes(foundation.ballast_stiffness);
+    const unsigned int n         = foundation.has_sleepers() ? 2 * dim : dim;
+    FullMatrix<double> spring(n, n);
+    std::vector<Dof>   ends(n);
     for (std::size_t p = 0; p < springs.size(); ++p)
-      for (unsigned int c = 0; c < dim; ++c)
-        {
-          const double stiffness = of_foundation * springs[p].length *
-                                   foundation.stiffness[axis<dim>(c)];
-          if (has_sleepers)
-            {
-              ends[1] = first_extra + p * dim + c;
-              K.add(ends[1],
-                    ends[1],
-                    of_ballast * springs[p].length *
-                      foundation.ballast_stiffness[axis<dim>(c)]);
-            }
-          for (const auto &[node, share] : springs[p].shares)
-            {
-              ends[0] = node + c;
-              for (unsigned int i = 0; i < spring.m(); ++i)
-                for (unsigned int j = 0; j < spring.m(); ++j)
-                  spring(i, j) = (i == j ? 1. : -1.) * share * stiffness;
-              constraints.distribute_local_to_global(spring, ends, K);
-            }
-        }
+      {
+        for (unsigned int i = dim; i < n; ++i)
+          for (unsigned int j = dim; j < n; ++j)
+            K.add(first_extra + p * dim + i - dim,
+                  first_extra + p * dim + j - dim,
+                  of_ballast * springs[p].length * ballast[i - dim][j - dim]);
+        for (const auto &[node, share] : springs[p].shares)
+          {
+            const double part = of_foundation * share * springs[p].length;
+            for (unsigned int i = 0; i < n; ++i)
+              {
+                ends[i] = i < dim ? node + i : first_extra + p * dim + i - dim;
+                for (unsigned int j = 0; j < n; ++j)
+                  spring(i, j) = (i / dim == j / dim ? part : -part) *
+                                 layer[i % dim][j % dim];
+              }
+            constraints.distribute_local_to_global(spring, ends, K);
+          }
+      }
   }
 
 
 
   template <int dim>
-  std::vector<double>
-  Supports<dim>::masses() const
+  auto
+  Supports<dim>::masses() const -> std::vector<Entry>
   {
+    std::vector<Entry> result;
+    for (unsigned int i = 0; i < n_translations(); ++i)
+      result.push_back(
+        {i, i, is_tied() ? hub_mass.mass : foundation.sleeper_mass});
     if (!is_tied())
-      return std::vector<double>(n_extra(), foundation.sleeper_mass);
-    std::vector<double> result(dim, hub_mass.mass);
-    for (unsigned int c = 0; c < 3; ++c)
-      if (dim == 3 || c == 1)
-        result.push_back(hub_mass.inertia[c] / (lever * lever));
+      return result;
+    const double scale = 1 / (lever * lever);
+    if constexpr (dim == 2)
+      result.push_back({dim, dim, scale * hub_mass.inertia[1]});
+    else
+      {
+        const Tensor<2, dim> inertia = along_axes(hub_mass.inertia);
+        for (unsigned int i = 0; i < 3; ++i)
+          for (unsigned int j = 0; j < 3; ++j)
+            result.push_back({dim + i, dim + j, scale * inertia[i][j]});
+      }
     return result;
   }
 

@@ -166,7 +166,10 @@ namespace RollingContact
               "N/m^2",
               "rails lie on 1e7 to 1e9 N/m^2, of a metre of length",
               "");
-      if (scene.contact.approach)
+      const bool starts_at_rest =
+        is_transient() && scene.time.inertia &&
+        scene.time.initial_state == InitialState::rest;
+      if (scene.contact.approach && !starts_at_rest)
         sentences.push_back(
           "Contact/Approach = " + significant(*scene.contact.approach, 6) +
           " m and " + body.section +

@@ -1,5 +1,6 @@
 #include "scene_run.h"
 
+#include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/distributed/distributed_body.h>
 #include <rolling_contact/distributed/distributed_motion.h>
 #include <rolling_contact/pair/compliance_update.h>
@@ -65,9 +66,10 @@ namespace
     Nodes                     nodes, spread_nodes;
     std::vector<unsigned int> components;
 
-    explicit Bodies(const double growth = usual_growth<dim>())
-      : direct(disc(), steel, 0.02, grading<dim>(growth))
-      , spread(disc(), steel, 0.02, grading<dim>(growth), 0)
+    explicit Bodies(const double     growth = usual_growth<dim>(),
+                    const BodyModel &model  = {})
+      : direct(disc(), steel, 0.02, grading<dim>(growth), true, model)
+      , spread(disc(), steel, 0.02, grading<dim>(growth), 0, model)
     {
       std::vector<typename ElasticBody<dim>::SurfaceFace> faces;
       direct.surface(grading<dim>(growth), nodes, faces);
@@ -105,9 +107,9 @@ namespace
 
   template <int dim>
   void
-  check_same_body()
+  check_same_body(const BodyModel &model = {})
   {
-    Bodies<dim> bodies;
+    Bodies<dim> bodies(usual_growth<dim>(), model);
     BOOST_TEST(bodies.direct.n_unknowns() == bodies.spread.n_unknowns());
     BOOST_REQUIRE_EQUAL(bodies.nodes.size(), bodies.spread_nodes.size());
     for (std::size_t i = 0; i < bodies.nodes.size(); ++i)
@@ -198,6 +200,30 @@ BOOST_AUTO_TEST_CASE(a_distributed_body_is_the_direct_one_in_2d)
 BOOST_AUTO_TEST_CASE(a_distributed_body_is_the_direct_one_in_3d)
 {
   check_same_body<3>();
+}
+
+BOOST_AUTO_TEST_CASE(a_distributed_body_has_enhanced_elements_as_the_direct_one)
+{
+  BodyModel enhanced;
+  enhanced.elements = ElementKind::enhanced;
+  check_same_body<2>(enhanced);
+  check_same_body<3>(enhanced);
+}
+
+BOOST_AUTO_TEST_CASE(a_distributed_body_has_no_springs_at_its_hub)
+{
+  for (const Hub hub : {Hub::elastic, Hub::mass})
+    {
+      ShapeParameters parameters;
+      parameters.radius = 0.46;
+      parameters.hub    = hub;
+      BOOST_CHECK_THROW(DistributedBody<2>(make_body_shape("disc", parameters),
+                                           steel,
+                                           0.02,
+                                           grading<2>(0.7),
+                                           0),
+                        InputError);
+    }
 }
 
 BOOST_AUTO_TEST_CASE(a_distributed_body_moves_like_the_direct_one)

@@ -1,13 +1,21 @@
 #include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/mapping_q1.h>
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_tools.h>
 
 #include <boost/test/unit_test.hpp>
+
+#include "scene_run.h"
 
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/dynamics/theta_stepper.h>
 #include <rolling_contact/elasticity/direct_body.h>
 #include <rolling_contact/references/slender_bodies.h>
 #include <rolling_contact/scene/body_parameters.h>
+#include <rolling_contact/scene/plausibility.h>
+#include <rolling_contact/scene/unused_entries.h>
 
 #include <cmath>
 #include <set>
@@ -362,6 +370,124 @@ BOOST_AUTO_TEST_CASE(sleepers_have_their_masses)
   BOOST_TEST(body.unknowns_of(body.field(values)) == values);
 }
 
+namespace
+{
+  /**
+   * Stiffness or masses of the supports alone, of a mesh with one boundary as
+   * the hub, turned about x by an @p angle.
+   */
+  struct TurnedMesh
+  {
+    explicit TurnedMesh(const double angle)
+      : element(dealii::FE_Q<3>(1), 3)
+      , up({0., -std::sin(angle), std::cos(angle)})
+      , across({0., std::cos(angle), std::sin(angle)})
+      , angle(angle)
+    {}
+
+    void
+    turn()
+    {
+      dealii::GridTools::rotate(dealii::Tensor<1, 3>({1., 0., 0.}),
+                                angle,
+                                mesh);
+      dofs.reinit(mesh);
+      dofs.distribute_dofs(element);
+    }
+
+    dealii::FESystem<3>      element;
+    dealii::Triangulation<3> mesh;
+    dealii::DoFHandler<3>    dofs;
+    dealii::Tensor<1, 3>     up, across;
+    double                   angle;
+  };
+
+  /** What a translation of all nodes along @p direction costs. */
+  double
+  cost(const TurnedMesh           &turned,
+       const Supports<3>          &supports,
+       const dealii::Tensor<1, 3> &direction)
+  {
+    dealii::AffineConstraints<double> none;
+    none.close();
+    dealii::DynamicSparsityPattern pattern(turned.dofs.n_dofs() +
+                                           supports.n_extra());
+    dealii::DoFTools::make_sparsity_pattern(turned.dofs, pattern);
+    supports.add_couplings(none, pattern);
+    dealii::SparsityPattern sparsity;
+    sparsity.copy_from(pattern);
+    dealii::SparseMatrix<double> K(sparsity);
+    supports.add_stiffness(none, 1., 1., K);
+    dealii::Vector<double> moved(K.m());
+    for (unsigned int i = 0; i < turned.dofs.n_dofs(); ++i)
+      moved[i] = direction[i % 3];
+    return K.matrix_norm_square(moved);
+  }
+} // namespace
+
+BOOST_AUTO_TEST_CASE(springs_of_a_turned_sole_are_along_its_normal)
+{
+  for (const double angle : {0., 0.3, -1.1})
+    {
+      TurnedMesh turned(angle);
+      dealii::GridGenerator::subdivided_hyper_rectangle(
+        turned.mesh,
+        {12, 2, 2},
+        dealii::Point<3>(-0.6, -0.1, -0.2),
+        dealii::Point<3>(0.6, 0.1, 0.));
+      for (const auto &cell : turned.mesh.active_cell_iterators())
+        if (cell->face(4)->at_boundary())
+          cell->face(4)->set_boundary_id(hub_boundary);
+      turned.turn();
+      BodyModel         model = on_layer(1e8, 2e8, 5e8);
+      const Supports<3> layer(turned.dofs, Hub::elastic, model);
+      BOOST_TEST(std::abs(cost(turned, layer, turned.up) / 6e8 - 1) < 1e-9);
+      BOOST_TEST(std::abs(cost(turned, layer, turned.across) / 2.4e8 - 1) <
+                 1e-9);
+      model                        = on_sleepers();
+      model.foundation.pad_spacing = 0.4;
+      const Supports<3> sleepers(turned.dofs, Hub::elastic, model);
+      BOOST_TEST(sleepers.n_extra() == 9u);
+      // sleepers at rest: the pads alone
+      BOOST_TEST(std::abs(cost(turned, sleepers, turned.up) / 6e8 - 1) < 1e-9);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(inertia_of_an_axle_is_about_its_bore)
+{
+  const double angle = 0.7;
+  TurnedMesh   turned(angle);
+  dealii::GridGenerator::cylinder_shell(turned.mesh, 0.2, 0.1, 0.3, 12, 1);
+  // from the axis z to y
+  dealii::GridTools::rotate(dealii::Tensor<1, 3>({1., 0., 0.}),
+                            -pi / 2,
+                            turned.mesh);
+  for (const auto &cell : turned.mesh.active_cell_iterators())
+    for (const auto f : cell->face_indices())
+      {
+        const auto middle = cell->face(f)->center();
+        if (cell->face(f)->at_boundary() &&
+            std::hypot(middle[0], middle[2]) < 0.11 &&
+            std::abs(std::abs(middle[1] - 0.1) - 0.1) > 0.01)
+          cell->face(f)->set_boundary_id(hub_boundary);
+      }
+  turned.turn();
+  BodyModel model;
+  model.hub_mass = {10., {{3., 7., 3.}}};
+  const Supports<3> axle(turned.dofs, Hub::mass, model);
+  BOOST_TEST(axle.n_extra() == 6u);
+  double along = 0., about_x = 0., sum = 0.;
+  for (const auto &[i, j, value] : axle.masses())
+    if (i > 2)
+      {
+        along += turned.across[i - 3] * value * turned.across[j - 3];
+        about_x += i == 3 && j == 3 ? value : 0.;
+        sum += i == j ? value : 0.;
+      }
+  BOOST_TEST(std::abs(along / sum - 7. / 13) < 1e-9);
+  BOOST_TEST(std::abs(about_x / sum - 3. / 13) < 1e-9);
+}
+
 BOOST_AUTO_TEST_CASE(a_body_on_its_axle_moves_as_one)
 {
   check_axle<2>();
@@ -506,6 +632,195 @@ BOOST_AUTO_TEST_CASE(a_stiff_block_on_a_lossy_layer_decays)
   const double after = stepper.energy().strain + stepper.energy().kinetic,
                decay = std::log(before / after) / (2 * 2 * pi * n_periods);
   BOOST_TEST(std::abs(decay / (eta / 2) - 1) < 0.02);
+}
+
+namespace
+{
+  /** A disc that rolls on a block. */
+  void
+  disc_on_block(SceneParameters &scene)
+  {
+    scene.dimension                    = 2;
+    scene.rail.shape                   = "block";
+    scene.rail.radius                  = 0.;
+    scene.rail.block_length            = 0.6;
+    scene.rail.block_depth             = 0.15;
+    scene.rail.thickness               = 0.02;
+    scene.contact.normal_load          = 20e3;
+    scene.contact.creepages.x          = 1e-3;
+    scene.contact.friction_coefficient = 0.3;
+    scene.mesh.elements_across_patch   = 12;
+    scene.mesh.growth                  = 0.5;
+  }
+
+  void
+  elastic_rail(SceneParameters &scene)
+  {
+    scene.rail.hub                        = Hub::elastic;
+    scene.rail.model.foundation.stiffness = {{2e8, 2e8, 2e8}};
+  }
+
+  /**
+   * Expects InputError with all @p words of a scene with a @p change.
+   */
+  void
+  refused(const std::function<void(SceneParameters &)> &change,
+          const std::vector<std::string>               &words)
+  {
+    SceneParameters scene;
+    disc_on_block(scene);
+    elastic_rail(scene);
+    change(scene);
+    try
+      {
+        scene.check();
+        BOOST_ERROR("not refused: " << words[0]);
+      }
+    catch (const InputError &error)
+      {
+        for (const std::string &word : words)
+          BOOST_TEST(std::string(error.what()).find(word) != std::string::npos,
+                     error.what() << " lacks " << word);
+      }
+  }
+} // namespace
+
+BOOST_AUTO_TEST_CASE(rolling_on_a_foundation)
+{
+  const SceneRun<2> clamped(disc_on_block, [](SceneParameters &) {});
+  const SceneRun<2> stiff(disc_on_block, [](SceneParameters &scene) {
+    elastic_rail(scene);
+    scene.rail.model.foundation.stiffness = {{1e18, 1e18, 1e18}};
+  });
+  BOOST_TEST(std::abs(stiff.force_x() - clamped.force_x()) < 1e-6);
+  const SceneRun<2> soft(disc_on_block, elastic_rail);
+  BOOST_TEST(std::abs(soft.force_x() - clamped.force_x()) < 0.1);
+  // the block is short: it sinks by N / (k L), and turns a little
+  const double sunk =
+    soft.steady.state.approach - clamped.steady.state.approach;
+  BOOST_TEST(std::abs(sunk / (20e3 / (2e8 * 0.6)) - 1) < 0.1);
+  BOOST_TEST(!soft.steady.pair->bodies().twins());
+}
+
+BOOST_AUTO_TEST_CASE(bodies_with_unlike_models_are_no_twins)
+{
+  const auto equal_discs = [](SceneParameters &scene) {
+    disc_on_block(scene);
+    scene.rail.shape  = "disc";
+    scene.rail.radius = scene.wheel.radius;
+  };
+  BOOST_TEST(SceneRun<2>(equal_discs, [](SceneParameters &) {})
+               .steady.pair->bodies()
+               .twins());
+  const SceneRun<2> unlike(equal_discs, [](SceneParameters &scene) {
+    scene.rail.model.elements = ElementKind::enhanced;
+  });
+  BOOST_TEST(!unlike.steady.pair->bodies().twins());
+  const SceneRun<2> alike(equal_discs, [](SceneParameters &scene) {
+    scene.wheel.model.elements = scene.rail.model.elements =
+      ElementKind::enhanced;
+  });
+  BOOST_TEST(alike.steady.pair->bodies().twins());
+  BOOST_TEST(std::abs(alike.force_x() / unlike.force_x() - 1) < 0.02);
+}
+
+BOOST_AUTO_TEST_CASE(bad_supports_are_refused)
+{
+  refused([](auto &scene) { scene.rail.hub = Hub::mass; },
+          {"Rail/Hub mass = 0", "kg"});
+  refused(
+    [](auto &scene) {
+      scene.rail.hub                 = Hub::mass;
+      scene.rail.model.hub_mass.mass = 1.;
+    },
+    {"Rail/Hub = mass", "inertia", "transient"});
+  refused([](auto &scene) { scene.rail.model.foundation.stiffness[2] = 0.; },
+          {"Rail/Foundation stiffness z = 0", "N/m^2"});
+  refused([](auto &scene) { scene.rail.model.foundation.stiffness[0] = 0.; },
+          {"Rail/Foundation stiffness x = 0", "along x"});
+  refused([](auto &scene) { scene.rail.rigid = true; },
+          {"Rail/Hub = elastic", "Rigid"});
+  const auto pads = [](SceneParameters &scene) {
+    scene.rail.model.foundation.pad_spacing = 0.2;
+    scene.rail.model.foundation.pad_length  = 0.1;
+  };
+  refused(
+    [&](auto &scene) {
+      pads(scene);
+      scene.rail.model.foundation.pad_length = 0.3;
+    },
+    {"Rail/Pad length = 0.3", "0.2 m"});
+  refused(
+    [&](auto &scene) {
+      pads(scene);
+      scene.rail.model.foundation.pad_spacing = 2.;
+      scene.rail.model.foundation.pad_offset  = 1.;
+    },
+    {"Rail/Pad spacing = 2", "0.3 m"});
+  refused([](auto &scene) { scene.rail.model.foundation.sleeper_mass = 100.; },
+          {"Rail/Sleeper mass = 100", "Pad spacing"});
+  refused(
+    [&](auto &scene) {
+      pads(scene);
+      scene.rail.model.foundation.sleeper_mass = 100.;
+    },
+    {"Rail/Ballast stiffness z = 0"});
+  refused(
+    [](auto &scene) {
+      scene.rail.model.damping.modal = {1e-3, 1.};
+    },
+    {"Rail/Modal damping = 1"});
+  refused([](auto &scene) { scene.rail.model.damping.loss_frequency = 0.; },
+          {"Rail/Loss frequency = 0", "Hz"});
+  refused([](auto &scene) { scene.rail.model.damping.sponge_length = 0.3; },
+          {"Rail/Sponge length = 0.3", "half"});
+  refused([](auto &scene) { scene.wheel.model.damping.sponge_length = 0.1; },
+          {"Wheel/Sponge length = 0.1", "closes"});
+}
+
+BOOST_AUTO_TEST_CASE(entries_of_supports_without_effect_are_told)
+{
+  SceneParameters scene;
+  disc_on_block(scene);
+  const auto told = [&](const std::string &entry) {
+    PrmEntries given;
+    given["Rail/" + entry] = "1";
+    return unused_entries(scene, given).size();
+  };
+  for (const char *entry : {"Foundation stiffness z",
+                            "Foundation stiffness y",
+                            "Foundation loss factor",
+                            "Pad spacing",
+                            "Pad length",
+                            "Sleeper mass",
+                            "Ballast stiffness z",
+                            "Hub mass",
+                            "Hub inertia y",
+                            "Loss factor",
+                            "Rayleigh mass",
+                            "Sponge length",
+                            "Modal damping"})
+    BOOST_TEST(told(entry) == 1u, entry);
+  BOOST_TEST(told("Hub") == 0u);
+  BOOST_TEST(told("Elements") == 0u);
+  elastic_rail(scene);
+  BOOST_TEST(told("Foundation stiffness z") == 0u);
+  BOOST_TEST(told("Foundation stiffness y") == 1u); // in 2D
+  BOOST_TEST(told("Pad spacing") == 0u);
+  BOOST_TEST(told("Pad length") == 1u);
+  scene.rail.model.foundation.pad_spacing = 0.2;
+  BOOST_TEST(told("Pad length") == 0u);
+  BOOST_TEST(told("Ballast stiffness z") == 1u);
+  scene.analysis = "transient";
+  BOOST_TEST(told("Loss factor") == 0u);
+  BOOST_TEST(told("Sponge rate") == 1u);
+  scene.time.inertia = false;
+  BOOST_TEST(told("Loss factor") == 1u);
+
+  scene                             = SceneParameters();
+  scene.rail.model.elements         = ElementKind::enhanced;
+  scene.rail.material.poisson_ratio = 0.49;
+  BOOST_TEST(implausible_values(scene).size() == 1u);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

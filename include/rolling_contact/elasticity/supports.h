@@ -19,7 +19,9 @@ namespace RollingContact
    * unknowns they bring: three translations (in 2D two) for each sleeper, or
    * translations and rotations of the mass that the hub is fixed to. These are
    * numbered after the degrees of freedom of the mesh. Rotations are scaled by
-   * a length, so that all unknowns are in m.
+   * a length, so that all unknowns are in m. Stiffness and inertia along x, y
+   * and z are those along the axes of the hub, where a profile turns the body:
+   * of a flat sole z is its normal, of a bore y is its axis.
    */
   template <int dim>
   class Supports
@@ -98,10 +100,19 @@ namespace RollingContact
                   dealii::SparseMatrix<double>            &K) const;
 
     /**
-     * Masses of the extra unknowns, of rotations over the square of their
-     * length. Units: kg.
+     * An entry of a matrix of the extra unknowns, numbered from 0.
      */
-    std::vector<double>
+    struct Entry
+    {
+      unsigned int i, j;
+      double       value;
+    };
+
+    /**
+     * Masses of the extra unknowns, of rotations over the square of their
+     * length; both triangles. Units: kg.
+     */
+    std::vector<Entry>
     masses() const;
 
     const std::vector<Pad> &
@@ -111,6 +122,12 @@ namespace RollingContact
     }
 
   private:
+    /**
+     * Sum of a value of each axis times the square of its direction.
+     */
+    dealii::Tensor<2, dim>
+    along_axes(const std::array<double, 3> &values) const;
+
     void
     find_pads(const dealii::DoFHandler<dim> &dofs);
 
@@ -125,6 +142,8 @@ namespace RollingContact
      */
     std::vector<std::pair<Dof, dealii::Tensor<1, dim>>> hub_nodes;
     double lever = 1.; ///< scale of rotations, m
+    /** Axes of the hub, by rows: z off a sole, y along a bore. */
+    dealii::Tensor<2, dim> axes;
   };
 } // namespace RollingContact
 
