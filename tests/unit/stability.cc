@@ -5,8 +5,6 @@
 
 #include <rolling_contact/references/mass_on_belt.h>
 #include <rolling_contact/references/two_mass_flutter.h>
-#include <rolling_contact/stability/rational_fit.h>
-#include <rolling_contact/stability/unstable_count.h>
 
 #include <algorithm>
 #include <functional>
@@ -19,8 +17,6 @@ BOOST_AUTO_TEST_SUITE(stability)
 
 namespace
 {
-  const double speed = 10.;
-
   RollingState
   half_space_state(const Grid            &grid,
                    const Creepages       &creepages,
@@ -33,15 +29,6 @@ namespace
       {}};
     rolling.solve();
     return rolling;
-  }
-
-  LinearContactOptions
-  at_speed(const FrictionResponse friction = FrictionResponse::constant)
-  {
-    LinearContactOptions options;
-    options.speed    = speed;
-    options.friction = friction;
-    return options;
   }
 
   /**
@@ -245,20 +232,6 @@ namespace
     for (unsigned int k = 0; k < pair.n_modes(); ++k)
       pair.C_m(k, k) = rate;
     return pair;
-  }
-
-  RollingState
-  rolling_state(const Grid        &grid,
-                const ReducedPair &pair,
-                const double       mu,
-                const Creepages   &creepages)
-  {
-    RollingState rolling{
-      rolling_problem(grid, static_compliance(pair), mu, creepages, 0.), {}};
-    rolling.problem.loads.normal_load = 4e3;
-    rolling.solve();
-    BOOST_TEST(rolling.converged);
-    return rolling;
   }
 
   /**
@@ -567,79 +540,6 @@ BOOST_AUTO_TEST_CASE(falling_friction_needs_a_memory)
                                    at_speed(FrictionResponse::node))),
     5000.);
   BOOST_TEST(modes.real.size() > 5u);
-}
-
-BOOST_AUTO_TEST_CASE(a_rational_fit_finds_poles)
-{
-  const auto function = [](const std::complex<double> s, const int k) {
-    return 3. / (s - std::complex<double>(-0.1, 2.)) +
-           static_cast<double>(k) / (s - std::complex<double>(0.4, 5.)) +
-           std::exp(0.1 * s);
-  };
-  ComplexVector points;
-  for (int i = 0; i <= 60; ++i)
-    points.push_back({0., 1. + 0.1 * i});
-  ComplexMatrix values(points.size(), 3);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    for (int k = 0; k < 3; ++k)
-      values(i, k) = function(points[i], k);
-  const RationalFit fit(points, values);
-  BOOST_TEST(fit.error() < 1e-10);
-  BOOST_TEST(fit.n_support_points() < 12u);
-  for (const std::complex<double> s :
-       {std::complex<double>(0., 2.03), {0.2, 4.}, {0., 3.}})
-    for (int k = 0; k < 3; ++k)
-      BOOST_TEST(std::abs(fit(s)[k] - function(s, k)) < 1e-8);
-}
-
-BOOST_AUTO_TEST_CASE(the_count_is_that_of_the_eigenvalues)
-{
-  const double low = 60., high = 5000.;
-  unsigned int n_unstable = 0, n_right = 0, n_stable = 0;
-  for (unsigned int seed = 0; seed < 40; ++seed)
-    {
-      const Grid        grid{7, seed % 2 ? 5u : 1u};
-      const ReducedPair pair =
-        random_pair(grid, 10 + seed % 7, 100 + seed, 2e-4, 0.2);
-      const double mu    = 0.15 + 0.1 * (seed % 6);
-      RollingState state = rolling_state(grid,
-                                         pair,
-                                         mu,
-                                         {seed % 4 == 2 ? 4e-4 : 0.02,
-                                          grid.n_y > 1 ? -0.01 : 0.,
-                                          0.});
-      if (seed % 5 == 0)
-        {
-          state.problem.loads.friction_law =
-            make_friction_law("exponential", 0.8, 0.2);
-          state.problem.loads.speed = speed;
-          state.solve();
-          BOOST_TEST(state.converged);
-        }
-      LinearContactOptions options = at_speed(FrictionResponse::patch_mean);
-      options.memory               = 2e-4;
-      const auto contact  = linear_contact(state.problem, state.state, options);
-      int        expected = 0;
-      for (const auto &s : StabilityPencil(pair, contact).eigenvalues())
-        expected +=
-          s.real() > 0. && s.imag() > 2 * pi * low && s.imag() < 2 * pi * high;
-      const UnstableCounter counter(pair, {low, high});
-      const auto            result = counter.count(contact);
-      n_right += result.count == expected;
-      n_unstable += expected;
-      n_stable += expected == 0;
-      BOOST_TEST(result.count == expected);
-      BOOST_TEST(result.resolved);
-      BOOST_TEST(result.fitted);
-      BOOST_TEST(std::abs(result.turns - std::round(result.turns)) < 1e-6);
-      BOOST_TEST(result.largest_step <= 0.8);
-      BOOST_TEST(result.n_points < 6000u);
-    }
-  BOOST_TEST(n_right == 40u);
-  BOOST_TEST(n_unstable > 20u);
-  BOOST_TEST(n_stable > 5u);
-  BOOST_TEST_MESSAGE("unstable: " << n_unstable
-                                  << ", states without: " << n_stable);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,6 +1,8 @@
 #ifndef rolling_contact_tests_stability_bodies_h
 #define rolling_contact_tests_stability_bodies_h
 
+#include <boost/test/unit_test.hpp>
+
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/linear_algebra/dense_eigenvalues.h>
 #include <rolling_contact/solvers/contact_solver.h>
@@ -8,6 +10,7 @@
 #include <rolling_contact/stability/pencil.h>
 
 #include <cmath>
+#include <memory>
 #include <random>
 
 /** Small bodies in rolling contact, without a mesh. */
@@ -200,6 +203,33 @@ namespace StabilityBodies
           }
       }
     return pair;
+  }
+  /**
+   * Steady rolling of a pair under a load of 4 kN.
+   */
+  inline RollingState
+  rolling_state(const Grid        &grid,
+                const ReducedPair &pair,
+                const double       mu,
+                const Creepages   &creepages)
+  {
+    RollingState rolling{
+      rolling_problem(grid, static_compliance(pair), mu, creepages, 0.), {}};
+    rolling.problem.loads.normal_load = 4e3;
+    rolling.solve();
+    BOOST_TEST(rolling.converged);
+    return rolling;
+  }
+
+  const double speed = 10.; ///< m/s
+
+  inline LinearContactOptions
+  at_speed(const FrictionResponse friction = FrictionResponse::constant)
+  {
+    LinearContactOptions options;
+    options.speed    = speed;
+    options.friction = friction;
+    return options;
   }
 } // namespace StabilityBodies
 
