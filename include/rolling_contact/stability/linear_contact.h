@@ -1,0 +1,107 @@
+#ifndef rolling_contact_stability_linear_contact_h
+#define rolling_contact_stability_linear_contact_h
+
+#include <rolling_contact/contact/contact_problem.h>
+
+#include <vector>
+
+namespace RollingContact
+{
+  /**
+   * How friction follows the sliding speed when a steady state is disturbed.
+   */
+  enum class FrictionResponse
+  {
+    constant,  ///< each node keeps the mu it has
+    node,      ///< mu of each node follows its own speed at once
+    patch_mean ///< mu of all follows their mean speed with a delay
+  };
+
+  /**
+   * What a state is linearised with besides itself.
+   */
+  struct LinearContactOptions
+  {
+    double           speed    = 0.; ///< |V|, m/s
+    FrictionResponse friction = FrictionResponse::patch_mean;
+    double           memory   = 60e-6; ///< tau of patch_mean, s
+
+    /** How near to a change of state a node is counted as on the border:
+     * relative to the largest pressure, and to the traction bound. */
+    double border = 1e-4;
+  };
+
+  /**
+   * A steady state of rolling, linearised: disturbances of motion u and its
+   * rate u' at all N nodes, (T + 1) N values, and of the unknowns x of the
+   * contact obey
+   *
+   *   N_u u + N_v u' + N_r x + N_s x' = 0,      nodal forces = forces x.
+   *
+   * x are the tractions of the n_a touching nodes by components, then their
+   * pressures (Pa), and with FrictionResponse::patch_mean one number more. The
+   * rows, as many, are the normal ones, then the tangential ones by components,
+   * in m, Pa where nodes slip and m/s where they stick:
+   *
+   *   touching:    u_n = 0
+   *   slip:        dq + mu t dp + D dv = 0,   t = v / |v|,
+   *                D = p [mu / |v| (I - t t^T) + dmu/d|v| t t^T]
+   *   stick:       dv = 0,      dv = |V| flow B1 u_t + B2 u_t'.
+   *
+   * v is the sliding velocity of the wheel over the rail. Open nodes carry
+   * nothing and take part in B1. With patch_mean mu = mu_s m with one m for all
+   * nodes that follows the mean speed of the steady state's weights:
+   *
+   *   tau m' = 1 - drop(sum w_i |v_i|) - m,      w = H^T p / sum,
+   *
+   * so that p mu_s t dm is added to slip, and the last row is
+   * dm + tau dm' + drop'(mean) sum w_i t_i . dv_i = 0. Nodes that stick have no
+   * part in it.
+   */
+  struct LinearContact
+  {
+    DenseMatrix N_u, N_v; ///< n_x x (T + 1) N
+    DenseMatrix N_r, N_s; ///< n_x x n_x
+    DenseMatrix forces;   ///< (T + 1) N x n_x, m^2: H of the touching nodes
+
+    unsigned int              n_nodes      = 0; ///< N
+    unsigned int              n_tangential = 0; ///< T
+    std::vector<unsigned int> touching;         ///< nodes
+    std::vector<bool>         slips;            ///< of the touching nodes
+
+    /** Nodes where the state is about to change: there it has other
+     * derivatives on either side, and these are those of one. */
+    unsigned int n_opening  = 0; ///< pressure or gap nearly zero
+    unsigned int n_slipping = 0; ///< stick with |q| nearly mu p
+    unsigned int n_sticking = 0; ///< slip of almost no size
+
+    unsigned int
+    n_unknowns() const
+    {
+      return N_r.n_rows();
+    }
+
+    unsigned int
+    n_slip() const;
+
+    unsigned int
+    n_border() const
+    {
+      return n_opening + n_slipping + n_sticking;
+    }
+  };
+
+  /**
+   * The linearised contact of a steady @p state that solves @p problem. Throws
+   * InputError where the slip operator has an edge law in the state or is
+   * Galerkin's, in a time step, without speed, without touching nodes, with
+   * friction that remembers a sliding distance, or with a memory of no
+   * duration.
+   */
+  LinearContact
+  linear_contact(const ContactProblem       &problem,
+                 const ContactState         &state,
+                 const LinearContactOptions &options);
+} // namespace RollingContact
+
+#endif

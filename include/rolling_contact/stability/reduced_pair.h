@@ -1,0 +1,60 @@
+#ifndef rolling_contact_stability_reduced_pair_h
+#define rolling_contact_stability_reduced_pair_h
+
+#include <rolling_contact/linear_algebra/dense_matrix.h>
+
+namespace RollingContact
+{
+  /**
+   * Wheel and rail as the contact sees them: m modes of unit modal mass, of
+   * both bodies together, and the static compliance of all that the modes leave
+   * out (MacNeal's residual flexibility, a massless interface):
+   *
+   *   eta'' + C_m eta' + K_m eta = Phi^T f,      u = Phi eta + W_res f,
+   *
+   * u the motion of the wheel relative to the rail at the N nodes of contact, f
+   * the nodal forces on the wheel, both (T + 1) N values in the order of
+   * ContactOperators::W(), tangential components first, in the frame of the
+   * pair. The columns of Phi that belong to the rail carry the minus sign of
+   * the relative motion. Modes first of the wheel, then of the rail.
+   */
+  struct ReducedPair
+  {
+    DenseMatrix K_m;   ///< m x m, 1/s^2
+    DenseMatrix C_m;   ///< m x m, 1/s
+    DenseMatrix Phi;   ///< (T + 1) N x m, 1/sqrt(kg)
+    DenseMatrix W_res; ///< (T + 1) N square, symmetric, m/N
+
+    unsigned int n_wheel_modes = 0; ///< the first columns of Phi
+
+    unsigned int
+    n_modes() const
+    {
+      return K_m.n_rows();
+    }
+  };
+
+  /**
+   * Throws InputError unless the sizes of @p pair fit each other and W_res is
+   * symmetric with no eigenvalue below -1e-10 of its largest one. Modes and
+   * compliance that come from different matrices fail here: then W_res would
+   * push where it should give way.
+   */
+  void
+  check(const ReducedPair &pair);
+
+  /**
+   * Let the material of the bodies pass through their modes, as a wheel does
+   * that turns at @p rate: the material's velocity is d/dt + Omega d/dtheta,
+   * which adds
+   *
+   *   2 Omega S to C_m,      Omega^2 S^2 + Omega C_m S to K_m,
+   *
+   * with the skew matrix S_ij = integral of rho phi_i . d(phi_j)/dtheta, m x m,
+   * zero where modes do not turn. Units: 1, rad/s.
+   */
+  void
+  add_rotation(ReducedPair &pair, const DenseMatrix &S, const double rate);
+} // namespace RollingContact
+
+#endif

@@ -1,0 +1,545 @@
+#include <boost/test/unit_test.hpp>
+
+#include "complaint.h"
+#include "stability_bodies.h"
+
+#include <rolling_contact/references/mass_on_belt.h>
+#include <rolling_contact/references/two_mass_flutter.h>
+
+#include <algorithm>
+#include <functional>
+
+using namespace RollingContact;
+using namespace StabilityBodies;
+
+/** Linear stability of rolling: contact, eigenvalues, count, correction. */
+BOOST_AUTO_TEST_SUITE(stability)
+
+namespace
+{
+  RollingState
+  half_space_state(const Grid            &grid,
+                   const Creepages       &creepages,
+                   const SlipOperatorKind kind = SlipOperatorKind::upwind_2,
+                   const int              flow = 1)
+  {
+    RollingState rolling{
+      rolling_problem(
+        grid, half_space(grid, 80e9, 0.3), 0.4, creepages, 3.1e-5, kind, flow),
+      {}};
+    rolling.solve();
+    return rolling;
+  }
+
+  /**
+   * The state after the bodies moved by @p size times a motion and a rate of
+   * motion of their own.
+   */
+  std::vector<double>
+  moved_state(const RollingState        &rolling,
+              const std::vector<double> &motion,
+              const std::vector<double> &velocity,
+              const double               size)
+  {
+    RollingState      moved = rolling;
+    ContactLoads     &loads = moved.problem.loads;
+    const std::size_t N     = moved.problem.n_nodes(),
+                      T     = moved.problem.n_tangential();
+    loads.free_displacement = loads.free_slip = NodalField(N, T);
+    for (std::size_t i = 0; i < N; ++i)
+      {
+        loads.gap[i] += size * motion[T * N + i];
+        for (std::size_t c = 0; c < T; ++c)
+          {
+            loads.free_displacement(c, i) = size * motion[c * N + i];
+            loads.free_slip(c, i)         = size * velocity[c * N + i] / speed;
+          }
+      }
+    moved.solve();
+    BOOST_TEST(moved.converged);
+    std::vector<double> unknowns = moved.state.traction.values();
+    unknowns.insert(unknowns.end(),
+                    moved.state.pressure.begin(),
+                    moved.state.pressure.end());
+    return unknowns;
+  }
+
+  /**
+   * Largest difference of the linear contact from the solver's answers to
+   * motions, over the largest answer.
+   */
+  double
+  difference_from_solver(const RollingState    &rolling,
+                         const FrictionResponse friction)
+  {
+    const LinearContact contact =
+      linear_contact(rolling.problem, rolling.state, at_speed(friction));
+    BOOST_TEST(contact.n_border() == 0u);
+    const std::size_t N = contact.n_nodes, T = contact.n_tangential,
+                      n = contact.touching.size();
+    std::mt19937                     generator(3);
+    std::normal_distribution<double> normal;
+    double                           worst = 0.;
+    for (unsigned int sample = 0; sample < 4; ++sample)
+      {
+        std::vector<double> motion((T + 1) * N), velocity((T + 1) * N);
+        for (std::size_t k = 0; k < motion.size(); ++k)
+          {
+            motion[k]   = sample == 1 ? 0. : 1e-9 * normal(generator);
+            velocity[k] = sample == 0 ? 0. : 1e-5 * normal(generator);
+          }
+        // (N_u W forces + N_r) dx = -N_u motion - N_v velocity
+        DenseMatrix M =
+          contact.N_u * (rolling.problem.operators.W() * contact.forces);
+        DenseMatrix dx(M.n_rows(), 1);
+        for (std::size_t i = 0; i < M.n_rows(); ++i)
+          {
+            for (std::size_t j = 0; j < M.n_rows(); ++j)
+              M(i, j) += contact.N_r(i, j);
+            for (std::size_t j = 0; j < motion.size(); ++j)
+              dx(i, 0) -=
+                contact.N_u(i, j) * motion[j] + contact.N_v(i, j) * velocity[j];
+          }
+        BOOST_TEST_REQUIRE(solve_general(M, dx));
+        const auto above = moved_state(rolling, motion, velocity, 1.),
+                   below = moved_state(rolling, motion, velocity, -1.);
+        double largest = 0., error = 0.;
+        for (std::size_t c = 0; c <= T; ++c)
+          for (std::size_t k = 0; k < n; ++k)
+            {
+              const std::size_t at     = c * N + contact.touching[k];
+              const double      change = (above[at] - below[at]) / 2;
+              largest                  = std::max(largest, std::abs(change));
+              error = std::max(error, std::abs(change - dx(c * n + k, 0)));
+            }
+        worst = std::max(worst, error / largest);
+      }
+    return worst;
+  }
+  /**
+   * A mass of 1 kg per mode on one node that touches between two that do not;
+   * @p tangential and @p normal are its modes there, 1 m^2 its area.
+   */
+  ReducedPair
+  one_node(const DenseMatrix         &stiffness,
+           const DenseMatrix         &damping,
+           const std::vector<double> &tangential,
+           const std::vector<double> &normal,
+           const double               tangential_compliance,
+           const double               normal_compliance)
+  {
+    ReducedPair pair;
+    pair.K_m   = stiffness;
+    pair.C_m   = damping;
+    pair.Phi   = DenseMatrix(6, stiffness.n_rows());
+    pair.W_res = DenseMatrix(6, 6);
+    for (unsigned int i = 0; i < 3; ++i)
+      {
+        for (unsigned int k = 0; k < stiffness.n_rows(); ++k)
+          {
+            pair.Phi(i, k)     = tangential[k];
+            pair.Phi(3 + i, k) = normal[k];
+          }
+        pair.W_res(i, i)         = tangential_compliance;
+        pair.W_res(3 + i, 3 + i) = normal_compliance;
+      }
+    check(pair);
+    return pair;
+  }
+
+  RollingState
+  one_node_state(const ReducedPair                 &pair,
+                 const double                       mu,
+                 const double                       creepage,
+                 const double                       load,
+                 std::shared_ptr<const FrictionLaw> law = nullptr)
+  {
+    RollingState rolling{rolling_problem({3, 1, 1.},
+                                         static_compliance(pair),
+                                         mu,
+                                         {creepage, 0., 0.},
+                                         0.),
+                         {}};
+    rolling.problem.loads.gap          = {1e9, 0., 1e9};
+    rolling.problem.loads.normal_load  = load;
+    rolling.problem.loads.friction_law = law;
+    rolling.problem.loads.speed        = speed;
+    rolling.solve();
+    BOOST_TEST(rolling.converged);
+    return rolling;
+  }
+
+  DenseMatrix
+  matrix(const std::vector<std::vector<double>> &rows)
+  {
+    DenseMatrix M(rows.size(), rows[0].size());
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      for (std::size_t j = 0; j < rows[i].size(); ++j)
+        M(i, j) = rows[i][j];
+    return M;
+  }
+
+  /**
+   * The eigenvalue of greatest growth that vibrates.
+   */
+  std::complex<double>
+  leading(const ReducedPair          &pair,
+          const RollingState         &rolling,
+          const LinearContactOptions &options)
+  {
+    const LinearContact contact =
+      linear_contact(rolling.problem, rolling.state, options);
+    for (const auto &s : StabilityPencil(pair, contact).eigenvalues())
+      if (s.imag() > 0.)
+        return s;
+    return 0.;
+  }
+
+  const References::TwoMassFlutter two_masses{3., 2., 0.4, 1.};
+
+  std::complex<double>
+  flutter(const References::TwoMassFlutter &masses, const double mu)
+  {
+    const ReducedPair pair =
+      one_node(matrix({{masses.k11, masses.k12},
+                       {masses.k12, masses.k22 - masses.k3}}),
+               matrix({{masses.c1, 0.}, {0., masses.c2}}),
+               {1., 0.},
+               {0., 1.},
+               1.,
+               1 / masses.k3);
+    return leading(pair, one_node_state(pair, mu, 1., 1.), at_speed());
+  }
+
+  double
+  zero_between(double                               lower,
+               double                               upper,
+               const std::function<double(double)> &function)
+  {
+    const bool sign = function(lower) > 0.;
+    while (upper - lower > 1e-9)
+      {
+        const double middle                               = (lower + upper) / 2;
+        ((function(middle) > 0.) == sign ? lower : upper) = middle;
+      }
+    return lower;
+  }
+
+  ReducedPair
+  damped_by_mass(ReducedPair pair, const double rate)
+  {
+    pair.C_m = DenseMatrix(pair.n_modes(), pair.n_modes());
+    for (unsigned int k = 0; k < pair.n_modes(); ++k)
+      pair.C_m(k, k) = rate;
+    return pair;
+  }
+
+  /**
+   * Largest relative difference of eigenvalues from the nearest others.
+   */
+  double
+  difference(const ComplexVector &some, const ComplexVector &others)
+  {
+    double largest = some.size() == others.size() ? 0. : 1e300;
+    for (const auto &s : some)
+      {
+        double nearest = 1e300;
+        for (const auto &other : others)
+          nearest = std::min(nearest, std::abs(s - other) / std::abs(s));
+        largest = std::max(largest, nearest);
+      }
+    return largest;
+  }
+} // namespace
+
+
+
+BOOST_AUTO_TEST_CASE(the_linear_contact_is_the_derivative_of_the_solver)
+{
+  const Grid line{9, 1}, plane{7, 5};
+  for (const int flow : {1, -1})
+    for (const double creepage : {0.02, 4e-4})
+      for (const auto kind :
+           {SlipOperatorKind::upwind_1, SlipOperatorKind::upwind_2})
+        {
+          const RollingState state =
+            half_space_state(line, {creepage, 0., 0.}, kind, flow);
+          BOOST_TEST(state.converged);
+          const auto contact =
+            linear_contact(state.problem, state.state, at_speed());
+          BOOST_TEST((contact.n_slip() == contact.touching.size()) ==
+                     (creepage > 0.01));
+          BOOST_TEST(contact.n_slip() > 0u);
+          BOOST_TEST(difference_from_solver(state, FrictionResponse::constant) <
+                     1e-6);
+        }
+  for (const Creepages &creepages :
+       {Creepages{0.01, -0.02, 1.}, Creepages{4e-4, -6e-4, 0.3}})
+    {
+      const RollingState state = half_space_state(plane, creepages);
+      const auto         contact =
+        linear_contact(state.problem, state.state, at_speed());
+      BOOST_TEST((contact.n_slip() == contact.touching.size()) ==
+                 (creepages.spin > 0.5));
+      BOOST_TEST(contact.n_slip() > 0u);
+      BOOST_TEST(difference_from_solver(state, FrictionResponse::constant) <
+                 1e-5);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(the_slope_of_falling_friction_is_that_of_the_solver)
+{
+  for (const unsigned int n_y : {1, 5})
+    {
+      RollingState state =
+        half_space_state({7, n_y}, {0.01, n_y == 1 ? 0. : -0.02, 0.});
+      state.problem.loads.friction_law =
+        make_friction_law("exponential", 0.7, 0.3);
+      state.problem.loads.speed = speed;
+      state.solve();
+      BOOST_TEST(state.converged);
+      BOOST_TEST(difference_from_solver(state, FrictionResponse::node) < 1e-4);
+      // which sees the slope
+      BOOST_TEST(difference_from_solver(state, FrictionResponse::constant) >
+                 1e-2);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(two_masses_flutter)
+{
+  const double critical = two_masses.critical_friction();
+  BOOST_TEST(std::abs(critical - 1.025) < 1e-12);
+  for (const double part : {1.01, 1.2, 1.5})
+    {
+      const auto s     = flutter(two_masses, part * critical),
+                 exact = two_masses.undamped_eigenvalue(part * critical);
+      BOOST_TEST(std::abs(s - exact) < 1e-9);
+    }
+  BOOST_TEST(std::abs(flutter(two_masses, 1.5 * critical) -
+                      std::complex<double>(0.14259944, 1.58755617)) < 1e-8);
+  BOOST_TEST(flutter(two_masses, 0.99 * critical).real() < 1e-9);
+  struct
+  {
+    double c1, c2, critical;
+  } const damped[] = {{.02, .02, 1.027500},
+                      {.02, 0., 0.4},
+                      {.1, .001, 0.425010}};
+  for (const auto &[c1, c2, expected] : damped)
+    {
+      References::TwoMassFlutter masses = two_masses;
+      masses.c1                         = c1;
+      masses.c2                         = c2;
+      BOOST_TEST(std::abs(masses.critical_friction() - expected) < 5e-7);
+      const double found = zero_between(0.2, 3., [&](const double mu) {
+        return flutter(masses, mu).real();
+      });
+      BOOST_TEST(std::abs(found - masses.critical_friction()) < 1e-6);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_mass_on_a_belt)
+{
+  const double                             v_c = 0.2;
+  const std::shared_ptr<const FrictionLaw> law =
+    make_friction_law("exponential", 0.5, v_c);
+  const ReducedPair pair =
+    one_node(matrix({{4e4}}), matrix({{20.}}), {1.}, {0.}, 0., 1e-9);
+  const auto eigenvalue = [&](const double                belt_speed,
+                              const LinearContactOptions &options) {
+    return leading(pair,
+                   one_node_state(pair, 0.4, belt_speed / speed, 100., law),
+                   options);
+  };
+  const auto             at_once = at_speed(FrictionResponse::node);
+  References::MassOnBelt belt{1., 4e4, 20., 100., 0.2, 0.4, 0.2};
+  for (const double v : {0.2, 0.3})
+    {
+      belt.belt_speed     = v;
+      const double growth = belt.growth(v_c);
+      const auto   s      = eigenvalue(v, at_once);
+      BOOST_TEST(std::abs(s.real() - growth) < 1e-8);
+      BOOST_TEST(std::abs(std::abs(s) - 200.) < 1e-8);
+      // and with a memory: (s^2 + c s + k) (1 + tau s) = N |mu'| s
+      LinearContactOptions slow = at_speed(FrictionResponse::patch_mean);
+      slow.memory               = 1e-3;
+      const auto z              = eigenvalue(v, slow);
+      BOOST_TEST(std::abs(z - s) > 0.5);
+      BOOST_TEST(std::abs((z * z + 20. * z + 4e4) * (1. + 1e-3 * z) -
+                          (2 * growth + 20.) * z) < 1e-6);
+    }
+  belt.belt_speed = 0.2;
+  BOOST_TEST(std::abs(belt.growth(v_c) - 8.393972) < 1e-6);
+  BOOST_TEST(std::abs(belt.critical_speed(v_c) - 0.321888) < 1e-6);
+  BOOST_TEST(std::abs(zero_between(0.2,
+                                   0.5,
+                                   [&](const double v) {
+                                     return eigenvalue(v, at_once).real();
+                                   }) -
+                      belt.critical_speed(v_c)) < 1e-8);
+  const auto cycle =
+    References::MassOnBelt{1., 4e4, 0., 100., 0.1, 0.4, 0.3}.stick_slip_cycle();
+  BOOST_TEST(std::abs(cycle.amplitude - 5.59017e-4) < 1e-9);
+  BOOST_TEST(std::abs(cycle.stick_time - 5e-3) < 1e-12);
+  BOOST_TEST(std::abs(cycle.slip_time - 26.77945e-3) < 1e-8);
+}
+
+BOOST_AUTO_TEST_CASE(without_friction_each_mode_decays_by_its_damping)
+{
+  const double rate = 14.;
+  const Grid   grid{7, 3};
+  ReducedPair  pair = damped_by_mass(random_pair(grid, 12, 5), rate);
+  check(pair);
+  const RollingState state = rolling_state(grid, pair, 0., {0., -0.02, 0.});
+  const auto contact = linear_contact(state.problem, state.state, at_speed());
+  const auto values  = StabilityPencil(pair, contact).eigenvalues();
+  BOOST_TEST(values.size() == 12u);
+  for (const auto &s : values)
+    {
+      BOOST_TEST(std::abs(s.real() + rate / 2) < 1e-6);
+      BOOST_TEST(s.imag() > 0.);
+    }
+  // the contact holds the modes together: none stays where it was
+  for (unsigned int k = 0; k < 12; ++k)
+    for (const auto &s : values)
+      BOOST_TEST(std::abs(s.imag() - std::sqrt(pair.K_m(k, k))) > 1e-3);
+
+  // with normal forces only
+  const std::size_t N      = grid.n_nodes();
+  ReducedPair       smooth = pair;
+  smooth.Phi               = DenseMatrix(N, 12);
+  smooth.W_res             = DenseMatrix(N, N);
+  for (std::size_t j = 0; j < N; ++j)
+    {
+      for (unsigned int k = 0; k < 12; ++k)
+        smooth.Phi(j, k) = pair.Phi(2 * N + j, k);
+      for (std::size_t i = 0; i < N; ++i)
+        smooth.W_res(i, j) = pair.W_res(2 * N + i, 2 * N + j);
+    }
+  ContactProblem problem = state.problem;
+  problem.operators      = ContactOperators(state.problem.operators.positions(),
+                                       state.problem.operators.H(),
+                                       static_compliance(smooth));
+  RollingState frictionless{problem, {}};
+  frictionless.solve();
+  BOOST_TEST(frictionless.converged);
+  const auto normal = linear_contact(problem, frictionless.state, at_speed());
+  BOOST_TEST(normal.n_unknowns() == normal.touching.size());
+  for (const auto &s : StabilityPencil(smooth, normal).eigenvalues())
+    BOOST_TEST(std::abs(s.real() + rate / 2) < 1e-6);
+}
+
+BOOST_AUTO_TEST_CASE(the_mirrored_pair_has_the_same_eigenvalues)
+{
+  const Grid        grid{7, 5};
+  const ReducedPair pair     = random_pair(grid, 14, 8);
+  ReducedPair       mirrored = pair;
+  const std::size_t N        = grid.n_nodes();
+  for (unsigned int k = 0; k < 14; ++k)
+    for (unsigned int c = 0; c < 3; ++c)
+      for (unsigned int j = 0; j < grid.n_y; ++j)
+        for (unsigned int i = 0; i < grid.n_x; ++i)
+          mirrored.Phi(c * N + j * grid.n_x + i, k) =
+            (c == 1 ? -1. : 1.) *
+            pair.Phi(c * N + (grid.n_y - 1 - j) * grid.n_x + i, k);
+  for (const double creepage : {0.02, 4e-4})
+    {
+      const auto values_of = [&](const ReducedPair &bodies,
+                                 const Creepages   &creepages) {
+        const auto state = rolling_state(grid, bodies, 0.5, creepages);
+        return StabilityPencil(
+                 bodies, linear_contact(state.problem, state.state, at_speed()))
+          .eigenvalues();
+      };
+      const Creepages one{creepage / 3, creepage, 0.4},
+        other{creepage / 3, -creepage, -0.4},
+        wrong{creepage / 3, creepage, 0.4};
+      const auto values = values_of(pair, one);
+      BOOST_TEST(values.size() >= 14u);
+      BOOST_TEST(difference(values, values_of(mirrored, other)) < 1e-6);
+      BOOST_TEST(difference(values, values_of(mirrored, wrong)) > 1e-4);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(rotation_splits_a_pair_exactly)
+{
+  const double omega = 2 * pi * 1050., rate = 10. / 0.46;
+  for (const double n : {2., 5.})
+    {
+      ReducedPair pair;
+      pair.K_m = matrix({{omega * omega, 0.}, {0., omega * omega}});
+      pair.C_m = DenseMatrix(2, 2);
+      pair.Phi = DenseMatrix(0, 2);
+      add_rotation(pair, matrix({{0., n}, {-n, 0.}}), rate);
+      check(pair);
+      const StabilityPencil pencil(pair, LinearContact());
+      const auto            values = pencil.eigenvalues();
+      BOOST_TEST(values.size() == 2u);
+      BOOST_TEST(
+        difference(values, {{0., omega + n * rate}, {0., omega - n * rate}}) <
+        1e-12);
+      const auto mode = pencil.mode(values[0]);
+      BOOST_TEST(mode.residual < 1e-12);
+      for (const double share : mode.participation())
+        BOOST_TEST(std::abs(share - 0.5) < 1e-9);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(falling_friction_needs_a_memory)
+{
+  const Grid        grid{9, 5};
+  const ReducedPair pair = random_pair(grid, 12, 2);
+  const double      mu_s = 0.5, v_c = 0.2;
+  RollingState      state = rolling_state(grid, pair, mu_s, {0., -0.02, 0.});
+  state.problem.loads.friction_law = make_friction_law("exponential", 0.6, v_c);
+  state.problem.loads.speed        = speed;
+  state.solve();
+  BOOST_TEST(state.converged);
+  LinearContactOptions options = at_speed(FrictionResponse::patch_mean);
+  const auto contact = linear_contact(state.problem, state.state, options);
+  BOOST_TEST(contact.n_slip() == contact.touching.size());
+
+  // tau of the limit: N |mu'| w W_tt w along the sliding, which is that of y
+  const std::size_t   N      = grid.n_nodes();
+  std::vector<double> weight = nodal_forces(state.problem, state.state);
+  weight.erase(weight.begin(), weight.begin() + 2 * N);
+  double     load = 0., speed_of_patch = 0., compliance = 0.;
+  const auto tangential = tangential_problem(state.problem, state.state);
+  const auto slip       = tangential.slip(state.state.traction);
+  for (const double force : weight)
+    load += force;
+  for (std::size_t i = 0; i < N; ++i)
+    {
+      speed_of_patch += weight[i] / load * slip.norm_at(i) * speed;
+      for (std::size_t j = 0; j < N; ++j)
+        compliance +=
+          weight[i] / load * pair.W_res(N + i, N + j) * weight[j] / load;
+    }
+  const double slope = mu_s * 0.4 / v_c * std::exp(-speed_of_patch / v_c),
+               limit = load * slope * compliance;
+  for (const double part : {0.8, 0.9, 1.2, 2.5})
+    {
+      options.memory   = part * limit;
+      const auto modes = unstable_modes(
+        StabilityPencil(pair,
+                        linear_contact(state.problem, state.state, options)),
+        5000.);
+      BOOST_TEST(modes.real.size() == (part < 1. ? 1u : 0u));
+      for (const auto &mode : modes.real)
+        {
+          BOOST_TEST(mode.is_real());
+          BOOST_TEST(mode.damping_ratio() == -1.);
+          BOOST_TEST(mode.growth() == 1 / (limit - options.memory),
+                     boost::test_tools::tolerance(0.1));
+        }
+    }
+  // without a memory there are many
+  const auto modes = unstable_modes(
+    StabilityPencil(pair,
+                    linear_contact(state.problem,
+                                   state.state,
+                                   at_speed(FrictionResponse::node))),
+    5000.);
+  BOOST_TEST(modes.real.size() > 5u);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,228 @@
+#include <boost/test/unit_test.hpp>
+
+#include "complaint.h"
+#include "stability_bodies.h"
+
+#include <rolling_contact/stability/correction.h>
+#include <rolling_contact/stability/rational_fit.h>
+#include <rolling_contact/stability/unstable_count.h>
+
+using namespace RollingContact;
+using namespace StabilityBodies;
+
+/** Counted and corrected eigenvalues of rolling, beside those of the pencil. */
+BOOST_AUTO_TEST_SUITE(stability_checked)
+
+namespace
+{
+  /**
+   * The first modes of a pair, the others in its residual compliance.
+   */
+  ReducedPair
+  truncated(const ReducedPair &full, const unsigned int n_modes)
+  {
+    ReducedPair       pair = full;
+    const std::size_t n    = full.W_res.n_rows();
+    pair.K_m = pair.C_m = DenseMatrix(n_modes, n_modes);
+    pair.Phi            = DenseMatrix(n, n_modes);
+    for (unsigned int k = 0; k < full.n_modes(); ++k)
+      if (k < n_modes)
+        {
+          pair.K_m(k, k) = full.K_m(k, k);
+          pair.C_m(k, k) = full.C_m(k, k);
+          for (std::size_t i = 0; i < n; ++i)
+            pair.Phi(i, k) = full.Phi(i, k);
+        }
+      else
+        for (std::size_t j = 0; j < n; ++j)
+          for (std::size_t i = 0; i < n; ++i)
+            pair.W_res(i, j) +=
+              full.Phi(i, k) * full.Phi(j, k) / full.K_m(k, k);
+    pair.n_wheel_modes = n_modes / 2;
+    check(pair);
+    return pair;
+  }
+
+  BodyResponse
+  response_of(const ReducedPair &pair)
+  {
+    return [&pair](const std::complex<double> s, const ComplexVector &forces) {
+      return reduced_response(pair, s, forces);
+    };
+  }
+
+  std::complex<double>
+  nearest(const ComplexVector &values, const std::complex<double> s)
+  {
+    std::complex<double> best = values.at(0);
+    for (const auto &value : values)
+      if (std::abs(value - s) < std::abs(best - s))
+        best = value;
+    return best;
+  }
+
+  const Grid      patch{7, 5};
+  const Creepages sliding{0.02, -0.01, 0.};
+} // namespace
+
+
+
+BOOST_AUTO_TEST_CASE(a_rational_fit_finds_poles)
+{
+  const auto function = [](const std::complex<double> s, const int k) {
+    return 3. / (s - std::complex<double>(-0.1, 2.)) +
+           static_cast<double>(k) / (s - std::complex<double>(0.4, 5.)) +
+           std::exp(0.1 * s);
+  };
+  ComplexVector points;
+  for (int i = 0; i <= 60; ++i)
+    points.push_back({0., 1. + 0.1 * i});
+  ComplexMatrix values(points.size(), 3);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (int k = 0; k < 3; ++k)
+      values(i, k) = function(points[i], k);
+  const RationalFit fit(points, values);
+  BOOST_TEST(fit.error() < 1e-10);
+  BOOST_TEST(fit.n_support_points() < 12u);
+  for (const std::complex<double> s :
+       {std::complex<double>(0., 2.03), {0.2, 4.}, {0., 3.}})
+    for (int k = 0; k < 3; ++k)
+      BOOST_TEST(std::abs(fit(s)[k] - function(s, k)) < 1e-8);
+}
+
+BOOST_AUTO_TEST_CASE(the_count_is_that_of_the_eigenvalues)
+{
+  const double low = 60., high = 5000.;
+  unsigned int n_unstable = 0, n_right = 0, n_stable = 0;
+  for (unsigned int seed = 0; seed < 40; ++seed)
+    {
+      const Grid        grid{7, seed % 2 ? 5u : 1u};
+      const ReducedPair pair =
+        random_pair(grid, 10 + seed % 7, 100 + seed, 2e-4, 0.2);
+      const double mu    = 0.15 + 0.1 * (seed % 6);
+      RollingState state = rolling_state(grid,
+                                         pair,
+                                         mu,
+                                         {seed % 4 == 2 ? 4e-4 : 0.02,
+                                          grid.n_y > 1 ? -0.01 : 0.,
+                                          0.});
+      if (seed % 5 == 0)
+        {
+          state.problem.loads.friction_law =
+            make_friction_law("exponential", 0.8, 0.2);
+          state.problem.loads.speed = speed;
+          state.solve();
+          BOOST_TEST(state.converged);
+        }
+      LinearContactOptions options = at_speed(FrictionResponse::patch_mean);
+      options.memory               = 2e-4;
+      const auto contact  = linear_contact(state.problem, state.state, options);
+      int        expected = 0;
+      for (const auto &s : StabilityPencil(pair, contact).eigenvalues())
+        expected +=
+          s.real() > 0. && s.imag() > 2 * pi * low && s.imag() < 2 * pi * high;
+      const UnstableCounter counter(pair, {low, high});
+      const auto            result = counter.count(contact);
+      n_right += result.count == expected;
+      n_unstable += expected;
+      n_stable += expected == 0;
+      BOOST_TEST(result.count == expected);
+      BOOST_TEST(result.resolved);
+      BOOST_TEST(result.fitted);
+      BOOST_TEST(std::abs(result.turns - std::round(result.turns)) < 1e-6);
+      BOOST_TEST(result.largest_step <= 0.8);
+      BOOST_TEST(result.n_points < 6000u);
+    }
+  BOOST_TEST(n_right == 40u);
+  BOOST_TEST(n_unstable > 20u);
+  BOOST_TEST(n_stable > 5u);
+  BOOST_TEST_MESSAGE("unstable: " << n_unstable
+                                  << ", states without: " << n_stable);
+}
+
+BOOST_AUTO_TEST_CASE(the_full_bodies_correct_reduced_modes)
+{
+  unsigned int n_modes = 0, n_moved = 0;
+  for (unsigned int seed = 0; seed < 12; ++seed)
+    {
+      const ReducedPair full = random_pair(patch, 40, 900 + seed, 2e-4, 0.15),
+                        pair = truncated(full, 26);
+      const auto state       = rolling_state(patch, full, 0.6, sliding);
+      const auto contact =
+        linear_contact(state.problem, state.state, at_speed());
+      const ComplexVector exact = StabilityPencil(full, contact).eigenvalues();
+      for (const auto &mode :
+           unstable_modes(StabilityPencil(pair, contact), 2500.).vibrations)
+        {
+          const auto   truth = nearest(exact, mode.s);
+          const double off   = std::abs(mode.s - truth);
+          BOOST_TEST(mode.residual < 1e-10);
+
+          // the reduced bodies find nothing to correct
+          const auto same = correct(pair, contact, mode, response_of(pair));
+          BOOST_TEST(same.n_responses == 1u);
+          BOOST_TEST(same.backward_error < 1e-9);
+          BOOST_TEST(std::abs(same.s - mode.s) < 1e-8 * std::abs(mode.s));
+
+          CorrectionOptions options;
+          options.most_steps = 1;
+          const auto once =
+            correct(pair, contact, mode, response_of(full), options);
+          BOOST_TEST(std::abs(once.s - truth) < 0.2 * off);
+          BOOST_TEST(std::abs(once.uncertainty - off) < 0.2 * off);
+          options.most_steps     = 30;
+          options.tolerance      = 1e-11;
+          options.damping_margin = 1e-4;
+          const auto corrected =
+            correct(pair, contact, mode, response_of(full), options);
+          BOOST_TEST(std::abs(corrected.s - truth) < 1e-8 * std::abs(truth));
+          BOOST_TEST(corrected.first_backward_error > 1e-8);
+          BOOST_TEST(corrected.backward_error <
+                     1e-3 * corrected.first_backward_error);
+          BOOST_TEST(corrected.unstable() == (truth.real() > 0.));
+          if (corrected.unstable())
+            BOOST_TEST(corrected.damping_needed ==
+                         truth.real() / std::abs(truth) + 1e-4,
+                       boost::test_tools::tolerance(1e-4));
+          ++n_modes;
+          n_moved += off > 1e-6 * std::abs(truth);
+        }
+    }
+  BOOST_TEST(n_modes > 5u);
+  BOOST_TEST(n_moved > 3u);
+  BOOST_TEST_MESSAGE(n_modes << " modes, " << n_moved << " moved");
+}
+
+BOOST_AUTO_TEST_CASE(growth_below_its_uncertainty_decides_nothing)
+{
+  CorrectedMode mode;
+  mode.s           = {0.5, 6000.};
+  mode.uncertainty = 0.4;
+  BOOST_TEST(mode.unstable());
+  BOOST_TEST(!mode.undecided());
+  mode.uncertainty = 0.6;
+  BOOST_TEST(!mode.unstable());
+  BOOST_TEST(mode.undecided());
+  mode.uncertainty = std::nan("");
+  BOOST_TEST(!mode.unstable());
+  BOOST_TEST(mode.undecided());
+
+  // bodies that have nothing to do with the reduced ones
+  const ReducedPair pair  = random_pair(patch, 20, 907, 1e-5, 0.3);
+  const auto        state = rolling_state(patch, pair, 0.6, sliding);
+  const auto contact = linear_contact(state.problem, state.state, at_speed());
+  const auto modes =
+    unstable_modes(StabilityPencil(pair, contact), 5000.).vibrations;
+  BOOST_TEST_REQUIRE(!modes.empty());
+  ReducedPair other = random_pair(patch, 20, 77, 1e-5, 0.3);
+  BOOST_TEST(correct(pair, contact, modes[0], response_of(other)).undecided());
+  BOOST_TEST(
+    contains(complaint([&]() {
+               correct(pair, contact, modes[0], [](const auto &, const auto &) {
+                 return ComplexVector(3);
+               });
+             }),
+             "has 3 values; the contact needs 105"));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
