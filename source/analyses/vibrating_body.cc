@@ -52,39 +52,89 @@ namespace RollingContact
 
 
   template <int dim>
+  VibratingBody<dim>::VibratingBody(const SceneParameters           &scene,
+                                    const Side                       side,
+                                    std::unique_ptr<DirectBody<dim>> own,
+                                    const DirectBody<dim>           *body,
+                                    const double                     shift)
+    : side(side)
+    , parameters(scene.body(side))
+    , body(body != nullptr ? body : own.get())
+    , places(*this->body)
+    , shift(shift)
+    , factor(nullptr)
+    , own_body(std::move(own))
+  {}
+
+
+
+  template <int dim>
   VibratingBody<dim>::VibratingBody(const SceneParameters &scene,
                                     const Side             side,
                                     const double           cut_off,
                                     RunContext            &context)
-    : side(side)
-    , parameters(scene.body(side))
-    , body(make_body<dim>(parameters, scene.modes.element_size, context.timer))
-    , places(*body)
-    , shift(is_held(parameters, dim) ? 0. : shift_of_free_body(cut_off))
+    : VibratingBody(scene,
+                    side,
+                    make_body<dim>(scene.body(side),
+                                   scene.modes.element_size,
+                                   context.timer),
+                    nullptr,
+                    is_held(scene.body(side), dim)
+                      ? 0.
+                      : shift_of_free_body(cut_off))
   {
-    {
-      PhaseTimer::Scope phase(context.timer, Phase::mesh);
-      K = body->stiffness();
-      M = body->mass();
-      if (parameters.model.damping.is_viscous())
-        C = body->damping();
-      H = body->loss_stiffness();
-      if (std::all_of(H.values.begin(), H.values.end(), [](const double h) {
-            return h == 0.;
-          }))
-        H = SymmetricSparseMatrix();
-    }
-    {
-      PhaseTimer::Scope phase(context.timer, Phase::condensation);
-      factor =
-        std::make_unique<Factorisation>(shift > 0.
-                                          ? linear_combination(1., K, shift, M)
-                                          : K,
-                                        body->nodes_of_unknowns());
-      factor->factorise();
-    }
+    find_matrices(context);
+    factorise(context);
     find_modes(scene.modes, cut_off, context);
     warn_of_pairs(scene.contact.speed, context);
+  }
+
+
+
+  template <int dim>
+  VibratingBody<dim>::VibratingBody(const SceneParameters &scene,
+                                    const Side             side,
+                                    const DirectBody<dim> &rolling,
+                                    const double           cut_off,
+                                    RunContext            &context)
+    : VibratingBody(scene, side, nullptr, &rolling, 0.)
+  {
+    find_matrices(context);
+    factor = &rolling.factorisation();
+    find_modes(scene.modes, cut_off, context);
+    warn_of_pairs(scene.contact.speed, context);
+  }
+
+
+
+  template <int dim>
+  void
+  VibratingBody<dim>::find_matrices(RunContext &context)
+  {
+    PhaseTimer::Scope phase(context.timer, Phase::mesh);
+    K = body->stiffness();
+    M = body->mass();
+    if (parameters.model.damping.is_viscous())
+      C = body->damping();
+    H = body->loss_stiffness();
+    if (std::all_of(H.values.begin(), H.values.end(), [](const double h) {
+          return h == 0.;
+        }))
+      H = SymmetricSparseMatrix();
+  }
+
+
+
+  template <int dim>
+  void
+  VibratingBody<dim>::factorise(RunContext &context)
+  {
+    PhaseTimer::Scope phase(context.timer, Phase::condensation);
+    own_factor = std::make_unique<Factorisation>(
+      shift > 0. ? linear_combination(1., K, shift, M) : K,
+      body->nodes_of_unknowns());
+    own_factor->factorise();
+    factor = own_factor.get();
   }
 
 

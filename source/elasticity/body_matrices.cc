@@ -248,6 +248,71 @@ namespace RollingContact
 
 
 
+  namespace
+  {
+    Tensor<1, 3>
+    tensor(const std::array<double, 3> &v)
+    {
+      return Tensor<1, 3>({v[0], v[1], v[2]});
+    }
+
+
+
+    /**
+     * The skew part of the integral of rho phi_i (e x r) . grad phi_j.
+     */
+    void
+    cell_rotation(const FEValues<3>  &values,
+                  const double        density,
+                  const Axle         &axle,
+                  FullMatrix<double> &rotation)
+    {
+      const auto &element = values.get_fe();
+      rotation            = 0.;
+      for (const unsigned int q : values.quadrature_point_indices())
+        {
+          const Tensor<1, 3> along =
+            cross_product_3d(tensor(axle.direction),
+                             values.quadrature_point(q) -
+                               Point<3>(tensor(axle.point)));
+          for (const unsigned int i : values.dof_indices())
+            for (const unsigned int j : values.dof_indices())
+              if (element.system_to_component_index(i).first ==
+                  element.system_to_component_index(j).first)
+                rotation(i, j) += density * values.JxW(q) / 2 *
+                                  (values.shape_value(i, q) *
+                                     (along * values.shape_grad(j, q)) -
+                                   values.shape_value(j, q) *
+                                     (along * values.shape_grad(i, q)));
+        }
+    }
+  } // namespace
+
+
+
+  SkewSparseMatrix
+  assemble_rotation(const Discretisation<3> &body, const Axle &axle)
+  {
+    const SparsityPattern pattern = sparsity_pattern(body, false);
+    SparseMatrix<double>  S(pattern);
+    add_cells<FullMatrix<double>>(
+      body,
+      QGauss<3>(2),
+      update_values | update_gradients | update_quadrature_points,
+      [&](const auto &values, auto &rotation) {
+        cell_rotation(values, body.material.density, axle, rotation);
+      },
+      S);
+    SkewSparseMatrix result{
+      restrict_to_unknowns(S, body.unknown_of_dof, body.n_unknowns)};
+    // taken by rows of the upper triangle
+    for (double &value : result.lower.values)
+      value *= -1.;
+    return result;
+  }
+
+
+
   template SymmetricSparseMatrix
   assemble_stiffness(const Discretisation<2> &, const StiffnessParts &);
   template SymmetricSparseMatrix

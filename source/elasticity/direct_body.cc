@@ -79,6 +79,29 @@ namespace RollingContact
 
 
   template <int dim>
+  SkewSparseMatrix
+  DirectBody<dim>::rotation(const Axle &axle) const
+  {
+    if constexpr (dim == 3)
+      return assemble_rotation(discretisation(), axle);
+    (void)axle;
+    throw std::logic_error("The flow round an axle is in 3D.");
+  }
+
+
+
+  template <int dim>
+  const Factorisation &
+  DirectBody<dim>::factorisation() const
+  {
+    if (factor == nullptr)
+      throw std::logic_error("There is no factor of the stiffness.");
+    return *factor;
+  }
+
+
+
+  template <int dim>
   bool
   DirectBody<dim>::has_losses() const
   {

@@ -4,6 +4,7 @@
 #include <rolling_contact/analyses/modes.h>
 #include <rolling_contact/analyses/quasi_static.h>
 #include <rolling_contact/analyses/receptance.h>
+#include <rolling_contact/analyses/stability.h>
 #include <rolling_contact/analyses/transient.h>
 #include <rolling_contact/base/choices.h>
 #include <rolling_contact/program/analysis_table.h>
@@ -111,6 +112,11 @@ namespace RollingContact
                          "how each body moves under harmonic forces, see "
                          "section Receptance");
       receptance.on_ranks = false;
+      AnalysisKind stability =
+        kind<Stability>("stability",
+                        "whether the steady rolling state squeals, see section "
+                        "Stability");
+      stability.on_ranks = false;
       return {kind<QuasiStatic>("quasi-static", "one steady rolling state"),
               kind<CreepCurve>("creep curve",
                                "many creepages, see section Creep curve"),
@@ -122,7 +128,8 @@ namespace RollingContact
               contacts,
               table,
               modes,
-              receptance};
+              receptance,
+              stability};
     }
   } // namespace
 

@@ -59,6 +59,8 @@ namespace RollingContact
           return "modes and their count";
         case Phase::response:
           return "frequency response";
+        case Phase::eigenvalues:
+          return "eigenvalues and their proof";
         case Phase::body_solves:
           return "forward and backward solves";
         case Phase::contact_solve:

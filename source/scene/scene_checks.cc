@@ -27,6 +27,48 @@ namespace RollingContact
 
 
   void
+  SceneParameters::check_stability() const
+  {
+    if (analysis != "stability")
+      return;
+    modes.check();
+    stability.check();
+    const std::string why = "Analysis = stability: ";
+    if (!contact.speed)
+      throw InputError(why + "Contact/Speed is empty; give the rolling speed V "
+                             "in m/s, which the slip's rate is compared with.");
+    if (contact.friction_coefficient == 0.)
+      throw InputError(why + "Contact/Friction coefficient = 0: without "
+                             "friction nothing squeals; give one.");
+    if (contact.slip_operator != SlipOperatorKind::upwind_2 &&
+        contact.slip_operator != SlipOperatorKind::upwind_1)
+      throw InputError(why + "Contact/Slip operator must be `upwind 2` or "
+                             "`upwind 1`: the linearised laws hold without an "
+                             "edge law.");
+    if (contact.friction_memory > 0.)
+      throw InputError(why + "Contact/Friction memory length = " +
+                       text_of(contact.friction_memory) +
+                       ": a sliding distance is not among the linearised laws; "
+                       "set it to 0.");
+    if (surfaces.in_use() || !surfaces.friction_share.empty())
+      throw InputError(why + "surfaces that pass (section Surfaces) have no "
+                             "steady state; leave them empty.");
+    if (profiles.in_use() &&
+        profiles.surface_kind == Profiles::SurfaceKind::curved)
+      throw InputError(why + "Profiles/Contact surface = curved is not among "
+                             "what is linearised; take plane.");
+    if (body_solver == BodySolver::distributed)
+      throw InputError("Body solver = distributed: " + why +
+                       "modes are found with a factor; take direct or "
+                       "automatic, on one rank.");
+    if (mesh.adaptive_levels > 0 || mesh.target_error)
+      throw InputError(why + "Mesh/Adaptive levels and Target error are not "
+                             "for it; give Mesh/Elements across patch.");
+  }
+
+
+
+  void
   SceneParameters::check_hubs() const
   {
     const bool dynamic = is_transient() && time.inertia;

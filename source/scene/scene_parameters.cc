@@ -68,6 +68,7 @@ namespace RollingContact
     profiles.declare(prm);
     modes.declare(prm);
     receptance.declare(prm);
+    stability.declare(prm);
     output.declare(prm);
   }
 
@@ -126,6 +127,7 @@ namespace RollingContact
       }
     check_speed();
     check_forces();
+    check_stability();
     check_pair();
     check_body_solver();
     check_profiles();

@@ -20,8 +20,12 @@ namespace RollingContact
         idle["Load curve"] = "Analysis = load curve reads that section";
       if (scene.analysis != "table")
         idle["Table"] = "Analysis = table reads that section";
-      if (!scene.is_of_structures())
-        idle["Modes"] = "Analysis = modes and receptance read that section";
+      const bool is_stability = scene.analysis == "stability";
+      if (!scene.is_of_structures() && !is_stability)
+        idle["Modes"] =
+          "Analysis = modes, receptance and stability read that section";
+      if (!is_stability)
+        idle["Stability"] = "Analysis = stability reads that section";
       if (scene.analysis != "receptance")
         idle["Receptance"] = "Analysis = receptance reads that section";
       if (scene.is_of_structures())

@@ -31,22 +31,44 @@ namespace RollingContact
                   RunContext            &context);
 
     /**
+     * The same of a body that rolls, with its mesh and the factor of K, which
+     * must outlive this.
+     */
+    VibratingBody(const SceneParameters &scene,
+                  const Side             side,
+                  const DirectBody<dim> &rolling,
+                  const double           cut_off,
+                  RunContext            &context);
+
+    /**
      * Damping ratio of each mode that the scene gives by nodal diameters.
      */
     std::vector<double>
     given_damping() const;
 
-    const Side                       side;
-    const BodyParameters             parameters;
-    std::unique_ptr<DirectBody<dim>> body;
-    BodyPlaces                       places;
-    SymmetricSparseMatrix            K, M, H, C;
-    double                           shift; ///< 1/s^2
-    std::unique_ptr<Factorisation>   factor;
-    StructuralModes                  modes;
-    std::vector<ModeCharacter>       characters;
+    const Side                 side;
+    const BodyParameters       parameters;
+    const DirectBody<dim>     *body;
+    BodyPlaces                 places;
+    SymmetricSparseMatrix      K, M, H, C;
+    double                     shift; ///< 1/s^2
+    const Factorisation       *factor;
+    StructuralModes            modes;
+    std::vector<ModeCharacter> characters;
 
   private:
+    VibratingBody(const SceneParameters           &scene,
+                  const Side                       side,
+                  std::unique_ptr<DirectBody<dim>> own,
+                  const DirectBody<dim>           *body,
+                  const double                     shift);
+
+    void
+    find_matrices(RunContext &context);
+
+    void
+    factorise(RunContext &context);
+
     void
     find_modes(const ModesParameters &wanted,
                const double           cut_off,

@@ -7,7 +7,9 @@
 #include <rolling_contact/dynamics/theta_scheme.h>
 #include <rolling_contact/elasticity/material.h>
 #include <rolling_contact/elasticity/supports.h>
+#include <rolling_contact/linear_algebra/skew_sparse_matrix.h>
 #include <rolling_contact/linear_algebra/symmetric_sparse_matrix.h>
+#include <rolling_contact/mesh/body_shape.h>
 
 #include <vector>
 
@@ -62,6 +64,18 @@ namespace RollingContact
   template <int dim>
   SymmetricSparseMatrix
   assemble_mass(const Discretisation<dim> &body, const MassKind kind);
+
+  /**
+   * The matrix of flow round an axle, in 3D,
+   *
+   *   S_ij = integral rho phi_i . d phi_j / d theta,
+   *
+   * the derivative of the vector along the circles about the axle, from +z
+   * towards +x at the contact point. It is skew for a body of revolution, and
+   * what the mesh leaves of a symmetric part is taken away. Units: kg.
+   */
+  SkewSparseMatrix
+  assemble_rotation(const Discretisation<3> &body, const Axle &axle);
 } // namespace RollingContact
 
 #endif

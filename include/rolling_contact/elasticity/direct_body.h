@@ -114,6 +114,20 @@ namespace RollingContact
     damping_in_time(const MassKind kind = MassKind::lumped) const;
 
     /**
+     * The matrix of flow round an axle, see assemble_rotation(), in 3D. Units:
+     * kg.
+     */
+    SkewSparseMatrix
+    rotation(const Axle &axle) const;
+
+    /**
+     * The factor of K, after compliance() and before it is released. Throws
+     * std::logic_error if there is none.
+     */
+    const Factorisation &
+    factorisation() const;
+
+    /**
      * The node of each unknown, for the order of elimination.
      */
     const std::vector<unsigned int> &

@@ -18,6 +18,7 @@ namespace RollingContact
     mass,
     modes,
     response,
+    eigenvalues,
     body_solves,
     contact_solve,
     fields,

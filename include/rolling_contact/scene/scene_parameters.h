@@ -15,6 +15,7 @@
 #include <rolling_contact/scene/receptance_parameters.h>
 #include <rolling_contact/scene/solver_parameters.h>
 #include <rolling_contact/scene/spectrum_parameters.h>
+#include <rolling_contact/scene/stability_parameters.h>
 #include <rolling_contact/scene/study_parameters.h>
 #include <rolling_contact/scene/surface_parameters.h>
 #include <rolling_contact/scene/table_parameters.h>
@@ -135,6 +136,7 @@ namespace RollingContact
     ProfileParameters    profiles;
     ModesParameters      modes;
     ReceptanceParameters receptance;
+    StabilityParameters  stability;
     OutputParameters     output;
 
     /**
@@ -162,6 +164,12 @@ namespace RollingContact
      */
     void
     check_structures() const;
+
+    /**
+     * Rules for Analysis = stability.
+     */
+    void
+    check_stability() const;
 
     void
     check_pair() const;

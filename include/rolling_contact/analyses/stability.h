@@ -1,0 +1,33 @@
+#ifndef rolling_contact_analyses_stability_h
+#define rolling_contact_analyses_stability_h
+
+#include <rolling_contact/analyses/analysis.h>
+#include <rolling_contact/run/run_context.h>
+#include <rolling_contact/scene/scene_parameters.h>
+
+namespace RollingContact
+{
+  /**
+   * Analysis = stability: the steady rolling state, the eigenvalues of small
+   * vibrations about it, the unstable ones counted a second time and proved
+   * with the whole bodies, in stability.csv.
+   */
+  template <int dim>
+  class Stability : public Analysis
+  {
+  public:
+    Stability(const SceneParameters &scene, RunContext &context)
+      : scene(scene)
+      , context(context)
+    {}
+
+    void
+    run() override;
+
+  private:
+    const SceneParameters &scene;
+    RunContext            &context;
+  };
+} // namespace RollingContact
+
+#endif
