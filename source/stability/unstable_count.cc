@@ -2,6 +2,7 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/linear_algebra/dense_eigenvalues.h>
+#include <rolling_contact/stability/contact_response.h>
 #include <rolling_contact/stability/rational_fit.h>
 #include <rolling_contact/stability/unstable_count.h>
 
@@ -34,69 +35,6 @@ namespace RollingContact
         C.data()[k] -= B.data()[k];
       return size(B) > 0. ? size(C) / size(B) : size(C);
     }
-
-
-
-    /**
-     * G(s) of a contact, and its poles.
-     */
-    class ContactResponse
-    {
-    public:
-      ContactResponse(const LinearContact &contact,
-                      const DenseMatrix   &W_res,
-                      const DenseMatrix   &U)
-        : statics(contact.N_u * (W_res * contact.forces))
-        , viscosity(contact.N_v * (W_res * contact.forces))
-        , motion(contact.N_u * U)
-        , velocity(contact.N_v * U)
-        , reaction(transposed(U) * contact.forces)
-      {
-        const std::size_t n = contact.n_unknowns();
-        for (std::size_t j = 0; j < n; ++j)
-          for (std::size_t i = 0; i < n; ++i)
-            {
-              statics(i, j) += contact.N_r(i, j);
-              viscosity(i, j) += contact.N_s(i, j);
-            }
-      }
-
-      ComplexMatrix
-      operator()(const std::complex<double> s) const
-      {
-        const ComplexLU factors(ComplexMatrix(statics, s, viscosity));
-        ComplexMatrix   driven(motion, s, velocity);
-        factors.solve(driven);
-        ComplexMatrix G = reaction * driven;
-        for (std::size_t k = 0; k < G.n_rows() * G.n_columns(); ++k)
-          G.data()[k] *= -1.;
-        return G;
-      }
-
-      /**
-       * Finite poles, by a real @p shift.
-       */
-      ComplexVector
-      poles(const double shift) const
-      {
-        DenseMatrix shifted = statics, inverse = viscosity;
-        for (std::size_t k = 0; k < shifted.n_rows() * shifted.n_rows(); ++k)
-          shifted.data()[k] += shift * viscosity.data()[k];
-        solve_general(shifted, inverse);
-        ComplexVector values  = eigenvalues(std::move(inverse)), finite;
-        double        largest = 0.;
-        for (const auto &value : values)
-          largest = std::max(largest, std::abs(value));
-        for (const auto &value : values)
-          if (std::abs(value) > 1e-9 * largest)
-            finite.push_back(shift - 1. / value);
-        return finite;
-      }
-
-    private:
-      DenseMatrix   statics, viscosity, motion, velocity;
-      ComplexMatrix reaction;
-    };
   } // namespace
 
 

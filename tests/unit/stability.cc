@@ -4,6 +4,7 @@
 #include "stability_bodies.h"
 
 #include <rolling_contact/references/mass_on_belt.h>
+#include <rolling_contact/references/sliding_half_space.h>
 #include <rolling_contact/references/two_mass_flutter.h>
 
 #include <algorithm>
@@ -12,110 +13,11 @@
 using namespace RollingContact;
 using namespace StabilityBodies;
 
-/** Linear stability of rolling: contact, eigenvalues, count, correction. */
+/** Eigenvalues of bodies and linearised contact, beside closed forms. */
 BOOST_AUTO_TEST_SUITE(stability)
 
 namespace
 {
-  RollingState
-  half_space_state(const Grid            &grid,
-                   const Creepages       &creepages,
-                   const SlipOperatorKind kind = SlipOperatorKind::upwind_2,
-                   const int              flow = 1)
-  {
-    RollingState rolling{
-      rolling_problem(
-        grid, half_space(grid, 80e9, 0.3), 0.4, creepages, 3.1e-5, kind, flow),
-      {}};
-    rolling.solve();
-    return rolling;
-  }
-
-  /**
-   * The state after the bodies moved by @p size times a motion and a rate of
-   * motion of their own.
-   */
-  std::vector<double>
-  moved_state(const RollingState        &rolling,
-              const std::vector<double> &motion,
-              const std::vector<double> &velocity,
-              const double               size)
-  {
-    RollingState      moved = rolling;
-    ContactLoads     &loads = moved.problem.loads;
-    const std::size_t N     = moved.problem.n_nodes(),
-                      T     = moved.problem.n_tangential();
-    loads.free_displacement = loads.free_slip = NodalField(N, T);
-    for (std::size_t i = 0; i < N; ++i)
-      {
-        loads.gap[i] += size * motion[T * N + i];
-        for (std::size_t c = 0; c < T; ++c)
-          {
-            loads.free_displacement(c, i) = size * motion[c * N + i];
-            loads.free_slip(c, i)         = size * velocity[c * N + i] / speed;
-          }
-      }
-    moved.solve();
-    BOOST_TEST(moved.converged);
-    std::vector<double> unknowns = moved.state.traction.values();
-    unknowns.insert(unknowns.end(),
-                    moved.state.pressure.begin(),
-                    moved.state.pressure.end());
-    return unknowns;
-  }
-
-  /**
-   * Largest difference of the linear contact from the solver's answers to
-   * motions, over the largest answer.
-   */
-  double
-  difference_from_solver(const RollingState    &rolling,
-                         const FrictionResponse friction)
-  {
-    const LinearContact contact =
-      linear_contact(rolling.problem, rolling.state, at_speed(friction));
-    BOOST_TEST(contact.n_border() == 0u);
-    const std::size_t N = contact.n_nodes, T = contact.n_tangential,
-                      n = contact.touching.size();
-    std::mt19937                     generator(3);
-    std::normal_distribution<double> normal;
-    double                           worst = 0.;
-    for (unsigned int sample = 0; sample < 4; ++sample)
-      {
-        std::vector<double> motion((T + 1) * N), velocity((T + 1) * N);
-        for (std::size_t k = 0; k < motion.size(); ++k)
-          {
-            motion[k]   = sample == 1 ? 0. : 1e-9 * normal(generator);
-            velocity[k] = sample == 0 ? 0. : 1e-5 * normal(generator);
-          }
-        // (N_u W forces + N_r) dx = -N_u motion - N_v velocity
-        DenseMatrix M =
-          contact.N_u * (rolling.problem.operators.W() * contact.forces);
-        DenseMatrix dx(M.n_rows(), 1);
-        for (std::size_t i = 0; i < M.n_rows(); ++i)
-          {
-            for (std::size_t j = 0; j < M.n_rows(); ++j)
-              M(i, j) += contact.N_r(i, j);
-            for (std::size_t j = 0; j < motion.size(); ++j)
-              dx(i, 0) -=
-                contact.N_u(i, j) * motion[j] + contact.N_v(i, j) * velocity[j];
-          }
-        BOOST_TEST_REQUIRE(solve_general(M, dx));
-        const auto above = moved_state(rolling, motion, velocity, 1.),
-                   below = moved_state(rolling, motion, velocity, -1.);
-        double largest = 0., error = 0.;
-        for (std::size_t c = 0; c <= T; ++c)
-          for (std::size_t k = 0; k < n; ++k)
-            {
-              const std::size_t at     = c * N + contact.touching[k];
-              const double      change = (above[at] - below[at]) / 2;
-              largest                  = std::max(largest, std::abs(change));
-              error = std::max(error, std::abs(change - dx(c * n + k, 0)));
-            }
-        worst = std::max(worst, error / largest);
-      }
-    return worst;
-  }
   /**
    * A mass of 1 kg per mode on one node that touches between two that do not;
    * @p tangential and @p normal are its modes there, 1 m^2 its area.
@@ -253,57 +155,6 @@ namespace
 } // namespace
 
 
-
-BOOST_AUTO_TEST_CASE(the_linear_contact_is_the_derivative_of_the_solver)
-{
-  const Grid line{9, 1}, plane{7, 5};
-  for (const int flow : {1, -1})
-    for (const double creepage : {0.02, 4e-4})
-      for (const auto kind :
-           {SlipOperatorKind::upwind_1, SlipOperatorKind::upwind_2})
-        {
-          const RollingState state =
-            half_space_state(line, {creepage, 0., 0.}, kind, flow);
-          BOOST_TEST(state.converged);
-          const auto contact =
-            linear_contact(state.problem, state.state, at_speed());
-          BOOST_TEST((contact.n_slip() == contact.touching.size()) ==
-                     (creepage > 0.01));
-          BOOST_TEST(contact.n_slip() > 0u);
-          BOOST_TEST(difference_from_solver(state, FrictionResponse::constant) <
-                     1e-6);
-        }
-  for (const Creepages &creepages :
-       {Creepages{0.01, -0.02, 1.}, Creepages{4e-4, -6e-4, 0.3}})
-    {
-      const RollingState state = half_space_state(plane, creepages);
-      const auto         contact =
-        linear_contact(state.problem, state.state, at_speed());
-      BOOST_TEST((contact.n_slip() == contact.touching.size()) ==
-                 (creepages.spin > 0.5));
-      BOOST_TEST(contact.n_slip() > 0u);
-      BOOST_TEST(difference_from_solver(state, FrictionResponse::constant) <
-                 1e-5);
-    }
-}
-
-BOOST_AUTO_TEST_CASE(the_slope_of_falling_friction_is_that_of_the_solver)
-{
-  for (const unsigned int n_y : {1, 5})
-    {
-      RollingState state =
-        half_space_state({7, n_y}, {0.01, n_y == 1 ? 0. : -0.02, 0.});
-      state.problem.loads.friction_law =
-        make_friction_law("exponential", 0.7, 0.3);
-      state.problem.loads.speed = speed;
-      state.solve();
-      BOOST_TEST(state.converged);
-      BOOST_TEST(difference_from_solver(state, FrictionResponse::node) < 1e-4);
-      // which sees the slope
-      BOOST_TEST(difference_from_solver(state, FrictionResponse::constant) >
-                 1e-2);
-    }
-}
 
 BOOST_AUTO_TEST_CASE(two_masses_flutter)
 {
@@ -540,6 +391,31 @@ BOOST_AUTO_TEST_CASE(falling_friction_needs_a_memory)
                                    at_speed(FrictionResponse::node))),
     5000.);
   BOOST_TEST(modes.real.size() > 5u);
+}
+
+BOOST_AUTO_TEST_CASE(waves_grow_on_a_sliding_half_space)
+{
+  using References::growing_sliding_waves;
+  struct
+  {
+    double               mu, nu;
+    std::complex<double> c;
+  } const waves[] = {{1.2, 0.3, {1.413861, 0.080987}},
+                     {1.5, 0.3, {1.414449, 0.175459}},
+                     {2., 0.3, {1.420695, 0.298415}},
+                     {1.2, 0.45, {1.402646, 0.114040}},
+                     {2., 0.45, {1.271784, 0.391861}}};
+  for (const auto &[mu, nu, expected] : waves)
+    {
+      const auto found = growing_sliding_waves(mu, nu);
+      BOOST_TEST_REQUIRE(!found.empty());
+      BOOST_TEST(std::abs(nearest(found, expected) - expected) < 1e-6);
+    }
+  for (const double nu : {0., 0.3, 0.45})
+    for (const double mu : {0., 0.3, 0.6, 0.9})
+      BOOST_TEST(growing_sliding_waves(mu, nu).empty());
+  BOOST_TEST(contains(complaint([]() { growing_sliding_waves(0.3, 0.5); }),
+                      "Poisson's ratio"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -231,6 +231,16 @@ namespace StabilityBodies
     options.friction = friction;
     return options;
   }
+
+  inline std::complex<double>
+  nearest(const ComplexVector &values, const std::complex<double> s)
+  {
+    std::complex<double> best = values.at(0);
+    for (const auto &value : values)
+      if (std::abs(value - s) < std::abs(best - s))
+        best = value;
+    return best;
+  }
 } // namespace StabilityBodies
 
 #endif

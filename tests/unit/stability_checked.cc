@@ -51,16 +51,6 @@ namespace
     };
   }
 
-  std::complex<double>
-  nearest(const ComplexVector &values, const std::complex<double> s)
-  {
-    std::complex<double> best = values.at(0);
-    for (const auto &value : values)
-      if (std::abs(value - s) < std::abs(best - s))
-        best = value;
-    return best;
-  }
-
   const Grid      patch{7, 5};
   const Creepages sliding{0.02, -0.01, 0.};
 } // namespace

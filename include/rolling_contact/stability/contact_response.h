@@ -1,0 +1,50 @@
+#ifndef rolling_contact_stability_contact_response_h
+#define rolling_contact_stability_contact_response_h
+
+#include <rolling_contact/linear_algebra/complex_matrix.h>
+#include <rolling_contact/stability/linear_contact.h>
+
+namespace RollingContact
+{
+  /**
+   * How a contact answers motions U of the patch, as complex stiffness:
+   *
+   *   G(s) = -U^T forces [(N_u + s N_v) W_res forces + N_r + s N_s]^-1
+   *              (N_u + s N_v) U,
+   *
+   * the generalised forces of unit motions that go as exp(s t). Smooth in s but
+   * for its poles, the eigenvalues of the contact with bodies that stand still.
+   * Units: 1/s, N/m if U has none.
+   */
+  class ContactResponse
+  {
+  public:
+    ContactResponse(const LinearContact &contact,
+                    const DenseMatrix   &W_res,
+                    const DenseMatrix   &U);
+
+    /**
+     * G(s), by a solution with the unknowns of the contact.
+     */
+    ComplexMatrix
+    operator()(const std::complex<double> s) const;
+
+    /**
+     * Its finite poles, found by a real @p shift. Units: 1/s.
+     */
+    ComplexVector
+    poles(const double shift) const;
+
+  private:
+    /**
+     * Normal rows are in m, those of slip in Pa: solutions want them alike.
+     */
+    void
+    scale_rows();
+
+    DenseMatrix   statics, viscosity, motion, velocity;
+    ComplexMatrix reaction;
+  };
+} // namespace RollingContact
+
+#endif
