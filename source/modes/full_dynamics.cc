@@ -1,0 +1,253 @@
+#include <rolling_contact/base/constants.h>
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/text.h>
+#include <rolling_contact/linear_algebra/blas.h>
+#include <rolling_contact/modes/full_dynamics.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace RollingContact
+{
+  namespace
+  {
+    using Complex = std::complex<double>;
+
+    const unsigned int most_iterations = 200;
+
+
+
+    /** A real and an imaginary part, as real products take them. */
+    struct Parts
+    {
+      explicit Parts(const ComplexVector &x)
+      {
+        for (const Complex &value : x)
+          {
+            real.push_back(value.real());
+            imaginary.push_back(value.imag());
+          }
+      }
+
+      explicit Parts(const std::size_t n)
+        : real(n)
+        , imaginary(n)
+      {}
+
+      std::vector<double> real, imaginary;
+    };
+
+
+
+    template <class Matrix>
+    Parts
+    product(const Matrix &A, const Parts &x)
+    {
+      Parts result(x.real.size());
+      A.multiply(x.real, result.real);
+      A.multiply(x.imaginary, result.imaginary);
+      return result;
+    }
+
+
+
+    /** y += factor x. */
+    void
+    add(const Complex factor, const Parts &x, ComplexVector &y)
+    {
+      for (std::size_t i = 0; i < y.size(); ++i)
+        y[i] += factor * Complex(x.real[i], x.imaginary[i]);
+    }
+
+
+
+    double
+    length(const ComplexVector &x)
+    {
+      double sum = 0.;
+      for (const Complex &value : x)
+        sum += std::norm(value);
+      return std::sqrt(sum);
+    }
+
+
+
+    /** A x or A^T x of a dense real matrix. */
+    std::vector<double>
+    dense_product(const char                *transpose,
+                  const DenseMatrix         &A,
+                  const std::vector<double> &x)
+    {
+      const int           m = A.n_rows(), n = A.n_columns(), step = 1;
+      const double        one = 1., zero = 0.;
+      std::vector<double> y(*transpose == 'T' ? n : m, 0.);
+      if (m > 0 && n > 0)
+        dgemv_(transpose,
+               &m,
+               &n,
+               &one,
+               A.data(),
+               &m,
+               x.data(),
+               &step,
+               &zero,
+               y.data(),
+               &step);
+      return y;
+    }
+
+
+
+    Parts
+    dense_product(const char *transpose, const DenseMatrix &A, const Parts &x)
+    {
+      Parts y(0);
+      y.real      = dense_product(transpose, A, x.real);
+      y.imaginary = dense_product(transpose, A, x.imaginary);
+      return y;
+    }
+  } // namespace
+
+
+
+  FullDynamics::FullDynamics(const TurningStructure    &structure,
+                             const Factorisation       &factor,
+                             const StructuralModes     &modes,
+                             const std::vector<double> &damping_ratios,
+                             const DenseMatrix         &K_m,
+                             const DenseMatrix         &C_m)
+    : structure(structure)
+    , factor(factor)
+    , modes(modes)
+    , K_m(K_m)
+    , C_m(C_m)
+    , M_phi(modes.shapes.n_rows(), modes.size())
+  {
+    const std::size_t   n = modes.shapes.n_rows();
+    std::vector<double> phi(n), image(n);
+    for (std::size_t j = 0; j < modes.size(); ++j)
+      {
+        modal_damping.push_back(2 * damping_ratios[j] * 2 * pi *
+                                modes.frequencies[j]);
+        std::copy_n(modes.shapes.data() + j * n, n, phi.begin());
+        structure.M.multiply(phi, image);
+        std::copy(image.begin(), image.end(), M_phi.data() + j * n);
+      }
+  }
+
+
+
+  ComplexVector
+  FullDynamics::multiply(const Complex s, const ComplexVector &x) const
+  {
+    const double  rate = structure.rate;
+    const Parts   parts(x);
+    ComplexVector result(x.size(), 0.);
+    add(1., product(structure.K, parts), result);
+    add(s * s, product(structure.M, parts), result);
+    // what the damping sees: s x, and what flow brings
+    ComplexVector velocity(x.size(), 0.);
+    add(s, parts, velocity);
+    if (structure.S.size() > 0 && rate != 0.)
+      {
+        const Parts S_x = product(structure.S, parts);
+        add(2. * s * rate, S_x, result);
+        Parts per_mass = S_x;
+        for (std::size_t i = 0; i < x.size(); ++i)
+          {
+            const double mass =
+              structure.M.values[structure.M.column_starts[i]];
+            const double inverse = mass > 0. ? 1 / mass : 0.;
+            per_mass.real[i] *= inverse;
+            per_mass.imaginary[i] *= inverse;
+          }
+        add(rate * rate, product(structure.S, per_mass), result);
+        add(rate, per_mass, velocity);
+      }
+    const Parts v(velocity);
+    if (structure.C.size() > 0)
+      add(1., product(structure.C, v), result);
+    Parts modal = dense_product("T", M_phi, v);
+    for (std::size_t j = 0; j < modal.real.size(); ++j)
+      {
+        modal.real[j] *= modal_damping[j];
+        modal.imaginary[j] *= modal_damping[j];
+      }
+    add(1., dense_product("N", M_phi, modal), result);
+    return result;
+  }
+
+
+
+  ComplexVector
+  FullDynamics::precondition(const Complex s, const ComplexVector &b) const
+  {
+    const std::size_t n = b.size();
+    const int         m = modes.size();
+    const Parts       parts(b);
+    DenseMatrix       block(n, 2);
+    std::copy(parts.real.begin(), parts.real.end(), block.data());
+    std::copy(parts.imaginary.begin(), parts.imaginary.end(), block.data() + n);
+    factor.solve(block);
+    ComplexVector result(n);
+    for (std::size_t i = 0; i < n; ++i)
+      result[i] = Complex(block(i, 0), block(i, 1));
+
+    const Parts          modal = dense_product("T", modes.shapes, parts);
+    std::vector<Complex> D(static_cast<std::size_t>(m) * m), q(m);
+    for (int j = 0; j < m; ++j)
+      {
+        q[j] = Complex(modal.real[j], modal.imaginary[j]);
+        for (int i = 0; i < m; ++i)
+          D[i + static_cast<std::size_t>(j) * m] =
+            s * C_m(i, j) + K_m(i, j) + (i == j ? s * s : 0.);
+      }
+    if (m > 0 && !solve_complex(m, D, 1, q))
+      throw ConvergenceError("Vibration of the modes alone has no answer at "
+                             "this frequency: it is an undamped eigenvalue.");
+    Parts dynamic(m);
+    for (int j = 0; j < m; ++j)
+      {
+        const Complex change =
+          q[j] -
+          Complex(modal.real[j], modal.imaginary[j]) / modes.eigenvalue(j);
+        dynamic.real[j]      = change.real();
+        dynamic.imaginary[j] = change.imag();
+      }
+    add(1., dense_product("N", modes.shapes, dynamic), result);
+    return result;
+  }
+
+
+
+  ComplexVector
+  FullDynamics::solve(const Complex        s,
+                      const ComplexVector &b,
+                      const double         tolerance) const
+  {
+    ComplexVector x(b.size(), 0.), rest = b;
+    const double  scale = length(b);
+    double        error = scale > 0. ? 1. : 0.;
+    for (unsigned int k = 0; error > tolerance; ++k)
+      {
+        if (k == most_iterations || !(error < 1e6))
+          throw ConvergenceError(
+            "Vibration of a whole body at " +
+            significant(std::abs(s.imag()) / (2 * pi), 5) +
+            " Hz was not found: residual " + significant(error, 2) + " after " +
+            std::to_string(k) +
+            " iterations; raise Modes/Cut-off ratio, so that the modes reach "
+            "further.");
+        const ComplexVector step = precondition(s, rest);
+        for (std::size_t i = 0; i < x.size(); ++i)
+          x[i] += step[i];
+        rest                      = b;
+        const ComplexVector image = multiply(s, x);
+        for (std::size_t i = 0; i < x.size(); ++i)
+          rest[i] -= image[i];
+        error = length(rest) / scale;
+        ++iterations;
+      }
+    return x;
+  }
+} // namespace RollingContact

@@ -6,6 +6,7 @@
 #include <rolling_contact/modes/frequency_response.h>
 #include <rolling_contact/modes/measuring_point.h>
 #include <rolling_contact/modes/mode_character.h>
+#include <rolling_contact/modes/rotation.h>
 #include <rolling_contact/scene/body_parameters.h>
 
 #include <algorithm>
@@ -215,6 +216,39 @@ BOOST_AUTO_TEST_CASE(a_free_wheel_has_six_rigid_modes)
   const Vibrating wheel(parameters, 1500.);
   BOOST_TEST(wheel.modes.frequencies[5] < 1e-4 * wheel.modes.frequencies[6]);
   BOOST_TEST(wheel.modes.frequencies[6] > 100.);
+}
+
+
+
+/** The flow round the axle turns the two modes of a pair into each other, n
+ * times as fast as itself where they move along the axle alone, and no others.
+ */
+BOOST_AUTO_TEST_CASE(flow_turns_a_pair_by_its_nodal_diameters)
+{
+  const auto      parameters = section("Wheel", "annular_plate.msh", 0.46, 96);
+  const Vibrating plate(parameters, 500.);
+  const auto      S =
+    modal_rotation(plate.body.rotation(*parameters.body_shape()->axle()),
+                   plate.modes.shapes);
+  unsigned int n_pairs = 0;
+  for (std::size_t j = 0; j < plate.modes.size(); ++j)
+    {
+      const ModeCharacter &character = plate.characters[j];
+      for (std::size_t i = 0; i < plate.modes.size(); ++i)
+        {
+          BOOST_TEST(S(i, j) == -S(j, i));
+          if (character.partner == i && *character.nodal_diameters <= 3)
+            {
+              ++n_pairs;
+              BOOST_TEST(std::abs(S(i, j)) == *character.nodal_diameters,
+                         boost::test_tools::tolerance(0.01));
+            }
+          else if (plate.characters[i].nodal_diameters !=
+                   character.nodal_diameters)
+            BOOST_TEST(std::abs(S(i, j)) < 1e-6);
+        }
+    }
+  BOOST_TEST(n_pairs >= 6u);
 }
 
 
