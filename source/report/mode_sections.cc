@@ -72,11 +72,12 @@ namespace RollingContact
                                    face->vertex(v)[2],
                                    {{face->vertex_dof_index(v, 1),
                                      face->vertex_dof_index(v, 2)}}});
-            if (corners.size() == 2 &&
-                seen
-                  .insert({{std::min(corners[0].dofs[0], corners[1].dofs[0]),
-                            std::max(corners[0].dofs[0], corners[1].dofs[0])}})
-                  .second)
+            if (corners.size() != 2)
+              continue;
+            const std::array<types::global_dof_index, 2> ends{
+              {std::min(corners[0].dofs[0], corners[1].dofs[0]),
+               std::max(corners[0].dofs[0], corners[1].dofs[0])}};
+            if (seen.insert(ends).second)
               edges.push_back({{corners[0], corners[1]}});
           }
       return edges;

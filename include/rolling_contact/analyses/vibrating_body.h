@@ -77,6 +77,9 @@ namespace RollingContact
     void
     warn_of_pairs(const std::optional<double> &speed,
                   RunContext                  &context) const;
+
+    std::unique_ptr<DirectBody<dim>> own_body;
+    std::unique_ptr<Factorisation>   own_factor;
   };
 } // namespace RollingContact
 
