@@ -278,13 +278,29 @@ namespace RollingContact
 
 
 
+    /** ", revolved in 96 cells about an axle ..."; empty for a whole mesh. */
+    std::string
+    sweep_of(const BodyParameters &body)
+    {
+      if (!body.is_section())
+        return "";
+      const std::string cells = std::to_string(body.cells_along) + " cells ";
+      return body.radius > 0.
+               ? ", revolved in " + cells + "about an axle " +
+                   significant(body.radius, 4) + " m behind the contact"
+               : ", extruded in " + cells + "over " +
+                   significant(body.block_length, 4) + " m";
+    }
+
+
+
     std::string
     note_on(const BodyParameters &body,
             const FileMesh       &mesh,
             const FileSurface    &surface,
             const double          distance)
     {
-      return body.section + ": " + body.mesh_file + ", " +
+      return body.section + ": " + body.mesh_file + sweep_of(body) + ", " +
              std::to_string(mesh.cells.size()) + " cells; its " +
              std::to_string(surface.vertices.size()) +
              " contact nodes, up to " + millimetres(surface.face_size[0]) +
