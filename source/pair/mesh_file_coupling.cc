@@ -3,6 +3,7 @@
 #include <rolling_contact/interface/mortar.h>
 #include <rolling_contact/interface/overlap.h>
 #include <rolling_contact/pair/mesh_file_coupling.h>
+#include <rolling_contact/pair/section_advice.h>
 
 #include <algorithm>
 #include <cmath>
@@ -278,22 +279,6 @@ namespace RollingContact
 
 
 
-    /** ", revolved in 96 cells about an axle ..."; empty for a whole mesh. */
-    std::string
-    sweep_of(const BodyParameters &body)
-    {
-      if (!body.is_section())
-        return "";
-      const std::string cells = std::to_string(body.cells_along) + " cells ";
-      return body.radius > 0.
-               ? ", revolved in " + cells + "about an axle " +
-                   significant(body.radius, 4) + " m behind the contact"
-               : ", extruded in " + cells + "over " +
-                   significant(body.block_length, 4) + " m";
-    }
-
-
-
     std::string
     note_on(const BodyParameters &body,
             const FileMesh       &mesh,
@@ -366,7 +351,12 @@ namespace RollingContact
           heights.push_back(mesh.vertices[vertex][2]);
         result.heights = result.coupling.to_interface(heights);
       }
-    result.note = {note_on(body, mesh, result, distance),
+    const auto &[lower, upper, corners] = interface.cells[0];
+    const std::string advice =
+      advice_on_cells_along(body,
+                            result.face_size,
+                            {{upper[0] - lower[0], upper[1] - lower[1]}});
+    result.note = {note_on(body, mesh, result, distance) + advice,
                    warning_of(body, result, interface)};
     return result;
   }

@@ -261,6 +261,10 @@ BOOST_AUTO_TEST_CASE(finer_uniform_gradings_divide_a_section)
   BOOST_TEST(relative(volume(mesh) / (n * std::sin(2 * pi / n)),
                       coarse / (96 * std::sin(2 * pi / 96))) < 1e-9);
   BOOST_TEST(is_symmetric(mesh, 0.46, 2 * pi / n));
+  BOOST_TEST(relative(area(mesh, contact_boundary),
+                      2 * n * std::sin(pi / n) * 0.46 * 0.135) < 1e-9);
+  BOOST_TEST(relative(area(mesh, hub_boundary),
+                      2 * n * std::sin(pi / n) * 0.0925 * 0.17) < 1e-9);
 }
 
 namespace
