@@ -354,7 +354,11 @@ namespace RollingContact
     });
     std::vector<SurfaceNode> nodes;
     for (const unsigned int vertex : vertices)
-      nodes.push_back(found.at(vertex));
+      {
+        nodes.push_back(found.at(vertex));
+        AssertThrow(!constraints.is_constrained(nodes.back().dofs[0]),
+                    ExcMessage("A contact node of a body is constrained."));
+      }
     return nodes;
   }
 

@@ -3,6 +3,7 @@
 #include <rolling_contact/interface/mortar.h>
 #include <rolling_contact/interface/overlap.h>
 #include <rolling_contact/pair/mesh_file_coupling.h>
+#include <rolling_contact/pair/section_advice.h>
 
 #include <algorithm>
 #include <cmath>
@@ -284,7 +285,7 @@ namespace RollingContact
             const FileSurface    &surface,
             const double          distance)
     {
-      return body.section + ": " + body.mesh_file + ", " +
+      return body.section + ": " + body.mesh_file + sweep_of(body) + ", " +
              std::to_string(mesh.cells.size()) + " cells; its " +
              std::to_string(surface.vertices.size()) +
              " contact nodes, up to " + millimetres(surface.face_size[0]) +
@@ -350,7 +351,12 @@ namespace RollingContact
           heights.push_back(mesh.vertices[vertex][2]);
         result.heights = result.coupling.to_interface(heights);
       }
-    result.note = {note_on(body, mesh, result, distance),
+    const auto &[lower, upper, corners] = interface.cells[0];
+    const std::string advice =
+      advice_on_cells_along(body,
+                            result.face_size,
+                            {{upper[0] - lower[0], upper[1] - lower[1]}});
+    result.note = {note_on(body, mesh, result, distance) + advice,
                    warning_of(body, result, interface)};
     return result;
   }

@@ -678,7 +678,7 @@ BOOST_AUTO_TEST_CASE(what_a_body_from_a_file_does_not_go_with)
              "a rigid body has no mesh"));
   BOOST_TEST(
     contains(with([](SceneParameters &scene) { scene.rail.shape = "block"; }),
-             "Shape = mesh file only"));
+             "Shape = mesh file or section only"));
   BOOST_TEST(
     contains(with([](SceneParameters &scene) { scene.rail.hub_boundary = 1; }),
              "Hub boundary id are both 1"));

@@ -5,6 +5,7 @@
 #include "section_files.h"
 
 #include <rolling_contact/mesh/body_mesh.h>
+#include <rolling_contact/pair/section_advice.h>
 
 #include <cmath>
 
@@ -132,6 +133,22 @@ BOOST_AUTO_TEST_CASE(scenes_that_sections_do_not_allow)
         [](SceneParameters &scene) { scene.mesh.adaptive_levels = 2; });
   check("Mesh/Rim levels = 1" + why + "is refined for the estimated patch",
         [](SceneParameters &scene) { scene.mesh.rim_levels = 1; });
+}
+
+BOOST_AUTO_TEST_CASE(long_or_short_cells_get_advice)
+{
+  BodyParameters body = section_body("Wheel", "annular_plate.msh");
+  body.cells_along    = 64;
+  const auto advice   = [&](const double x, const double y) {
+    return advice_on_cells_along(body, {{x, y}}, {{2e-3, 1e-3}});
+  };
+  BOOST_TEST(advice(1.6e-3, 0.8e-3) == "");
+  BOOST_TEST(advice(1.6e-3, 0.4e-3) == "");
+  BOOST_TEST(
+    contains(advice(1.6e-3, 0.2e-3), "about Wheel/Cells along = 256 "));
+  BOOST_TEST(contains(advice(0.4e-3, 0.8e-3), "about Wheel/Cells along = 16 "));
+  body.shape = "mesh file";
+  BOOST_TEST(advice(1.6e-3, 0.2e-3) == "");
 }
 
 BOOST_AUTO_TEST_CASE(a_section_too_large_for_the_memory_is_refused)

@@ -6,6 +6,7 @@
 
 #include "section_files.h"
 
+#include <rolling_contact/elasticity/direct_body.h>
 #include <rolling_contact/mesh/file_body_mesh.h>
 #include <rolling_contact/mesh/section_file_shape.h>
 #include <rolling_contact/mesh/section_shapes.h>
@@ -159,6 +160,34 @@ BOOST_AUTO_TEST_CASE(a_revolved_section_is_that_of_a_prism_around_the_axle)
 
 
 
+BOOST_AUTO_TEST_CASE(a_wheel_gives_way_alike_at_all_angles)
+{
+  const unsigned int n = 24, n_points = 60;
+  const auto         at_rim = [](const DirectBody<3> &body) {
+    std::vector<unsigned int> vertices;
+    const auto &points = body.mesh().triangulation->get_vertices();
+    for (unsigned int v = 0; v < points.size(); ++v)
+      if (std::abs(std::hypot(points[v][0], points[v][2] + 0.46) - 0.46) <
+            1e-9 &&
+          std::abs(points[v][1]) < 1e-9)
+        vertices.push_back(v);
+    return vertices;
+  };
+  DirectBody<3> body(shape_of(plate(n)),
+                     {210e9, 0.3},
+                     0.,
+                     Grading<3>::unrefined());
+  const auto    vertices = at_rim(body);
+  BOOST_TEST_REQUIRE(vertices.size() == n);
+  BOOST_TEST(vertices[5] - vertices[4] == n_points);
+  const DenseMatrix W = body.compliance(body.nodes_at(vertices), {1});
+  for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int j = 0; j < n; ++j)
+      BOOST_TEST(relative(W(i, j), W(0, (j + n - i) % n)) < 1e-9);
+}
+
+
+
 BOOST_AUTO_TEST_CASE(the_wheel_has_its_section_and_equal_angles)
 {
   for (const unsigned int through : {2, 3})
@@ -232,6 +261,10 @@ BOOST_AUTO_TEST_CASE(finer_uniform_gradings_divide_a_section)
   BOOST_TEST(relative(volume(mesh) / (n * std::sin(2 * pi / n)),
                       coarse / (96 * std::sin(2 * pi / 96))) < 1e-9);
   BOOST_TEST(is_symmetric(mesh, 0.46, 2 * pi / n));
+  BOOST_TEST(relative(area(mesh, contact_boundary),
+                      2 * n * std::sin(pi / n) * 0.46 * 0.135) < 1e-9);
+  BOOST_TEST(relative(area(mesh, hub_boundary),
+                      2 * n * std::sin(pi / n) * 0.0925 * 0.17) < 1e-9);
 }
 
 namespace
