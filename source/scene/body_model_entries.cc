@@ -263,8 +263,9 @@ namespace RollingContact
               "1e-4 to 1e-2.");
     if (damping.sponge_length == 0.)
       return;
-    const bool is_closed = section == "Wheel" && (profile || shape == "disc");
-    require(!is_closed && shape != "disc",
+    const bool is_closed =
+      shape == "disc" || (section == "Wheel" && shape != "block");
+    require(!is_closed,
             "Sponge length",
             damping.sponge_length,
             "a body that closes on itself has no ends to absorb waves; set it "
