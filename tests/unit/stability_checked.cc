@@ -180,7 +180,10 @@ BOOST_AUTO_TEST_CASE(bodies_and_contact_that_are_unstable_alone_are_counted)
   // a body that nothing holds: its modes at rest share one vector
   ReducedPair free = pair;
   free.K_m(0, 0) = free.C_m(0, 0) = 0.;
-  result                          = UnstableCounter(free).count(constant);
+  const UnstableCounter solving(free);
+  result = solving.count(constant);
+  BOOST_TEST(counter.uses_residues());
+  BOOST_TEST(!solving.uses_residues());
   BOOST_TEST(result.count == number(free, constant));
   BOOST_TEST(result.resolved);
   // falling friction without a memory
