@@ -240,8 +240,13 @@ BOOST_AUTO_TEST_CASE(what_has_no_stability_is_refused)
                state.state.edge_law = false;
                state.state.scheme   = {};
              }).empty());
+}
 
-  ReducedPair pair = random_pair(grid, 4, 1);
+BOOST_AUTO_TEST_CASE(bodies_that_do_not_fit_are_refused)
+{
+  const Grid         grid{7, 5};
+  const RollingState good = half_space_state(grid, {0.02, 0.01, 0.});
+  ReducedPair        pair = random_pair(grid, 4, 1);
   check(pair);
   const double largest = symmetric_eigenvalues(pair.W_res).back();
   for (unsigned int i = 0; i < pair.W_res.n_rows(); ++i)
