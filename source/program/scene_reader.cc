@@ -168,9 +168,11 @@ namespace RollingContact
     scene.check();
     scene.read_meshes();
     scene.read_profiles();
-    check_mesh_units(scene);
+    if (!scene.is_of_structures())
+      check_mesh_units(scene);
     scene.read_surfaces();
-    check_moving_surfaces(scene);
+    if (!scene.is_of_structures())
+      check_moving_surfaces(scene);
     if (scene.analysis == "table")
       plan_table(scene); // all states of it are possible
     input.warnings =

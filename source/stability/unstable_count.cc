@@ -305,6 +305,23 @@ namespace RollingContact
 
 
 
+    RationalFit
+    fit_of(const ContactResponse &direct,
+           const ComplexVector   &points,
+           const std::size_t      p)
+    {
+      ComplexMatrix values(points.size(), p * p);
+      for (std::size_t i = 0; i < points.size(); ++i)
+        {
+          const ComplexMatrix G = direct(points[i]);
+          for (std::size_t k = 0; k < p * p; ++k)
+            values(i, k) = G.data()[k];
+        }
+      return RationalFit(points, values);
+    }
+
+
+
     /**
      * ln det(I - H G).
      */
@@ -330,16 +347,8 @@ namespace RollingContact
                        "have the same nodes.");
     UnstableCount         result;
     const ContactResponse direct(contact, W_res, U);
-    const std::size_t     p      = n_motions();
-    const ComplexVector   points = fit_points();
-    ComplexMatrix         values(points.size(), p * p);
-    for (std::size_t i = 0; i < points.size(); ++i)
-      {
-        const ComplexMatrix G = direct(points[i]);
-        for (std::size_t k = 0; k < p * p; ++k)
-          values(i, k) = G.data()[k];
-      }
-    const RationalFit fit(points, values);
+    const std::size_t     p   = n_motions();
+    const RationalFit     fit = fit_of(direct, fit_points(), p);
     // where no point of the fit is
     for (std::size_t k = 7; k < contour.size(); k += contour.size() / 23)
       if (relative_difference(reshaped(fit(contour[k]), p),

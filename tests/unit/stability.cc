@@ -320,7 +320,18 @@ BOOST_AUTO_TEST_CASE(rotation_splits_a_pair_exactly)
       pair.K_m = matrix({{omega * omega, 0.}, {0., omega * omega}});
       pair.C_m = DenseMatrix(2, 2);
       pair.Phi = DenseMatrix(0, 2);
-      add_rotation(pair, matrix({{0., n}, {-n, 0.}}), rate);
+      const double      turning = n * rate, damping = 40.;
+      const DenseMatrix S      = matrix({{0., n}, {-n, 0.}});
+      ReducedPair       damped = pair;
+      damped.C_m               = matrix({{damping, 0.}, {0., damping}});
+      // what turns with the material decays as it does at rest
+      add_rotation(damped, S, rate);
+      const double free = std::sqrt(omega * omega - damping * damping / 4);
+      BOOST_TEST(
+        difference(StabilityPencil(damped, LinearContact()).eigenvalues(),
+                   {{-damping / 2, free + turning},
+                    {-damping / 2, free - turning}}) < 1e-12);
+      add_rotation(pair, S, rate);
       check(pair);
       const StabilityPencil pencil(pair, LinearContact());
       const auto            values = pencil.eigenvalues();

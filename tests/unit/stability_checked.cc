@@ -53,6 +53,58 @@ namespace
 
   const Grid      patch{7, 5};
   const Creepages sliding{0.02, -0.01, 0.};
+
+  /**
+   * The eigenvalues in the part of the plane that a counter looks at.
+   */
+  int
+  number(const ReducedPair &bodies, const LinearContact &contact)
+  {
+    int count = 0;
+    for (const auto &s : StabilityPencil(bodies, contact).eigenvalues())
+      count += s.real() > 0. && s.imag() > 2 * pi * 60. &&
+               s.imag() < 2 * pi * 5000. && s.real() < 2 * pi * 5000.;
+    return count;
+  }
+
+  DenseMatrix
+  grown(const DenseMatrix &M,
+        const unsigned int rows,
+        const unsigned int columns)
+  {
+    DenseMatrix larger(M.n_rows() + rows, M.n_columns() + columns);
+    for (std::size_t j = 0; j < M.n_columns(); ++j)
+      for (std::size_t i = 0; i < M.n_rows(); ++i)
+        larger(i, j) = M(i, j);
+    return larger;
+  }
+
+  /**
+   * A contact with two unknowns more that swing by themselves.
+   */
+  LinearContact
+  excited(const LinearContact &contact, const std::complex<double> s)
+  {
+    const unsigned int n      = contact.n_unknowns();
+    LinearContact      result = contact;
+    result.N_u                = grown(contact.N_u, 2, 0);
+    result.N_v                = grown(contact.N_v, 2, 0);
+    result.N_r                = grown(contact.N_r, 2, 2);
+    result.N_s                = grown(contact.N_s, 2, 2);
+    result.forces             = grown(contact.forces, 0, 2);
+    result.N_s(n, n) = result.N_s(n + 1, n + 1) = 1.;
+    result.N_r(n, n) = result.N_r(n + 1, n + 1) = -s.real();
+    result.N_r(n, n + 1)                        = s.imag();
+    result.N_r(n + 1, n)                        = -s.imag();
+    return result;
+  }
+
+  const ReducedPair &
+  some_pair()
+  {
+    static const ReducedPair pair = random_pair({7, 5}, 14, 41, 2e-4, 0.2);
+    return pair;
+  }
 } // namespace
 
 
@@ -128,6 +180,54 @@ BOOST_AUTO_TEST_CASE(the_count_is_that_of_the_eigenvalues)
   BOOST_TEST(n_stable > 5u);
   BOOST_TEST_MESSAGE("unstable: " << n_unstable
                                   << ", states without: " << n_stable);
+}
+
+BOOST_AUTO_TEST_CASE(bodies_that_are_unstable_alone_are_counted)
+{
+  const RollingState state = rolling_state(patch, some_pair(), 0.5, sliding);
+  const auto contact = linear_contact(state.problem, state.state, at_speed());
+  // a mode with negative damping
+  ReducedPair driven = some_pair();
+  driven.C_m(5, 5)   = -800.;
+  const auto result  = UnstableCounter(driven).count(contact);
+  BOOST_TEST(result.n_body_poles == 1u);
+  BOOST_TEST(result.count == number(driven, contact));
+  BOOST_TEST(result.count > 0);
+  BOOST_TEST(UnstableCounter(driven).uses_residues());
+  // a body that nothing holds: its modes at rest share one vector
+  ReducedPair free = some_pair();
+  free.K_m(0, 0) = free.C_m(0, 0) = 0.;
+  const UnstableCounter counter(free);
+  BOOST_TEST(!counter.uses_residues());
+  BOOST_TEST(counter.count(contact).count == number(free, contact));
+  BOOST_TEST(counter.count(contact).resolved);
+}
+
+BOOST_AUTO_TEST_CASE(a_contact_that_is_unstable_alone_is_counted)
+{
+  RollingState state   = rolling_state(patch, some_pair(), 0.5, sliding);
+  const auto   contact = linear_contact(state.problem, state.state, at_speed());
+  const auto   swings  = excited(contact, {30., 2 * pi * 777.});
+  const UnstableCounter counter(some_pair());
+  const auto            result = counter.count(swings);
+  BOOST_TEST(result.n_contact_poles == 1u);
+  BOOST_TEST(result.count == counter.count(contact).count + 1);
+  BOOST_TEST(result.count == number(some_pair(), swings));
+  // falling friction without a memory
+  state.problem.loads.friction_law = make_friction_law("exponential", 0.5, 0.2);
+  state.problem.loads.speed        = speed;
+  state.solve();
+  BOOST_TEST(state.converged);
+  int most = 0;
+  for (const double V : {1., 10., 100.})
+    {
+      LinearContactOptions options = at_speed(FrictionResponse::node);
+      options.speed                = V;
+      const auto falling = linear_contact(state.problem, state.state, options);
+      BOOST_TEST(counter.count(falling).count == number(some_pair(), falling));
+      most = std::max(most, counter.count(falling).count);
+    }
+  BOOST_TEST(most > 0);
 }
 
 BOOST_AUTO_TEST_CASE(the_full_bodies_correct_reduced_modes)

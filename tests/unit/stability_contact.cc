@@ -149,6 +149,22 @@ BOOST_AUTO_TEST_CASE(the_linear_contact_is_the_derivative_of_the_solver)
     }
 }
 
+BOOST_AUTO_TEST_CASE(the_contact_matrix_need_not_be_diagonal)
+{
+  const Grid   grid{9, 1};
+  RollingState state      = half_space_state(grid, {0.02, 0., 0.});
+  const auto  &lumped     = state.problem.operators;
+  const Trace  trace      = grid.trace();
+  state.problem.operators = ContactOperators(
+    trace.nodes,
+    contact_matrix(trace, ContactMatrices::consistent, grid.size),
+    lumped.W(),
+    lumped.slip_operator());
+  state.solve();
+  BOOST_TEST(state.converged);
+  BOOST_TEST(difference_from_solver(state, FrictionResponse::constant) < 1e-6);
+}
+
 BOOST_AUTO_TEST_CASE(the_slope_of_falling_friction_is_that_of_the_solver)
 {
   for (const unsigned int n_y : {1, 5})
@@ -224,8 +240,13 @@ BOOST_AUTO_TEST_CASE(what_has_no_stability_is_refused)
                state.state.edge_law = false;
                state.state.scheme   = {};
              }).empty());
+}
 
-  ReducedPair pair = random_pair(grid, 4, 1);
+BOOST_AUTO_TEST_CASE(bodies_that_do_not_fit_are_refused)
+{
+  const Grid         grid{7, 5};
+  const RollingState good = half_space_state(grid, {0.02, 0.01, 0.});
+  ReducedPair        pair = random_pair(grid, 4, 1);
   check(pair);
   const double largest = symmetric_eigenvalues(pair.W_res).back();
   for (unsigned int i = 0; i < pair.W_res.n_rows(); ++i)

@@ -83,6 +83,16 @@ namespace RollingContact
       return U.n_columns();
     }
 
+    /**
+     * False if H is solved for with the modes each time, as poles that share a
+     * vector give no residues.
+     */
+    bool
+    uses_residues() const
+    {
+      return poles_hold;
+    }
+
   private:
     using MatrixFunction =
       std::function<ComplexMatrix(const std::complex<double>)>;
