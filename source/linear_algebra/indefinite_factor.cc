@@ -6,7 +6,7 @@
 #include <rolling_contact/linear_algebra/dissection.h>
 #include <rolling_contact/linear_algebra/indefinite_factor.h>
 
-#include <limits>
+#include <cstdlib>
 #include <string>
 
 namespace RollingContact
@@ -28,6 +28,28 @@ namespace RollingContact
     const int          too_little_work_space[] = {-8, -9, -14, -17, -20};
     const int          no_memory               = -13;
     const unsigned int status = 1, n_negative_pivots = 12;
+
+
+
+    /**
+     * MUMPS wants MPI even on one process; a program that was not started by
+     * mpirun has none yet.
+     */
+    void
+    start_mpi()
+    {
+      int is_running = 0;
+      MPI_Initialized(&is_running);
+      if (is_running)
+        return;
+      MPI_Init(nullptr, nullptr);
+      std::atexit([]() {
+        int has_ended = 0;
+        MPI_Finalized(&has_ended);
+        if (!has_ended)
+          MPI_Finalize();
+      });
+    }
 
 
 
@@ -57,6 +79,7 @@ namespace RollingContact
     public:
       Mumps()
       {
+        start_mpi();
         solver.job          = Job::start;
         solver.par          = 1;
         solver.sym          = 2;

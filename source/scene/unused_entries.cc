@@ -267,19 +267,25 @@ namespace RollingContact
                                          "Rayleigh stiffness",
                                          "Sponge length",
                                          "Sponge rate"};
-      const bool                     moves =
-        scene.time.inertia &&
-        (scene.analysis == "transient" ||
-         (scene.analysis == "accuracy study" && scene.study.varies_time_step));
+      const bool has_modes =
+        scene.is_of_structures() || scene.analysis == "stability";
+      const bool moves =
+        has_modes ||
+        (scene.time.inertia && (scene.analysis == "transient" ||
+                                (scene.analysis == "accuracy study" &&
+                                 scene.study.varies_time_step)));
       if (body.rigid)
         add(all, "a rigid body has no damping");
       if (!moves)
         add(all,
             "only bodies with inertia are damped, Analysis = transient with "
-            "Time/Inertia = true");
-      add({"Modal damping"},
-          "modes of a body have it, and this analysis finds "
-          "none");
+            "Time/Inertia = true, and those of analyses of modes");
+      if (!has_modes)
+        add({"Modal damping"},
+            "modes of a body have it, and this analysis finds none");
+      if (scene.is_of_structures())
+        add({"Loss frequency"},
+            "in the frequency domain loss factors need none");
       if (damping.sponge_length == 0.)
         add({"Sponge rate"}, "there are no absorbing ends, Sponge length = 0");
       if (damping.loss_factor == 0. &&
