@@ -201,6 +201,8 @@ BOOST_AUTO_TEST_CASE(bodies_that_are_unstable_alone_are_counted)
   BOOST_TEST(!counter.uses_residues());
   BOOST_TEST(counter.count(contact).count == number(free, contact));
   BOOST_TEST(counter.count(contact).resolved);
+  free.K_m(0, 0) = 1e-18; // or almost
+  BOOST_TEST(!UnstableCounter(free).uses_residues());
 }
 
 BOOST_AUTO_TEST_CASE(a_contact_that_is_unstable_alone_is_counted)
