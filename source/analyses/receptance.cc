@@ -27,6 +27,9 @@ namespace RollingContact
 
     const char axis_names[] = "xyz";
 
+    /// over the largest receptance: what is not drawn
+    const double nothing = 1e-6;
+
 
 
     /**
@@ -283,8 +286,11 @@ namespace RollingContact
                         const std::vector<double>               &frequencies,
                         const std::vector<std::vector<Complex>> &alpha) const
   {
-    const std::size_t n = stations.size();
-    Figure            figure("Receptances of the " + name_of(side),
+    const std::size_t n       = stations.size();
+    double            largest = 0.;
+    for (const auto &matrix : alpha)
+      largest = std::max(largest, largest_of(matrix));
+    Figure figure("Receptances of the " + name_of(side),
                   "frequency (Hz)",
                   "receptance (m/N)"),
       phases("", "frequency (Hz)", "phase (\u00b0)");
@@ -304,6 +310,9 @@ namespace RollingContact
               size.push_back(std::abs(matrix[p + q * n]));
               angle.push_back(180 / pi * std::arg(matrix[p + q * n]));
             }
+          // none, but for rounding, by symmetry
+          if (*std::max_element(size.begin(), size.end()) < nothing * largest)
+            continue;
           const std::string name =
             stations[p].place + " " + axis_names[stations[p].axis] + " / " +
             stations[q].place + " " + axis_names[stations[q].axis];

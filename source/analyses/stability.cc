@@ -25,6 +25,9 @@ namespace RollingContact
     /// stable vibrations that are listed as well, the least damped ones
     const std::size_t n_stable_listed = 5;
 
+    /// largest damping ratio that the picture shows (%)
+    const double shown_damping = 1.;
+
 
 
     StateDemands
@@ -206,20 +209,22 @@ namespace RollingContact
       for (const auto &s : eigenvalues)
         if (s.imag() / (2 * pi) >= lowest && s.imag() / (2 * pi) <= highest)
           {
+            const double ratio = -100 * s.real() / std::abs(s);
+            if (ratio > shown_damping)
+              continue;
             f.push_back(s.imag() / (2 * pi * 1000));
-            zeta.push_back(std::clamp(-100 * s.real() / std::abs(s), -1., 1.));
+            zeta.push_back(ratio);
           }
       for (const Finding &finding : findings)
         if (finding.unstable())
           {
             unstable_f.push_back(finding.mode.frequency() / 1000);
-            unstable_zeta.push_back(
-              std::clamp(100 * finding.mode.damping_ratio(), -1., 1.));
+            unstable_zeta.push_back(100 * finding.mode.damping_ratio());
           }
       Figure figure("Vibrations about the steady rolling state",
                     "frequency (kHz)",
-                    "damping ratio (%), cut at 1");
-      figure.add_curve("all", f, zeta, CurveStyle::points);
+                    "damping ratio (%)");
+      figure.add_curve("below 1 %", f, zeta, CurveStyle::points);
       if (!unstable_f.empty())
         figure.add_curve("unstable",
                          unstable_f,

@@ -16,13 +16,24 @@ namespace RollingContact
   {
     /// squared length of a direction that is taken for 0: over the largest in
     /// its block, and over what it was before parts of it were taken away
-    const double dependent = 1e-24, nothing = 1e-26;
+    const double dependent = 1e-20, nothing = 1e-26;
+
+    /// squared length of what is left of a direction of length 1, below which
+    /// it lies in the space; and above which its parts there are gone
+    const double rounding = 1e-16, much = 0.5;
 
     /// columns that are read at once
     const std::size_t panel_columns = 64;
 
     /// how well the first value beyond those wanted must be known
-    const double guard_tolerance = 1e-2;
+    const double guard_tolerance = 1e-6;
+
+    /** Columns after which values that are not found are given up. */
+    std::size_t
+    most_basis(const std::size_t n_wanted)
+    {
+      return 12 * n_wanted + 400;
+    }
 
 
 
@@ -191,44 +202,95 @@ namespace RollingContact
 
 
 
+    /** X = Q R with orthonormal Q, and the least length of what was kept. */
+    struct Orthonormal
+    {
+      DenseMatrix R;
+      double      least_square = 1.;
+    };
+
+
+
     /**
      * Replace X by an orthonormal basis Q of its columns in the inner product
-     * of M, X = Q R, and leave out directions that depend on others
-     * (Stathopoulos and Wu 2002) and columns that are nothing against their
-     * squared lengths @p before. Returns R.
+     * of M and leave out what depends on others (Stathopoulos and Wu 2002).
+     * @p scales: of the columns, 0 for those that are left out; directions
+     * whose squared length, so scaled, is below @p floor are nothing.
      */
+    Orthonormal
+    orthonormalise(const DenseMatrix         &G,
+                   const std::vector<double> &scales,
+                   const double               floor,
+                   DenseMatrix               &X)
+    {
+      const std::size_t   n = X.n_rows(), b = X.n_columns();
+      DenseMatrix         U = G;
+      std::vector<double> values;
+      for (std::size_t j = 0; j < b; ++j)
+        for (std::size_t i = 0; i < b; ++i)
+          U(i, j) *= scales[i] * scales[j];
+      symmetric_eigenpairs(U, values);
+      std::size_t first = 0;
+      while (first < b && !(values[first] > floor))
+        ++first;
+      const std::size_t rank = b - first;
+      DenseMatrix       T(b, rank), Q(n, rank);
+      Orthonormal       result;
+      result.R            = DenseMatrix(rank, b);
+      result.least_square = rank > 0 ? values[first] : 1.;
+      for (std::size_t k = 0; k < rank; ++k)
+        for (std::size_t i = 0; i < b; ++i)
+          {
+            const double root = std::sqrt(values[first + k]);
+            T(i, k)           = scales[i] * U(i, first + k) / root;
+            result.R(k, i) =
+              scales[i] > 0. ? root * U(i, first + k) / scales[i] : 0.;
+          }
+      product("N", n, rank, b, 1., X.data(), n, T.data(), b, 0., Q.data(), n);
+      X = std::move(Q);
+      return result;
+    }
+
+
+
+    /** X^T M X. */
     DenseMatrix
-    orthonormalise(const SymmetricSparseMatrix &M,
-                   DenseMatrix                 &X,
-                   const std::vector<double>   &before = {})
+    gram(const SymmetricSparseMatrix &M, const DenseMatrix &X)
     {
       const std::size_t n = X.n_rows(), b = X.n_columns();
       const DenseMatrix MX = times(M, X);
       DenseMatrix       G(b, b);
       product("T", b, b, n, 1., X.data(), n, MX.data(), n, 0., G.data(), b);
-      std::vector<double> scale(b), values;
-      for (std::size_t i = 0; i < b; ++i)
-        if (G(i, i) > (before.empty() ? 0. : nothing * before[i]))
-          scale[i] = 1 / std::sqrt(G(i, i));
-      for (std::size_t j = 0; j < b; ++j)
-        for (std::size_t i = 0; i < b; ++i)
-          G(i, j) *= scale[i] * scale[j];
-      symmetric_eigenpairs(G, values);
-      std::size_t first = 0;
-      while (first < b && !(values[first] > dependent * values.back()))
-        ++first;
-      const std::size_t rank = b - first;
-      DenseMatrix       T(b, rank), R(rank, b), Q(n, rank);
-      for (std::size_t k = 0; k < rank; ++k)
-        for (std::size_t i = 0; i < b; ++i)
-          {
-            const double root = std::sqrt(values[first + k]);
-            T(i, k)           = scale[i] * G(i, first + k) / root;
-            R(k, i) = scale[i] > 0. ? root * G(i, first + k) / scale[i] : 0.;
-          }
-      product("N", n, rank, b, 1., X.data(), n, T.data(), b, 0., Q.data(), n);
-      X = std::move(Q);
-      return R;
+      return G;
+    }
+
+
+
+    /** Columns are taken for nothing that are so against what they were. */
+    Orthonormal
+    orthonormalise_columns(const SymmetricSparseMatrix &M,
+                           const std::vector<double>   &before,
+                           DenseMatrix                 &X)
+    {
+      const DenseMatrix   G = gram(M, X);
+      std::vector<double> scales(X.n_columns(), 0.);
+      for (std::size_t i = 0; i < scales.size(); ++i)
+        if (G(i, i) > nothing * before[i])
+          scales[i] = 1 / std::sqrt(G(i, i));
+      return orthonormalise(G, scales, dependent, X);
+    }
+
+
+
+    /** Columns of length 1 whose parts in the space were taken away: what is
+     * left must be more than rounding. */
+    Orthonormal
+    orthonormalise_rest(const SymmetricSparseMatrix &M, DenseMatrix &X)
+    {
+      return orthonormalise(gram(M, X),
+                            std::vector<double>(X.n_columns(), 1.),
+                            rounding,
+                            X);
     }
 
 
@@ -305,19 +367,20 @@ namespace RollingContact
             }
       }
 
-      /** True if all values from @p least on have converged, and the first one
-       * below it roughly. */
+      /** True if all values from @p least on have converged and are as many as
+       * wanted; if that is not known, the first one below @p least as well. */
       bool
-      converged(const double least, const double tolerance) const
+      converged(const double                      least,
+                const double                      tolerance,
+                const std::optional<std::size_t> &number) const
       {
-        for (std::size_t k = 0; k < size; ++k)
-          {
-            if (theta[k] < least)
-              return residual[k] <= guard_tolerance * theta[k];
-            if (residual[k] > tolerance * theta[k])
-              return false;
-          }
-        return false;
+        std::size_t k = 0;
+        for (; k < size && theta[k] >= least; ++k)
+          if (residual[k] > tolerance * theta[k])
+            return false;
+        if (number)
+          return k >= *number;
+        return k < size && residual[k] <= guard_tolerance * theta[k];
       }
 
       std::size_t         size = 0;
@@ -399,11 +462,12 @@ namespace RollingContact
       return image;
     };
 
-    Basis       V(n);
-    Projection  projection;
-    DenseMatrix block = invert(random_block(n, controls));
-    orthonormalise(M, block);
-    orthonormalise(M, block);
+    Basis                     V(n);
+    Projection                projection;
+    DenseMatrix               block = invert(random_block(n, controls));
+    const std::vector<double> any(block.n_columns(), 0.);
+    orthonormalise_columns(M, any, block);
+    orthonormalise_rest(M, block);
     std::size_t begin = 0, before = 0, checked = 0;
     while (block.n_columns() > 0)
       {
@@ -419,12 +483,15 @@ namespace RollingContact
                                           MX.data() + j * n,
                                           0.);
         V.add_combination(-1., H, before, X);
-        DenseMatrix       R    = orthonormalise(M, X, lengths);
-        const DenseMatrix rest = V.project(times(M, X), 0);
-        V.add_combination(-1., rest, 0, X);
-        R =
-          multiply(orthonormalise(M, X, std::vector<double>(X.n_columns(), 1.)),
-                   R);
+        DenseMatrix R = orthonormalise_columns(M, lengths, X).R;
+        for (double least = 0.; least < much && X.n_columns() > 0;)
+          {
+            const DenseMatrix rest = V.project(times(M, X), 0);
+            V.add_combination(-1., rest, 0, X);
+            const Orthonormal clean = orthonormalise_rest(M, X);
+            R                       = multiply(clean.R, R);
+            least                   = clean.least_square;
+          }
         projection.add(bottom_rows(H, block.n_columns()), R);
         block  = std::move(X);
         before = begin;
@@ -433,7 +500,8 @@ namespace RollingContact
           continue;
         projection.solve();
         checked = begin;
-        if (projection.converged(least, controls.tolerance))
+        if (projection.converged(least, controls.tolerance, controls.number) ||
+            (controls.number && begin > most_basis(*controls.number)))
           break;
       }
     EigenPairs found = wanted_pairs(V, projection, controls, n);

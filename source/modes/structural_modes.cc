@@ -17,7 +17,7 @@ namespace RollingContact
   {
     /// of the shifted and inverted problem, over that of K phi = lambda M phi:
     /// the factor blows up what is rough in space
-    const double sharper = 1e-2;
+    const double sharper = 1e-3;
 
     /// of the cut-off, below which no mode is elastic
     const double rigid = 1e-6;
@@ -90,26 +90,15 @@ namespace RollingContact
 
 
 
-    void
+    /** How many modes there are below the cut-off, by inertia. */
+    std::size_t
     count(const SymmetricSparseMatrix     &K,
           const SymmetricSparseMatrix     &M,
           const std::vector<unsigned int> &node_of_unknown,
-          StructuralModes                 &modes)
+          const double                     cut_off)
     {
-      const Stopwatch watch;
-      modes.counted = n_negative_eigenvalues(
-        linear_combination(1., K, -eigenvalue_of(modes.cut_off), M),
-        node_of_unknown);
-      modes.count_seconds = watch.seconds();
-      if (*modes.counted != modes.size())
-        throw ConvergenceError(
-          "Of " + std::to_string(*modes.counted) + " modes below " +
-          significant(modes.cut_off, 6) +
-          " Hz, counted by the inertia of K - "
-          "omega^2 M, " +
-          std::to_string(modes.size()) +
-          " were found. A mode may lie at that frequency: change "
-          "Modes/Cut-off ratio a little.");
+      return n_negative_eigenvalues(
+        linear_combination(1., K, -eigenvalue_of(cut_off), M), node_of_unknown);
     }
   } // namespace
 
@@ -139,15 +128,21 @@ namespace RollingContact
                    const std::vector<unsigned int> &node_of_unknown,
                    const ModeControls              &controls)
   {
+    StructuralModes modes;
+    const Stopwatch counting;
+    if (controls.count)
+      modes.counted = count(K, M, node_of_unknown, controls.cut_off);
+    modes.count_seconds = counting.seconds();
+
     const Stopwatch watch;
     LanczosControls lanczos;
-    lanczos.largest       = eigenvalue_of(controls.cut_off);
-    lanczos.shift         = shift;
-    lanczos.tolerance     = sharper * controls.tolerance;
-    lanczos.block_size    = controls.block_size;
-    lanczos.interrupt     = controls.interrupt;
-    EigenPairs      pairs = block_lanczos(factor, M, lanczos);
-    StructuralModes modes;
+    lanczos.largest    = eigenvalue_of(controls.cut_off);
+    lanczos.shift      = shift;
+    lanczos.tolerance  = sharper * controls.tolerance;
+    lanczos.block_size = controls.block_size;
+    lanczos.number     = modes.counted;
+    lanczos.interrupt  = controls.interrupt;
+    EigenPairs pairs   = block_lanczos(factor, M, lanczos);
     for (const double lambda : pairs.values)
       modes.frequencies.push_back(std::sqrt(std::max(0., lambda)) / (2 * pi));
     modes.shapes          = std::move(pairs.vectors);
@@ -155,9 +150,15 @@ namespace RollingContact
     modes.n_solves        = pairs.n_solves;
     modes.n_basis         = pairs.n_basis;
     modes.lanczos_seconds = watch.seconds();
+    if (modes.counted && *modes.counted != modes.size())
+      throw ConvergenceError(
+        "Of " + std::to_string(*modes.counted) + " modes below " +
+        significant(modes.cut_off, 6) +
+        " Hz, counted by the inertia of K - omega^2 M, " +
+        std::to_string(modes.size()) +
+        " were found. A mode may lie at that frequency: change Modes/Maximum "
+        "frequency or Cut-off ratio a little.");
     examine(K, M, modes);
-    if (controls.count)
-      count(K, M, node_of_unknown, modes);
     return modes;
   }
 } // namespace RollingContact

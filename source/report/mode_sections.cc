@@ -106,20 +106,6 @@ namespace RollingContact
         height = high_z - low_z;
       }
     };
-
-
-
-    double
-    largest_displacement(const std::vector<Edge> &edges, const BodyField &shape)
-    {
-      double largest = 0.;
-      for (const Edge &edge : edges)
-        for (const Corner &corner : edge)
-          largest =
-            std::max(largest,
-                     std::hypot(shape[corner.dofs[0]], shape[corner.dofs[1]]));
-      return largest;
-    }
   } // namespace
 
 
@@ -141,9 +127,10 @@ namespace RollingContact
     std::vector<double> rest_y, rest_z;
     for (std::size_t k = 0; k < modes.size(); ++k)
       {
-        const double right   = 1e3 * apart * frame.width * (k % per_row),
-                     down    = 1e3 * apart * frame.height * (k / per_row);
-        const double largest = largest_displacement(edges, modes[k].shape),
+        const double right = 1e3 * apart * frame.width * (k % per_row),
+                     down  = 1e3 * apart * frame.height * (k / per_row);
+        // of the whole body: a section that stays at rest is shown at rest
+        const double largest = modes[k].shape.linfty_norm(),
                      scale = largest > 0. ? shown * frame.height / largest : 0.;
         std::vector<double> y, z;
         for (const Edge &edge : edges)
@@ -165,7 +152,7 @@ namespace RollingContact
           }
         figure.add_curve(modes[k].name, y, z, CurveStyle::line);
       }
-    figure.add_curve("at rest", rest_y, rest_z, CurveStyle::dashed);
+    figure.add_curve("at rest", rest_y, rest_z, CurveStyle::reference);
     figure.set_equal_scales();
     figure.draw(context, name);
   }

@@ -31,6 +31,7 @@ namespace
     parameters.radius         = radius;
     parameters.cells_along    = cells_along;
     parameters.model.elements = ElementKind::enhanced;
+    parameters.material       = {210e9, 0.3, 7850.};
     parameters.read_mesh(3, std::string(TEST_DATA) + "/../../prm/sections");
     return parameters;
   }
@@ -155,7 +156,7 @@ BOOST_AUTO_TEST_CASE(an_annular_plate_has_its_frequencies)
  * fourth order, 16 752 unknowns for each number of nodal diameters. */
 BOOST_AUTO_TEST_CASE(a_wheel_has_its_frequencies)
 {
-  const Vibrating wheel(section("Wheel", "wheel_2.msh", 0.46, 96), 5600.);
+  const Vibrating wheel(section("Wheel", "wheel_2.msh", 0.46, 96), 5800.);
   const Reference exact{{0,
                          {214.32, 495.00, 1475.26, 2561.67, 3378.24, 5453.24}},
                         {1, {141.82, 1152.06, 1661.20, 2821.33, 3424.96}},
@@ -241,7 +242,7 @@ BOOST_AUTO_TEST_CASE(flow_turns_a_pair_by_its_nodal_diameters)
             {
               ++n_pairs;
               BOOST_TEST(std::abs(S(i, j)) == *character.nodal_diameters,
-                         boost::test_tools::tolerance(0.01));
+                         boost::test_tools::tolerance(0.02));
             }
           else if (plate.characters[i].nodal_diameters !=
                    character.nodal_diameters)

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace RollingContact
@@ -26,6 +27,10 @@ namespace RollingContact
     /** Of || A^-1 M x - theta x || over theta = 1 / (lambda + shift), in the
      * norm of M. */
     double tolerance = 1e-10;
+
+    /** How many are wanted, if that is known: then it goes on until it has
+     * so many. */
+    std::optional<std::size_t> number = {};
 
     unsigned int  block_size = 8;
     std::uint64_t seed       = 1; ///< of the first block
