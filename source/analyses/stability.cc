@@ -376,7 +376,7 @@ namespace RollingContact
         backward = std::max(backward, finding.corrected->backward_error);
     if (scene.stability.correct && !findings.empty())
       context.report.errors.push_back(
-        {"eigenvalues",
+        {"vibrations that grow",
          backward,
          "the equations of the whole bodies",
          "their backward error after correction, " +

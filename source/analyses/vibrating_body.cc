@@ -211,7 +211,8 @@ namespace RollingContact
           (largest == modes.size() ||
            characters[j].split > characters[largest].split))
         largest = j;
-    if (largest == modes.size() || !(radius > 0.))
+    if (dim == 2 || side == Side::rail || largest == modes.size() ||
+        !(radius > 0.))
       return;
     const double split   = characters[largest].split,
                  f       = modes.frequencies[largest];

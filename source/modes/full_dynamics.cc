@@ -15,6 +15,10 @@ namespace RollingContact
 
     const unsigned int most_iterations = 200;
 
+    /// residual at which rounding may end the iterations: they gain less than
+    /// this share
+    const double good_enough = 1e-6, standing_still = 0.5;
+
 
 
     /** A real and an imaginary part, as real products take them. */
@@ -227,9 +231,12 @@ namespace RollingContact
   {
     ComplexVector x(b.size(), 0.), rest = b;
     const double  scale = length(b);
-    double        error = scale > 0. ? 1. : 0.;
+    double        error = scale > 0. ? 1. : 0., before = 2.;
     for (unsigned int k = 0; error > tolerance; ++k)
       {
+        if (error < good_enough && error > standing_still * before)
+          break;
+        before = error;
         if (k == most_iterations || !(error < 1e6))
           throw ConvergenceError(
             "Vibration of a whole body at " +

@@ -52,7 +52,8 @@ namespace RollingContact
                  const DenseMatrix         &C_m);
 
     /**
-     * x to a relative residual of @p tolerance. Throws ConvergenceError if that
+     * x to a relative residual of @p tolerance, or, below 1e-6, as far as
+     * rounding allows. Throws ConvergenceError if that
      * is not reached, as when |s| is beyond the modes. Units: 1/s, N to m.
      */
     ComplexVector
