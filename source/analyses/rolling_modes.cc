@@ -1,7 +1,7 @@
 #include <rolling_contact/analyses/rolling_modes.h>
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/linear_algebra/blas.h>
+#include <rolling_contact/linear_algebra/block_products.h>
 #include <rolling_contact/modes/rotation.h>
 
 #include <cmath>
@@ -14,40 +14,6 @@ namespace RollingContact
 
     /// relative residual of the equations of whole bodies
     const double full_tolerance = 1e-10;
-
-
-
-    /** Phi^T A Phi. */
-    DenseMatrix
-    projected(const SymmetricSparseMatrix &A, const DenseMatrix &shapes)
-    {
-      const std::size_t   n = shapes.n_rows(), m = shapes.n_columns();
-      DenseMatrix         images(n, m), result(m, m);
-      std::vector<double> phi(n), image(n);
-      for (std::size_t j = 0; j < m; ++j)
-        {
-          std::copy_n(shapes.data() + j * n, n, phi.begin());
-          A.multiply(phi, image);
-          std::copy(image.begin(), image.end(), images.data() + j * n);
-        }
-      const int    rows = n, columns = m;
-      const double one = 1., zero = 0.;
-      if (m > 0)
-        dgemm_("T",
-               "N",
-               &columns,
-               &columns,
-               &rows,
-               &one,
-               shapes.data(),
-               &rows,
-               images.data(),
-               &rows,
-               &zero,
-               result.data(),
-               &columns);
-      return result;
-    }
   } // namespace
 
 

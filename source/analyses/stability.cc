@@ -1,15 +1,14 @@
 #include <rolling_contact/analyses/rolling_modes.h>
 #include <rolling_contact/analyses/solve_to_target.h>
 #include <rolling_contact/analyses/stability.h>
+#include <rolling_contact/analyses/stability_report.h>
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/parallel/interrupt.h>
-#include <rolling_contact/plot/figure.h>
 #include <rolling_contact/report/bodies_report.h>
 #include <rolling_contact/report/result_row.h>
 #include <rolling_contact/report/state_report.h>
-#include <rolling_contact/stability/correction.h>
 #include <rolling_contact/stability/pencil.h>
 #include <rolling_contact/stability/unstable_count.h>
 
@@ -25,9 +24,6 @@ namespace RollingContact
     /// stable vibrations that are listed as well, the least damped ones
     const std::size_t n_stable_listed = 5;
 
-    /// largest damping ratio that the picture shows (%)
-    const double shown_damping = 1.;
-
 
 
     StateDemands
@@ -38,27 +34,6 @@ namespace RollingContact
       demands.pair.factors       = true;
       return demands;
     }
-
-
-
-    /** A vibration and what is known of it. */
-    struct Finding
-    {
-      StabilityMode                mode;
-      std::optional<CorrectedMode> corrected;
-
-      double
-      growth() const
-      {
-        return corrected ? corrected->growth() : mode.growth();
-      }
-
-      bool
-      unstable() const
-      {
-        return corrected ? corrected->unstable() : mode.growth() > 0.;
-      }
-    };
 
 
 
@@ -94,157 +69,112 @@ namespace RollingContact
 
 
 
-    /** The column with the largest share among those of a body. */
-    std::pair<std::size_t, double>
-    largest_share(const std::vector<double> &shares,
-                  const std::size_t          begin,
-                  const std::size_t          end)
-    {
-      std::size_t largest = begin;
-      for (std::size_t k = begin; k < end; ++k)
-        if (shares[k] > shares[largest])
-          largest = k;
-      return {largest, begin < end ? shares[largest] : 0.};
-    }
-
-
-
-    /** By how much the lateral force leads the normal one: the phase of their
-     * sums over the patch. */
-    double
-    phase_of_forces(const LinearContact &contact, const ComplexVector &unknowns)
-    {
-      const unsigned int   N = contact.n_nodes, T = contact.n_tangential;
-      std::complex<double> tangential = 0., normal = 0.;
-      for (std::size_t k = 0; k < unknowns.size(); ++k)
-        for (unsigned int i = 0; i < N; ++i)
-          {
-            normal += contact.forces(T * N + i, k) * unknowns[k];
-            tangential += contact.forces((T - 1) * N + i, k) * unknowns[k];
-          }
-      return std::arg(tangential / normal);
-    }
-
-
-
+    /** The listed vibrations, corrected by the whole bodies if that is wanted.
+     */
     template <int dim>
-    void
-    set_nearest(const Side                 side,
-                const RollingModes<dim>   &rolling,
-                const std::vector<double> &shares,
-                ResultsTable              &table)
+    std::vector<Finding>
+    find_vibrations(const SceneParameters   &scene,
+                    const RollingModes<dim> &rolling,
+                    const LinearContact     &contact,
+                    const StabilityPencil   &pencil,
+                    const ComplexVector     &eigenvalues)
     {
-      const ReducedPair &pair  = rolling.reduced();
-      const bool         wheel = side == Side::wheel;
-      const auto [column, share] =
-        largest_share(shares,
-                      wheel ? 0 : pair.n_wheel_modes,
-                      wheel ? pair.n_wheel_modes : pair.n_modes());
-      const std::string name = name_of(side);
-      if (rolling.body(side) == nullptr ||
-          rolling.body(side)->modes.size() == 0)
+      CorrectionOptions options;
+      options.damping_margin = scene.stability.damping_margin;
+      std::vector<Finding> findings;
+      for (const auto &s : listed(eigenvalues,
+                                  scene.stability.lowest_frequency,
+                                  scene.modes.maximum_frequency))
         {
-          for (const char *what : {"_mode", "_mode_Hz", "_mode_share"})
-            table.leave_empty(name + what);
-          return;
+          throw_if_interrupted();
+          findings.push_back({pencil.mode(s), {}});
+          if (scene.stability.correct)
+            findings.back().corrected = correct(
+              rolling.reduced(),
+              contact,
+              findings.back().mode,
+              [&](const std::complex<double> at, const ComplexVector &forces) {
+                return rolling.response(at, forces);
+              },
+              options);
         }
-      const std::size_t mode = rolling.mode_of(column).second;
-      table.set(name + "_mode", mode + 1);
-      table.set(name + "_mode_Hz", rolling.body(side)->modes.frequencies[mode]);
-      table.set(name + "_mode_share", share);
+      return findings;
     }
 
 
 
-    template <int dim>
+    /** Warns of a contact that is unstable by itself. */
     void
-    add_row(const Finding           &finding,
-            const LinearContact     &contact,
-            const RollingModes<dim> &rolling,
-            ResultsTable            &table)
+    warn_of_contact(const ComplexVector &eigenvalues, Log &log)
     {
-      const StabilityMode &mode = finding.mode;
-      table.set("frequency_Hz", mode.frequency());
-      table.set("growth_1/s", mode.growth());
-      table.set("damping_ratio", mode.damping_ratio());
-      if (finding.corrected)
-        {
-          const CorrectedMode &corrected = *finding.corrected;
-          table.set("corrected_frequency_Hz",
-                    std::abs(corrected.s.imag()) / (2 * pi));
-          table.set("corrected_growth_1/s", corrected.growth());
-          table.set("uncertainty_1/s", corrected.uncertainty);
-          table.set("reduced_backward_error", corrected.first_backward_error);
-          table.set("backward_error", corrected.backward_error);
-          table.set("undecided", corrected.undecided());
-          table.set("damping_needed", corrected.damping_needed);
-        }
-      else
-        for (const char *column : {"corrected_frequency_Hz",
-                                   "corrected_growth_1/s",
-                                   "uncertainty_1/s",
-                                   "reduced_backward_error",
-                                   "backward_error",
-                                   "undecided",
-                                   "damping_needed"})
-          table.leave_empty(column);
-      table.set("unstable", finding.unstable());
-      const std::vector<double> shares = mode.participation();
-      for (const Side side : both_sides)
-        set_nearest(side, rolling, shares, table);
-      table.set("force_phase_rad", phase_of_forces(contact, mode.unknowns));
-      table.end_row();
-    }
-
-
-
-    void
-    plot_eigenvalues(const ComplexVector        &eigenvalues,
-                     const std::vector<Finding> &findings,
-                     const double                lowest,
-                     const double                highest,
-                     RunContext                 &context)
-    {
-      std::vector<double> f, zeta, unstable_f, unstable_zeta;
+      std::size_t n       = 0;
+      double      fastest = 0.;
       for (const auto &s : eigenvalues)
-        if (s.imag() / (2 * pi) >= lowest && s.imag() / (2 * pi) <= highest)
+        if (s.imag() == 0. && s.real() > 0.)
           {
-            const double ratio = -100 * s.real() / std::abs(s);
-            if (ratio > shown_damping)
-              continue;
-            f.push_back(s.imag() / (2 * pi * 1000));
-            zeta.push_back(ratio);
+            ++n;
+            fastest = std::max(fastest, s.real());
           }
-      for (const Finding &finding : findings)
-        if (finding.unstable())
-          {
-            unstable_f.push_back(finding.mode.frequency() / 1000);
-            unstable_zeta.push_back(100 * finding.mode.damping_ratio());
-          }
-      Figure figure("Vibrations about the steady rolling state",
-                    "frequency (kHz)",
-                    "damping ratio (%)");
-      figure.add_curve("below 1 %", f, zeta, CurveStyle::points);
-      if (!unstable_f.empty())
-        figure.add_curve("unstable",
-                         unstable_f,
-                         unstable_zeta,
-                         CurveStyle::points);
-      figure.draw(context, "stability");
+      if (n > 0)
+        log.warning("The contact by itself is unstable: " + std::to_string(n) +
+                    " real eigenvalues, up to " + significant(fastest, 3) +
+                    " 1/s. This is no squeal: friction falls faster with the "
+                    "speed than its memory allows. Raise Stability/Friction "
+                    "memory, or take Friction response = constant.");
     }
+
+
+
+    /** Counts the unstable vibrations a second time; a part of the verdict if
+     * they are as many. */
+    std::string
+    counted_again(const SceneParameters &scene,
+                  const ReducedPair     &pair,
+                  const LinearContact   &contact,
+                  const ComplexVector   &eigenvalues,
+                  Log                   &log)
+    {
+      if (!scene.stability.count)
+        return "";
+      CountOptions options;
+      options.lowest_frequency  = scene.stability.lowest_frequency;
+      options.highest_frequency = scene.modes.maximum_frequency;
+      int n                     = 0;
+      for (const auto &s : eigenvalues)
+        {
+          const double f = s.imag() / (2 * pi);
+          n += s.real() > 0. && f >= options.lowest_frequency &&
+                   f <= options.highest_frequency
+                 ? 1
+                 : 0;
+        }
+      const UnstableCount found = UnstableCounter(pair, options).count(contact);
+      if (found.resolved && found.count == n)
+        return ", as many as the argument principle counts";
+      log.warning(
+        "The argument principle counts " + std::to_string(found.count) +
+        " unstable vibrations (" + significant(found.turns, 4) +
+        " turns), the eigenvalues are " + std::to_string(n) +
+        ". A vibration that is neither stable nor unstable may lie on "
+        "the contour.");
+      return "";
+    }
+
+
+
   } // namespace
 
 
 
   template <int dim>
-  void
-  Stability<dim>::run()
+  SteadyState<dim>
+  Stability<dim>::steady_state()
   {
     if (!bodies_touch(scene))
       throw InputError("Analysis = stability needs contact: check "
                        "Contact/Approach and Contact/Normal load.");
-    SceneParameters        used = scene;
-    const SteadyState<dim> steady =
+    SceneParameters  used = scene;
+    SteadyState<dim> steady =
       solve_to_target<dim>(used,
                            demands(),
                            TargetDemands(),
@@ -258,12 +188,20 @@ namespace RollingContact
     review.add(steady);
     review.warn(steady);
     note_state(steady, context.report);
+    return steady;
+  }
 
-    const double lowest  = scene.stability.lowest_frequency,
-                 highest = scene.modes.maximum_frequency;
+
+
+  template <int dim>
+  void
+  Stability<dim>::run()
+  {
+    const SteadyState<dim>  steady = steady_state();
     const RollingModes<dim> rolling(scene,
                                     steady,
-                                    scene.modes.cut_off_ratio * highest,
+                                    scene.modes.cut_off_ratio *
+                                      scene.modes.maximum_frequency,
                                     context);
     PhaseTimer::Scope       phase(context.timer, Phase::eigenvalues);
     LinearContactOptions    options;
@@ -275,25 +213,9 @@ namespace RollingContact
     const StabilityPencil pencil(rolling.reduced(), contact);
     const ComplexVector   eigenvalues = pencil.eigenvalues();
     throw_if_interrupted();
+    const auto findings =
+      find_vibrations(scene, rolling, contact, pencil, eigenvalues);
 
-    std::vector<Finding> findings;
-    for (const auto &s : listed(eigenvalues, lowest, highest))
-      {
-        throw_if_interrupted();
-        findings.push_back({pencil.mode(s), {}});
-        if (!scene.stability.correct)
-          continue;
-        CorrectionOptions correction;
-        correction.damping_margin = scene.stability.damping_margin;
-        findings.back().corrected = correct(
-          rolling.reduced(),
-          contact,
-          findings.back().mode,
-          [&](const std::complex<double> at, const ComplexVector &forces) {
-            return rolling.response(at, forces);
-          },
-          correction);
-      }
     ResultsTable table(context.folder, table_file);
     for (const Finding &finding : findings)
       add_row(finding, contact, rolling, table);
@@ -304,72 +226,15 @@ namespace RollingContact
                                             "damping_needed",
                                             "wheel_mode",
                                             "unstable"}));
-    std::size_t n_real = 0, n_reduced = 0;
-    double      fastest = 0.;
-    for (const auto &s : eigenvalues)
-      {
-        if (s.imag() == 0. && s.real() > 0.)
-          {
-            ++n_real;
-            fastest = std::max(fastest, s.real());
-          }
-        const double f = s.imag() / (2 * pi);
-        n_reduced += s.real() > 0. && f >= lowest && f <= highest ? 1 : 0;
-      }
-    std::string counted;
-    if (scene.stability.count)
-      {
-        CountOptions count;
-        count.lowest_frequency  = lowest;
-        count.highest_frequency = highest;
-        const UnstableCount found =
-          UnstableCounter(rolling.reduced(), count).count(contact);
-        counted = found.resolved && found.count == static_cast<int>(n_reduced)
-                    ? ", as many as the argument principle counts"
-                    : "";
-        if (!found.resolved || found.count != static_cast<int>(n_reduced))
-          context.log.warning(
-            "The argument principle counts " + std::to_string(found.count) +
-            " unstable vibrations (" + significant(found.turns, 4) +
-            " turns), the eigenvalues are " + std::to_string(n_reduced) +
-            ". A vibration that is neither stable nor unstable may lie on the "
-            "contour.");
-      }
-    if (n_real > 0)
-      context.log.warning(
-        "The contact by itself is unstable: " + std::to_string(n_real) +
-        " real eigenvalues, up to " + significant(fastest, 3) +
-        " 1/s. This is no squeal: friction falls faster with the speed than "
-        "its memory allows. Raise Stability/Friction memory, or take Friction "
-        "response = constant.");
+    warn_of_contact(eigenvalues, context.log);
     if (contact.n_border() > 0)
       context.log.detail(
         std::to_string(contact.n_border()) +
         " nodes are about to open, to slip or to stick, where the laws have "
         "other derivatives on either side.");
-
-    const Finding *worst = nullptr;
-    std::size_t    n     = 0;
-    for (const Finding &finding : findings)
-      if (finding.unstable())
-        {
-          ++n;
-          if (worst == nullptr || finding.growth() > worst->growth())
-            worst = &finding;
-        }
-    std::string verdict = "no vibration grows between " +
-                          significant(lowest, 4) + " and " +
-                          significant(highest, 5) + " Hz" + counted;
-    if (worst != nullptr)
-      verdict =
-        std::to_string(n) + (n == 1 ? " mode grows" : " modes grow") + counted +
-        "; the fastest at " + significant(worst->mode.frequency(), 5) +
-        " Hz by " + significant(worst->growth(), 3) + " 1/s" +
-        (worst->corrected
-           ? ", needs a damping ratio of " +
-               significant(worst->corrected->damping_needed, 2) + " more"
-           : "");
-    context.report.set_finding("squeal", verdict);
+    const std::string counted = counted_again(
+      scene, rolling.reduced(), contact, eigenvalues, context.log);
+    context.report.set_finding("squeal", verdict(scene, findings, counted));
     double backward = 0.;
     for (const Finding &finding : findings)
       if (finding.corrected)
@@ -384,7 +249,11 @@ namespace RollingContact
          false,
          ""});
     if (scene.output.plot)
-      plot_eigenvalues(eigenvalues, findings, lowest, highest, context);
+      plot_eigenvalues(eigenvalues,
+                       findings,
+                       scene.stability.lowest_frequency,
+                       scene.modes.maximum_frequency,
+                       context);
   }
 
 

@@ -1,14 +1,11 @@
-#include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/base/memory.h>
-#include <rolling_contact/base/text.h>
-#include <rolling_contact/linear_algebra/blas.h>
 #include <rolling_contact/linear_algebra/block_lanczos.h>
+#include <rolling_contact/linear_algebra/block_products.h>
+#include <rolling_contact/linear_algebra/krylov_basis.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <random>
-#include <string>
 
 namespace RollingContact
 {
@@ -22,9 +19,6 @@ namespace RollingContact
     /// it lies in the space; and above which its parts there are gone
     const double rounding = 1e-16, much = 0.5;
 
-    /// columns that are read at once
-    const std::size_t panel_columns = 64;
-
     /// how well the first value beyond those wanted must be known
     const double guard_tolerance = 1e-6;
 
@@ -34,171 +28,6 @@ namespace RollingContact
     {
       return 12 * n_wanted + 400;
     }
-
-
-
-    /**
-     * Product C = alpha op(A) B + beta C of the first columns of blocks with
-     * many rows; op is the transpose or nothing.
-     */
-    void
-    product(const char   *transpose,
-            const int     rows,
-            const int     columns,
-            const int     inner,
-            const double  alpha,
-            const double *A,
-            const int     lda,
-            const double *B,
-            const int     ldb,
-            const double  beta,
-            double       *C,
-            const int     ldc)
-    {
-      if (rows > 0 && columns > 0)
-        dgemm_(transpose,
-               "N",
-               &rows,
-               &columns,
-               &inner,
-               &alpha,
-               A,
-               &lda,
-               B,
-               &ldb,
-               &beta,
-               C,
-               &ldc);
-    }
-
-
-
-    DenseMatrix
-    times(const SymmetricSparseMatrix &M, const DenseMatrix &X)
-    {
-      DenseMatrix         result(X.n_rows(), X.n_columns());
-      std::vector<double> column(X.n_rows()), image(X.n_rows());
-      for (std::size_t j = 0; j < X.n_columns(); ++j)
-        {
-          std::copy_n(X.data() + j * X.n_rows(), X.n_rows(), column.begin());
-          M.multiply(column, image);
-          std::copy(image.begin(), image.end(), result.data() + j * X.n_rows());
-        }
-      return result;
-    }
-
-
-
-    /**
-     * The columns V of the Krylov space, in panels.
-     */
-    class Basis
-    {
-    public:
-      explicit Basis(const std::size_t n_rows)
-        : n_rows(n_rows)
-      {}
-
-      std::size_t
-      size() const
-      {
-        return n_columns;
-      }
-
-      void
-      add(const DenseMatrix &block)
-      {
-        for (std::size_t j = 0; j < block.n_columns(); ++j, ++n_columns)
-          {
-            if (n_columns % panel_columns == 0)
-              add_panel();
-            std::copy_n(block.data() + j * n_rows,
-                        n_rows,
-                        panels.back().data() +
-                          (n_columns % panel_columns) * n_rows);
-          }
-      }
-
-      /** V^T X of the columns from @p first on. */
-      DenseMatrix
-      project(const DenseMatrix &X, const std::size_t first) const
-      {
-        DenseMatrix result(n_columns - first, X.n_columns());
-        each_panel(first, [&](const double *V, std::size_t at, std::size_t k) {
-          product("T",
-                  k,
-                  X.n_columns(),
-                  n_rows,
-                  1.,
-                  V,
-                  n_rows,
-                  X.data(),
-                  n_rows,
-                  0.,
-                  result.data() + at,
-                  result.n_rows());
-        });
-        return result;
-      }
-
-      /** X += alpha V H with the columns from @p first on. */
-      void
-      add_combination(const double       alpha,
-                      const DenseMatrix &H,
-                      const std::size_t  first,
-                      DenseMatrix       &X) const
-      {
-        each_panel(first, [&](const double *V, std::size_t at, std::size_t k) {
-          product("N",
-                  n_rows,
-                  X.n_columns(),
-                  k,
-                  alpha,
-                  V,
-                  n_rows,
-                  H.data() + at,
-                  H.n_rows(),
-                  1.,
-                  X.data(),
-                  n_rows);
-        });
-      }
-
-    private:
-      void
-      add_panel()
-      {
-        const double bytes = sizeof(double) * n_rows * panel_columns;
-        if (available_memory() > 0 && bytes > 0.7 * available_memory())
-          throw MemoryError("The modes of a body with " +
-                            std::to_string(n_rows) +
-                            " unknowns need more than "
-                            "the " +
-                            human_bytes(available_memory()) +
-                            " free: lower Modes/Maximum frequency or take a "
-                            "coarser mesh.");
-        panels.emplace_back(n_rows, panel_columns);
-      }
-
-      template <typename Action>
-      void
-      each_panel(const std::size_t first, const Action &action) const
-      {
-        for (std::size_t p = first / panel_columns; p < panels.size(); ++p)
-          {
-            const std::size_t begin = std::max(first, p * panel_columns),
-                              end =
-                                std::min(n_columns, (p + 1) * panel_columns);
-            if (end > begin)
-              action(panels[p].data() + (begin - p * panel_columns) * n_rows,
-                     begin - first,
-                     end - begin);
-          }
-      }
-
-      std::size_t              n_rows, n_columns = 0;
-      std::vector<DenseMatrix> panels;
-    };
 
 
 
@@ -223,7 +52,7 @@ namespace RollingContact
                    const double               floor,
                    DenseMatrix               &X)
     {
-      const std::size_t   n = X.n_rows(), b = X.n_columns();
+      const std::size_t   b = X.n_columns();
       DenseMatrix         U = G;
       std::vector<double> values;
       for (std::size_t j = 0; j < b; ++j)
@@ -234,7 +63,7 @@ namespace RollingContact
       while (first < b && !(values[first] > floor))
         ++first;
       const std::size_t rank = b - first;
-      DenseMatrix       T(b, rank), Q(n, rank);
+      DenseMatrix       T(b, rank);
       Orthonormal       result;
       result.R            = DenseMatrix(rank, b);
       result.least_square = rank > 0 ? values[first] : 1.;
@@ -246,22 +75,8 @@ namespace RollingContact
             result.R(k, i) =
               scales[i] > 0. ? root * U(i, first + k) / scales[i] : 0.;
           }
-      product("N", n, rank, b, 1., X.data(), n, T.data(), b, 0., Q.data(), n);
-      X = std::move(Q);
+      X = dense_product(X, T);
       return result;
-    }
-
-
-
-    /** X^T M X. */
-    DenseMatrix
-    gram(const SymmetricSparseMatrix &M, const DenseMatrix &X)
-    {
-      const std::size_t n = X.n_rows(), b = X.n_columns();
-      const DenseMatrix MX = times(M, X);
-      DenseMatrix       G(b, b);
-      product("T", b, b, n, 1., X.data(), n, MX.data(), n, 0., G.data(), b);
-      return G;
     }
 
 
@@ -272,7 +87,7 @@ namespace RollingContact
                            const std::vector<double>   &before,
                            DenseMatrix                 &X)
     {
-      const DenseMatrix   G = gram(M, X);
+      const DenseMatrix   G = projected(M, X);
       std::vector<double> scales(X.n_columns(), 0.);
       for (std::size_t i = 0; i < scales.size(); ++i)
         if (G(i, i) > nothing * before[i])
@@ -287,31 +102,10 @@ namespace RollingContact
     Orthonormal
     orthonormalise_rest(const SymmetricSparseMatrix &M, DenseMatrix &X)
     {
-      return orthonormalise(gram(M, X),
+      return orthonormalise(projected(M, X),
                             std::vector<double>(X.n_columns(), 1.),
                             rounding,
                             X);
-    }
-
-
-
-    DenseMatrix
-    multiply(const DenseMatrix &A, const DenseMatrix &B)
-    {
-      DenseMatrix C(A.n_rows(), B.n_columns());
-      product("N",
-              A.n_rows(),
-              B.n_columns(),
-              A.n_columns(),
-              1.,
-              A.data(),
-              std::max<std::size_t>(1, A.n_rows()),
-              B.data(),
-              std::max<std::size_t>(1, B.n_rows()),
-              0.,
-              C.data(),
-              std::max<std::size_t>(1, C.n_rows()));
-      return C;
     }
 
 
@@ -422,7 +216,7 @@ namespace RollingContact
 
     /** The eigenpairs wanted, of Ritz vectors of the basis. */
     EigenPairs
-    wanted_pairs(const Basis           &V,
+    wanted_pairs(const KrylovBasis     &V,
                  const Projection      &projection,
                  const LanczosControls &controls,
                  const std::size_t      n_rows)
@@ -462,7 +256,7 @@ namespace RollingContact
       return image;
     };
 
-    Basis                     V(n);
+    KrylovBasis               V(n);
     Projection                projection;
     DenseMatrix               block = invert(random_block(n, controls));
     const std::vector<double> any(block.n_columns(), 0.);
@@ -489,7 +283,7 @@ namespace RollingContact
             const DenseMatrix rest = V.project(times(M, X), 0);
             V.add_combination(-1., rest, 0, X);
             const Orthonormal clean = orthonormalise_rest(M, X);
-            R                       = multiply(clean.R, R);
+            R                       = dense_product(clean.R, R);
             least                   = clean.least_square;
           }
         projection.add(bottom_rows(H, block.n_columns()), R);

@@ -1,7 +1,7 @@
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/linear_algebra/blas.h>
+#include <rolling_contact/linear_algebra/block_products.h>
 #include <rolling_contact/linear_algebra/indefinite_factor.h>
 #include <rolling_contact/modes/frequency_response.h>
 
@@ -9,32 +9,6 @@ namespace RollingContact
 {
   namespace
   {
-    /** A^T B of matrices with as many rows. */
-    DenseMatrix
-    transposed_product(const DenseMatrix &A, const DenseMatrix &B)
-    {
-      DenseMatrix  C(A.n_columns(), B.n_columns());
-      const int    m = A.n_columns(), n = B.n_columns(), k = A.n_rows();
-      const double one = 1., zero = 0.;
-      if (m > 0 && n > 0 && k > 0)
-        dgemm_("T",
-               "N",
-               &m,
-               &n,
-               &k,
-               &one,
-               A.data(),
-               &k,
-               B.data(),
-               &k,
-               &zero,
-               C.data(),
-               &m);
-      return C;
-    }
-
-
-
     DenseMatrix
     columns_of(const std::vector<std::vector<double>> &vectors,
                const std::size_t                       n_rows)
@@ -45,31 +19,6 @@ namespace RollingContact
                   vectors[j].end(),
                   result.data() + j * n_rows);
       return result;
-    }
-
-
-
-    DenseMatrix
-    times(const SymmetricSparseMatrix &A, const DenseMatrix &X)
-    {
-      DenseMatrix         result(X.n_rows(), X.n_columns());
-      std::vector<double> x(X.n_rows()), image(X.n_rows());
-      for (std::size_t j = 0; j < X.n_columns(); ++j)
-        {
-          std::copy_n(X.data() + j * X.n_rows(), X.n_rows(), x.begin());
-          A.multiply(x, image);
-          std::copy(image.begin(), image.end(), result.data() + j * X.n_rows());
-        }
-      return result;
-    }
-
-
-
-    /** X^T A X; empty if A is. */
-    DenseMatrix
-    projected(const SymmetricSparseMatrix &A, const DenseMatrix &X)
-    {
-      return A.size() == 0 ? DenseMatrix() : transposed_product(X, times(A, X));
     }
 
 
@@ -108,22 +57,9 @@ namespace RollingContact
     for (std::size_t q = 0; q < known.n_columns(); ++q)
       for (std::size_t j = 0; j < m; ++j)
         known(j, q) /= lambda[j] + shift;
-    const int    rows = n, columns = b.n_columns(), inner = m;
-    const double minus = -1., one = 1.;
-    if (m > 0)
-      dgemm_("N",
-             "N",
-             &rows,
-             &columns,
-             &inner,
-             &minus,
-             modes.shapes.data(),
-             &rows,
-             known.data(),
-             &inner,
-             &one,
-             y.data(),
-             &rows);
+    const DenseMatrix of_modes = dense_product(modes.shapes, known);
+    for (std::size_t i = 0; i < n * y.n_columns(); ++i)
+      y.data()[i] -= of_modes.data()[i];
     stiff   = projected(structure.K, y);
     heavy   = projected(structure.M, y);
     lost    = projected(structure.H, y);

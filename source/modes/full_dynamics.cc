@@ -2,6 +2,7 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/linear_algebra/blas.h>
+#include <rolling_contact/linear_algebra/block_products.h>
 #include <rolling_contact/modes/full_dynamics.h>
 
 #include <algorithm>
@@ -78,9 +79,9 @@ namespace RollingContact
 
     /** A x or A^T x of a dense real matrix. */
     std::vector<double>
-    dense_product(const char                *transpose,
-                  const DenseMatrix         &A,
-                  const std::vector<double> &x)
+    dense_times(const char                *transpose,
+                const DenseMatrix         &A,
+                const std::vector<double> &x)
     {
       const int           m = A.n_rows(), n = A.n_columns(), step = 1;
       const double        one = 1., zero = 0.;
@@ -103,11 +104,11 @@ namespace RollingContact
 
 
     Parts
-    dense_product(const char *transpose, const DenseMatrix &A, const Parts &x)
+    dense_times(const char *transpose, const DenseMatrix &A, const Parts &x)
     {
       Parts y(0);
-      y.real      = dense_product(transpose, A, x.real);
-      y.imaginary = dense_product(transpose, A, x.imaginary);
+      y.real      = dense_times(transpose, A, x.real);
+      y.imaginary = dense_times(transpose, A, x.imaginary);
       return y;
     }
   } // namespace
@@ -125,18 +126,11 @@ namespace RollingContact
     , modes(modes)
     , K_m(K_m)
     , C_m(C_m)
-    , M_phi(modes.shapes.n_rows(), modes.size())
+    , M_phi(times(structure.M, modes.shapes))
   {
-    const std::size_t   n = modes.shapes.n_rows();
-    std::vector<double> phi(n), image(n);
     for (std::size_t j = 0; j < modes.size(); ++j)
-      {
-        modal_damping.push_back(2 * damping_ratios[j] * 2 * pi *
-                                modes.frequencies[j]);
-        std::copy_n(modes.shapes.data() + j * n, n, phi.begin());
-        structure.M.multiply(phi, image);
-        std::copy(image.begin(), image.end(), M_phi.data() + j * n);
-      }
+      modal_damping.push_back(2 * damping_ratios[j] * 2 * pi *
+                              modes.frequencies[j]);
   }
 
 
@@ -171,13 +165,13 @@ namespace RollingContact
     const Parts v(velocity);
     if (structure.C.size() > 0)
       add(1., product(structure.C, v), result);
-    Parts modal = dense_product("T", M_phi, v);
+    Parts modal = dense_times("T", M_phi, v);
     for (std::size_t j = 0; j < modal.real.size(); ++j)
       {
         modal.real[j] *= modal_damping[j];
         modal.imaginary[j] *= modal_damping[j];
       }
-    add(1., dense_product("N", M_phi, modal), result);
+    add(1., dense_times("N", M_phi, modal), result);
     return result;
   }
 
@@ -197,7 +191,7 @@ namespace RollingContact
     for (std::size_t i = 0; i < n; ++i)
       result[i] = Complex(block(i, 0), block(i, 1));
 
-    const Parts          modal = dense_product("T", modes.shapes, parts);
+    const Parts          modal = dense_times("T", modes.shapes, parts);
     std::vector<Complex> D(static_cast<std::size_t>(m) * m), q(m);
     for (int j = 0; j < m; ++j)
       {
@@ -218,7 +212,7 @@ namespace RollingContact
         dynamic.real[j]      = change.real();
         dynamic.imaginary[j] = change.imag();
       }
-    add(1., dense_product("N", modes.shapes, dynamic), result);
+    add(1., dense_times("N", modes.shapes, dynamic), result);
     return result;
   }
 

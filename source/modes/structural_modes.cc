@@ -2,8 +2,8 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/stopwatch.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/linear_algebra/blas.h>
 #include <rolling_contact/linear_algebra/block_lanczos.h>
+#include <rolling_contact/linear_algebra/block_products.h>
 #include <rolling_contact/linear_algebra/indefinite_factor.h>
 #include <rolling_contact/modes/structural_modes.h>
 
@@ -32,14 +32,6 @@ namespace RollingContact
 
 
 
-    std::vector<double>
-    column(const DenseMatrix &X, const std::size_t j)
-    {
-      return {X.data() + j * X.n_rows(), X.data() + (j + 1) * X.n_rows()};
-    }
-
-
-
     /**
      * Residual of each mode, and how far the modes are from orthonormal.
      */
@@ -48,44 +40,27 @@ namespace RollingContact
             const SymmetricSparseMatrix &M,
             StructuralModes             &modes)
     {
-      const std::size_t   n = K.size(), m = modes.size();
-      std::vector<double> K_phi(n), M_phi(n);
-      DenseMatrix         MX(n, m), G(m, m);
+      const std::size_t n = K.size(), m = modes.size();
+      const DenseMatrix KX = times(K, modes.shapes),
+                        MX = times(M, modes.shapes),
+                        G  = transposed_product(modes.shapes, MX);
       for (std::size_t j = 0; j < m; ++j)
         {
-          const std::vector<double> phi = column(modes.shapes, j);
-          K.multiply(phi, K_phi);
-          M.multiply(phi, M_phi);
-          std::copy(M_phi.begin(), M_phi.end(), MX.data() + j * n);
           const double lambda = modes.eigenvalue(j),
                        scale  = modes.frequencies[j] < rigid * modes.cut_off
                                   ? eigenvalue_of(modes.cut_off)
                                   : lambda;
-          double sum          = 0.;
+          double rest = 0., inertia = 0.;
           for (std::size_t i = 0; i < n; ++i)
-            sum += std::pow(K_phi[i] - lambda * M_phi[i], 2);
-          modes.residuals.push_back(std::sqrt(sum) / (scale * norm(M_phi)));
+            {
+              rest += std::pow(KX(i, j) - lambda * MX(i, j), 2);
+              inertia += std::pow(MX(i, j), 2);
+            }
+          modes.residuals.push_back(std::sqrt(rest / inertia) / scale);
+          for (std::size_t i = 0; i < m; ++i)
+            modes.orthogonality =
+              std::max(modes.orthogonality, std::abs(G(i, j) - (i == j)));
         }
-      const int    rows = n, columns = m;
-      const double one = 1., zero = 0.;
-      if (m > 0)
-        dgemm_("T",
-               "N",
-               &columns,
-               &columns,
-               &rows,
-               &one,
-               modes.shapes.data(),
-               &rows,
-               MX.data(),
-               &rows,
-               &zero,
-               G.data(),
-               &columns);
-      for (std::size_t j = 0; j < m; ++j)
-        for (std::size_t i = 0; i < m; ++i)
-          modes.orthogonality =
-            std::max(modes.orthogonality, std::abs(G(i, j) - (i == j)));
     }
 
 

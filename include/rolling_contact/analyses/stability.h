@@ -4,6 +4,7 @@
 #include <rolling_contact/analyses/analysis.h>
 #include <rolling_contact/run/run_context.h>
 #include <rolling_contact/scene/scene_parameters.h>
+#include <rolling_contact/state/steady_state.h>
 
 namespace RollingContact
 {
@@ -25,6 +26,10 @@ namespace RollingContact
     run() override;
 
   private:
+    /** The state that is disturbed; its bodies keep their factors. */
+    SteadyState<dim>
+    steady_state();
+
     const SceneParameters &scene;
     RunContext            &context;
   };

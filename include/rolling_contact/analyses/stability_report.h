@@ -1,0 +1,66 @@
+#ifndef rolling_contact_analyses_stability_report_h
+#define rolling_contact_analyses_stability_report_h
+
+#include <rolling_contact/analyses/rolling_modes.h>
+#include <rolling_contact/stability/correction.h>
+#include <rolling_contact/stability/pencil.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace RollingContact
+{
+  /** A vibration about the steady state and what is known of it. */
+  struct Finding
+  {
+    StabilityMode                mode;
+    std::optional<CorrectedMode> corrected;
+
+    double
+    growth() const
+    {
+      return corrected ? corrected->growth() : mode.growth();
+    }
+
+    bool
+    unstable() const
+    {
+      return corrected ? corrected->unstable() : mode.growth() > 0.;
+    }
+  };
+
+
+
+  /**
+   * A row of stability.csv.
+   */
+  template <int dim>
+  void
+  add_row(const Finding           &finding,
+          const LinearContact     &contact,
+          const RollingModes<dim> &rolling,
+          ResultsTable            &table);
+
+  /**
+   * "3 modes grow, ...; the fastest at 1038 Hz by 1 1/s, ...", with what a
+   * second count says.
+   */
+  std::string
+  verdict(const SceneParameters      &scene,
+          const std::vector<Finding> &findings,
+          const std::string          &counted);
+
+  /**
+   * Draws damping ratios over frequency, of all eigenvalues between two
+   * frequencies (Hz), and the unstable ones.
+   */
+  void
+  plot_eigenvalues(const ComplexVector        &eigenvalues,
+                   const std::vector<Finding> &findings,
+                   const double                lowest,
+                   const double                highest,
+                   RunContext                 &context);
+} // namespace RollingContact
+
+#endif
