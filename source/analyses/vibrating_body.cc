@@ -130,9 +130,11 @@ namespace RollingContact
   VibratingBody<dim>::factorise(RunContext &context)
   {
     PhaseTimer::Scope phase(context.timer, Phase::condensation);
-    own_factor = std::make_unique<Factorisation>(
-      shift > 0. ? linear_combination(1., K, shift, M) : K,
-      body->nodes_of_unknowns());
+    own_factor =
+      std::make_unique<Factorisation>(shift > 0.
+                                        ? linear_combination(1., K, shift, M)
+                                        : K,
+                                      body->nodes_of_unknowns());
     own_factor->factorise();
     factor = own_factor.get();
   }

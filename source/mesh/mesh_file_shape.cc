@@ -21,7 +21,8 @@ namespace RollingContact
                        "Mesh unit",
                        parameters.mesh_unit,
                        "it must be above 0 m; 0.001 for millimetres.");
-    if (hub() != Hub::free && parameters.contact_boundary == parameters.hub_boundary)
+    if (hub() != Hub::free &&
+        parameters.contact_boundary == parameters.hub_boundary)
       throw InputError(section + "/Contact boundary id and " + section +
                        "/Hub boundary id are both " +
                        std::to_string(parameters.hub_boundary) +

@@ -69,9 +69,9 @@ namespace RollingContact
   StabilityParameters::check() const
   {
     if (!(lowest_frequency > 0.))
-      throw InputError("Stability/Lowest frequency = " +
-                       text_of(lowest_frequency) +
-                       ": it must be above 0 Hz; 60 is below every squeal.");
+      throw InputError(
+        "Stability/Lowest frequency = " + text_of(lowest_frequency) +
+        ": it must be above 0 Hz; 60 is below every squeal.");
     if (friction == FrictionResponse::patch_mean && !(memory > 0.))
       throw InputError("Stability/Friction memory = " + text_of(memory) +
                        ": patch mean needs a delay above 0 s; 60e-6 is usual.");

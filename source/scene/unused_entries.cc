@@ -267,13 +267,12 @@ namespace RollingContact
                                          "Rayleigh stiffness",
                                          "Sponge length",
                                          "Sponge rate"};
-      const bool has_modes =
+      const bool                     has_modes =
         scene.is_of_structures() || scene.analysis == "stability";
-      const bool moves =
-        has_modes ||
-        (scene.time.inertia && (scene.analysis == "transient" ||
-                                (scene.analysis == "accuracy study" &&
-                                 scene.study.varies_time_step)));
+      const bool moves = has_modes || (scene.time.inertia &&
+                                       (scene.analysis == "transient" ||
+                                        (scene.analysis == "accuracy study" &&
+                                         scene.study.varies_time_step)));
       if (body.rigid)
         add(all, "a rigid body has no damping");
       if (!moves)

@@ -22,7 +22,8 @@ namespace RollingContact
    * Draws the outline of the section of a body at x = 0, on the contact's side,
    * at rest and displaced by each of some modes, as NAME.svg. Does nothing if
    * the mesh has no edges there. The largest displacement of the body
-   * is a tenth of the section's height. @p mirrored: shown as its mirror image in z.
+   * is a tenth of the section's height. @p mirrored: shown as its mirror image
+   * in z.
    */
   void
   plot_mode_sections(const ElasticBody<3>         &body,
