@@ -135,9 +135,12 @@ namespace RollingContact
         throw InputError("Receptance/Directions = " + directions +
                          ": in 2D nothing moves along y; give z or x.");
     for (const double frequency : check_frequencies)
-      if (!(frequency > 0.))
+      if (!(frequency > 0. && frequency <= highest_frequency))
         throw InputError("Receptance/Check frequencies contains " +
-                         text_of(frequency) + ", which is not above 0 Hz.");
+                         text_of(frequency) +
+                         ", which is not above 0 Hz and at most Highest "
+                         "frequency = " +
+                         text_of(highest_frequency) + " Hz.");
     const auto named = read_places(points);
     for (const Place &place : named)
       if (place.name == "contact" ||

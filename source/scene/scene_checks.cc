@@ -11,7 +11,8 @@ namespace RollingContact
   SceneParameters::check_structures() const
   {
     modes.check();
-    receptance.check(dimension);
+    if (analysis == "receptance")
+      receptance.check(dimension);
     if (wheel.rigid && rail.rigid)
       throw InputError("Wheel/Rigid = true and Rail/Rigid = true: Analysis = " +
                        analysis + " needs an elastic body.");
