@@ -1,5 +1,7 @@
 #include <boost/test/unit_test.hpp>
 
+#include "scratch_folder.h"
+
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/elasticity/direct_body.h>
 #include <rolling_contact/modes/body_places.h>
@@ -7,6 +9,7 @@
 #include <rolling_contact/modes/measuring_point.h>
 #include <rolling_contact/modes/mode_character.h>
 #include <rolling_contact/modes/rotation.h>
+#include <rolling_contact/references/slender_bodies.h>
 #include <rolling_contact/scene/body_parameters.h>
 
 #include <algorithm>
@@ -177,6 +180,70 @@ BOOST_AUTO_TEST_CASE(a_wheel_has_its_frequencies)
   BOOST_TEST(wheel.modes.orthogonality < 1e-12);
   for (const double residual : wheel.modes.residuals)
     BOOST_TEST(residual < 1e-8);
+}
+
+
+
+namespace
+{
+  /** A ring of two by two cells through a square section of 20 mm, in a file of
+   * its own. */
+  void
+  write_ring(const std::filesystem::path &file)
+  {
+    std::ofstream mesh(file);
+    mesh << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n9\n";
+    for (int i = 0; i < 9; ++i)
+      mesh << i + 1 << ' ' << 0.01 * (i % 3 - 1) << ' ' << 0.01 * (i / 3)
+           << " 0\n";
+    mesh << "$EndNodes\n$Elements\n6\n1 1 2 1 1 1 2\n2 1 2 1 1 2 3\n";
+    for (int i = 0; i < 4; ++i)
+      {
+        const int corner = 1 + i % 2 + 3 * (i / 2);
+        mesh << i + 3 << " 3 2 3 3 " << corner << ' ' << corner + 1 << ' '
+             << corner + 4 << ' ' << corner + 3 << '\n';
+      }
+    mesh << "$EndElements\n";
+  }
+} // namespace
+
+
+
+/** A slender ring that nothing holds bends in its plane as Hoppe has it. */
+BOOST_AUTO_TEST_CASE(a_free_ring_bends_in_its_plane)
+{
+  const ScratchFolder scratch;
+  write_ring(scratch.scratch / "ring.msh");
+  BodyParameters ring("Wheel");
+  ring.shape          = "section";
+  ring.mesh_file      = "ring.msh";
+  ring.radius         = 0.41;
+  ring.cells_along    = 96;
+  ring.hub            = Hub::free;
+  ring.model.elements = ElementKind::enhanced;
+  ring.material       = {210e9, 0.3, 7850.};
+  ring.read_mesh(3, scratch.scratch);
+  const Vibrating body(ring, 1500.);
+  BOOST_TEST(body.modes.frequencies[5] < 1e-4 * body.modes.frequencies[6]);
+  References::Bar section;
+  section.width         = 0.02;
+  section.depth         = 0.02;
+  section.young_modulus = 210e9;
+  section.density       = 7850.;
+  for (unsigned int n = 2; n <= 5; ++n)
+    {
+      const double exact   = References::free_ring_frequency(section, 0.4, n);
+      double       nearest = 0.;
+      for (std::size_t j = 6; j < body.modes.size(); ++j)
+        if (body.characters[j].nodal_diameters == n &&
+            body.characters[j].axial_share < 0.01 &&
+            std::abs(body.modes.frequencies[j] - exact) <
+              std::abs(nearest - exact))
+          nearest = body.modes.frequencies[j];
+      BOOST_TEST_MESSAGE("ring n = " << n << ": " << nearest << " against "
+                                     << exact);
+      BOOST_TEST(nearest == exact, boost::test_tools::tolerance(0.02));
+    }
 }
 
 
