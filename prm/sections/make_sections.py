@@ -3,7 +3,8 @@
 
     python3 prm/sections/make_sections.py
 
-needs nothing but Python. Gmsh format 2.2, metres: y across, z from rail to wheel, the contact point is the origin. A wheel lies at z > 0 with its axle at z = Wheel/Radius, a rail at z < 0.
+needs nothing but Python. Gmsh format 2.2, metres: y across, z from rail to wheel, the contact point is the origin; of wheel_s1002 and rail_60e1 the axes are those of the profile, y from the gauge side to the
+field side. A wheel lies at z > 0 with its axle at z = Wheel/Radius, a rail at z < 0.
 Physical groups: 1 contact boundary, 2 hub (bore of a wheel, ends of an axle, sole of a rail), 3 the section.
 """
 import math
@@ -73,6 +74,14 @@ def upright(points, quad):
 
 def between(a, b, t):
     return a + (b - a) * t
+
+
+def nearest(points, p):
+    """Length along these points at which they are nearest to p, over the whole of it; points are close."""
+    length = [0.]
+    for a, b in zip(points, points[1:]):
+        length.append(length[-1] + math.dist(a, b))
+    return length[min(range(len(points)), key=lambda k: math.dist(points[k], p))] / length[-1]
 
 
 def coons(bottom, top, left, right):
@@ -171,6 +180,95 @@ def wheelset(n):
         sides = {'t0': HUB} if k == 0 else {'t1': HUB} if k == len(parts) - 1 else {}
         section.block(lambda s, t: (between(a, b, t), RADIUS - between(hollow, BORE, s)), n, m, sides)
     section.write('wheelset', 'two wheels and an axle, %d elements through the webs' % n)
+
+
+# ---- the same web and hub under a profile S1002 (EN 13715), in mm: across from the tape circle to the field side, and growth of the radius
+
+S1002 = [  # ends across; a polynomial, lowest power first, or (centre, radius, below it or above)
+    (-70., -62.764705882, ((-49.5, 9.519259302), 20.5, 1)), (-62.764705882, -49.662510381, ((-55., 16.), 12., 1)),
+    (-49.662510381, -39.764473993, ((-58.558326413, 8.834924130), 20., 1)),
+    (-39.764473993, -38.426669071, [-93.576667419, -2.747477419]), (-38.426669071, -35., ((-26.210665, 16.446), 13., -1)),
+    (-35., -26., [-4.320221063e3, -1.038384026e3, -1.065501873e2, -6.051367875, -2.054332446e-1, -4.169739389e-3, -4.687195829e-5,
+                  -2.252755540e-7]),
+    (-26., 32.15796, [0., -3.358537058e-2, 1.565681624e-3, -2.810427944e-5, 5.844240864e-8, -1.562379023e-8, 5.309217349e-15,
+                      -5.957839843e-12, 2.646656573e-13]),
+    (32.15796, 60., [1.364323640, -0.066666667])]
+
+
+def s1002():
+    """Close points from the back of the flange to the field side."""
+    points = []
+    for begin, end, zone in S1002:
+        for k in range(401):
+            y = between(begin, end, (1 - math.cos(math.pi * k / 400)) / 2)
+            if isinstance(zone, list):
+                z = sum(c * y ** n for n, c in enumerate(zone))
+            else:
+                (y0, z0), radius, way = zone
+                z = z0 + way * math.sqrt(max(0., radius ** 2 - (y - y0) ** 2))
+            points.append((y, z))
+    return points
+
+
+def part(points, begin, end):
+    """Between shares of its length, begin below end, with the close points in between."""
+    total = sum(math.dist(p, q) for p, q in zip(points, points[1:]))
+    at, result, run = polyline(points), [], 0.
+    for p, q in zip(points, points[1:]):
+        run += math.dist(p, q) / total
+        if begin + 1e-9 < run < end - 1e-9:
+            result.append(q)
+    return [at(begin)] + result + [at(end)]
+
+
+def profiled_wheel(n):
+    """The tread has cells of 20 by 20 mm, as long when it is revolved in 144 parts; n elements through the web."""
+    section = Section()
+    profile = s1002()
+    field_end = (65., profile[-1][1] - 5.)
+    tip = nearest(profile, (-61.5, 26.))
+    tread = part(profile, tip, 1.) + [field_end]
+    back = [(-70., -4.), (-70., profile[0][1])] + part(profile, 0., tip)
+    cells, rows, root = 10, 1, 4
+    surface, root_at, end_at = polyline(tread), nearest(tread, (-36.5, 8.4)), nearest(tread, profile[-1])
+    breaks = [root_at * k / root for k in range(root)] + [between(root_at, end_at, k / (cells - 1 - root)) for k in range(cells - root)] + [1.]
+    inside = [(-53., 14.), (-49.5, 7.), (-45., 0.), (-39., -8.), (-31., -14.5), (-20., -19.), (-5., -22.), (65., -24.)]
+    corner = nearest([polyline(inside)(k / 2000) for k in range(2001)], (-43.5, -2.))
+    inner = [(-58., 15.)] + [polyline(inside)(corner * (i - 1) / (root - 1)) for i in range(1, root)]
+    dense = [polyline(inside)(k / 2000) for k in range(2001)]
+    begin = polyline(inside)(corner)
+    for i in range(root, cells + 1):
+        fade = max(0., 1. - (surface(breaks[i])[0] - surface(breaks[root])[0]) / 25.)
+        across = surface(breaks[i])[0] + fade * (begin[0] - surface(breaks[root])[0])
+        inner.append(min(dense, key=lambda p: abs(p[0] - across)) if i < cells else inside[-1])
+
+    def add(place, n_s, n_t, sides=None):
+        section.block(lambda s, t: (place(s, t)[0] / 1e3, -place(s, t)[1] / 1e3), n_s, n_t, sides)
+
+    for i in range(cells):
+        add(coons(line(inner[i], inner[i + 1]), lambda s: surface(between(breaks[i], breaks[i + 1], s)),
+                  line(inner[i], surface(breaks[i])), line(inner[i + 1], surface(breaks[i + 1]))), 1, rows, {'t1': CONTACT})
+    core = [line((-61., -6.), inner[0])(j / (root - 1)) for j in range(root)]
+    behind = polyline(back)
+    for j in range(root - 1):
+        a, b = j / (root - 1), (j + 1) / (root - 1)
+        add(coons(line(core[j], core[j + 1]), lambda s: behind(between(a, b, s)), line(core[j], behind(a)), line(core[j + 1], behind(b))),
+            1, rows)
+        add(coons(line(core[j], core[j + 1]), line(inner[root - j], inner[root - j - 1]), line(core[j], inner[root - j]),
+                  line(core[j + 1], inner[root - j - 1])), 1, 1)
+    top = [line((-70., -4.), core[0])(k / rows) for k in range(rows)] + [core[0]] + inner[root:]
+    columns = len(top) - 1
+    depth = 1e3 * (RADIUS - RIM_RADIUS)
+    left, right = 1e3 * (WEB_OFFSET - WEB / 2), 1e3 * (WEB_OFFSET + WEB / 2)
+    first = round(columns * (left + 70.) / 135.)
+    bottom = ([(between(-70., left, k / first), -depth) for k in range(first)] + [(between(left, right, k / n), -depth) for k in range(n)]
+              + [(between(right, 65., k / (columns - first - n)), -depth) for k in range(columns - first - n + 1)])
+    for i in range(columns):
+        add(coons(line(bottom[i], bottom[i + 1]), line(top[i], top[i + 1]), line(bottom[i], top[i]), line(bottom[i + 1], top[i + 1])), 1, 2)
+    for place, n_s, n_t, sides in wheel_blocks(n, {'s0': HUB})[:4]:
+        section.block(place, n_s, n_t, sides)
+    area, *_ = section.properties()
+    section.write('wheel_s1002', 'S1002, R 0.46 m, bore 0.0925 m, S-web of 30 mm, %d elements through it; A %.1f cm2' % (n, area * 1e4))
 
 
 # ---- the rail 60E1, EN 13674-1: the right half from the middle of the sole, in mm
@@ -275,6 +373,48 @@ def rail(n):
                   % (n, area * 1e4, up * 1e8, sideways * 1e8, (height + 0.172) * 1e3))
 
 
+def profiled_rail(n):
+    """With a running surface from lower corner to lower corner of the head, and cells that are upright under all of it."""
+    section = Section()
+    crown, side, under, foot = rail_outline()
+    web_top, under = split(under, 13.)
+    web_bottom, foot = split(foot, 17.)
+    web = polyline(web_bottom[::-1] + web_top)
+    neck, ankle, top = web(1), web(0), crown[0][-1]
+    shoulder = crown[1][-1]  # amid the corner of 13 mm
+    flank = side if math.dist(side[0], shoulder) < 1e-9 else [shoulder] + side
+    core, middle = (21.5, 157.), line(neck, top)(0.76)
+    below = polyline(under)(0.53)
+    corner = under[-1]
+    under_middle, under_corner = part(under, 0., 0.53), part(under, 0.53, 1.)
+
+    def mirrored(place, n_s, n_t, sides=None):
+        for sign in (1, -1):
+            section.block(lambda s, t: (sign * place(s, t)[0] / 1e3, (place(s, t)[1] - 172) / 1e3), n_s, n_t, sides)
+
+    def across(half):
+        return lambda s, t: (between(-1, 1, s) * half(t)[0] / 1e3, (half(t)[1] - 172) / 1e3)
+
+    def crowned(s):
+        y, z = polyline(crown[0])(abs(2 * s - 1))
+        return math.copysign(y, s - 0.5), z
+
+    heel = line((17., 0.), ankle)
+    section.block(across(heel), n, n, {'t0': HUB})
+    section.block(across(web), n, 5 * n)
+    section.block(across(line(neck, middle)), n, 3)
+    head = coons(line((-middle[0], middle[1]), middle), crowned, line((-middle[0], middle[1]), (-top[0], top[1])), line(middle, top))
+    section.block(lambda s, t: (head(s, t)[0] / 1e3, (head(s, t)[1] - 172) / 1e3), n, 1, {'t1': CONTACT})
+    mirrored(coons(line(middle, core), polyline(crown[1]), line(middle, top), line(core, shoulder)), 2, 1, {'t1': CONTACT})
+    mirrored(coons(line(core, below), polyline(flank), line(core, shoulder), polyline(under_corner)), 3, 1, {'t1': CONTACT})
+    mirrored(coons(polyline(under_middle), line(middle, core), line(neck, middle), line(below, core)), 2, 3)
+    mirrored(coons(line((17., 0.), (75., 0.)), polyline(foot), heel, line((75., 0.), foot[-1])), 4 * n, n, {'t0': HUB})
+    area, height, up, sideways = section.properties()
+    section.write('rail_60e1', '60E1, %d elements through the web; A %.2f cm2, Iy %.1f cm4, Iz %.1f cm4 '
+                  '(standard: 76.70, 3038.3, 512.3), centroid %.2f mm above the sole (80.92)'
+                  % (n, area * 1e4, up * 1e8, sideways * 1e8, (height + 0.172) * 1e3))
+
+
 if __name__ == '__main__':
     wheel(2)
     wheel(3)
@@ -282,3 +422,5 @@ if __name__ == '__main__':
     rail(2)
     rail(3)
     wheelset(2)
+    profiled_wheel(2)
+    profiled_rail(2)

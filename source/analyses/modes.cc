@@ -209,9 +209,11 @@ namespace RollingContact
         const double *shape =
           body.modes.shapes.data() + j * body.modes.shapes.n_rows();
         write_mode_animation<dim>(
-          *body.body,
-          body.body->field({shape, shape + body.modes.shapes.n_rows()}),
-          body.side == Side::wheel,
+          {{body.body,
+            body.body->field({shape, shape + body.modes.shapes.n_rows()}),
+            {},
+            body.side == Side::wheel,
+            ""}},
           context.folder,
           name_of(body.side) + "_mode_" + zero_padded(j + 1, 3));
       }

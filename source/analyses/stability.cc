@@ -1,4 +1,3 @@
-#include <rolling_contact/analyses/rolling_modes.h>
 #include <rolling_contact/analyses/solve_to_target.h>
 #include <rolling_contact/analyses/stability.h>
 #include <rolling_contact/analyses/stability_report.h>
@@ -7,13 +6,14 @@
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/parallel/interrupt.h>
 #include <rolling_contact/report/bodies_report.h>
+#include <rolling_contact/report/mode_animation.h>
 #include <rolling_contact/report/result_row.h>
 #include <rolling_contact/report/state_report.h>
-#include <rolling_contact/stability/pencil.h>
 #include <rolling_contact/stability/unstable_count.h>
+#include <rolling_contact/vibration/rolling_modes.h>
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
 
 namespace RollingContact
 {
@@ -23,6 +23,10 @@ namespace RollingContact
 
     /// stable vibrations that are listed as well, the least damped ones
     const std::size_t n_stable_listed = 5;
+
+    /// negative damping ratio at the highest frequency from which on a
+    /// vibration counts: without damping many have none but by rounding
+    const double neutral = 1e-7;
 
 
 
@@ -37,90 +41,100 @@ namespace RollingContact
 
 
 
-    /** The vibrations from the most unstable on: all that grow, and some of the
-     * least damped. */
-    std::vector<std::complex<double>>
-    listed(const ComplexVector &eigenvalues,
-           const double         lowest,
-           const double         highest)
-    {
-      std::vector<std::complex<double>> found;
-      for (const auto &s : eigenvalues)
-        {
-          const double f = s.imag() / (2 * pi);
-          if (f >= lowest && f <= highest)
-            found.push_back(s);
-        }
-      const auto damping = [](const std::complex<double> &s) {
-        return -s.real() / std::abs(s);
-      };
-      std::sort(found.begin(), found.end(), [&](const auto &a, const auto &b) {
-        return damping(a) < damping(b);
-      });
-      std::size_t n = 0;
-      while (n < found.size() && found[n].real() > 0.)
-        ++n;
-      found.resize(std::min(found.size(), n + n_stable_listed));
-      std::sort(found.begin(), found.end(), [](const auto &a, const auto &b) {
-        return a.imag() < b.imag();
-      });
-      return found;
-    }
-
-
-
-    /** The listed vibrations, corrected by the whole bodies if that is wanted.
-     */
+    /** The vibrations that are listed, by frequency, corrected by the whole
+     * bodies if that is wanted. */
     template <int dim>
     std::vector<Finding>
-    find_vibrations(const SceneParameters   &scene,
-                    const RollingModes<dim> &rolling,
-                    const LinearContact     &contact,
-                    const StabilityPencil   &pencil,
-                    const ComplexVector     &eigenvalues)
+    find_vibrations(const Vibrations       &vibrations,
+                    const WholeBodies<dim> *bodies)
     {
-      CorrectionOptions options;
-      options.damping_margin = scene.stability.damping_margin;
+      ComplexVector listed = vibrations.least_damped(n_stable_listed);
+      std::sort(listed.begin(), listed.end(), [](const auto &a, const auto &b) {
+        return a.imag() < b.imag();
+      });
       std::vector<Finding> findings;
-      for (const auto &s : listed(eigenvalues,
-                                  scene.stability.lowest_frequency,
-                                  scene.modes.maximum_frequency))
+      for (const auto &s : listed)
         {
           throw_if_interrupted();
-          findings.push_back({pencil.mode(s), {}});
-          if (scene.stability.correct)
-            findings.back().corrected = correct(
-              rolling.reduced(),
-              contact,
-              findings.back().mode,
-              [&](const std::complex<double> at, const ComplexVector &forces) {
-                return rolling.response(at, forces);
-              },
-              options);
+          findings.push_back(vibrations.find(s, bodies));
         }
       return findings;
     }
 
 
 
+    /** The motion of both bodies in those vibrations that grow fastest, up to
+     * so many, named by their rows. */
+    template <int dim>
+    void
+    animate(const std::vector<Finding> &findings,
+            const std::size_t           n,
+            const LinearContact        &contact,
+            const RollingModes<dim>    &rolling,
+            const WholeBodies<dim>     &bodies,
+            RunFolder                  &folder)
+    {
+      std::vector<std::size_t> rows;
+      for (std::size_t k = 0; k < findings.size(); ++k)
+        if (findings[k].unstable())
+          rows.push_back(k);
+      std::stable_sort(rows.begin(),
+                       rows.end(),
+                       [&](const std::size_t a, const std::size_t b) {
+                         return findings[a].growth() > findings[b].growth();
+                       });
+      rows.resize(std::min(rows.size(), n));
+      for (const std::size_t row : rows)
+        {
+          const Finding &finding = findings[row];
+          const auto     s =
+            finding.corrected ? finding.corrected->s : finding.mode.s;
+          const ComplexVector forces = contact.forces * finding.mode.unknowns;
+          std::vector<MovingBody<dim>> moving;
+          for (const Side side : both_sides)
+            if (const auto *vibrating = rolling.bodies().body(side))
+              {
+                std::vector<double> real, imaginary;
+                for (const auto &x : bodies.motion(side, s, forces))
+                  {
+                    real.push_back(x.real());
+                    imaginary.push_back(x.imag());
+                  }
+                const DirectBody<dim> &body = *vibrating->body;
+                moving.push_back({&body,
+                                  body.field(real),
+                                  body.field(imaginary),
+                                  side == Side::wheel,
+                                  name_of(side)});
+              }
+          write_mode_animation(moving,
+                               folder,
+                               "vibration_" + std::to_string(row + 1));
+        }
+    }
+
+
+
     /** Warns of a contact that is unstable by itself. */
     void
-    warn_of_contact(const ComplexVector &eigenvalues, Log &log)
+    warn_of_contact(const Vibrations &vibrations, const bool falls, Log &log)
     {
-      std::size_t n       = 0;
-      double      fastest = 0.;
-      for (const auto &s : eigenvalues)
-        if (s.imag() == 0. && s.real() > 0.)
-          {
-            ++n;
-            fastest = std::max(fastest, s.real());
-          }
-      if (n > 0)
-        log.warning("The contact by itself is unstable: " + std::to_string(n) +
-                    " real eigenvalues, up to " + significant(fastest, 3) +
-                    " 1/s. This is no squeal: friction falls faster with the "
-                    "speed than its memory allows. Raise Stability/Friction "
-                    "memory, or take Friction response = constant.");
+      const std::vector<double> growth = vibrations.real_growth();
+      if (growth.empty())
+        return;
+      const double fastest = *std::max_element(growth.begin(), growth.end());
+      log.warning(
+        "Without any vibration the state is unstable: " +
+        std::to_string(growth.size()) +
+        (growth.size() == 1 ? " real eigenvalue" : " real eigenvalues") +
+        ", up to " + significant(fastest, 3) + " 1/s. This is no squeal: " +
+        (falls ? "friction falls faster with the speed than its memory "
+                 "allows. Take Contact/Friction response = patch mean with a "
+                 "longer Friction memory, or constant."
+               : "friction pulls the bodies further into each other than "
+                 "their stiffness pushes them apart, so that they jam or "
+                 "part. Less Contact/Friction coefficient, the other sign "
+                 "of the creepage or stiffer supports change that."));
     }
 
 
@@ -128,29 +142,31 @@ namespace RollingContact
     /** Counts the unstable vibrations a second time; a part of the verdict if
      * they are as many. */
     std::string
-    counted_again(const SceneParameters &scene,
-                  const ReducedPair     &pair,
-                  const LinearContact   &contact,
-                  const ComplexVector   &eigenvalues,
-                  Log                   &log)
+    counted_again(const SceneParameters      &scene,
+                  const Vibrations           &vibrations,
+                  const std::vector<Finding> &findings,
+                  Log                        &log)
     {
       if (!scene.stability.count)
         return "";
       CountOptions options;
       options.lowest_frequency  = scene.stability.lowest_frequency;
       options.highest_frequency = scene.modes.maximum_frequency;
-      int n                     = 0;
-      for (const auto &s : eigenvalues)
-        {
-          const double f = s.imag() / (2 * pi);
-          n += s.real() > 0. && f >= options.lowest_frequency &&
-                   f <= options.highest_frequency
-                 ? 1
-                 : 0;
-        }
-      const UnstableCount found = UnstableCounter(pair, options).count(contact);
+      options.least_growth      = neutral * 2 * pi * options.highest_frequency;
+      const int           n     = vibrations.n_unstable(options.least_growth);
+      const UnstableCount found = UnstableCounter(vibrations.bodies(), options)
+                                    .count(vibrations.contact());
       if (found.resolved && found.count == n)
-        return ", as many as the argument principle counts";
+        {
+          const auto n_whole =
+            std::count_if(findings.begin(),
+                          findings.end(),
+                          [](const Finding &it) { return it.unstable(); });
+          return (n_whole == n ? ", as many"
+                               : "; of the reduced bodies " +
+                                   std::to_string(n) + ", as many") +
+                 std::string(" as the argument principle counts");
+        }
       log.warning(
         "The argument principle counts " + std::to_string(found.count) +
         " unstable vibrations (" + significant(found.turns, 4) +
@@ -159,9 +175,6 @@ namespace RollingContact
         "the contour.");
       return "";
     }
-
-
-
   } // namespace
 
 
@@ -198,27 +211,30 @@ namespace RollingContact
   Stability<dim>::run()
   {
     const SteadyState<dim>  steady = steady_state();
-    const RollingModes<dim> rolling(scene,
-                                    steady,
-                                    scene.modes.cut_off_ratio *
-                                      scene.modes.maximum_frequency,
-                                    context);
+    const ModalBodies<dim>  bodies(scene,
+                                  steady.pair->bodies(),
+                                  scene.modes.cut_off_ratio *
+                                    scene.modes.maximum_frequency,
+                                  context);
+    const RollingModes<dim> rolling(bodies,
+                                    *steady.pair,
+                                    steady.problem.operators.W());
     PhaseTimer::Scope       phase(context.timer, Phase::eigenvalues);
-    LinearContactOptions    options;
-    options.speed    = std::abs(*scene.contact.speed);
-    options.friction = scene.stability.friction;
-    options.memory   = scene.stability.memory;
-    const LinearContact contact =
-      linear_contact(steady.problem, steady.state, options);
-    const StabilityPencil pencil(rolling.reduced(), contact);
-    const ComplexVector   eigenvalues = pencil.eigenvalues();
+    const RollingConditions conditions(scene);
+    const Vibrations        vibrations(scene,
+                                rolling.reduced(conditions),
+                                steady.problem,
+                                steady.state);
     throw_if_interrupted();
+    std::optional<WholeBodies<dim>> whole;
+    if (scene.stability.correct)
+      whole.emplace(rolling, conditions);
     const auto findings =
-      find_vibrations(scene, rolling, contact, pencil, eigenvalues);
+      find_vibrations(vibrations, whole ? &*whole : nullptr);
 
     ResultsTable table(context.folder, table_file);
     for (const Finding &finding : findings)
-      add_row(finding, contact, rolling, table);
+      add_row(finding, vibrations.contact(), rolling, table);
     table.flush();
     context.log.message(table.screen_table({"frequency_Hz",
                                             "growth_1/s",
@@ -226,30 +242,44 @@ namespace RollingContact
                                             "damping_needed",
                                             "wheel_mode",
                                             "unstable"}));
-    warn_of_contact(eigenvalues, context.log);
-    if (contact.n_border() > 0)
+    warn_of_contact(vibrations,
+                    steady.problem.loads.friction_law != nullptr &&
+                      scene.friction_response() != FrictionResponse::constant,
+                    context.log);
+    if (vibrations.contact().n_border() > 0)
       context.log.detail(
-        std::to_string(contact.n_border()) +
+        std::to_string(vibrations.contact().n_border()) +
         " nodes are about to open, to slip or to stick, where the laws have "
         "other derivatives on either side.");
-    const std::string counted = counted_again(
-      scene, rolling.reduced(), contact, eigenvalues, context.log);
+    const std::string counted =
+      counted_again(scene, vibrations, findings, context.log);
     context.report.set_finding("squeal", verdict(scene, findings, counted));
     double backward = 0.;
     for (const Finding &finding : findings)
       if (finding.corrected)
         backward = std::max(backward, finding.corrected->backward_error);
-    if (scene.stability.correct && !findings.empty())
+    if (whole && !findings.empty())
       context.report.errors.push_back(
         {"vibrations that grow",
          backward,
          "the equations of the whole bodies",
          "their backward error after correction, " +
-           std::to_string(rolling.n_iterations()) + " solves",
+           std::to_string(whole->n_iterations()) + " solves",
          false,
          ""});
+    if (scene.modes.animated > 0)
+      {
+        if (!whole)
+          whole.emplace(rolling, conditions);
+        animate(findings,
+                scene.modes.animated,
+                vibrations.contact(),
+                rolling,
+                *whole,
+                context.folder);
+      }
     if (scene.output.plot)
-      plot_eigenvalues(eigenvalues,
+      plot_eigenvalues(vibrations.eigenvalues(),
                        findings,
                        scene.stability.lowest_frequency,
                        scene.modes.maximum_frequency,

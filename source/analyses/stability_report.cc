@@ -54,15 +54,15 @@ namespace RollingContact
                 const std::vector<double> &shares,
                 ResultsTable              &table)
     {
-      const ReducedPair &pair  = rolling.reduced();
-      const bool         wheel = side == Side::wheel;
+      const ModalBodies<dim> &bodies  = rolling.bodies();
+      const bool              wheel   = side == Side::wheel;
+      const std::size_t       n_wheel = bodies.n_modes(Side::wheel);
       const auto [column, share] =
         largest_share(shares,
-                      wheel ? 0 : pair.n_wheel_modes,
-                      wheel ? pair.n_wheel_modes : pair.n_modes());
+                      wheel ? 0 : n_wheel,
+                      wheel ? n_wheel : shares.size());
       const std::string name = name_of(side);
-      if (rolling.body(side) == nullptr ||
-          rolling.body(side)->modes.size() == 0)
+      if (bodies.n_modes(side) == 0)
         {
           for (const char *what : {"_mode", "_mode_Hz", "_mode_share"})
             table.leave_empty(name + what);
@@ -70,7 +70,7 @@ namespace RollingContact
         }
       const std::size_t mode = rolling.mode_of(column).second;
       table.set(name + "_mode", mode + 1);
-      table.set(name + "_mode_Hz", rolling.body(side)->modes.frequencies[mode]);
+      table.set(name + "_mode_Hz", bodies.body(side)->modes.frequencies[mode]);
       table.set(name + "_mode_share", share);
     }
   } // namespace

@@ -1,5 +1,6 @@
 #include <rolling_contact/analyses/transient.h>
 #include <rolling_contact/assessment/result_error.h>
+#include <rolling_contact/base/constants.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/input/prm_entries.h>
@@ -31,6 +32,7 @@ namespace RollingContact
     ContactStepper<dim> stepper(scene, demands, context);
     const TimeSteps     steps = scene.time.steps(stepper.drive().speed);
     stepper.set_time_step(steps.length);
+    falling.emplace(scene, stepper.current().grading.element_size_x);
     files = files_of(scene);
     if (context.resume)
       {
@@ -91,6 +93,16 @@ namespace RollingContact
         "Numerical damping at " + significant(scene.time.damping_frequency, 4) +
         " Hz: zeta = " +
         scientific(scene.time.numerical_damping(steps.length), 3) + ".");
+    if (scene.has_reduced_bodies())
+      {
+        const double f     = scene.modes.maximum_frequency,
+                     angle = 2 * pi * f * steps.length;
+        context.log.message(
+          "Bodies by their modes: steps of this length lower "
+          "frequencies by " +
+          significant(100 * angle * angle / 12, 2) +
+          " % at Modes/Maximum frequency = " + significant(f, 5) + " Hz.");
+      }
     describe_surfaces(*stepper.current().pair, context);
     warn_of_long_steps(stepper, steps);
     if (!scene.time.inertia)
@@ -176,6 +188,7 @@ namespace RollingContact
     worst.add(outcome.several,
               stepper.current().problem,
               "t = " + significant(progress.time + h, 6) + " s");
+    falling->add(stepper.current().problem, stepper.current().state);
     ++progress.step;
     progress.time      = progress.step * h;
     progress.time_step = h;
@@ -201,6 +214,14 @@ namespace RollingContact
     if (!stepper.bodies().description().empty())
       context.log.message(stepper.bodies().description() + ".");
     warn_of_non_uniqueness(scene, true, worst, context.log);
+    if (const std::string complaint = falling->complaint(); !complaint.empty())
+      {
+        context.log.warning(complaint);
+        context.report.set_finding(
+          "law",
+          "friction falls " + significant(falling->gain(), 3) +
+            " times as fast as waves take it away: no limit for finer elements");
+      }
     context.report.set_finding(
       "end",
       "t = " + significant(progress.time, 6) + " s, rolled " +

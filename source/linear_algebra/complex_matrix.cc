@@ -1,44 +1,9 @@
 #include <rolling_contact/base/constants.h>
+#include <rolling_contact/linear_algebra/blas.h>
 #include <rolling_contact/linear_algebra/complex_matrix.h>
 
 #include <cmath>
 #include <limits>
-
-extern "C" {
-void
-zgemm_(const char                 *transa,
-       const char                 *transb,
-       const int                  *m,
-       const int                  *n,
-       const int                  *k,
-       const std::complex<double> *alpha,
-       const std::complex<double> *a,
-       const int                  *lda,
-       const std::complex<double> *b,
-       const int                  *ldb,
-       const std::complex<double> *beta,
-       std::complex<double>       *c,
-       const int                  *ldc);
-
-void
-zgetrf_(const int            *m,
-        const int            *n,
-        std::complex<double> *a,
-        const int            *lda,
-        int                  *ipiv,
-        int                  *info);
-
-void
-zgetrs_(const char                 *trans,
-        const int                  *n,
-        const int                  *nrhs,
-        const std::complex<double> *a,
-        const int                  *lda,
-        const int                  *ipiv,
-        std::complex<double>       *b,
-        const int                  *ldb,
-        int                        *info);
-}
 
 namespace RollingContact
 {

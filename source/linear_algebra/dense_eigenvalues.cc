@@ -1,94 +1,16 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/linear_algebra/blas.h>
+#include <rolling_contact/linear_algebra/block_products.h>
 #include <rolling_contact/linear_algebra/dense_eigenvalues.h>
 
 #include <algorithm>
-
-extern "C" {
-void
-dgeev_(const char *jobvl,
-       const char *jobvr,
-       const int  *n,
-       double     *a,
-       const int  *lda,
-       double     *wr,
-       double     *wi,
-       double     *vl,
-       const int  *ldvl,
-       double     *vr,
-       const int  *ldvr,
-       double     *work,
-       const int  *lwork,
-       int        *info);
-
-void
-dsyev_(const char *jobz,
-       const char *uplo,
-       const int  *n,
-       double     *a,
-       const int  *lda,
-       double     *w,
-       double     *work,
-       const int  *lwork,
-       int        *info);
-
-void
-dgesvd_(const char *jobu,
-        const char *jobvt,
-        const int  *m,
-        const int  *n,
-        double     *a,
-        const int  *lda,
-        double     *s,
-        double     *u,
-        const int  *ldu,
-        double     *vt,
-        const int  *ldvt,
-        double     *work,
-        const int  *lwork,
-        int        *info);
-
-void
-zgesvd_(const char           *jobu,
-        const char           *jobvt,
-        const int            *m,
-        const int            *n,
-        std::complex<double> *a,
-        const int            *lda,
-        double               *s,
-        std::complex<double> *u,
-        const int            *ldu,
-        std::complex<double> *vt,
-        const int            *ldvt,
-        std::complex<double> *work,
-        const int            *lwork,
-        double               *rwork,
-        int                  *info);
-}
 
 namespace RollingContact
 {
   DenseMatrix
   operator*(const DenseMatrix &A, const DenseMatrix &B)
   {
-    DenseMatrix  C(A.n_rows(), B.n_columns());
-    const int    m = A.n_rows(), n = B.n_columns(), k = B.n_rows();
-    const double one = 1., zero = 0.;
-    if (m > 0 && n > 0 && k > 0)
-      dgemm_("N",
-             "N",
-             &m,
-             &n,
-             &k,
-             &one,
-             A.data(),
-             &m,
-             B.data(),
-             &k,
-             &zero,
-             C.data(),
-             &m);
-    return C;
+    return dense_product(A, B);
   }
 
 

@@ -175,21 +175,6 @@ namespace RollingContact
 
 
 
-  bool
-  solve_complex(const int                          n,
-                std::vector<std::complex<double>> &A,
-                const int                          n_columns,
-                std::vector<std::complex<double>> &B)
-  {
-    int              info = 0;
-    std::vector<int> pivots(n);
-    if (n > 0)
-      zgesv_(&n, &n_columns, A.data(), &n, pivots.data(), B.data(), &n, &info);
-    return info == 0;
-  }
-
-
-
   double
   dot(const std::vector<double> &x, const std::vector<double> &y)
   {

@@ -198,6 +198,14 @@ namespace RollingContact
 
 
 
+  std::vector<ZoneBox>
+  BodyShape::on_surface(const std::vector<ZoneBox> &boxes) const
+  {
+    return boxes;
+  }
+
+
+
   std::shared_ptr<const SweptMesh>
   BodyShape::equal_cells(const double, const double) const
   {

@@ -362,9 +362,13 @@ namespace RollingContact
   Grading<3>
   grading_of_body(const BodyShape &shape, const Grading<3> &grading)
   {
-    return shape.has_own_cells() && !grading.is_uniform
-             ? grading.of_coupled_body()
-             : grading;
+    if (!shape.has_own_cells() || grading.is_uniform)
+      return grading;
+    Grading<3>  own = grading.of_coupled_body();
+    const auto &strip =
+      grading.strips[shape.is_of_wheel() ? Side::wheel : Side::rail];
+    own.zone_boxes = strip.empty() ? shape.on_surface(own.zone_boxes) : strip;
+    return own;
   }
 
 

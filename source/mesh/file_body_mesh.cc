@@ -88,25 +88,25 @@ namespace RollingContact
   namespace
   {
     /**
-     * z of the outward unit normal of a face.
+     * The outward unit normal of a face.
      */
-    double
-    upwards(const Triangulation<3>::active_cell_iterator &cell,
-            const unsigned int                            f)
+    Tensor<1, 3>
+    normal_of(const Triangulation<3>::active_cell_iterator &cell,
+              const unsigned int                            f)
     {
       const auto   face   = cell->face(f);
       Tensor<1, 3> normal = cross_product_3d(face->vertex(3) - face->vertex(0),
                                              face->vertex(2) - face->vertex(1));
       if (normal * (face->center() - cell->center()) < 0.)
         normal = -normal;
-      return normal[2] / normal.norm();
+      return normal / normal.norm();
     }
   } // namespace
 
 
 
   FileMesh
-  as_file_mesh(const BodyMesh<3> &mesh)
+  as_file_mesh(const BodyMesh<3> &mesh, const Tensor<1, 3> towards_other)
   {
     FileMesh result;
     result.dimension = 3;
@@ -127,7 +127,7 @@ namespace RollingContact
               result.hub_faces.push_back(corners);
             if (face->at_boundary() &&
                 face->boundary_id() == contact_boundary &&
-                upwards(cell, f) > least_upwards)
+                normal_of(cell, f) * towards_other > least_upwards)
               result.contact_faces.push_back(corners);
           }
       }

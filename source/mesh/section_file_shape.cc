@@ -1,6 +1,7 @@
 #include <boost/math/constants/constants.hpp>
 
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/mesh/profiled_section.h>
 #include <rolling_contact/mesh/section_file_shape.h>
 #include <rolling_contact/mesh/swept_mesh.h>
 #include <rolling_contact/references/line_contact_approach.h>
@@ -144,9 +145,12 @@ namespace RollingContact
   double
   SectionFileShape::reach_y() const
   {
-    return parameters.mesh
-             ? std::min(-parameters.mesh->lower[0], parameters.mesh->upper[0])
-             : parameters.width / 2;
+    if (!parameters.mesh)
+      return parameters.width / 2;
+    const FileMesh &mesh = *parameters.mesh;
+    // under a profile, from wherever that touches
+    return parameters.profile ? mesh.upper[0] - mesh.lower[0]
+                              : std::min(-mesh.lower[0], mesh.upper[0]);
   }
 
 
@@ -183,6 +187,13 @@ namespace RollingContact
     std::vector<SectionPoint> points;
     for (const FileMesh::Point &vertex : mesh.vertices)
       points.push_back({{vertex[0], top + vertex[2], top + vertex[2]}});
+    std::optional<ProfiledSection> profile;
+    if (parameters.profile)
+      profile.emplace(*parameters.profile, is_of_wheel());
+    if (profile)
+      for (const FileMesh::Face &edge : mesh.contact_faces)
+        for (const unsigned int end : {edge[0], edge[1]})
+          put_on_profile(*profile, top, points[end]);
     std::vector<std::array<unsigned int, 4>> corners;
     for (const FileMesh::Cell &cell : mesh.cells)
       corners.push_back({{cell[0], cell[1], cell[2], cell[3]}});
@@ -196,7 +207,7 @@ namespace RollingContact
           if (found == boundary.end())
             continue;
           section.set_boundary(quad, edge, found->second);
-          if (found->second == SectionBoundary::contact)
+          if (found->second == SectionBoundary::contact && !profile)
             section.set_curve(quad,
                               edge,
                               crowned(points[ends[0]],
@@ -204,7 +215,23 @@ namespace RollingContact
                                       top,
                                       parameters.lateral_radius));
         }
+    if (profile)
+      follow_profile(*profile, top, section);
     return section;
+  }
+
+
+
+  std::vector<ZoneBox>
+  SectionFileShape::on_surface(const std::vector<ZoneBox> &boxes) const
+  {
+    if (!parameters.profile)
+      return boxes;
+    const ProfiledSection profile(*parameters.profile, is_of_wheel());
+    std::vector<ZoneBox>  result;
+    for (const ZoneBox &box : boxes)
+      result.push_back(profile.on_profile(box));
+    return result;
   }
 
 
@@ -221,6 +248,7 @@ namespace RollingContact
     cells.size  = length / n;
     SectionPlacement placement;
     placement.contact = {{0., parameters.radius}};
+    placement.is_left = parameters.profile && parameters.profile->is_left;
     std::vector<double> ends;
     if (is_revolved())
       {

@@ -246,8 +246,10 @@ namespace RollingContact
     CoarseCells cells;
     cells.size = cells.half_core  = reach_x();
     const SectionPlacement placed = sweep(cells).first;
-    const auto             point  = placed.to_body(0., {{0., 0., 1.}}),
-               other              = placed.to_body(0., {{1., 0., 1.}});
+    // towards positive y on the left as well: the rim flows in +x
+    const double way   = placed.is_left ? -1. : 1.;
+    const auto   point = placed.to_body(0., {{0., 0., 1.}}),
+               other   = placed.to_body(0., {{way, 0., 1.}});
     return Axle{
       point, {{other[0] - point[0], other[1] - point[1], other[2] - point[2]}}};
   }

@@ -189,7 +189,7 @@ namespace RollingContact
             }
       // of a whole rim the part towards the other body
       for (const ContactFace &face : contact_faces)
-        if (face.upwards > least_upwards)
+        if (file.is_under_profile || face.upwards > least_upwards)
           mesh.contact_faces.push_back(face.corners);
       return contact_faces;
     }

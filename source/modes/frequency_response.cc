@@ -2,6 +2,7 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/linear_algebra/block_products.h>
+#include <rolling_contact/linear_algebra/complex_matrix.h>
 #include <rolling_contact/linear_algebra/indefinite_factor.h>
 #include <rolling_contact/modes/frequency_response.h>
 
@@ -74,28 +75,26 @@ namespace RollingContact
   {
     const double         omega = omega_of(frequency);
     const int            m = lambda.size(), n = n_places();
-    std::vector<Complex> D(static_cast<std::size_t>(m) * m),
-      x(static_cast<std::size_t>(m) * n),
-      alpha(static_cast<std::size_t>(n) * n);
+    ComplexMatrix        D(m, m), x(phi);
+    std::vector<Complex> alpha(static_cast<std::size_t>(n) * n);
     for (int j = 0; j < m; ++j)
       for (int i = 0; i < m; ++i)
         {
-          Complex &entry = D[i + static_cast<std::size_t>(j) * m];
           if (i == j)
-            entry = {lambda[j] - omega * omega,
-                     modal_damping ? omega * viscous_ratios[j] : 0.};
+            D(i, j) = {lambda[j] - omega * omega,
+                       modal_damping ? omega * viscous_ratios[j] : 0.};
           if (H_m.n_rows() > 0)
-            entry += Complex(0., H_m(i, j));
+            D(i, j) += Complex(0., H_m(i, j));
           if (C_m.n_rows() > 0)
-            entry += Complex(0., omega * C_m(i, j));
+            D(i, j) += Complex(0., omega * C_m(i, j));
         }
-    for (std::size_t k = 0; k < x.size(); ++k)
-      x[k] = phi.data()[k];
-    if (m > 0 && !solve_complex(m, D, n, x))
+    const ComplexLU factors(std::move(D));
+    if (factors.singular())
       throw ConvergenceError("The receptance at " + significant(frequency, 6) +
                              " Hz is infinite: this is an eigenfrequency and "
                              "nothing damps it. Give damping, or another "
                              "frequency.");
+    factors.solve(x);
     for (int q = 0; q < n; ++q)
       for (int p = 0; p < n; ++p)
         {
@@ -105,7 +104,7 @@ namespace RollingContact
           if (viscous.n_rows() > 0)
             sum -= Complex(0., omega * viscous(p, q));
           for (int j = 0; j < m; ++j)
-            sum += phi(j, p) * x[j + static_cast<std::size_t>(q) * m];
+            sum += phi(j, p) * x(j, q);
           alpha[p + static_cast<std::size_t>(q) * n] = sum;
         }
     return alpha;

@@ -1,7 +1,6 @@
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/linear_algebra/blas.h>
 #include <rolling_contact/linear_algebra/block_products.h>
 #include <rolling_contact/modes/full_dynamics.h>
 
@@ -66,50 +65,27 @@ namespace RollingContact
 
 
 
-    double
-    length(const ComplexVector &x)
+    /** Both parts as columns: one pass through a large matrix takes both. */
+    DenseMatrix
+    columns_of(const Parts &x)
     {
-      double sum = 0.;
-      for (const Complex &value : x)
-        sum += std::norm(value);
-      return std::sqrt(sum);
-    }
-
-
-
-    /** A x or A^T x of a dense real matrix. */
-    std::vector<double>
-    dense_times(const char                *transpose,
-                const DenseMatrix         &A,
-                const std::vector<double> &x)
-    {
-      const int           m = A.n_rows(), n = A.n_columns(), step = 1;
-      const double        one = 1., zero = 0.;
-      std::vector<double> y(*transpose == 'T' ? n : m, 0.);
-      if (m > 0 && n > 0)
-        dgemv_(transpose,
-               &m,
-               &n,
-               &one,
-               A.data(),
-               &m,
-               x.data(),
-               &step,
-               &zero,
-               y.data(),
-               &step);
-      return y;
+      const std::size_t n = x.real.size();
+      DenseMatrix       X(n, 2);
+      std::copy(x.real.begin(), x.real.end(), X.data());
+      std::copy(x.imaginary.begin(), x.imaginary.end(), X.data() + n);
+      return X;
     }
 
 
 
     Parts
-    dense_times(const char *transpose, const DenseMatrix &A, const Parts &x)
+    parts_of(const DenseMatrix &X)
     {
-      Parts y(0);
-      y.real      = dense_times(transpose, A, x.real);
-      y.imaginary = dense_times(transpose, A, x.imaginary);
-      return y;
+      const double *middle = X.data() + X.n_rows();
+      Parts         x(0);
+      x.real.assign(X.data(), middle);
+      x.imaginary.assign(middle, middle + X.n_rows());
+      return x;
     }
   } // namespace
 
@@ -165,44 +141,40 @@ namespace RollingContact
     const Parts v(velocity);
     if (structure.C.size() > 0)
       add(1., product(structure.C, v), result);
-    Parts modal = dense_times("T", M_phi, v);
+    if (std::all_of(modal_damping.begin(),
+                    modal_damping.end(),
+                    [](const double c) { return c == 0.; }))
+      return result;
+    Parts modal = parts_of(transposed_product(M_phi, columns_of(v)));
     for (std::size_t j = 0; j < modal.real.size(); ++j)
       {
         modal.real[j] *= modal_damping[j];
         modal.imaginary[j] *= modal_damping[j];
       }
-    add(1., dense_times("N", M_phi, modal), result);
+    add(1., parts_of(dense_product(M_phi, columns_of(modal))), result);
     return result;
   }
 
 
 
   ComplexVector
-  FullDynamics::precondition(const Complex s, const ComplexVector &b) const
+  FullDynamics::precondition(const ComplexLU &D_m, const ComplexVector &b) const
   {
     const std::size_t n = b.size();
     const int         m = modes.size();
     const Parts       parts(b);
-    DenseMatrix       block(n, 2);
-    std::copy(parts.real.begin(), parts.real.end(), block.data());
-    std::copy(parts.imaginary.begin(), parts.imaginary.end(), block.data() + n);
+    DenseMatrix       block = columns_of(parts);
     factor.solve(block);
     ComplexVector result(n);
     for (std::size_t i = 0; i < n; ++i)
       result[i] = Complex(block(i, 0), block(i, 1));
 
-    const Parts          modal = dense_times("T", modes.shapes, parts);
-    std::vector<Complex> D(static_cast<std::size_t>(m) * m), q(m);
+    const Parts modal =
+      parts_of(transposed_product(modes.shapes, columns_of(parts)));
+    ComplexVector q(m);
     for (int j = 0; j < m; ++j)
-      {
-        q[j] = Complex(modal.real[j], modal.imaginary[j]);
-        for (int i = 0; i < m; ++i)
-          D[i + static_cast<std::size_t>(j) * m] =
-            s * C_m(i, j) + K_m(i, j) + (i == j ? s * s : 0.);
-      }
-    if (m > 0 && !solve_complex(m, D, 1, q))
-      throw ConvergenceError("Vibration of the modes alone has no answer at "
-                             "this frequency: it is an undamped eigenvalue.");
+      q[j] = Complex(modal.real[j], modal.imaginary[j]);
+    D_m.solve(q);
     Parts dynamic(m);
     for (int j = 0; j < m; ++j)
       {
@@ -212,7 +184,7 @@ namespace RollingContact
         dynamic.real[j]      = change.real();
         dynamic.imaginary[j] = change.imag();
       }
-    add(1., dense_times("N", modes.shapes, dynamic), result);
+    add(1., parts_of(dense_product(modes.shapes, columns_of(dynamic))), result);
     return result;
   }
 
@@ -223,8 +195,15 @@ namespace RollingContact
                       const ComplexVector &b,
                       const double         tolerance) const
   {
+    ComplexMatrix D(K_m, s, C_m);
+    for (std::size_t j = 0; j < modes.size(); ++j)
+      D(j, j) += s * s;
+    const ComplexLU D_m(std::move(D));
+    if (D_m.singular())
+      throw ConvergenceError("Vibration of the modes alone has no answer at "
+                             "this frequency: it is an undamped eigenvalue.");
     ComplexVector x(b.size(), 0.), rest = b;
-    const double  scale = length(b);
+    const double  scale = norm(b);
     double        error = scale > 0. ? 1. : 0., before = 2.;
     for (unsigned int k = 0; error > tolerance; ++k)
       {
@@ -239,14 +218,14 @@ namespace RollingContact
             std::to_string(k) +
             " iterations; raise Modes/Cut-off ratio, so that the modes reach "
             "further.");
-        const ComplexVector step = precondition(s, rest);
+        const ComplexVector step = precondition(D_m, rest);
         for (std::size_t i = 0; i < x.size(); ++i)
           x[i] += step[i];
         rest                      = b;
         const ComplexVector image = multiply(s, x);
         for (std::size_t i = 0; i < x.size(); ++i)
           rest[i] -= image[i];
-        error = length(rest) / scale;
+        error = norm(rest) / scale;
         ++iterations;
       }
     return x;

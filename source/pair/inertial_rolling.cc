@@ -73,9 +73,10 @@ namespace RollingContact
           bodies.wheel->begin_step_with(*bodies.rail);
         else
           for_each([](BodyDynamics &body, Side) { body.begin_step(); });
-        const auto u0 = relative(
+        start = relative(
           [](const auto &body) { return body.contact_displacement(); });
-        const auto v0 =
+        const auto &u0 = start;
+        const auto  v0 =
           relative([](const auto &body) { return body.contact_velocity(); });
         const auto u1 = relative(
           [](const auto &body) { return body.free_contact_displacement(); });
@@ -123,6 +124,18 @@ namespace RollingContact
             body.end_step(forces(side));
           });
         return energy();
+      }
+
+      std::vector<double>
+      contact_velocity() const override
+      {
+        std::vector<double> velocity = relative(
+          [](const auto &body) { return body.contact_displacement(); });
+        if (start.empty())
+          return std::vector<double>(velocity.size(), 0.);
+        for (std::size_t i = 0; i < velocity.size(); ++i)
+          velocity[i] = (velocity[i] - start[i]) / h;
+        return velocity;
       }
 
       void
@@ -276,6 +289,7 @@ namespace RollingContact
       const bool                             shifted, free_wheel;
       PerSide<std::unique_ptr<BodyDynamics>> bodies;
       double                                 h = 0.;
+      std::vector<double>                    start; ///< u0 of the step, m
     };
   } // namespace
 

@@ -2,41 +2,25 @@
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/interface/mortar.h>
 #include <rolling_contact/interface/overlap.h>
+#include <rolling_contact/pair/file_surface_checks.h>
 #include <rolling_contact/pair/mesh_file_coupling.h>
+#include <rolling_contact/pair/refined_coupling.h>
 #include <rolling_contact/pair/section_advice.h>
+#include <rolling_contact/pair/section_in_contact.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <optional>
 #include <set>
 
 namespace RollingContact
 {
   namespace
   {
-    const double largest_face_of_zone = 0.25; ///< of the zone's length
-    const double limit_of_radii = 0.01, limit_of_nodes = 0.5; ///< of the gap
     const double warned_face   = 1.1; ///< in elements of the interface
     const double least_element = 1.2; ///< of the interface, in faces
-
-    using Box = std::array<std::array<double, 2>, 2>; ///< lower, upper
-
-    [[noreturn]] void
-    reject_file(const BodyParameters &body, const std::string &reason)
-    {
-      throw InputError(body.section + "/Mesh file = " + body.mesh_file + ": " +
-                       reason);
-    }
-
-
-
-    std::string
-    place(const double x, const double y)
-    {
-      return "x = " + millimetres(x) + ", y = " + millimetres(y);
-    }
-
-
 
     Box
     box_of(const Trace &interface)
@@ -128,153 +112,22 @@ namespace RollingContact
 
 
 
-    void
-    check_faces(const BodyParameters        &body,
-                const SurfaceMesh           &surface,
-                const std::array<double, 2> &face_size,
-                const Box                   &zone)
-    {
-      for (unsigned int d = 0; d < surface.n_dimensions; ++d)
-        {
-          const double length = zone[1][d] - zone[0][d];
-          if (face_size[d] > largest_face_of_zone * length)
-            reject_file(body,
-                        "in the contact zone, " + millimetres(length) +
-                          (d == 0 ? " long" : " wide") +
-                          ", a face of its contact boundary is " +
-                          millimetres(face_size[d]) +
-                          (d == 0 ? " long" : " wide") +
-                          ". Refine it there to a quarter of the zone at most, "
-                          "better to Mesh/Elements across patch, or check " +
-                          body.section + "/Mesh unit (" +
-                          significant(body.mesh_unit, 4) + " m).");
-        }
-      if (surface.n_dimensions == 1)
-        return;
-      for (const auto &face : surface.faces)
-        {
-          std::array<Point2, 4> corners;
-          for (unsigned int v = 0; v < 4; ++v)
-            corners[v] = surface.nodes[face[v]];
-          if (!is_convex(corners))
-            reject_file(body,
-                        "the face of its contact boundary at " +
-                          place(corners[0][0], corners[0][1]) +
-                          " is no convex quadrilateral seen along z.");
-        }
-    }
-
-
-
-    void
-    check_cover(const BodyParameters   &body,
-                const Trace            &interface,
-                const MortarProjection &projection)
-    {
-      for (std::size_t c = 0; c < interface.cells.size(); ++c)
-        {
-          const Trace::Cell &cell   = interface.cells[c];
-          const double       excess = projection.covered[c] - 1;
-          if (std::abs(excess) > 1e-6)
-            reject_file(body,
-                        std::string("its contact boundary ") +
-                          (excess < 0. ? "ends" : "lies twice") +
-                          " inside the contact zone, near " +
-                          place((cell.lower[0] + cell.upper[0]) / 2,
-                                (cell.lower[1] + cell.upper[1]) / 2) +
-                          ". Extend the boundary " + body.section +
-                          "/Contact boundary id = " +
-                          std::to_string(body.contact_boundary) +
-                          ", or check Mesh unit, load and "
-                          "Mesh/Candidate zone.");
-        }
-    }
-
-
-
-    void
-    check_free_of_hub(const BodyParameters            &body,
-                      const FileMesh                  &mesh,
-                      const std::vector<unsigned int> &vertices)
-    {
-      std::set<unsigned int> clamped;
-      for (const FileMesh::Face &face : mesh.hub_faces)
-        clamped.insert(face.begin(), face.begin() + mesh.n_corners());
-      for (const unsigned int vertex : vertices)
-        if (clamped.count(vertex) > 0)
-          reject_file(
-            body,
-            "its hub (" + body.section +
-              "/Hub boundary id = " + std::to_string(body.hub_boundary) +
-              ") reaches into the contact zone, at " +
-              place(mesh.vertices[vertex][0], mesh.vertices[vertex][1]) + ".");
-    }
-
-
-
-    double
-    largest_gap(const SceneParameters &scene, const Trace &interface)
-    {
-      const auto wheel = scene.wheel.body_shape(),
-                 rail  = scene.rail.body_shape();
-      double largest   = 0.;
-      for (const auto &node : interface.nodes)
-        largest = std::max(largest,
-                           -wheel->surface_height(node[0], node[1]) -
-                             rail->surface_height(node[0], node[1]));
-      return largest;
-    }
-
-
-
     /**
-     * Largest distance of the contact nodes from the surface given by the
-     * radii. Throws InputError if it is more than allowed for this largest @p
-     * gap. Units: m.
+     * What the undeformed surface is, and how far nodes are off it.
      */
-    double
-    check_heights(const BodyParameters            &body,
-                  const FileMesh                  &mesh,
-                  const std::vector<unsigned int> &vertices,
-                  const double                     gap)
+    std::string
+    note_on_surface(const BodyParameters &body,
+                    const bool            under_profile,
+                    const double          distance)
     {
-      const auto   shape   = body.body_shape();
-      double       largest = 0.;
-      unsigned int worst   = 0;
-      for (const unsigned int vertex : vertices)
-        {
-          const auto  &at = mesh.vertices[vertex];
-          const double distance =
-            std::abs(at[2] - shape->surface_height(at[0], at[1]));
-          if (distance >= largest)
-            worst = vertex;
-          largest = std::max(largest, distance);
-        }
-      const bool   by_radii = body.surface == SurfaceSource::radii;
-      const double limit = (by_radii ? limit_of_radii : limit_of_nodes) * gap;
-      if (largest > limit)
-        {
-          const auto &at = mesh.vertices[worst];
-          reject_file(
-            body,
-            "the node of its contact boundary at " + place(at[0], at[1]) +
-              " lies " + millimetres(largest) + " off the surface of " +
-              body.section + "/Radius = " + significant(body.radius, 6) + " m" +
-              (mesh.dimension == 3
-                 ? " and Lateral radius = " +
-                     significant(body.lateral_radius, 6) + " m"
-                 : std::string()) +
-              "; " + millimetres(limit) + " is allowed, " +
-              (by_radii ? "1 %" : "half") +
-              " of the largest gap in the contact zone. Check the radii, Mesh "
-              "unit (" +
-              significant(body.mesh_unit, 4) +
-              " m), the contact point (the origin) and the axes (z from rail "
-              "to wheel)" +
-              (by_radii ? ", or take " + body.section + "/Surface = nodes."
-                        : "."));
-        }
-      return largest;
+      if (under_profile)
+        return "the profile, the nodes lie within " + millimetres(distance) +
+               " of it.";
+      return body.surface == SurfaceSource::radii
+               ? "the radii, the nodes lie within " + millimetres(distance) +
+                   " of them."
+               : "the nodes, which lie within " + millimetres(distance) +
+                   " of the radii.";
     }
 
 
@@ -283,19 +136,14 @@ namespace RollingContact
     note_on(const BodyParameters &body,
             const FileMesh       &mesh,
             const FileSurface    &surface,
-            const double          distance)
+            const std::string    &on_surface)
     {
       return body.section + ": " + body.mesh_file + sweep_of(body) + ", " +
              std::to_string(mesh.cells.size()) + " cells; its " +
              std::to_string(surface.vertices.size()) +
              " contact nodes, up to " + millimetres(surface.face_size[0]) +
              " apart, are coupled to the interface. Undeformed surface: " +
-             (body.surface == SurfaceSource::radii
-                ? "the radii, the nodes lie within "
-                : "the nodes, which lie within ") +
-             millimetres(distance) +
-             (body.surface == SurfaceSource::radii ? " of them."
-                                                   : " of the radii.");
+             on_surface;
     }
 
 
@@ -324,24 +172,95 @@ namespace RollingContact
 
 
 
+  namespace
+  {
+    /**
+     * Let vertices that hang move with the corners of the faces they are on.
+     */
+    void
+    take_corners_of_hanging(const HangingVertices &hanging,
+                            MortarProjection      &projection)
+    {
+      if (std::none_of(projection.nodes.begin(),
+                       projection.nodes.end(),
+                       [&](const unsigned int vertex) {
+                         return hanging.count(vertex) > 0;
+                       }))
+        return;
+      const std::vector<unsigned int>      vertices = projection.nodes;
+      std::map<unsigned int, unsigned int> number;
+      SparseRows                           rows(projection.rows.size());
+      projection.nodes.clear();
+      const auto add = [&](const unsigned int row,
+                           const unsigned int vertex,
+                           const double       value) {
+        const auto [at, is_new] = number.emplace(vertex, number.size());
+        if (is_new)
+          projection.nodes.push_back(vertex);
+        rows.add(row, at->second, value);
+      };
+      for (unsigned int i = 0; i < rows.size(); ++i)
+        for (const auto &[column, value] : projection.rows[i])
+          {
+            const auto found = hanging.find(vertices[column]);
+            if (found == hanging.end())
+              add(i, vertices[column], value);
+            else
+              for (const auto &[corner, share] : found->second)
+                add(i, corner, share * value);
+          }
+      projection.rows = std::move(rows);
+    }
+  } // namespace
+
+
+
   FileSurface
   couple_to_interface(const SceneParameters &scene,
                       const Side             side,
                       const FileMesh        &mesh,
                       const Trace           &interface)
   {
-    const BodyParameters &body = scene.body(side);
-    const Box             zone = box_of(interface);
-    FileSurface           result;
-    const SurfaceMesh     surface = surface_over(zone, mesh, result.face_size);
+    return couple_refined_to_interface(scene, side, mesh, {}, interface);
+  }
+
+
+
+  FileSurface
+  couple_refined_to_interface(const SceneParameters &scene,
+                              const Side             side,
+                              const FileMesh        &body_mesh,
+                              const HangingVertices &hanging,
+                              const Trace           &interface)
+  {
+    const BodyParameters           &body = scene.body(side);
+    const Box                       zone = box_of(interface);
+    std::optional<SectionInContact> section;
+    std::optional<FileMesh>         seen;
+    if (SectionInContact::is_on(scene, side))
+      {
+        section.emplace(scene, side);
+        seen = section->seen_from_contact(body_mesh);
+      }
+    const FileMesh   &mesh = seen ? *seen : body_mesh;
+    FileSurface       result;
+    const SurfaceMesh surface = surface_over(zone, mesh, result.face_size);
     check_faces(body, surface, result.face_size, zone);
     MortarProjection projection = mortar_projection(interface, surface);
     check_cover(body, interface, projection);
     check_free_of_hub(body, mesh, projection.nodes);
-    result.vertices  = projection.nodes;
     result.face_size = size_of_used_faces(surface, projection.nodes);
+    take_corners_of_hanging(hanging, projection);
+    result.vertices = projection.nodes;
     const double distance =
-      check_heights(body, mesh, result.vertices, largest_gap(scene, interface));
+      section
+        ? check_on_profile(scene, side, body_mesh, result.vertices, *section)
+        : check_heights(body,
+                        mesh,
+                        result.vertices,
+                        largest_gap(scene, interface));
+    if (section)
+      result.axes = section->axes();
     result.coupling =
       SurfaceCoupling(std::move(projection.rows), result.vertices.size());
     if (body.surface == SurfaceSource::nodes)
@@ -356,8 +275,13 @@ namespace RollingContact
       advice_on_cells_along(body,
                             result.face_size,
                             {{upper[0] - lower[0], upper[1] - lower[1]}});
-    result.note = {note_on(body, mesh, result, distance) + advice,
-                   warning_of(body, result, interface)};
+    result.note = {
+      note_on(body,
+              mesh,
+              result,
+              note_on_surface(body, section.has_value(), distance)) +
+        advice,
+      warning_of(body, result, interface)};
     return result;
   }
 

@@ -5,6 +5,8 @@
 #include <rolling_contact/pair/interface_mesh.h>
 #include <rolling_contact/pair/pair_interface.h>
 #include <rolling_contact/pair/profile_surface.h>
+#include <rolling_contact/pair/refined_coupling.h>
+#include <rolling_contact/pair/section_in_contact.h>
 
 #include <algorithm>
 #include <cmath>
@@ -59,22 +61,37 @@ namespace RollingContact
 
 
     /**
-     * The mesh of a body from a file; that of a section is made again on ranks
+     * Couple a body from a file; the mesh of a section is made again on ranks
      * that do not hold the body.
      */
     template <int dim>
-    std::shared_ptr<const FileMesh>
-    mesh_of(const BodyParameters   &parameters,
-            const ElasticBody<dim> *body,
-            const Grading<dim>     &grading)
+    FileSurface
+    surface_of_file(const SceneParameters  &scene,
+                    const Side              side,
+                    const ElasticBody<dim> *body,
+                    const Grading<dim>     &grading,
+                    const Trace            &interface)
     {
+      const BodyParameters &parameters = scene.body(side);
       if constexpr (dim == 3)
         if (parameters.is_section())
-          return std::make_shared<const FileMesh>(
-            body ? as_file_mesh(body->mesh())
-                 : as_file_mesh(
-                     make_body_mesh<3>(parameters.body_shape(), grading)));
-      return parameters.mesh;
+          {
+            BodyMesh<3> made;
+            if (body == nullptr)
+              made = make_body_mesh<3>(parameters.body_shape(), grading);
+            const BodyMesh<3> &mesh  = body ? body->mesh() : made;
+            const double       angle = SectionInContact::is_on(scene, side)
+                                         ? SectionInContact(scene, side).axes().angle
+                                         : 0.;
+            const Point<3> towards_other(0., std::sin(angle), std::cos(angle));
+            return couple_refined_to_interface(
+              scene,
+              side,
+              as_file_mesh(mesh, towards_other),
+              hanging_vertices(*mesh.triangulation),
+              interface);
+          }
+      return couple_to_interface(scene, side, *parameters.mesh, interface);
     }
 
 
@@ -113,11 +130,8 @@ namespace RollingContact
     for (const Side side : both_sides)
       if (scene.body(side).is_from_file())
         {
-          const FileSurface surface = couple_to_interface(
-            scene,
-            side,
-            *mesh_of(scene.body(side), bodies.body(side), grading),
-            trace);
+          const FileSurface surface =
+            surface_of_file(scene, side, bodies.body(side), grading, trace);
           if (has_own_mesh)
             check_resolution(scene,
                              side,
@@ -126,6 +140,7 @@ namespace RollingContact
                              grading.element_size_y);
           coupling[side] = surface.coupling;
           heights[side]  = surface.heights;
+          axes[side]     = surface.axes;
           note[side]     = surface.note;
           if (bodies.body(side))
             nodes[side] = bodies.body(side)->nodes_at(surface.vertices);
@@ -142,16 +157,19 @@ namespace RollingContact
   {
     const SurfaceFrames frames = surface_frames(scene, trace.nodes);
     for (const Side side : both_sides)
-      if (!frames.is_plane() && bodies.is_elastic(side) &&
-          scene.body(side).body_shape()->is_swept())
-        {
-          // z of the wheel is that of the rail mirrored
-          std::vector<double> angles;
-          for (const SurfaceFrames::Node &node : frames.nodes)
-            angles.push_back(side == Side::rail ? node.angle : -node.angle);
-          coupling[side].turn(std::move(angles));
-          nodes_turned = true;
-        }
+      {
+        const bool curved = !frames.is_plane() && bodies.is_elastic(side) &&
+                            scene.body(side).body_shape()->is_swept();
+        if (!curved && axes[side].angle == 0.)
+          continue;
+        std::vector<double> angles(trace.nodes.size(), axes[side].angle);
+        // z of the wheel is that of the rail mirrored
+        if (curved)
+          for (std::size_t i = 0; i < angles.size(); ++i)
+            angles[i] += (side == Side::rail ? 1 : -1) * frames.nodes[i].angle;
+        coupling[side].turn(std::move(angles));
+        nodes_turned = true;
+      }
   }
 
 

@@ -94,7 +94,9 @@ namespace RollingContact
         // of the mean of the reactions at the start and at the end
         energy.contact_work =
           energy.strain - work(problem, previous, previous) / 2;
-        before = {u, h};
+        before          = PastStep();
+        before.velocity = u;
+        before.length   = h;
         take(problem, state, energy.strain);
         for (std::size_t i = 0; i < u.size(); ++i)
           before.velocity[i] = (u[i] - before.velocity[i]) / h;
@@ -106,7 +108,8 @@ namespace RollingContact
                  const ContactState   &state) override
       {
         take(problem, state, work(problem, state, state) / 2);
-        before = {std::vector<double>(u.size(), 0.), 0.};
+        before          = PastStep();
+        before.velocity = std::vector<double>(u.size(), 0.);
       }
 
       double

@@ -4,6 +4,7 @@
 #include <rolling_contact/pair/mesh_limits.h>
 #include <rolling_contact/pair/parallel_bodies.h>
 #include <rolling_contact/pair/patch_estimate.h>
+#include <rolling_contact/pair/places.h>
 #include <rolling_contact/pair/profile_surface.h>
 #include <rolling_contact/pair/rolling_pair.h>
 
@@ -26,6 +27,33 @@ namespace RollingContact
                {{grading.element_size_x, grading.element_size_y},
                 {grading.zone_x, grading.zone_y}})
     , surfaces_in_time(demands.surfaces_in_time)
+  {
+    choose_components();
+  }
+
+
+
+  template <int dim>
+  RollingPair<dim>::RollingPair(const SceneParameters &scene,
+                                const Grading<dim>    &grading,
+                                const PairDemands     &demands,
+                                const BodyPair<dim>   &bodies)
+    : scene(scene)
+    , body_pair(for_several_places(scene, bodies))
+    , pair_interface(scene, grading, body_pair)
+    , surfaces(scene,
+               {{grading.element_size_x, grading.element_size_y},
+                {grading.zone_x, grading.zone_y}})
+    , surfaces_in_time(demands.surfaces_in_time)
+  {
+    choose_components();
+  }
+
+
+
+  template <int dim>
+  void
+  RollingPair<dim>::choose_components()
   {
     if (scene.contact.friction_coefficient > 0. || pair_interface.turns_nodes())
       for (unsigned int d = 0; d < dim - 1; ++d)

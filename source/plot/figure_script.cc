@@ -131,13 +131,22 @@ set palette defined (0 "#440154", 1 "#472D7B", 2 "#3B528B", 3 "#2C728E", \
     const bool  is_map = !maps.empty();
     std::string text, items;
     if (is_map)
-      text += "unset grid\nset view map\nset pm3d corners2color mean\n";
+      // gnuplot leaves no room for the label of y
+      text += "unset grid\nset view map\nset pm3d corners2color mean\n"
+              "unset xzeroaxis\nunset yzeroaxis\nset lmargin at screen 0.13\n";
     const auto add = [&](const std::string &item) {
       items += (items.empty() ? "" : ", \\\n  ") + item;
     };
     for (const Map &map : maps)
       {
-        text += "set cblabel " + quoted(map.label) + " noenhanced\n";
+        // cells without a value are of the map as well
+        if (!map.x.empty() && !map.y.empty())
+          text += fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n",
+                              map.x.front(),
+                              map.x.back(),
+                              map.y.front(),
+                              map.y.back());
+        text += "set cblabel " + quoted(map.label) + " noenhanced offset 1,0\n";
         add(fmt::format("'{}.dat' index {} with pm3d notitle", name, block++));
       }
     for (std::size_t i = 0; i < curves.size(); ++i)

@@ -11,6 +11,7 @@
 #include <rolling_contact/state/checkpoint.h>
 #include <rolling_contact/studies/accuracy_study.h>
 #include <rolling_contact/studies/time_study.h>
+#include <rolling_contact/tables/stability_map.h>
 #include <rolling_contact/tables/table.h>
 
 namespace RollingContact
@@ -117,6 +118,12 @@ namespace RollingContact
                         "whether the steady rolling state squeals, see section "
                         "Stability");
       stability.on_ranks = false;
+      AnalysisKind map =
+        kind<StabilityMap>("stability map",
+                           "which of the states of a grid squeal, see "
+                           "sections Table and Stability");
+      map.resumption = &table_resumption;
+      map.on_ranks   = false;
       return {kind<QuasiStatic>("quasi-static", "one steady rolling state"),
               kind<CreepCurve>("creep curve",
                                "many creepages, see section Creep curve"),
@@ -129,7 +136,8 @@ namespace RollingContact
               table,
               modes,
               receptance,
-              stability};
+              stability,
+              map};
     }
   } // namespace
 

@@ -163,7 +163,7 @@ namespace RollingContact
     std::ostringstream used;
     prm.print_parameters(used, ParameterHandler::ShortText);
     input.used = used.str();
-    if (scene.analysis == "table")
+    if (scene.is_of_table())
       apply_first_state(table_states(scene), declared, prm);
     scene.check();
     scene.read_meshes();
@@ -173,7 +173,7 @@ namespace RollingContact
     scene.read_surfaces();
     if (!scene.is_of_structures())
       check_moving_surfaces(scene);
-    if (scene.analysis == "table")
+    if (scene.is_of_table())
       plan_table(scene); // all states of it are possible
     input.warnings =
       unused_entries(scene, changed_entries(declared, file, settings));

@@ -89,6 +89,39 @@ namespace RollingContact
 
 
 
+    /** A vector of a body in the axes of the contact. */
+    template <int dim>
+    Tensor<1, dim>
+    in_contact(const Tensor<1, dim> &vector, const double angle)
+    {
+      Tensor<1, dim> result = vector;
+      if constexpr (dim == 3)
+        {
+          const double c = std::cos(angle), s = std::sin(angle);
+          result[1] = c * vector[1] - s * vector[2];
+          result[2] = s * vector[1] + c * vector[2];
+        }
+      return result;
+    }
+
+
+
+    SymmetricTensor<2, 3>
+    in_contact(const SymmetricTensor<2, 3> &stress, const double angle)
+    {
+      if (angle == 0.)
+        return stress;
+      Tensor<2, 3> rows(stress); // its columns turned, then its rows
+      for (unsigned int i = 0; i < 3; ++i)
+        rows[i] = in_contact(rows[i], angle);
+      rows = transpose(rows);
+      for (unsigned int i = 0; i < 3; ++i)
+        rows[i] = in_contact(rows[i], angle);
+      return symmetrize(rows);
+    }
+
+
+
     /** A mirrored cell swaps its bottom and top to keep its orientation. */
     template <int dim>
     DataOutBase::Patch<dim, dim>
@@ -107,13 +140,19 @@ namespace RollingContact
       for (const unsigned int v : cell->vertex_indices())
         {
           const unsigned int column = v ^ swap;
-          patch.vertices[column]    = cell->vertex(v);
+          Tensor<1, dim>     place  = cell->vertex(v), moved;
+          for (unsigned int d = 0; d < dim; ++d)
+            moved[d] = displacement[cell->vertex_dof_index(v, d)];
+          if constexpr (dim == 3)
+            place -= Point<3>(0., placement.axes.y, placement.axes.z);
+          moved = in_contact(moved, placement.axes.angle);
+          patch.vertices[column] =
+            Point<dim>(in_contact(place, placement.axes.angle));
           patch.vertices[column][dim - 1] *= sign;
           for (unsigned int d = 0; d < dim - 1; ++d)
-            patch.data(d, column) = displacement[cell->vertex_dof_index(v, d)];
+            patch.data(d, column) = moved[d];
           patch.data(dim - 1, column) =
-            sign * displacement[cell->vertex_dof_index(v, dim - 1)] +
-            placement.shift_z;
+            sign * moved[dim - 1] + placement.shift_z;
           for (std::size_t i = 0; i < stresses.size(); ++i)
             patch.data(dim + i, column) = stresses[i];
         }
@@ -141,7 +180,9 @@ namespace RollingContact
             continue;
           values.reinit(cell);
           const SymmetricTensor<2, 3> stress =
-            stress_of(mean_strain(values, displacement), body.elasticity());
+            in_contact(stress_of(mean_strain(values, displacement),
+                                 body.elasticity()),
+                       placement.axes.angle);
           patches.push_back(
             make_patch<dim>(cell,
                             displacement,
@@ -257,7 +298,8 @@ namespace RollingContact
                                    steady.pair->bodies().rank_of(side),
                                    displacement(side),
                                    {is_wheel,
-                                    is_wheel ? -steady.state.approach : 0.},
+                                    is_wheel ? -steady.state.approach : 0.,
+                                    steady.pair->interface().axes[side]},
                                    folder,
                                    file_name(name_of(side)));
           blocks.push_back({time, part++, name_of(side), file});

@@ -7,6 +7,7 @@
 #include <rolling_contact/run/pvd.h>
 
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace RollingContact
@@ -26,22 +27,30 @@ namespace RollingContact
 
 
 
-    /** A quadrilateral with the displacement of its corners. */
+    /** A quadrilateral with the displacement of its corners: the real and the
+     * imaginary part. */
     template <int dim, typename Object>
     DataOutBase::Patch<2, dim>
-    patch_of(const Object &quadrilateral, const BodyField &shape, double sign)
+    patch_of(const Object &quadrilateral, const MovingBody<dim> &moving)
     {
+      const double               sign = moving.mirrored ? -1. : 1.;
       DataOutBase::Patch<2, dim> patch;
       patch.n_subdivisions = 1;
       patch.reference_cell = ReferenceCells::get_hypercube<2>();
-      patch.data.reinit(dim, 4);
+      patch.data.reinit(2 * dim, 4);
       for (unsigned int v = 0; v < 4; ++v)
         {
           patch.vertices[v] = quadrilateral->vertex(v);
           patch.vertices[v][dim - 1] *= sign;
           for (unsigned int d = 0; d < dim; ++d)
-            patch.data(d, v) = (d + 1 == dim ? sign : 1.) *
-                               shape[quadrilateral->vertex_dof_index(v, d)];
+            {
+              const auto   i         = quadrilateral->vertex_dof_index(v, d);
+              const double factor    = d + 1 == dim ? sign : 1.;
+              patch.data(d, v)       = factor * moving.real[i];
+              patch.data(dim + d, v) = moving.imaginary.size() == 0
+                                         ? 0.
+                                         : factor * moving.imaginary[i];
+            }
         }
       return patch;
     }
@@ -50,38 +59,43 @@ namespace RollingContact
 
     void
     add_patches(const CellOf2D                        &cell,
-                const BodyField                       &shape,
-                const double                           sign,
+                const MovingBody<2>                   &moving,
                 std::vector<DataOutBase::Patch<2, 2>> &patches)
     {
-      patches.push_back(patch_of<2>(cell, shape, sign));
+      patches.push_back(patch_of<2>(cell, moving));
     }
 
 
 
     void
     add_patches(const CellOf3D                        &cell,
-                const BodyField                       &shape,
-                const double                           sign,
+                const MovingBody<3>                   &moving,
                 std::vector<DataOutBase::Patch<2, 3>> &patches)
     {
       for (const unsigned int f : cell->face_indices())
         if (cell->face(f)->at_boundary())
-          patches.push_back(patch_of<3>(cell->face(f), shape, sign));
+          patches.push_back(patch_of<3>(cell->face(f), moving));
     }
 
 
 
+    /** The displacement at a phase of the period (rad). */
     template <int dim>
     std::string
-    vtu_of(std::vector<DataOutBase::Patch<2, dim>> patches, const double factor)
+    vtu_of(const std::vector<DataOutBase::Patch<2, dim>> &motion,
+           const double                                   scale,
+           const double                                   phase)
     {
+      std::vector<DataOutBase::Patch<2, dim>> patches = motion;
       for (std::size_t i = 0; i < patches.size(); ++i)
         {
           patches[i].patch_index = i;
+          patches[i].data.reinit(dim, 4);
           for (unsigned int v = 0; v < 4; ++v)
             for (unsigned int d = 0; d < dim; ++d)
-              patches[i].data(d, v) *= factor;
+              patches[i].data(d, v) =
+                scale * (motion[i].data(d, v) * std::cos(phase) -
+                         motion[i].data(dim + d, v) * std::sin(phase));
         }
       DataOutBase::VtkFlags flags;
       flags.print_date_and_time = false;
@@ -102,54 +116,70 @@ namespace RollingContact
 
 
 
+  namespace
+  {
+    /** The largest amplitude of a corner of the patches. */
+    template <int dim>
+    double
+    largest_motion(const std::vector<DataOutBase::Patch<2, dim>> &patches)
+    {
+      double largest = 0.;
+      for (const auto &patch : patches)
+        for (unsigned int v = 0; v < 4; ++v)
+          {
+            double square = 0.;
+            for (unsigned int d = 0; d < 2 * dim; ++d)
+              square += std::pow(patch.data(d, v), 2);
+            largest = std::max(largest, std::sqrt(square));
+          }
+      return largest;
+    }
+  } // namespace
+
+
+
   template <int dim>
   void
-  write_mode_animation(const ElasticBody<dim> &body,
-                       const BodyField        &shape,
-                       const bool              mirrored,
-                       RunFolder              &folder,
-                       const std::string      &name)
+  write_mode_animation(const std::vector<MovingBody<dim>> &bodies,
+                       RunFolder                          &folder,
+                       const std::string                  &name)
   {
-    std::vector<DataOutBase::Patch<2, dim>> patches;
-    for (const auto &cell : body.dof_handler().active_cell_iterators())
-      add_patches(cell, shape, mirrored ? -1. : 1., patches);
-    double largest = 0.;
-    for (const auto &patch : patches)
-      for (unsigned int v = 0; v < 4; ++v)
-        {
-          double square = 0.;
-          for (unsigned int d = 0; d < dim; ++d)
-            square += std::pow(patch.data(d, v), 2);
-          largest = std::max(largest, std::sqrt(square));
-        }
-    const double extent =
-      GridTools::diameter(body.dof_handler().get_triangulation());
+    std::vector<std::vector<DataOutBase::Patch<2, dim>>> motions;
+    double largest = 0., extent = std::numeric_limits<double>::infinity();
+    for (const MovingBody<dim> &moving : bodies)
+      {
+        const auto &handler = moving.body->dof_handler();
+        motions.emplace_back();
+        for (const auto &cell : handler.active_cell_iterators())
+          add_patches(cell, moving, motions.back());
+        largest = std::max(largest, largest_motion(motions.back()));
+        extent =
+          std::min(extent, GridTools::diameter(handler.get_triangulation()));
+      }
     const double          scale = largest > 0. ? shown * extent / largest : 0.;
     std::vector<PvdBlock> blocks;
     for (unsigned int k = 0; k < n_phases; ++k)
-      {
-        const double      time = static_cast<double>(k) / n_phases;
-        const std::string file = name + "_" + zero_padded(k, 2) + ".vtu";
-        folder.write_atomically(file,
-                                vtu_of<dim>(patches,
-                                            scale * std::cos(2 * pi * time)));
-        blocks.push_back({time, 0, name, file});
-      }
+      for (unsigned int b = 0; b < bodies.size(); ++b)
+        {
+          const double      time = static_cast<double>(k) / n_phases;
+          const std::string body =
+            name + (bodies[b].name.empty() ? "" : "_" + bodies[b].name);
+          const std::string file = body + "_" + zero_padded(k, 2) + ".vtu";
+          folder.write_atomically(
+            file, vtu_of<dim>(motions[b], scale, 2 * pi * time));
+          blocks.push_back({time, b, body, file});
+        }
     write_pvd(blocks, folder, name + ".pvd");
   }
 
 
 
   template void
-  write_mode_animation(const ElasticBody<2> &,
-                       const BodyField &,
-                       const bool,
+  write_mode_animation(const std::vector<MovingBody<2>> &,
                        RunFolder &,
                        const std::string &);
   template void
-  write_mode_animation(const ElasticBody<3> &,
-                       const BodyField &,
-                       const bool,
+  write_mode_animation(const std::vector<MovingBody<3>> &,
                        RunFolder &,
                        const std::string &);
 } // namespace RollingContact

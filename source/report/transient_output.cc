@@ -91,6 +91,15 @@ namespace RollingContact
         {"iterations",
          [](S s) -> double { return s.outcome.solver.iterations; }},
         {"parts", [](S s) -> double { return s.outcome.n_parts; }}};
+      if (scene.time.inertia)
+        for (const Column &column :
+             {Column{"velocity_x_m/s",
+                     [](S s) { return s.outcome.contact_velocity[0]; }},
+              Column{"velocity_y_m/s",
+                     [](S s) { return s.outcome.contact_velocity[1]; }},
+              Column{"velocity_z_m/s",
+                     [](S s) { return s.outcome.contact_velocity[2]; }}})
+          columns.push_back(column);
       if (is_loose(scene.wheel.hub) && !scene.wheel.rigid)
         columns.push_back({"wheel_velocity_m/s",
                            [](S s) { return *s.outcome.wheel_velocity; }});
@@ -101,6 +110,9 @@ namespace RollingContact
           columns.push_back(
             {"surface_J", [](S s) { return s.progress.surface_energy; }});
         }
+      if (scene.friction_response() == FrictionResponse::patch_mean)
+        columns.push_back(
+          {"friction_share", [](S s) { return s.outcome.friction_share; }});
       if (scene.contact.falling_friction())
         columns.push_back({"several_solutions_ratio",
                            [](S s) { return s.outcome.several.ratio; }});

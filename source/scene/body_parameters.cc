@@ -117,7 +117,8 @@ namespace RollingContact
       "rail to wheel, the contact point is the origin, the wheel "
       "lies above it and the rail below. For Shape = section "
       "quadrilaterals of the section: the file's x is y, across, its y is z, "
-      "so that an axle lies at z = Radius (wheel) or -Radius.",
+      "so that an axle lies at z = Radius (wheel) or -Radius; with section "
+      "Profiles its axes are those of the body's profile.",
       Patterns::Anything());
     prm.add_parameter(
       "Mesh unit",
@@ -236,7 +237,8 @@ namespace RollingContact
 
   void
   BodyParameters::read_mesh(const unsigned int           dimension,
-                            const std::filesystem::path &folder)
+                            const std::filesystem::path &folder,
+                            const bool                   is_under_profile)
   {
     mesh.reset();
     if (!is_from_file())
@@ -251,6 +253,7 @@ namespace RollingContact
     file.has_hub          = hub != Hub::free;
     file.mirrored         = section == "Wheel";
     file.is_section       = is_section();
+    file.is_under_profile = is_under_profile && is_section();
     mesh                  = is_section()     ? read_section_file(file, radius)
                             : dimension == 2 ? read_mesh_file<2>(file)
                                              : read_mesh_file<3>(file);
@@ -261,7 +264,7 @@ namespace RollingContact
   std::shared_ptr<const BodyShape>
   BodyParameters::body_shape() const
   {
-    if (!profile)
+    if (!profile || is_from_file())
       return make_body_shape(shape, *this);
     if (section == "Wheel")
       return std::make_shared<const WheelShape>(*this);

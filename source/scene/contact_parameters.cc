@@ -87,6 +87,21 @@ namespace RollingContact
       "Sliding distance of a point of the material over which mu comes to "
       "that of a law that falls, micrometres; 0: at once. Units: m.",
       Patterns::Double(0.));
+    prm.add_parameter(
+      "Friction response",
+      friction_response,
+      "How mu of a law that falls follows a state that changes in time or is "
+      "disturbed. `patch mean`: mu of all nodes, by the mean speed of the "
+      "patch with a delay; `node`: mu of each node, by its own speed at once, "
+      "which is ill-posed where friction falls; `constant`: not at all; "
+      "`automatic`: patch mean in Analysis = stability and with Time/Bodies = "
+      "reduced, else node.",
+      Patterns::Selection("automatic|patch mean|node|constant"));
+    prm.add_parameter("Friction memory",
+                      friction_delay,
+                      "Delay of `patch mean`; a tenth of it is the longest "
+                      "time step. Units: s.",
+                      Patterns::Double(0.));
   }
 
 
@@ -111,6 +126,18 @@ namespace RollingContact
       "Spin creepage, angular velocity about z of the wheel over the rail "
       "over the magnitude of the rolling speed, 3D only. Units: 1/m.",
       any);
+    declare_number(prm,
+                   "Contact/Creepage size",
+                   creepage_size,
+                   "1",
+                   "In place of `Creepage x` and `Creepage y`, 3D only: the "
+                   "length of both together, in the `Creepage direction`. "
+                   "Units: 1.");
+    prm.add_parameter("Creepage direction",
+                      creepage_direction,
+                      "Of `Creepage size`: the angle from x towards y. Units: "
+                      "rad.",
+                      any);
     declare_number(
       prm,
       "Contact/Speed",
@@ -172,6 +199,21 @@ namespace RollingContact
       "histories in section Time; empty for none. It does not travel with "
       "the material. Units: m.",
       Patterns::Anything());
+  }
+
+
+
+  void
+  ContactParameters::take_creepage_by_size()
+  {
+    if (!creepage_size)
+      return;
+    // whole quarters of a turn leave nothing of rounding
+    const auto tidy = [](const double x) {
+      return std::abs(x) < 1e-12 ? 0. : x;
+    };
+    creepages.x = *creepage_size * tidy(std::cos(creepage_direction));
+    creepages.y = *creepage_size * tidy(std::sin(creepage_direction));
   }
 
 
@@ -286,6 +328,37 @@ namespace RollingContact
 
 
 
+  namespace
+  {
+    void
+    check_creepage_size(const ContactParameters &contact,
+                        const unsigned int       dimension)
+    {
+      if (!contact.creepage_size)
+        return;
+      const std::string given =
+        "Contact/Creepage size = " + text_of(*contact.creepage_size);
+      if (dimension == 2)
+        throw InputError(given + ": in 2D there is one direction; give "
+                                 "Contact/Creepage x and leave it empty.");
+      const Creepages  &creepages = contact.creepages;
+      ContactParameters derived   = contact;
+      derived.take_creepage_by_size();
+      if ((creepages.x != 0. || creepages.y != 0.) &&
+          !(creepages == derived.creepages))
+        throw InputError(given + " and Contact/Creepage " +
+                         (creepages.x != 0. ? "x = " + text_of(creepages.x)
+                                            : "y = " + text_of(creepages.y)) +
+                         ": give the size with its direction or the "
+                         "components.");
+      if (contact.forces.x || contact.forces.y)
+        throw InputError(given + ": a creepage that is found for a force is "
+                                 "given by no size; leave one of them out.");
+    }
+  } // namespace
+
+
+
   void
   ContactParameters::check(const unsigned int dimension) const
   {
@@ -295,6 +368,7 @@ namespace RollingContact
     if (rolling_speed() == 0.)
       throw InputError("Contact/Speed = 0: rolling needs a direction, give a "
                        "positive or negative speed.");
+    check_creepage_size(*this, dimension);
     if (dimension == 2 && (creepages.y != 0. || creepages.spin != 0.))
       throw InputError(
         "Contact/" + std::string(creepages.spin != 0. ? "Spin" : "Creepage y") +

@@ -47,7 +47,9 @@ namespace RollingContact
       "Animated modes",
       animated,
       "For so many modes of each body, the first ones, the moving surface is "
-      "written for ParaView, 24 phases of a period each. Units: 1.",
+      "written for ParaView, 24 phases of a period each; of Analysis = "
+      "stability those of both bodies in the vibrations that grow fastest. "
+      "Units: 1.",
       Patterns::Integer(0));
     prm.leave_subsection();
   }

@@ -1,7 +1,7 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/input/prm_declarations.h>
-#include <rolling_contact/scene/scene_parameters.h>
+#include <rolling_contact/scene/disturbed_state.h>
 
 #include <cmath>
 
@@ -30,11 +30,11 @@ namespace RollingContact
   void
   SceneParameters::check_stability() const
   {
-    if (analysis != "stability")
+    if (!is_of_stability())
       return;
     modes.check();
     stability.check();
-    const std::string why = "Analysis = stability: ";
+    const std::string why = "Analysis = " + analysis + ": ";
     if (!contact.speed)
       throw InputError(why + "Contact/Speed is empty; give the rolling speed V "
                              "in m/s, which the slip's rate is compared with.");
@@ -51,13 +51,7 @@ namespace RollingContact
                        text_of(contact.friction_memory) +
                        ": a sliding distance is not among the linearised laws; "
                        "set it to 0.");
-    if (surfaces.in_use() || !surfaces.friction_share.empty())
-      throw InputError(why + "surfaces that pass (section Surfaces) have no "
-                             "steady state; leave them empty.");
-    if (profiles.in_use() &&
-        profiles.surface_kind == Profiles::SurfaceKind::curved)
-      throw InputError(why + "Profiles/Contact surface = curved is not among "
-                             "what is linearised; take plane.");
+    check_disturbed_state(*this, why);
     if (body_solver == BodySolver::distributed)
       throw InputError("Body solver = distributed: " + why +
                        "modes are found with a factor; take direct or "
@@ -278,7 +272,7 @@ namespace RollingContact
   void
   SceneParameters::check_table() const
   {
-    if (analysis != "table")
+    if (!is_of_table())
       return;
     table.check();
     const std::string why = ": the states of a table share bodies, whose "
@@ -293,6 +287,33 @@ namespace RollingContact
     if (body_solver == BodySolver::distributed)
       throw InputError("Body solver = distributed" + why +
                        "take direct or automatic.");
+  }
+
+
+
+  void
+  SceneParameters::check_profiles_on_files(const std::string &given) const
+  {
+    for (const BodyParameters *body : {&wheel, &rail})
+      {
+        if (!body->is_from_file())
+          continue;
+        if (!body->is_section())
+          throw InputError(given + "a body from a mesh file (" + body->section +
+                           "/Shape) brings its own surface; leave the profiles "
+                           "empty, or take Shape = section.");
+        if (profiles.true_sections)
+          throw InputError(body->section + "/Shape = section and "
+                                           "Profiles/Body sections = true: the "
+                                           "section is that of the file; take "
+                                           "Body sections = plain.");
+        if (body->surface != SurfaceSource::radii)
+          throw InputError(body->section +
+                           "/Surface = nodes: the undeformed surface is that "
+                           "of Profiles/" +
+                           body->section +
+                           " profile; take radii, the default.");
+      }
   }
 
 
@@ -319,16 +340,13 @@ namespace RollingContact
       throw InputError("Profiles/Creepages = from kinematics: an accuracy "
                        "study has its own creepages (Accuracy study/Creepages "
                        "over saturation); take given.");
-    for (const BodyParameters *body : {&wheel, &rail})
-      if (body->is_from_file())
-        throw InputError(given + "a body from a mesh file (" + body->section +
-                         "/Shape) brings its own surface; leave the profiles "
-                         "empty.");
-    if (!rail.rigid && (rail.shape != "block" || rail.radius != 0.))
+    check_profiles_on_files(given);
+    if (!rail.rigid && ((rail.shape != "block" && rail.shape != "section") ||
+                        rail.radius != 0.))
       throw InputError("Rail/Shape = " + rail.shape +
                        ", Rail/Radius = " + text_of(rail.radius) +
                        ": a rail with a profile is straight; take Rail/Shape "
-                       "= block and Rail/Radius = 0.");
+                       "= block or section and Rail/Radius = 0.");
     if (profiles.true_sections && !wheel.rigid && wheel.shape != "disc")
       throw InputError("Wheel/Shape = " + wheel.shape +
                        " and Profiles/Body sections = true: the wheel is a "

@@ -39,6 +39,8 @@ namespace RollingContact
     given = scene; // declaring set what it has no default for
     if (given.contact.vertical_load)
       given.contact.normal_load.reset(); // it followed from that
+    if (given.contact.creepage_size)
+      given.contact.creepages.x = given.contact.creepages.y = 0.; // they did
   }
 
 
@@ -53,8 +55,18 @@ namespace RollingContact
     static const std::set<std::string> of_operators{"Contact/Slip operator",
                                                     "Contact/Contact matrices",
                                                     "Contact/Roughness"};
-    return entry.compare(0, 8, "Contact/") == 0 &&
-           of_operators.count(entry) == 0;
+    return (entry.compare(0, 8, "Contact/") == 0 &&
+            of_operators.count(entry) == 0) ||
+           entry.compare(0, 10, "Stability/") == 0;
+  }
+
+
+
+  bool
+  is_place(const std::string &entry)
+  {
+    return entry == "Profiles/Lateral shift" || entry == "Profiles/Roll" ||
+           entry == "Profiles/Yaw";
   }
 
 
@@ -82,10 +94,13 @@ namespace RollingContact
                                              "Profiles/Rail profile"};
     const DeclaredEntries             &declared = handler->declared();
     declared.check_exists({entry, "", place});
-    if (sections.count(entry.substr(0, entry.find('/'))) == 0)
+    const std::string section   = entry.substr(0, entry.find('/'));
+    const bool        has_modes = given.analysis == "stability map";
+    if (sections.count(section) == 0 && !(has_modes && section == "Stability"))
       throw InputError(place + entry +
                        " is none that states may differ by; take one of "
-                       "sections Wheel, Rail, Contact, Mesh and Profiles.");
+                       "sections Wheel, Rail, Contact, Mesh and Profiles" +
+                       (has_modes ? ", or of Stability." : "."));
     const std::string &pattern = declared.pattern(entry);
     const auto         begins  = [&](const std::string &kind) {
       return pattern.compare(0, kind.size(), kind) == 0;
@@ -165,7 +180,7 @@ namespace RollingContact
     if (key == found_for)
       {
         SceneParameters scene = given;
-        scene.take_contact_of_profiles();
+        scene.take_derived_contact();
         return scene;
       }
     SceneParameters scene = given;

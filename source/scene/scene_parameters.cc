@@ -74,11 +74,25 @@ namespace RollingContact
 
 
 
+  FrictionResponse
+  SceneParameters::friction_response() const
+  {
+    const std::string &response = contact.friction_response;
+    if (!contact.falling_friction() || response == "constant")
+      return FrictionResponse::constant;
+    const bool vibrates = is_of_stability() || has_reduced_bodies();
+    return response == "patch mean" || (response == "automatic" && vibrates)
+             ? FrictionResponse::patch_mean
+             : FrictionResponse::node;
+  }
+
+
+
   void
   SceneParameters::read_meshes()
   {
-    wheel.read_mesh(dimension, prm_folder);
-    rail.read_mesh(dimension, prm_folder);
+    wheel.read_mesh(dimension, prm_folder, profiles.in_use());
+    rail.read_mesh(dimension, prm_folder, profiles.in_use());
   }
 
 
@@ -128,6 +142,9 @@ namespace RollingContact
     check_speed();
     check_forces();
     check_stability();
+    check_reduced_bodies();
+    check_excitation();
+    check_friction_response();
     check_pair();
     check_body_solver();
     check_profiles();
@@ -140,8 +157,12 @@ namespace RollingContact
   SceneParameters::read_profiles()
   {
     if (!profiles.in_use() || analysis == "contact table")
-      return;
+      return contact.take_creepage_by_size();
     profiles.find_frame(wheel.radius, prm_folder);
+    if (wheel.is_section())
+      wheel.profile = profiles.placed_wheel();
+    if (rail.is_section())
+      rail.profile = profiles.placed_rail();
     if (profiles.has_true_sections())
       {
         if (!wheel.rigid)
@@ -151,14 +172,15 @@ namespace RollingContact
         wheel.check(dimension);
         rail.check(dimension);
       }
-    take_contact_of_profiles();
+    take_derived_contact();
   }
 
 
 
   void
-  SceneParameters::take_contact_of_profiles()
+  SceneParameters::take_derived_contact()
   {
+    contact.take_creepage_by_size();
     if (!profiles.frame)
       return;
     if (profiles.gives_creepages())

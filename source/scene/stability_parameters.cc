@@ -8,16 +8,6 @@ namespace RollingContact
 {
   using namespace dealii;
 
-  namespace
-  {
-    const std::vector<NamedValue<FrictionResponse>> named_responses{
-      {"constant", FrictionResponse::constant},
-      {"node", FrictionResponse::node},
-      {"patch mean", FrictionResponse::patch_mean}};
-  } // namespace
-
-
-
   void
   StabilityParameters::declare(ParameterHandler &prm)
   {
@@ -33,18 +23,10 @@ namespace RollingContact
       rotation,
       "Whether the wheel turns under the contact as it vibrates, which splits "
       "its pairs of modes; Contact/Speed over its radius.");
-    declare_choice(
-      prm,
-      "Friction response",
-      friction,
-      named_responses,
-      "How a friction coefficient that falls with the sliding speed follows a "
-      "disturbance: `patch mean`, the mean speed of the patch with a delay; "
-      "`node`, the speed of each node at once, which is ill-posed where "
-      "friction falls; `constant`, not at all.");
-    prm.add_parameter("Friction memory",
-                      memory,
-                      "Delay of `patch mean`. Units: s.",
+    prm.add_parameter("Added damping",
+                      added_damping,
+                      "Damping ratio that all modes of both bodies have in "
+                      "addition, as by a damper. Units: 1.",
                       not_negative);
     prm.add_parameter("Count check",
                       count,
@@ -72,8 +54,5 @@ namespace RollingContact
       throw InputError(
         "Stability/Lowest frequency = " + text_of(lowest_frequency) +
         ": it must be above 0 Hz; 60 is below every squeal.");
-    if (friction == FrictionResponse::patch_mean && !(memory > 0.))
-      throw InputError("Stability/Friction memory = " + text_of(memory) +
-                       ": patch mean needs a delay above 0 s; 60e-6 is usual.");
   }
 } // namespace RollingContact

@@ -18,6 +18,9 @@ namespace RollingContact
     const std::vector<NamedValue<InitialState>> named_initial_states{
       {"rest", InitialState::rest},
       {"steady", InitialState::steady}};
+    const std::vector<NamedValue<BodiesInTime>> named_bodies{
+      {"full", BodiesInTime::full},
+      {"reduced", BodiesInTime::reduced}};
     const std::vector<NamedValue<MassKind>> named_masses{
       {"lumped", MassKind::lumped},
       {"consistent", MassKind::consistent}};
@@ -34,6 +37,7 @@ namespace RollingContact
     prm.enter_subsection("Time");
     declare_steps(prm);
     declare_scheme(prm);
+    declare_start(prm);
     declare_histories(prm);
     declare_output(prm);
     prm.leave_subsection();
@@ -87,16 +91,18 @@ namespace RollingContact
       "The theta-scheme's parameter: 0.5 keeps the energy, 1 damps "
       "most. Units: 1.",
       Patterns::Double(0.5, 1.));
+    declare_choice(
+      prm,
+      "Bodies",
+      bodies,
+      named_bodies,
+      "`full`: all unknowns of the bodies. `reduced`: their modes up to "
+      "Modes/Cut-off ratio times Modes/Maximum frequency, and the static "
+      "compliance of what these leave out.");
     prm.add_parameter("Inertia",
                       inertia,
                       "Whether the bodies have mass; without it, quasi-static "
                       "rolling in time.");
-    declare_choice(prm,
-                   "Initial state",
-                   initial_state,
-                   named_initial_states,
-                   "`rest`, undeformed and without traction, or `steady`, the "
-                   "steady rolling state at t = 0.");
     declare_choice(prm,
                    "Mass",
                    mass,
@@ -117,6 +123,36 @@ namespace RollingContact
       named_contact_laws,
       "Unilateral contact in time: `shifted` (gap of Jean's shifted "
       "configuration) or `gap` (gap plus step times velocity).");
+  }
+
+
+
+  void
+  TimeParameters::declare_start(ParameterHandler &prm)
+  {
+    declare_choice(prm,
+                   "Initial state",
+                   initial_state,
+                   named_initial_states,
+                   "`rest`, undeformed and without traction, or `steady`, the "
+                   "steady rolling state at t = 0.");
+    prm.add_parameter(
+      "Hold approach",
+      hold_approach,
+      "Whether Contact/Normal load is that of the steady initial state alone, "
+      "and the approach stays what it is there.");
+    prm.add_parameter(
+      "Excite mode",
+      excite_mode,
+      "With Bodies = reduced the run starts in the vibration about the steady "
+      "state that grows and is nearest to this frequency, see Analysis = "
+      "stability; 0 for none. Units: Hz.",
+      Patterns::Double(0.));
+    prm.add_parameter("Excite velocity",
+                      excite_velocity,
+                      "Largest velocity of wheel over rail in the contact that "
+                      "`Excite mode` starts with. Units: m/s.",
+                      Patterns::Double(0.));
     prm.add_parameter(
       "Initial velocity",
       initial_velocity,

@@ -18,14 +18,16 @@ namespace RollingContact
         idle["Creep curve"] = "Analysis = creep curve reads that section";
       if (scene.analysis != "load curve")
         idle["Load curve"] = "Analysis = load curve reads that section";
-      if (scene.analysis != "table")
-        idle["Table"] = "Analysis = table reads that section";
-      const bool is_stability = scene.analysis == "stability";
-      if (!scene.is_of_structures() && !is_stability)
-        idle["Modes"] =
-          "Analysis = modes, receptance and stability read that section";
-      if (!is_stability)
-        idle["Stability"] = "Analysis = stability reads that section";
+      if (!scene.is_of_table())
+        idle["Table"] = "Analysis = table or stability map reads that section";
+      const bool is_stability = scene.is_of_stability();
+      const bool by_modes     = is_stability || scene.has_reduced_bodies();
+      if (!scene.is_of_structures() && !by_modes)
+        idle["Modes"] = "Analysis = modes, receptance, stability and stability "
+                        "map and Time/Bodies = reduced read that section";
+      if (!by_modes)
+        idle["Stability"] =
+          "Analysis = stability or stability map reads that section";
       if (scene.analysis != "receptance")
         idle["Receptance"] = "Analysis = receptance reads that section";
       if (scene.is_of_structures())
@@ -268,7 +270,7 @@ namespace RollingContact
                                          "Sponge length",
                                          "Sponge rate"};
       const bool                     has_modes =
-        scene.is_of_structures() || scene.analysis == "stability";
+        scene.is_of_structures() || scene.is_of_stability();
       const bool moves = has_modes || (scene.time.inertia &&
                                        (scene.analysis == "transient" ||
                                         (scene.analysis == "accuracy study" &&
@@ -349,7 +351,7 @@ namespace RollingContact
                 "Mesh/Elements across patch gives the mesh"
               : "a study has its own meshes, Accuracy study/Elements across "
                 "patch");
-    if (scene.analysis == "table")
+    if (scene.is_of_table())
       for (const TableAxis &axis : scene.table.axes())
         check(axis.entry, axis.name + " gives it");
     const std::string giver = giver_of_creepages(scene);

@@ -133,7 +133,23 @@ namespace RollingContact
   {
     const double at_infinity = 1e-9;
     double       shift       = 1.5;
-    DenseMatrix  inverse;
+    // E = P E_1 with its rows that are not zero: (A - shift E)^-1 P E_1 has the
+    // eigenvalues of E_1 (A - shift E)^-1 P, which is smaller, and zeros
+    std::vector<std::size_t> moving;
+    for (std::size_t i = 0; i < size(); ++i)
+      for (std::size_t j = 0; j < size(); ++j)
+        if (E(i, j) != 0.)
+          {
+            moving.push_back(i);
+            break;
+          }
+    DenseMatrix E_1(moving.size(), size()), P(size(), moving.size()), inverse;
+    for (std::size_t k = 0; k < moving.size(); ++k)
+      {
+        P(moving[k], k) = 1.;
+        for (std::size_t j = 0; j < size(); ++j)
+          E_1(k, j) = E(moving[k], j);
+      }
     for (bool solved = false; !solved; shift *= 1.37)
       {
         if (shift > 10.)
@@ -143,12 +159,12 @@ namespace RollingContact
         DenseMatrix shifted = A;
         for (std::size_t k = 0; k < size() * size(); ++k)
           shifted.data()[k] -= shift * E.data()[k];
-        inverse = E;
+        inverse = P;
         solved  = solve_general(shifted, inverse);
         if (solved)
           break;
       }
-    const ComplexVector found   = RollingContact::eigenvalues(inverse);
+    const ComplexVector found   = RollingContact::eigenvalues(E_1 * inverse);
     double              largest = 0.;
     for (const auto &value : found)
       largest = std::max(largest, std::abs(value));

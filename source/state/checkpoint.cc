@@ -60,7 +60,7 @@ namespace boost
       archive &p.step &p.time &p.rolled_distance &p.time_step;
       archive &c.bodies.wheel &c.bodies.rail &c.past &c.slip;
       archive &c.pressure &c.traction &c.approach &c.scheme &c.friction;
-      archive                                               &c.last_step;
+      archive &c.patch_friction &c.last_step;
       archive &p.supplied_energy &p.friction_energy &p.damping_energy;
       archive &p.numerical_energy &p.energy_error &p.surface_energy &p
         .n_impacts;
@@ -78,7 +78,7 @@ namespace RollingContact
     struct Head
     {
       char          mark[24] = "rolling-contact restart"; ///< with its '\0'
-      std::uint32_t version  = 7; ///< to be raised with every change above
+      std::uint32_t version  = 8; ///< to be raised with every change above
       std::uint32_t checksum = 0; ///< CRC-32 of the archive
       std::uint64_t n_bytes  = 0; ///< of the archive
     };

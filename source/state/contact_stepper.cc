@@ -23,9 +23,14 @@ namespace RollingContact
     , solver(make_contact_solver(scene.solver.solver, scene.solver.controls))
   {
     InitialContact<dim> initial =
-      make_initial_contact<dim>(scene, demands, histories, context);
+      make_initial_contact<dim>(scene,
+                                demands,
+                                histories,
+                                scene.time.steps(histories.speed).length,
+                                context);
     contact        = std::move(initial.contact);
     motion         = std::move(initial.motion);
+    patch_friction = initial.friction;
     undeformed_gap = contact.problem.loads.gap;
     border         = contact.pair->trace().border_nodes();
     if (scene.time.initial_state == InitialState::rest)
@@ -33,6 +38,12 @@ namespace RollingContact
     slip = slip_memory(contact.problem,
                        contact.state,
                        std::abs(histories.speed.value(0.)));
+    if (!scene.time.hold_approach)
+      return;
+    histories.normal_load.reset();
+    histories.approach = TimeFunction(contact.state.approach);
+    contact.problem.loads.normal_load.reset();
+    contact.problem.loads.inclined_load.reset();
   }
 
 
@@ -117,10 +128,17 @@ namespace RollingContact
   ContactStepper<dim>::solve_given_creepages(const double speed)
   {
     ContactLoads        &loads = contact.problem.loads;
-    const SlipWithinStep answered(slip, theta(), speed, loads);
+    const SlipWithinStep answered(slip,
+                                  motion->laws_in_the_middle() ? 1. : theta(),
+                                  speed,
+                                  loads);
     unsigned int         n_iterations = 0;
+    if (patch_friction)
+      patch_friction->begin_step(time_step);
     do
       {
+        if (patch_friction)
+          loads.friction = patch_friction->coefficients();
         contact.solver = solve_updating_compliance(
           *solver,
           [&](const auto &forces, const bool) {
@@ -132,7 +150,14 @@ namespace RollingContact
           contact.state);
         n_iterations += contact.solver.iterations;
     } while (contact.solver.converged &&
-             answered.bring_to_rest(contact.problem, contact.state, loads));
+             (answered.bring_to_rest(contact.problem, contact.state, loads) ||
+              (patch_friction &&
+               !patch_friction->agrees(contact.problem, contact.state))));
+    if (contact.solver.converged && patch_friction && patch_friction->failed())
+      {
+        contact.solver.converged = false;
+        contact.solver.reason    = "friction and its memory do not agree";
+      }
     contact.solver.iterations = n_iterations;
   }
 
@@ -198,6 +223,12 @@ namespace RollingContact
       outcome.energy.strain  = part.strain;
       outcome.energy.add_changes(part);
     }
+    if (patch_friction)
+      {
+        patch_friction->end_step();
+        outcome.friction_share = patch_friction->memory().share;
+      }
+    outcome.contact_velocity = contact_velocity();
     ++outcome.n_parts;
     outcome.force_lag = (1 - theta()) * h;
     outcome.surface_work += surface_work(previous, time, h);
@@ -252,6 +283,8 @@ namespace RollingContact
   {
     const SlipMemory before = std::move(slip);
     slip = slip_memory(contact.problem, contact.state, speed);
+    if (motion->laws_in_the_middle())
+      return h * slip.power;
     if (scene.time.inertia)
       return heat_within_step(
         before, theta(), h, contact.problem, contact.state, slip);
@@ -290,8 +323,9 @@ namespace RollingContact
   StepOutcome
   ContactStepper<dim>::advance(const double time, const double h)
   {
-    const ContactState before      = contact.state;
-    const SlipMemory   slip_before = slip;
+    const ContactState before          = contact.state;
+    const SlipMemory   slip_before     = slip;
+    const auto         friction_before = patch_friction;
     motion->remember();
     try
       {
@@ -301,6 +335,7 @@ namespace RollingContact
       {
         contact.state    = before;
         slip             = slip_before;
+        patch_friction   = friction_before;
         contact.restored = true; // the drive is that of the failed step
         motion->go_back();
         throw;

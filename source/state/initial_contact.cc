@@ -1,5 +1,8 @@
+#include <rolling_contact/base/constants.h>
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/text.h>
 #include <rolling_contact/state/initial_contact.h>
+#include <rolling_contact/vibration/reduced_rolling.h>
 
 #include <cmath>
 
@@ -133,6 +136,101 @@ namespace RollingContact
         contact.state = open_state(contact.problem);
       return initial;
     }
+    template <int dim>
+    InitialContact<dim>
+    make_reduced(const SceneParameters  &scene,
+                 const StateDemands     &demands,
+                 const DrivingFunctions &histories,
+                 const SlipOperatorKind  slip_operator,
+                 RunContext             &context)
+    {
+      InitialContact<dim> initial;
+      SteadyState<dim>   &contact = initial.contact;
+      contact        = solve_steady_state<dim>(scene, demands, context);
+      DenseMatrix W  = std::move(contact.problem.operators).W();
+      initial.motion = std::make_unique<ReducedRolling<dim>>(
+        std::make_unique<ModalBodies<dim>>(scene,
+                                           contact.pair->bodies(),
+                                           scene.modes.cut_off_ratio *
+                                             scene.modes.maximum_frequency,
+                                           context),
+        *contact.pair,
+        W,
+        RollingConditions(scene));
+      ContactParameters in_time = scene.contact;
+      in_time.slip_operator     = slip_operator;
+      contact.problem = contact.pair->contact_problem(in_time, std::move(W));
+      start_steadily(scene, demands, histories, context, initial);
+      return initial;
+    }
+
+
+
+    /**
+     * Friction that falls in another way than at each node by its own speed:
+     * from now on without the law of the problem.
+     */
+    template <int dim>
+    void
+    take_over_friction(const SceneParameters &scene,
+                       InitialContact<dim>   &initial)
+    {
+      ContactProblem        &problem  = initial.contact.problem;
+      const FrictionResponse response = scene.friction_response();
+      if (problem.n_tangential() == 0 || !problem.loads.friction_law ||
+          response == FrictionResponse::node)
+        return;
+      PatchFriction friction(problem,
+                             initial.contact.state,
+                             scene.contact.friction_delay);
+      friction.begin_step(0.);
+      problem.loads.friction_law.reset();
+      problem.loads.friction = friction.coefficients();
+      initial.contact.state.friction.clear();
+      if (response == FrictionResponse::patch_mean)
+        initial.friction = friction;
+    }
+
+
+
+    /**
+     * Begin in a vibration that grows, see Time/Excite mode.
+     */
+    template <int dim>
+    void
+    excite(const SceneParameters &scene,
+           const LinearContact   &linear,
+           const double           h,
+           InitialContact<dim>   &initial,
+           RunContext            &context)
+    {
+      auto &motion = dynamic_cast<ReducedRolling<dim> &>(*initial.motion);
+      const ReducedPair    &pair = motion.reduced();
+      const StabilityPencil pencil(pair, linear);
+      const StabilityMode   mode = pencil.mode(nearest_unstable(
+        pencil.eigenvalues(), scene.time.excite_mode, "Time/Excite mode"));
+      const Excitation      vibration(pair,
+                                 linear,
+                                 mode,
+                                 scene.time.excite_velocity);
+      motion.excite(vibration, h);
+      if (initial.friction)
+        {
+          const double t = -h / 2, dt = 1e-3 * h;
+          initial.friction->disturb(vibration.friction(t),
+                                    (vibration.friction(t + dt) -
+                                     vibration.friction(t - dt)) /
+                                      (2 * dt));
+        }
+      context.results.set("excited_frequency_Hz", mode.frequency());
+      context.results.set("excited_growth_1/s", mode.growth());
+      context.report.set_finding(
+        "excited",
+        "a vibration of " + significant(mode.frequency(), 6) +
+          " Hz that grows by " + significant(mode.growth(), 5) +
+          " 1/s while it is small, of " +
+          significant(scene.time.excite_velocity, 4) + " m/s at the start");
+    }
   } // namespace
 
 
@@ -142,6 +240,7 @@ namespace RollingContact
   make_initial_contact(const SceneParameters  &scene,
                        const PairDemands      &demands,
                        const DrivingFunctions &histories,
+                       const double            h,
                        RunContext             &context)
   {
     const SlipOperatorKind slip_operator = operator_in_time(scene);
@@ -152,10 +251,25 @@ namespace RollingContact
     StateDemands in_time = demands_in_time(demands);
     if (scene.time.inertia) // the motion starts from them
       in_time.pair.displacements = true;
-    return scene.time.inertia
-             ? make_inertial<dim>(
-                 scene, in_time, histories, slip_operator, context)
-             : make_massless<dim>(scene, in_time, histories, context);
+    const bool reduced   = scene.has_reduced_bodies();
+    in_time.pair.factors = in_time.pair.factors || reduced;
+    InitialContact<dim> initial =
+      reduced
+        ? make_reduced<dim>(scene, in_time, histories, slip_operator, context)
+      : scene.time.inertia
+        ? make_inertial<dim>(scene, in_time, histories, slip_operator, context)
+        : make_massless<dim>(scene, in_time, histories, context);
+    std::optional<LinearContact> linear; // of the law, if one falls
+    if (scene.time.excite_mode > 0.)
+      linear = linear_contact(initial.contact.problem,
+                              initial.contact.state,
+                              {std::abs(histories.speed.value(0.)),
+                               scene.friction_response(),
+                               scene.contact.friction_delay});
+    take_over_friction(scene, initial);
+    if (linear)
+      excite(scene, *linear, h, initial, context);
+    return initial;
   }
 
 
@@ -164,10 +278,12 @@ namespace RollingContact
   make_initial_contact<2>(const SceneParameters &,
                           const PairDemands &,
                           const DrivingFunctions &,
+                          const double,
                           RunContext &);
   template InitialContact<3>
   make_initial_contact<3>(const SceneParameters &,
                           const PairDemands &,
                           const DrivingFunctions &,
+                          const double,
                           RunContext &);
 } // namespace RollingContact

@@ -73,7 +73,8 @@ namespace RollingContact
            const StateDemands                                        &demands,
            const Grading<dim>                                        &grading,
            const std::function<ContactState(const ContactProblem &)> &start,
-           RunContext                                                &context)
+           RunContext                                                &context,
+           const PairMaker<dim>                                      &make_pair)
   {
     throw_if_interrupted();
     const Stopwatch  watch;
@@ -82,7 +83,9 @@ namespace RollingContact
     {
       PhaseTimer::Scope phase(context.timer, Phase::mesh);
       steady.pair =
-        std::make_unique<RollingPair<dim>>(scene, grading, demands.pair);
+        make_pair
+          ? make_pair(scene, grading)
+          : std::make_shared<RollingPair<dim>>(scene, grading, demands.pair);
     }
     {
       PhaseTimer::Scope phase(context.timer, Phase::condensation);
@@ -238,7 +241,8 @@ namespace RollingContact
   SteadyState<dim>
   solve_steady_state(const SceneParameters &scene,
                      const StateDemands    &demands,
-                     RunContext            &context)
+                     RunContext            &context,
+                     const PairMaker<dim>  &make_pair)
   {
     const Stopwatch    watch;
     const unsigned int max_meshes = 10;
@@ -253,7 +257,8 @@ namespace RollingContact
           [&](const ContactProblem &problem) {
             return initial_state(problem, patch);
           },
-          context);
+          context,
+          make_pair);
         if (!mesh.fits(steady))
           continue;
         if (steady.solver.converged)
@@ -303,22 +308,26 @@ namespace RollingContact
            const StateDemands &,
            const Grading<2> &,
            const std::function<ContactState(const ContactProblem &)> &,
-           RunContext &);
+           RunContext &,
+           const PairMaker<2> &);
   template SteadyState<3>
   solve_on(const SceneParameters &,
            const StateDemands &,
            const Grading<3> &,
            const std::function<ContactState(const ContactProblem &)> &,
-           RunContext &);
+           RunContext &,
+           const PairMaker<3> &);
   template SteadyState<2>
   solve_steady_state(const SceneParameters &,
                      const StateDemands &,
-                     RunContext &);
+                     RunContext &,
+                     const PairMaker<2> &);
   template struct SteadyState<3>;
   template SteadyState<3>
   solve_steady_state(const SceneParameters &,
                      const StateDemands &,
-                     RunContext &);
+                     RunContext &,
+                     const PairMaker<3> &);
   template void
   require_solved(const SceneParameters &,
                  const SteadyState<2> &,

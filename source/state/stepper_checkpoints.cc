@@ -15,6 +15,8 @@ namespace RollingContact
     checkpoint.bodies   = motion->save();
     checkpoint.past     = motion->past();
     checkpoint.slip     = slip;
+    if (patch_friction)
+      checkpoint.patch_friction = patch_friction->memory();
 
     const ContactLoads &loads = contact.problem.loads;
     LastStep           &last  = checkpoint.last_step;
@@ -110,6 +112,13 @@ namespace RollingContact
     motion->restore(checkpoint.bodies, contact.problem, contact.state);
     motion->set_past(checkpoint.past);
     slip = checkpoint.slip;
+    if (patch_friction)
+      {
+        patch_friction->set_memory(checkpoint.patch_friction);
+        contact.problem.loads.friction = patch_friction->coefficients_now();
+      }
+    if (scene.time.hold_approach)
+      histories.approach = TimeFunction(checkpoint.approach);
   }
 
 

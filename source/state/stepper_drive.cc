@@ -12,8 +12,9 @@ namespace RollingContact
   {
     ContactProblem &problem = contact.problem;
     const double    end     = time + h;
+    const double    laws    = time_of_laws(time, h);
     const Creepages before  = problem.loads.creepages;
-    problem.loads.creepages = histories.creepages(end);
+    problem.loads.creepages = histories.creepages(laws);
     problem.loads.forces    = histories.forces(time + theta() * h);
     set_friction(time, h);
     // those that are found start from the last ones
@@ -25,7 +26,9 @@ namespace RollingContact
       problem.loads.creepages.spin = before.spin;
     // reactions act at t + theta h, the shifted law holds beyond the end
     const bool   ahead = scene.time.contact_law == ContactLaw::shifted;
-    const double holds = end + (ahead ? (1 - theta()) * h : 0.);
+    const double holds = motion->laws_in_the_middle()
+                           ? laws
+                           : end + (ahead ? (1 - theta()) * h : 0.);
     step_heights       = heights(holds);
     if (histories.normal_load)
       problem.loads.normal_load =
@@ -86,16 +89,48 @@ namespace RollingContact
 
 
 
+  template <int dim>
+  std::array<double, 3>
+  ContactStepper<dim>::contact_velocity() const
+  {
+    std::array<double, 3>     mean{};
+    const std::vector<double> velocity = motion->contact_velocity();
+    if (velocity.empty())
+      return mean;
+    const ContactOperators &operators = contact.problem.operators;
+    const std::size_t       n         = operators.n_nodes();
+    const bool touches = operators.resultant(contact.state.pressure) > 0.;
+    double     sum     = 0.;
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        const double weight =
+          operators.areas()[i] * (touches ? contact.state.pressure[i] : 1.);
+        sum += weight;
+        for (unsigned int c = 0; c < operators.n_tangential(); ++c)
+          mean[c] += weight * velocity[c * n + i];
+        mean[2] += weight * velocity[velocity.size() - n + i];
+      }
+    for (double &value : mean)
+      value /= sum;
+    return mean;
+  }
+
+
+
   template void
   ContactStepper<2>::set_drive(const double, const double);
   template std::vector<double>
   ContactStepper<2>::heights(const double) const;
+  template std::array<double, 3>
+  ContactStepper<2>::contact_velocity() const;
   template bool
   ContactStepper<2>::follows_jump(const double, const double) const;
   template void
   ContactStepper<3>::set_drive(const double, const double);
   template std::vector<double>
   ContactStepper<3>::heights(const double) const;
+  template std::array<double, 3>
+  ContactStepper<3>::contact_velocity() const;
   template bool
   ContactStepper<3>::follows_jump(const double, const double) const;
 } // namespace RollingContact

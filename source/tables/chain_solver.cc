@@ -37,10 +37,12 @@ namespace RollingContact
   ChainSolver<dim>::ChainSolver(const SceneParameters  &scene,
                                 const TablePlan        &plan,
                                 const SteadyState<dim> &base,
+                                const MoreColumns      &more_columns,
                                 RunContext             &context)
     : entries(scene)
     , plan(plan)
     , base(base)
+    , more_columns(more_columns)
     , context(context)
     , steady(base)
   {}
@@ -112,6 +114,8 @@ namespace RollingContact
       }
     begin_table_row(plan, state, status, rows);
     rows.take_row(row, 0);
+    if (status == TableStatus::solved)
+      more_columns(scene, steady, rows);
     rows.end_row();
   }
 

@@ -103,7 +103,9 @@ namespace RollingContact
 
 
   std::vector<LoadBand>
-  load_bands(const SceneParameters &scene, const TablePlan &plan)
+  load_bands(const SceneParameters &scene,
+             const TablePlan       &plan,
+             const double           smallest)
   {
     std::vector<LoadBand> bands;
     SceneEntries          entries(scene);
@@ -119,8 +121,7 @@ namespace RollingContact
             const bool is_served =
               !bands.empty() && bands.back().group == g &&
               (size == bands.back().smallest_size ||
-               (size > 0. &&
-                size >= smallest_patch * bands.back().largest_size));
+               (size > 0. && size >= smallest * bands.back().largest_size));
             if (!is_served)
               {
                 bands.emplace_back();

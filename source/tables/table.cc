@@ -19,8 +19,8 @@ namespace RollingContact
   Table<dim>::Table(const SceneParameters &scene, RunContext &context)
     : scene(scene)
     , context(context)
-    , n_threads(scene.table.threads > 0 ? scene.table.threads : n_host_cpus())
     , plan(plan_table(scene))
+    , n_threads(scene.table.threads > 0 ? scene.table.threads : n_host_cpus())
     , has_row(plan.values.size(), false)
   {}
 
@@ -35,12 +35,11 @@ namespace RollingContact
       restore_rows(plan, context);
     for (const std::size_t state : states_with_rows(context.results))
       has_row[state] = true;
-    n_before                          = context.results.n_rows();
-    const std::vector<LoadBand> bands = load_bands(scene, plan);
+    n_before = context.results.n_rows();
+    bands    = load_bands(scene, plan, smallest_share());
     context.log.message(
       "Table of " + std::to_string(plan.values.size()) + " states on " +
-      std::to_string(bands.size()) + (bands.size() == 1 ? " set" : " sets") +
-      " of bodies; " + std::to_string(n_threads) +
+      sets(bands.size()) + "; " + std::to_string(n_threads) +
       (n_threads == 1 ? " thread" : " threads") +
       (n_before > 0
          ? ", " + std::to_string(n_before) + " states are there already."
@@ -118,31 +117,52 @@ namespace RollingContact
     const unsigned int    most_enlargements = 4;
     SceneEntries          entries(scene);
     const SceneParameters largest = band.scene(plan, entries);
+    PairMaker<dim>        make_pair;
     SteadyState<dim>      base;
+    const auto give_up = [&](const Chains &unsolved, const std::string &why) {
+      context.log.warning("The state of the table with " +
+                          plan.name(unsolved[0][0]) + ": " + why);
+      for (const auto &chain : unsolved)
+        for (const std::size_t state : chain)
+          add_unsolved_row(plan,
+                           state,
+                           TableStatus::not_enclosed,
+                           context.results);
+    };
     try
       {
-        base =
-          solve_steady_state<dim>(largest, demands_of_kept_bodies(), context);
+        make_pair = pair_maker(band);
+        base = solve_steady_state<dim>(largest, demands(), context, make_pair);
       }
     catch (const ConvergenceError &error)
       {
-        context.log.warning("The state of the table with " +
-                            plan.name(band.largest) + ": " + error.what());
-        for (const auto &chain : chains)
-          for (const std::size_t state : chain)
-            add_unsolved_row(plan,
-                             state,
-                             TableStatus::not_enclosed,
-                             context.results);
-        return;
+        return give_up(chains, error.what());
+      }
+    catch (const InputError &error)
+      {
+        // shared bodies may end here, and go on elsewhere
+        if (!make_pair)
+          throw;
+        return give_up(chains, error.what());
       }
     describe(band, largest, base, band.states.size());
     Chains left = solve_chains(chains, base, largest, false);
     for (unsigned int k = 0; k < most_enlargements && !left.empty(); ++k)
       {
-        base = enlarged(base, largest, 1u << k);
+        leave_bodies(band, largest, base);
+        try
+          {
+            base = enlarged(base, largest, 1u << k, make_pair);
+          }
+        catch (const InputError &error)
+          {
+            if (!make_pair)
+              throw;
+            return give_up(left, error.what());
+          }
         left = solve_chains(left, base, largest, k + 1 == most_enlargements);
       }
+    leave_bodies(band, largest, base);
   }
 
 
@@ -151,7 +171,8 @@ namespace RollingContact
   SteadyState<dim>
   Table<dim>::enlarged(const SteadyState<dim> &base,
                        const SceneParameters  &scene,
-                       const unsigned int      n_elements)
+                       const unsigned int      n_elements,
+                       const PairMaker<dim>   &make_pair)
   {
     Grading<dim> grading = base.grading;
     grading.enlarge_zone(n_elements);
@@ -161,12 +182,13 @@ namespace RollingContact
     ++n_bodies;
     return solve_on<dim>(
       scene,
-      demands_of_kept_bodies(),
+      demands(),
       grading,
       [&](const ContactProblem &problem) {
         return transferred_state(base, problem);
       },
-      context);
+      context,
+      make_pair);
   }
 
 
@@ -178,9 +200,11 @@ namespace RollingContact
                            const SceneParameters  &scene,
                            const bool              keep_all)
   {
-    PhaseTimer::Scope phase(context.timer, Phase::contact_solve);
-    const Stopwatch   watch;
-    base.pair->release_statics();
+    if (!demands().pair.displacements)
+      base.pair->release_statics();
+    take_bodies(scene, base);
+    PhaseTimer::Scope        phase(context.timer, Phase::contact_solve);
+    const Stopwatch          watch;
     Progress                 progress(context.log,
                       "state",
                       plan.values.size(),
@@ -191,8 +215,14 @@ namespace RollingContact
       chains.size(),
       n_threads,
       [&]() {
-        auto solver =
-          std::make_shared<ChainSolver<dim>>(scene, plan, base, context);
+        auto solver = std::make_shared<ChainSolver<dim>>(
+          scene,
+          plan,
+          base,
+          [&](const auto &scene, const auto &steady, ResultsTable &row) {
+            add_columns(scene, steady, row);
+          },
+          context);
         return [&, solver](const std::size_t k) {
           solver->solve(chains[k], keep_all, solved[k]);
         };
@@ -242,20 +272,57 @@ namespace RollingContact
     results.flush();
     const TableSummary summary = summary_of(results);
     summary.note(context.report);
-    context.report.set_finding(
-      "table",
-      std::to_string(results.n_rows()) + " states" +
-        (n_before > 0
-           ? ", " + std::to_string(n_before) + " of them from the run before"
-           : "") +
-        "; " + std::to_string(n_solved) + " in " + human_seconds(seconds) +
-        " on " + std::to_string(n_bodies) +
-        (n_bodies == 1 ? " set of bodies" : " sets of bodies"));
+    context.report.set_finding("table",
+                               std::to_string(results.n_rows()) + " states" +
+                                 (n_before > 0
+                                    ? ", " + std::to_string(n_before) +
+                                        " of them from the run before"
+                                    : "") +
+                                 "; " + std::to_string(n_solved) + " in " +
+                                 human_seconds(seconds) + " on " +
+                                 sets(n_bodies));
     write_table_file(plan, scene, context);
+    summarise();
     if (scene.output.plot)
-      plot_sections(plan, context);
+      draw();
     summary.warn(plan, context.log);
     summary.require_solved(plan);
+  }
+
+
+
+  template <int dim>
+  StateDemands
+  Table<dim>::demands() const
+  {
+    return demands_of_kept_bodies();
+  }
+
+
+
+  template <int dim>
+  std::string
+  Table<dim>::sets(const std::size_t n) const
+  {
+    return std::to_string(n) + (n == 1 ? " set of bodies" : " sets of bodies");
+  }
+
+
+
+  template <int dim>
+  double
+  Table<dim>::smallest_share() const
+  {
+    return smallest_patch;
+  }
+
+
+
+  template <int dim>
+  void
+  Table<dim>::draw()
+  {
+    plot_sections(plan, context);
   }
 
 

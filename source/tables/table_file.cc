@@ -53,10 +53,9 @@ namespace RollingContact
     std::string
     unit_of_column(const std::string &column)
     {
-      static const std::set<std::string> units{
-        "m", "m2", "N", "Nm", "Pa", "N/m", "J/m", "1/m", "rad", "s"};
-      const std::string end = column.substr(column.rfind('_') + 1);
-      if (units.count(end) > 0)
+      const std::string units = " m m2 N Nm Pa N/m J/m 1/m rad s 1/s Hz K ";
+      const std::string end   = column.substr(column.rfind('_') + 1);
+      if (units.find(' ' + end + ' ') != std::string::npos)
         return end;
       const std::size_t slash = column.rfind("/muN");
       return slash == std::string::npos
@@ -120,8 +119,12 @@ namespace RollingContact
       numbers(const TablePlan &plan) const
       {
         std::set<std::string> others(plan.entries.begin(), plan.entries.end());
-        for (const char *name :
-             {"state", "status", "slip_operator", "solver", "converged"})
+        for (const char *name : {"state",
+                                 "status",
+                                 "slip_operator",
+                                 "solver",
+                                 "converged",
+                                 "vibrations"})
           others.insert(name);
         std::vector<std::string> names;
         for (const std::string &column : results.columns())

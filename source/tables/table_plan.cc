@@ -84,9 +84,10 @@ namespace RollingContact
       std::vector<std::size_t>           order(entries.size());
       std::iota(order.begin(), order.end(), 0);
       const auto cost = [&](const std::size_t k) {
-        return !is_load(entries[k])             ? 0
-               : of_patch.count(entries[k]) > 0 ? 1
-                                                : 2;
+        return is_place(entries[k])             ? 1
+               : !is_load(entries[k])           ? 0
+               : of_patch.count(entries[k]) > 0 ? 2
+                                                : 3;
       };
       std::stable_sort(order.begin(),
                        order.end(),

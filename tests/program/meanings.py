@@ -396,6 +396,10 @@ def impact(folder):
     check(f"{folder}: falls into strain", history[-1]["strain_J"] > 1e-3)
     check(f"{folder}: nodes close", sum(row["impacts"] for row in history)
           >= history[-1]["nodes_in_contact"] > 0)
+    check(f"{folder}: the contact comes to rest", -1 < history[0]["velocity_z_m/s"] < -0.5
+          and abs(history[-1]["velocity_z_m/s"]) < 1e-3)
+    check(f"{folder}: no friction, no motion along", history[-1]["velocity_x_m/s"] == 0
+          and history[-1]["velocity_y_m/s"] == 0)
     mass = 2 * (history[0]["kinetic_J"] + history[0]["strain_J"])  # at 1 m/s
     impulse = sum(row["normal_force_N"] for row in history) * 1e-6
     last = history[-1]["wheel_velocity_m/s"]

@@ -207,21 +207,27 @@ BOOST_FIXTURE_TEST_CASE(checkpoints_keep_every_bit, ScratchFolder)
   RunFolder run(folder, scene, scene);
   run.open();
   Checkpoint state;
-  state.tables        = {{"Time/Speed (table)", "12 rows"}};
-  state.progress.step = 1234567890123u;
-  state.progress.time = 0.1 + 0.2;
-  state.bodies.wheel  = {{-0.,
-                          std::numeric_limits<double>::denorm_min(),
-                          1. / 3},
-                         {std::nextafter(1., 2.), INFINITY, std::nan("7")}};
-  state.past          = {{1. / 7}, std::nextafter(2e-6, 0.)};
-  state.slip          = {NodalField(1, std::vector<double>{1. / 9}),
-                         NodalField(1, std::vector<double>{-1. / 11}),
-                         1. / 13,
-                         -1. / 15};
-  state.pressure      = {1e300, -1e-300};
-  state.traction      = {M_PI};
-  state.approach      = std::nextafter(2.2e-4, 0.);
+  state.tables         = {{"Time/Speed (table)", "12 rows"}};
+  state.progress.step  = 1234567890123u;
+  state.progress.time  = 0.1 + 0.2;
+  state.bodies.wheel   = {{-0.,
+                           std::numeric_limits<double>::denorm_min(),
+                           1. / 3},
+                          {std::nextafter(1., 2.), INFINITY, std::nan("7")}};
+  state.past           = {{1. / 7},
+                          std::nextafter(2e-6, 0.),
+                          {1. / 17},
+                          {1. / 19},
+                          {1. / 23},
+                          1. / 29};
+  state.patch_friction = {1. / 31, 1. / 37};
+  state.slip           = {NodalField(1, std::vector<double>{1. / 9}),
+                          NodalField(1, std::vector<double>{-1. / 11}),
+                          1. / 13,
+                          -1. / 15};
+  state.pressure       = {1e300, -1e-300};
+  state.traction       = {M_PI};
+  state.approach       = std::nextafter(2.2e-4, 0.);
   state.scheme = {{{3, 1. / 3, 0.1, {{-0.3, 0.}}}, {7, 2., 1., {{0., 0.}}}},
                   {4, 9}};
   state.progress.n_impacts      = 8;
@@ -252,6 +258,13 @@ BOOST_FIXTURE_TEST_CASE(checkpoints_keep_every_bit, ScratchFolder)
   BOOST_TEST(copy.bodies.rail.displacement.empty());
   BOOST_TEST((copy.past.velocity == state.past.velocity));
   BOOST_TEST(same_bits(copy.past.length, state.past.length));
+  BOOST_TEST((copy.past.forces == state.past.forces));
+  BOOST_TEST((copy.past.forces_before == state.past.forces_before));
+  BOOST_TEST((copy.past.load == state.past.load));
+  BOOST_TEST(same_bits(copy.past.distance, state.past.distance));
+  BOOST_TEST(same_bits(copy.patch_friction.share, state.patch_friction.share));
+  BOOST_TEST(
+    same_bits(copy.patch_friction.target, state.patch_friction.target));
   BOOST_TEST((copy.slip.sliding.values() == state.slip.sliding.values()));
   BOOST_TEST((copy.slip.mean.values() == state.slip.mean.values()));
   BOOST_TEST(same_bits(copy.slip.power, state.slip.power));

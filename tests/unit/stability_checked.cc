@@ -1,7 +1,10 @@
+#include <deal.II/lac/vector.h>
+
 #include <boost/test/unit_test.hpp>
 
 #include "complaint.h"
 #include "stability_bodies.h"
+#include "vibrating_pair.h"
 
 #include <rolling_contact/stability/correction.h>
 #include <rolling_contact/stability/rational_fit.h>
@@ -180,6 +183,86 @@ BOOST_AUTO_TEST_CASE(the_count_is_that_of_the_eigenvalues)
   BOOST_TEST(n_stable > 5u);
   BOOST_TEST_MESSAGE("unstable: " << n_unstable
                                   << ", states without: " << n_stable);
+}
+
+BOOST_AUTO_TEST_CASE(the_count_is_right_in_states_of_bodies_with_meshes)
+{
+  VibratingPair::Eigenvalues<3> eigen(VibratingPair::unstable_pair, 12e3);
+  const ReducedPair            &pair = eigen.reduced;
+  const UnstableCounter         counter(pair);
+  std::mt19937                  generator(7);
+  std::uniform_real_distribution<double> uniform(0., 1.);
+  RollingState                           state{eigen.steady.problem, {}};
+  unsigned int n_unstable = 0, n_stable = 0, n_sticking = 0;
+  for (unsigned int k = 0; k < 40; ++k)
+    {
+      const double mu        = 0.1 + 0.7 * uniform(generator),
+                   direction = 2 * pi * uniform(generator),
+                   size      = 0.05 * std::pow(0.02, uniform(generator));
+      ContactLoads &loads    = state.problem.loads;
+      loads.friction.assign(state.problem.n_nodes(), mu);
+      loads.creepages = {size * std::cos(direction),
+                         size * std::sin(direction),
+                         0.};
+      state.solve();
+      BOOST_TEST(state.converged);
+      const auto contact =
+        linear_contact(state.problem, state.state, at_speed());
+      int expected = 0;
+      for (const auto &s : StabilityPencil(pair, contact).eigenvalues())
+        expected += s.real() > 0. && s.imag() > 2 * pi * 60. &&
+                    s.imag() < 2 * pi * 5000. && s.real() < 2 * pi * 5000.;
+      const auto result = counter.count(contact);
+      BOOST_TEST_CONTEXT("state " << k << ", friction " << mu)
+      {
+        BOOST_TEST(result.count == expected);
+        BOOST_TEST(result.resolved);
+      }
+      n_unstable += expected;
+      n_stable += expected == 0;
+      n_sticking += contact.n_slip() < contact.touching.size();
+    }
+  BOOST_TEST_MESSAGE("unstable: " << n_unstable << ", states without "
+                                  << n_stable << ", with nodes that stick "
+                                  << n_sticking);
+  BOOST_TEST(n_unstable > 10u);
+  BOOST_TEST(n_stable > 5u);
+  BOOST_TEST(n_sticking > 5u);
+}
+
+BOOST_AUTO_TEST_CASE(vibrations_without_damping_are_not_counted)
+{
+  VibratingPair::Eigenvalues<2> discs(
+    [](SceneParameters &scene) {
+      VibratingPair::vibrating(scene);
+      scene.wheel.model.damping = scene.rail.model.damping = {};
+      scene.mesh.elements_across_patch                     = 8;
+      scene.mesh.growth                                    = 0.8;
+      scene.contact.approach                               = 6e-5;
+      scene.contact.creepages.x                            = 0.05;
+    },
+    10e3);
+  VibratingPair::Eigenvalues<3> on_pad(
+    [](SceneParameters &scene) {
+      VibratingPair::unstable_pair(scene);
+      scene.wheel.model.damping = scene.rail.model.damping = {};
+    },
+    12e3);
+  const auto check = [](const ReducedPair &pair, const LinearContact &contact) {
+    CountOptions options;
+    BOOST_TEST(!UnstableCounter(pair, options).count(contact).resolved);
+    options.least_growth = 1e-7 * 2 * pi * options.highest_frequency;
+    const auto result    = UnstableCounter(pair, options).count(contact);
+    int        expected  = 0;
+    for (const auto &s : StabilityPencil(pair, contact).eigenvalues())
+      expected += s.real() > options.least_growth && s.imag() > 2 * pi * 60. &&
+                  s.imag() < 2 * pi * 5000.;
+    BOOST_TEST(result.resolved);
+    BOOST_TEST(result.count == expected);
+    return result.count;
+  };
+  BOOST_TEST(check(discs.reduced, discs.contact) == 0);
+  BOOST_TEST(check(on_pad.reduced, on_pad.contact) > 0);
 }
 
 BOOST_AUTO_TEST_CASE(bodies_that_are_unstable_alone_are_counted)

@@ -168,7 +168,7 @@ BOOST_AUTO_TEST_CASE(each_load_has_its_elements)
                  "Contact/Creepage x = 0, 0.001"});
   scene.mesh.elements_across_patch = 12;
   const TablePlan plan             = plan_table(scene);
-  const auto      bands            = load_bands(scene, plan);
+  const auto      bands            = load_bands(scene, plan, smallest_patch);
   BOOST_REQUIRE(bands.size() == 4u); // 100 and 80, 70 and 55, 20, 0 kN
   std::set<std::size_t> all;
   for (const LoadBand &band : bands)

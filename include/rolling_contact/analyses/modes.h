@@ -2,7 +2,7 @@
 #define rolling_contact_analyses_modes_h
 
 #include <rolling_contact/analyses/analysis.h>
-#include <rolling_contact/analyses/vibrating_body.h>
+#include <rolling_contact/vibration/vibrating_body.h>
 
 namespace RollingContact
 {

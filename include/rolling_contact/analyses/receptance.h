@@ -2,8 +2,8 @@
 #define rolling_contact_analyses_receptance_h
 
 #include <rolling_contact/analyses/analysis.h>
-#include <rolling_contact/analyses/vibrating_body.h>
 #include <rolling_contact/modes/frequency_response.h>
+#include <rolling_contact/vibration/vibrating_body.h>
 
 #include <complex>
 #include <optional>

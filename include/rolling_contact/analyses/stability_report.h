@@ -1,37 +1,13 @@
 #ifndef rolling_contact_analyses_stability_report_h
 #define rolling_contact_analyses_stability_report_h
 
-#include <rolling_contact/analyses/rolling_modes.h>
-#include <rolling_contact/stability/correction.h>
-#include <rolling_contact/stability/pencil.h>
+#include <rolling_contact/analyses/vibrations.h>
 
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace RollingContact
 {
-  /** A vibration about the steady state and what is known of it. */
-  struct Finding
-  {
-    StabilityMode                mode;
-    std::optional<CorrectedMode> corrected;
-
-    double
-    growth() const
-    {
-      return corrected ? corrected->growth() : mode.growth();
-    }
-
-    bool
-    unstable() const
-    {
-      return corrected ? corrected->unstable() : mode.growth() > 0.;
-    }
-  };
-
-
-
   /**
    * A row of stability.csv.
    */

@@ -2,8 +2,11 @@
 #define rolling_contact_analyses_transient_h
 
 #include <rolling_contact/analyses/analysis.h>
+#include <rolling_contact/assessment/ill_posed_friction.h>
 #include <rolling_contact/assessment/uniqueness_warning.h>
 #include <rolling_contact/report/transient_output.h>
+
+#include <optional>
 
 namespace RollingContact
 {
@@ -53,11 +56,12 @@ namespace RollingContact
     void
     summarise(const ContactStepper<dim> &stepper) const;
 
-    const SceneParameters &scene;
-    RunContext            &context;
-    TransientProgress      progress;
-    PrmEntries             files; ///< fingerprints, for checkpoints
-    UniquenessSummary      worst; ///< of the steps of this run
+    const SceneParameters          &scene;
+    RunContext                     &context;
+    TransientProgress               progress;
+    PrmEntries                      files;   ///< fingerprints, for checkpoints
+    UniquenessSummary               worst;   ///< of the steps of this run
+    std::optional<IllPosedFriction> falling; ///< the same
   };
 } // namespace RollingContact
 

@@ -141,14 +141,98 @@ dsyevd_(const char *jobz,
         int        *info);
 
 void
-zgesv_(const int            *n,
-       const int            *nrhs,
-       std::complex<double> *a,
-       const int            *lda,
-       int                  *ipiv,
-       std::complex<double> *b,
-       const int            *ldb,
-       int                  *info);
+zgemm_(const char                 *transa,
+       const char                 *transb,
+       const int                  *m,
+       const int                  *n,
+       const int                  *k,
+       const std::complex<double> *alpha,
+       const std::complex<double> *a,
+       const int                  *lda,
+       const std::complex<double> *b,
+       const int                  *ldb,
+       const std::complex<double> *beta,
+       std::complex<double>       *c,
+       const int                  *ldc);
+
+void
+zgetrf_(const int            *m,
+        const int            *n,
+        std::complex<double> *a,
+        const int            *lda,
+        int                  *ipiv,
+        int                  *info);
+
+void
+zgetrs_(const char                 *trans,
+        const int                  *n,
+        const int                  *nrhs,
+        const std::complex<double> *a,
+        const int                  *lda,
+        const int                  *ipiv,
+        std::complex<double>       *b,
+        const int                  *ldb,
+        int                        *info);
+
+void
+dgeev_(const char *jobvl,
+       const char *jobvr,
+       const int  *n,
+       double     *a,
+       const int  *lda,
+       double     *wr,
+       double     *wi,
+       double     *vl,
+       const int  *ldvl,
+       double     *vr,
+       const int  *ldvr,
+       double     *work,
+       const int  *lwork,
+       int        *info);
+
+void
+dsyev_(const char *jobz,
+       const char *uplo,
+       const int  *n,
+       double     *a,
+       const int  *lda,
+       double     *w,
+       double     *work,
+       const int  *lwork,
+       int        *info);
+
+void
+dgesvd_(const char *jobu,
+        const char *jobvt,
+        const int  *m,
+        const int  *n,
+        double     *a,
+        const int  *lda,
+        double     *s,
+        double     *u,
+        const int  *ldu,
+        double     *vt,
+        const int  *ldvt,
+        double     *work,
+        const int  *lwork,
+        int        *info);
+
+void
+zgesvd_(const char           *jobu,
+        const char           *jobvt,
+        const int            *m,
+        const int            *n,
+        std::complex<double> *a,
+        const int            *lda,
+        double               *s,
+        std::complex<double> *u,
+        const int            *ldu,
+        std::complex<double> *vt,
+        const int            *ldvt,
+        std::complex<double> *work,
+        const int            *lwork,
+        double               *rwork,
+        int                  *info);
 }
 
 #endif

@@ -1,7 +1,6 @@
 #ifndef rolling_contact_linear_algebra_dense_matrix_h
 #define rolling_contact_linear_algebra_dense_matrix_h
 
-#include <complex>
 #include <cstddef>
 #include <vector>
 
@@ -128,17 +127,6 @@ namespace RollingContact
    */
   void
   symmetric_eigenpairs(DenseMatrix &M, std::vector<double> &values);
-
-  /**
-   * Solve A X = B in place of @p B, by columns, for a complex A of @p n rows
-   * and @p n_columns right hand sides (zgesv); @p A is destroyed. Returns false
-   * when A is singular.
-   */
-  bool
-  solve_complex(const int                          n,
-                std::vector<std::complex<double>> &A,
-                const int                          n_columns,
-                std::vector<std::complex<double>> &B);
 
   double
   dot(const std::vector<double> &x, const std::vector<double> &y);

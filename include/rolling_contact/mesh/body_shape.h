@@ -3,6 +3,7 @@
 
 #include <rolling_contact/mesh/shape_parameters.h>
 #include <rolling_contact/mesh/surface_chart.h>
+#include <rolling_contact/mesh/zone_box.h>
 #include <rolling_contact/references/clamped_annulus.h>
 #include <rolling_contact/references/hertz_line.h>
 
@@ -145,6 +146,22 @@ namespace RollingContact
      */
     virtual bool
     has_own_cells() const;
+
+    /**
+     * Boxes of the surface of contact as boxes of x and the coordinate across
+     * of the coarse cells: the same unless a shape says otherwise.
+     */
+    virtual std::vector<ZoneBox>
+    on_surface(const std::vector<ZoneBox> &boxes) const;
+
+    /**
+     * Whether it is that of the wheel.
+     */
+    bool
+    is_of_wheel() const
+    {
+      return parameters.section == "Wheel";
+    }
 
     /**
      * The cells of a swept section, all along alike, none longer than @p along

@@ -17,10 +17,13 @@ namespace RollingContact
   /**
    * The active cells of a mesh in space as a FileMesh: its vertices with their
    * numbers, the faces of the hub, and those of the contact boundary that look
-   * towards the other body.
+   * towards the other body, which is where this unit vector points.
    */
   FileMesh
-  as_file_mesh(const BodyMesh<3> &mesh);
+  as_file_mesh(const BodyMesh<3>         &mesh,
+               const dealii::Tensor<1, 3> towards_other = dealii::Point<3>(0.,
+                                                                           0.,
+                                                                           1.));
 } // namespace RollingContact
 
 #endif

@@ -3,6 +3,7 @@
 
 #include <deal.II/base/point.h>
 
+#include <rolling_contact/base/side.h>
 #include <rolling_contact/mesh/zone_box.h>
 
 #include <algorithm>
@@ -68,6 +69,13 @@ namespace RollingContact
 
     std::vector<RefinedBox<dim>> boxes;
     std::vector<ZoneBox>         zone_boxes;
+
+    /**
+     * Where bodies that keep their mesh for several places of the contact have
+     * small elements, in the charts of their coarse cells; empty for the zone
+     * alone. See BodyShape::on_surface().
+     */
+    PerSide<std::vector<ZoneBox>> strips;
 
     double deeper = 1.; ///< elements, see element_size_z()
 

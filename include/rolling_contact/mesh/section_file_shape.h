@@ -10,7 +10,9 @@ namespace RollingContact
    * A body whose section is a mesh of quadrilaterals from a file: revolved
    * about its axle, which is one Radius behind the contact point, or, with
    * Radius = 0, extruded along x over the Block length. Its coarse cells are
-   * the quadrilaterals, between planes of equal angles or distances.
+   * the quadrilaterals, between planes of equal angles or distances. Under a
+   * profile the file's axes are those of the profile, wherever it touches: the
+   * body is the same for all places of the contact.
    */
   class SectionFileShape : public BodyShape
   {
@@ -52,6 +54,12 @@ namespace RollingContact
       return true;
     }
 
+    /**
+     * Under a profile, along that: see ProfiledSection.
+     */
+    std::vector<ZoneBox>
+    on_surface(const std::vector<ZoneBox> &boxes) const override;
+
     std::shared_ptr<const SweptMesh>
     equal_cells(const double along, const double across) const override;
 
@@ -68,8 +76,8 @@ namespace RollingContact
 
     /**
      * The file's quadrilaterals, (y, z) of the body's frame or, revolved, (y,
-     * radius). Edges of the contact boundary between points of the circle with
-     * the Lateral radius follow it.
+     * radius). Edges of the contact boundary between points of the profile or,
+     * without one, of the circle with the Lateral radius follow it.
      */
     SectionMesh
     section() const;

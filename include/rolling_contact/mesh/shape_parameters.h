@@ -61,7 +61,8 @@ namespace RollingContact
 
     std::shared_ptr<const FileMesh> mesh; ///< what mesh_file holds, once read
 
-    /** Of a body with a true section, once profiles are read. */
+    /** Of a body with a true section, or with one from a file under a profile,
+     * once profiles are read. */
     std::shared_ptr<const PlacedProfile> profile;
   };
 } // namespace RollingContact

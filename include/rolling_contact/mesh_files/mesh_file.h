@@ -28,6 +28,9 @@ namespace RollingContact
     bool                  mirrored = false; ///< the wheel
     /** A section, for messages: the file's first coordinate is y, across. */
     bool is_section = false;
+    /** A section under a profile: all of the contact boundary may touch, and
+     * the origin need not be on it. */
+    bool is_under_profile = false;
   };
 
   /**

@@ -8,7 +8,8 @@ namespace RollingContact
   /**
    * Read the section of a body: a mesh of quadrilaterals as read_mesh_file()
    * reads one in 2D, with y across in place of x. The contact boundary must
-   * pass through the origin, and a section that is revolved about an axle one
+   * pass through the origin unless a profile says where it is, and a section
+   * that is revolved about an axle one
    * @p radius behind it must stay off the axle; 0 if it is extruded. Throws
    * InputError. Units: m.
    */

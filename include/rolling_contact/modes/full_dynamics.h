@@ -73,7 +73,7 @@ namespace RollingContact
     multiply(const std::complex<double> s, const ComplexVector &x) const;
 
     ComplexVector
-    precondition(const std::complex<double> s, const ComplexVector &b) const;
+    precondition(const ComplexLU &D_m, const ComplexVector &b) const;
 
     TurningStructure       structure;
     const Factorisation   &factor;

@@ -17,6 +17,17 @@ namespace RollingContact
   };
 
   /**
+   * The axes of the contact in those of a body that keeps the axes of its
+   * profile: they are turned about x, tangent across (cos, -sin) and normal
+   * (sin, cos) of the angle in its (y, z), about their origin. Other bodies
+   * have the axes of the contact. Units: rad, m.
+   */
+  struct AxesOfContact
+  {
+    double angle = 0., y = 0., z = 0.;
+  };
+
+  /**
    * The contact surface of a body from a mesh file and its coupling to the
    * interface. Units: m.
    */
@@ -26,6 +37,7 @@ namespace RollingContact
     std::vector<unsigned int> vertices; ///< of the file's mesh: contact nodes
     std::vector<double>   heights; ///< at the interface's nodes; empty by radii
     std::array<double, 2> face_size{{0., 0.}}; ///< of the largest face, x and y
+    AxesOfContact         axes;
     SurfaceNote           note;
   };
 
@@ -35,7 +47,8 @@ namespace RollingContact
    * ends in the zone of contact nodes, is too coarse, folded or clamped there,
    * or is farther from the surface given by its radii than 1 % of the largest
    * gap in the zone (half of that gap if the nodes themselves give the
-   * surface). Needs no other rank.
+   * surface), or, with profiles, is not on the body's. @p mesh is in the axes
+   * of the body. Needs no other rank.
    */
   FileSurface
   couple_to_interface(const SceneParameters &scene,

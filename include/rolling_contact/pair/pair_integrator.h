@@ -74,6 +74,27 @@ namespace RollingContact
     displacement_factor() const = 0;
 
     /**
+     * True if forces and laws of contact belong to the middle of a step, as do
+     * the motions of begin_step(); false if the laws hold at its end. Not
+     * collective.
+     */
+    virtual bool
+    laws_in_the_middle() const
+    {
+      return false;
+    }
+
+    /**
+     * Velocity of wheel relative to rail at the nodes in the last step, where
+     * its reactions act; empty without inertia. Collective. Units: m/s.
+     */
+    virtual std::vector<double>
+    contact_velocity() const
+    {
+      return {};
+    }
+
+    /**
      * Begin a step, in place of one that was begun and not ended, and return
      * the motion without reactions. @p hub_acceleration is that of the wheel's
      * hub towards the rail; @p smooth is false if what drives the pair jumps in

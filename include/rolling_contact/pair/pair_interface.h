@@ -58,6 +58,11 @@ namespace RollingContact
     PerSide<std::vector<double>> heights;
 
     /**
+     * The axes of the interface in those of each body.
+     */
+    PerSide<AxesOfContact> axes;
+
+    /**
      * What the log tells of the coupling of a mesh file; else empty.
      */
     PerSide<SurfaceNote> note;
@@ -75,7 +80,7 @@ namespace RollingContact
   private:
     /**
      * Turn the nodes against the elastic bodies whose surface is that of
-     * contact.
+     * contact, and against bodies that keep the axes of their files.
      */
     void
     turn_nodes(const SceneParameters &scene, const BodyPair<dim> &bodies);

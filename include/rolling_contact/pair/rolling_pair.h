@@ -34,6 +34,20 @@ namespace RollingContact
                 const PairDemands     &demands,
                 const bool             statics = true);
 
+    /**
+     * The same bodies at another place: of a scene that differs from theirs in
+     * where and how they touch only, with an interface of its own. What was
+     * built for the bodies is shared, so that their factors serve all places
+     * (PairDemands::displacements keeps them) and they are condensed for each.
+     * Their mesh must have small elements where this one touches, see
+     * grading_of_places(). Throws InputError unless elastic bodies have
+     * sections from files, which are coupled by mortars, and live on one rank.
+     */
+    RollingPair(const SceneParameters &scene,
+                const Grading<dim>    &grading,
+                const PairDemands     &demands,
+                const BodyPair<dim>   &bodies);
+
     const BodyPair<dim> &
     bodies() const
     {
@@ -164,6 +178,9 @@ namespace RollingContact
                  const ContactState   &state) const;
 
   private:
+    void
+    choose_components();
+
     const SceneParameters     scene;
     BodyPair<dim>             body_pair;
     PairInterface<dim>        pair_interface;

@@ -13,14 +13,15 @@
 namespace RollingContact
 {
   /**
-   * From a body's own frame to the output: mirrored in z or not, then displaced
-   * rigidly by shift_z, which the displacement shows and the mesh does not.
-   * Units: m.
+   * From a body's own frame to the output: in the axes of the contact, mirrored
+   * in z or not, then displaced rigidly by shift_z, which the displacement
+   * shows and the mesh does not. Units: m.
    */
   struct BodyPlacement
   {
-    bool   mirrored = false;
-    double shift_z  = 0.;
+    bool          mirrored = false;
+    double        shift_z  = 0.;
+    AxesOfContact axes     = {};
   };
 
   /**

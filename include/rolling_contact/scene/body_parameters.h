@@ -49,15 +49,17 @@ namespace RollingContact
 
     /**
      * Read the mesh or section file of an elastic body, if there is one, from
-     * @p folder. Throws InputError.
+     * @p folder; a section under a profile has the axes of that. Throws
+     * InputError.
      */
     void
     read_mesh(const unsigned int           dimension,
-              const std::filesystem::path &folder);
+              const std::filesystem::path &folder,
+              const bool                   is_under_profile = false);
 
     /**
-     * That with a true section if there is a `profile`, else the shape of the
-     * name `shape`; one from a file needs read_mesh().
+     * That with a true section if there is a `profile` and no file, else the
+     * shape of the name `shape`; one from a file needs read_mesh().
      */
     std::shared_ptr<const BodyShape>
     body_shape() const;

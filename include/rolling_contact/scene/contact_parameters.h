@@ -37,6 +37,12 @@ namespace RollingContact
     falling_friction() const;
 
     /**
+     * Give creepages.x and y the values that follow from creepage_size.
+     */
+    void
+    take_creepage_by_size();
+
+    /**
      * Rolling speed, 1 where it is not given. Units: m/s.
      */
     double
@@ -61,11 +67,18 @@ namespace RollingContact
     double                friction_coefficient = 0.3;
     std::string           friction_law         = "constant";
     double                kinetic_friction     = 0.; ///< of the laws that fall
-    double      friction_decay_speed = 0.; ///< of the laws that fall, m/s
-    double      friction_memory      = 0.; ///< of the laws that fall, m
+    double friction_decay_speed = 0.; ///< of the laws that fall, m/s
+    double friction_memory      = 0.; ///< of the laws that fall, m
+    /** How such a law follows vibration: `automatic` or a FrictionResponse. */
+    std::string friction_response = "automatic";
+    double      friction_delay    = 60e-6; ///< of `patch mean`, s
     Creepages   creepages;
-    AskedForces forces;          ///< in place of creepages
-    std::optional<double> speed; ///< m/s
+    /** Of creepages.x and y together, which follow from it and the angle from
+     * x towards y (rad). */
+    std::optional<double> creepage_size;
+    double                creepage_direction = 0.;
+    AskedForces           forces; ///< in place of creepages
+    std::optional<double> speed;  ///< m/s
     SlipOperatorKind      slip_operator    = SlipOperatorKind::calibrated;
     ContactMatrices       contact_matrices = ContactMatrices::lumped;
     std::string           roughness;

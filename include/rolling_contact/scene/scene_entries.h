@@ -84,10 +84,17 @@ namespace RollingContact
 
   /**
    * Whether an entry acts on bodies that are at hand: a number of section
-   * Contact.
+   * Contact or Stability.
    */
   bool
   is_load(const std::string &entry);
+
+  /**
+   * Whether an entry says where bodies with profiles touch, and nothing of what
+   * they are made of.
+   */
+  bool
+  is_place(const std::string &entry);
 } // namespace RollingContact
 
 #endif

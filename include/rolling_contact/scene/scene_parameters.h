@@ -20,6 +20,7 @@
 #include <rolling_contact/scene/surface_parameters.h>
 #include <rolling_contact/scene/table_parameters.h>
 #include <rolling_contact/scene/time_parameters.h>
+#include <rolling_contact/stability/linear_contact.h>
 
 #include <filesystem>
 
@@ -64,19 +65,19 @@ namespace RollingContact
     read_surfaces();
 
     /**
-     * Where the bodies have profiles: find their contact, and what follows from
-     * it for section Contact, the creepages of kinematics and the normal load
-     * of a vertical load without friction. Throws InputError.
+     * Where the bodies have profiles find their contact; and what follows from
+     * other entries for section Contact: creepages of a size or of kinematics,
+     * the normal load of a vertical load without friction. Throws InputError.
      */
     void
     read_profiles();
 
     /**
-     * What the contact of profiles that was found makes of section Contact, see
-     * read_profiles(); nothing without profiles.
+     * What follows for section Contact, with the contact of profiles that was
+     * found, see read_profiles().
      */
     void
-    take_contact_of_profiles();
+    take_derived_contact();
 
     /**
      * The angle of load and approach against the normal of the plane in which
@@ -140,6 +141,40 @@ namespace RollingContact
     OutputParameters     output;
 
     /**
+     * Whether the analysis is of many states, those of section Table.
+     */
+    bool
+    is_of_table() const
+    {
+      return analysis == "table" || analysis == "stability map";
+    }
+
+    /**
+     * Whether the analysis is of vibrations about a rolling state.
+     */
+    bool
+    is_of_stability() const
+    {
+      return analysis == "stability" || analysis == "stability map";
+    }
+
+    /**
+     * Whether a transient run takes the bodies by their modes.
+     */
+    bool
+    has_reduced_bodies() const
+    {
+      return is_transient() && time.bodies == BodiesInTime::reduced;
+    }
+
+    /**
+     * How friction follows what changes in time or is disturbed, see
+     * Contact/Friction response; constant with a law that does not fall.
+     */
+    FrictionResponse
+    friction_response() const;
+
+    /**
      * Whether the analysis is one of each body alone, without contact.
      */
     bool
@@ -166,16 +201,33 @@ namespace RollingContact
     check_structures() const;
 
     /**
-     * Rules for Analysis = stability.
+     * Rules for vibrations about a rolling state.
      */
     void
     check_stability() const;
+
+    /**
+     * Rules for Time/Bodies = reduced, and for friction and a load that follow
+     * the state that a run starts from.
+     */
+    void
+    check_reduced_bodies() const;
+
+    void
+    check_excitation() const;
+
+    void
+    check_friction_response() const;
 
     void
     check_pair() const;
 
     void
     check_curvatures() const;
+
+    /** Of bodies from files; @p given names the profiles. */
+    void
+    check_profiles_on_files(const std::string &given) const;
 
     void
     check_profiles() const;

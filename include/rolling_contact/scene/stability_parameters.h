@@ -1,8 +1,6 @@
 #ifndef rolling_contact_scene_stability_parameters_h
 #define rolling_contact_scene_stability_parameters_h
 
-#include <rolling_contact/stability/linear_contact.h>
-
 namespace dealii
 {
   class ParameterHandler;
@@ -25,13 +23,12 @@ namespace RollingContact
     void
     check() const;
 
-    double           lowest_frequency = 60.; ///< Hz
-    bool             rotation         = true;
-    FrictionResponse friction         = FrictionResponse::patch_mean;
-    double           memory           = 60e-6; ///< s
-    bool             count            = true;
-    bool             correct          = true;
-    double           damping_margin   = 0.;
+    double lowest_frequency = 60.; ///< Hz
+    bool   rotation         = true;
+    bool   count            = true;
+    bool   correct          = true;
+    double damping_margin   = 0.;
+    double added_damping    = 0.; ///< of all modes, damping ratio
   };
 } // namespace RollingContact
 

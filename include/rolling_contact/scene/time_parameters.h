@@ -91,6 +91,15 @@ namespace RollingContact
   };
 
   /**
+   * What the bodies are in time.
+   */
+  enum class BodiesInTime
+  {
+    full,   ///< all their unknowns
+    reduced ///< modes and a massless residual compliance
+  };
+
+  /**
    * Section `Time`: transient analysis.
    */
   struct TimeParameters
@@ -140,6 +149,10 @@ namespace RollingContact
     double       step_length         = 0.;
     double       theta               = 0.5;
     bool         inertia             = true;
+    BodiesInTime bodies              = BodiesInTime::full;
+    double       excite_mode         = 0.; ///< Hz
+    double       excite_velocity     = 0.; ///< m/s
+    bool         hold_approach       = false;
     InitialState initial_state       = InitialState::rest;
     MassKind     mass                = MassKind::lumped;
     double       rayleigh_alpha      = 0.;
@@ -166,6 +179,8 @@ namespace RollingContact
     declare_steps(dealii::ParameterHandler &prm);
     void
     declare_scheme(dealii::ParameterHandler &prm);
+    void
+    declare_start(dealii::ParameterHandler &prm);
     void
     declare_histories(dealii::ParameterHandler &prm);
     void

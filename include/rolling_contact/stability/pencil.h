@@ -82,8 +82,9 @@ namespace RollingContact
     /**
      * All finite eigenvalues, those of greatest growth first; of conjugate
      * pairs the one with positive imaginary part. By a real shift sigma and
-     * dgeev of (A - sigma E)^-1 E, so none is lost; eigenvalues beyond 1e9 of
-     * the nearest one count as infinite, those of the algebraic equations.
+     * dgeev of (A - sigma E)^-1 E without the rows of E that are zero, so none
+     * is lost; eigenvalues beyond 1e9 of the nearest one count as infinite,
+     * those of the algebraic equations.
      * Units: 1/s.
      */
     ComplexVector

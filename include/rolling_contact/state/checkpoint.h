@@ -11,6 +11,7 @@
 #include <rolling_contact/run/run_folder.h>
 #include <rolling_contact/scene/scene_parameters.h>
 #include <rolling_contact/solvers/contact_solver.h>
+#include <rolling_contact/state/patch_friction.h>
 #include <rolling_contact/state/slip_memory.h>
 
 #include <array>
@@ -84,6 +85,7 @@ namespace RollingContact
     double              approach = 0.; ///< m
     SlipScheme          scheme;        ///< see edge_law.h
     std::vector<double> friction;      ///< mu of the nodes, if it falls
+    PatchMemory         patch_friction;
     LastStep            last_step;
 
     HistoryTable::Position history;

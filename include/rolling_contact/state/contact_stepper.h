@@ -5,6 +5,7 @@
 #include <rolling_contact/pair/pair_integrator.h>
 #include <rolling_contact/scene/travelled_distance.h>
 #include <rolling_contact/state/checkpoint.h>
+#include <rolling_contact/state/patch_friction.h>
 #include <rolling_contact/state/steady_state.h>
 
 #include <memory>
@@ -33,6 +34,10 @@ namespace RollingContact
     Uniqueness   several;        ///< the worst of the parts
     /** At the end, of the centre of mass of a free wheel along z; m/s. */
     std::optional<double> wheel_velocity;
+    /** Of wheel over rail without the rigid creepage, where the forces act, the
+     * mean weighted with the load of the nodes: x, y, z; m/s. */
+    std::array<double, 3> contact_velocity{};
+    double                friction_share = 1.; ///< m of PatchFriction
   };
 
   /**
@@ -199,6 +204,21 @@ namespace RollingContact
     void
     restore_last_step(const LastStep &step);
 
+    /**
+     * When the laws of contact hold in a step, but for the gap. Units: s.
+     */
+    double
+    time_of_laws(const double time, const double h) const
+    {
+      return time + (motion->laws_in_the_middle() ? theta() : 1.) * h;
+    }
+
+    /**
+     * See StepOutcome::contact_velocity.
+     */
+    std::array<double, 3>
+    contact_velocity() const;
+
     void
     finish_part(const ContactState &previous,
                 const double        time,
@@ -214,6 +234,7 @@ namespace RollingContact
     std::unique_ptr<PairIntegrator<dim>> motion;
     std::unique_ptr<ContactSolver>       solver;
     SlipMemory                           slip; ///< at the end of the last step
+    std::optional<PatchFriction>         patch_friction;
     std::vector<double>                  undeformed_gap; ///< smooth surfaces
     std::vector<double>                  step_heights;   ///< on them
     std::vector<bool>                    border;

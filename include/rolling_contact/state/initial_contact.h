@@ -2,9 +2,11 @@
 #define rolling_contact_state_initial_contact_h
 
 #include <rolling_contact/pair/pair_integrator.h>
+#include <rolling_contact/state/patch_friction.h>
 #include <rolling_contact/state/steady_state.h>
 
 #include <memory>
+#include <optional>
 
 namespace RollingContact
 {
@@ -16,12 +18,17 @@ namespace RollingContact
   {
     SteadyState<dim>                     contact;
     std::unique_ptr<PairIntegrator<dim>> motion;
+    /** In place of a law that falls, of a patch or constant; see
+     * SceneParameters::friction_response(). */
+    std::optional<PatchFriction> friction;
   };
 
   /**
    * Mesh, matrices and the state that a transient run starts from: no pressure
    * and no traction, or the steady state under what drives at t = 0. With
-   * inertia from rest the compliance comes with the first time step. Throws
+   * inertia from rest the compliance comes with the first time step. Bodies by
+   * their modes may begin in a vibration, as for steps of length @p h (s).
+   * Throws
    * InputError, ConvergenceError.
    */
   template <int dim>
@@ -29,6 +36,7 @@ namespace RollingContact
   make_initial_contact(const SceneParameters  &scene,
                        const PairDemands      &demands,
                        const DrivingFunctions &histories,
+                       const double            h,
                        RunContext             &context);
 } // namespace RollingContact
 

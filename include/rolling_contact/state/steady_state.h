@@ -68,6 +68,15 @@ namespace RollingContact
   };
 
   /**
+   * Makes the pair of a scene on a grading of its interface; none: a
+   * RollingPair with bodies of its own.
+   */
+  template <int dim>
+  using PairMaker =
+    std::function<std::shared_ptr<RollingPair<dim>>(const SceneParameters &,
+                                                    const Grading<dim> &)>;
+
+  /**
    * Element sizes for a patch of this size; offset in elements.
    */
   template <int dim>
@@ -105,7 +114,8 @@ namespace RollingContact
            const StateDemands                                        &demands,
            const Grading<dim>                                        &grading,
            const std::function<ContactState(const ContactProblem &)> &start,
-           RunContext                                                &context);
+           RunContext                                                &context,
+           const PairMaker<dim> &make_pair = {});
 
   /**
    * True if the patch reaches the border of the candidate zone.
@@ -129,7 +139,8 @@ namespace RollingContact
   SteadyState<dim>
   solve_steady_state(const SceneParameters &scene,
                      const StateDemands    &demands,
-                     RunContext            &context);
+                     RunContext            &context,
+                     const PairMaker<dim>  &make_pair = {});
 
   /**
    * Why a solve failed, "reason. Natural residual 1e-3, required 1e-10".

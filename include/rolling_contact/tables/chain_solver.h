@@ -5,6 +5,7 @@
 #include <rolling_contact/state/steady_state.h>
 #include <rolling_contact/tables/table_plan.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -58,6 +59,10 @@ namespace RollingContact
   class ChainSolver
   {
   public:
+    /** Adds columns to the row of a state that is solved. */
+    using MoreColumns = std::function<
+      void(const SceneParameters &, const SteadyState<dim> &, ResultsTable &)>;
+
     /**
      * @p scene: any of the table, @p base: bodies and a state on them. Keeps
      * references to plan and base, and the folder and the log of the context.
@@ -65,6 +70,7 @@ namespace RollingContact
     ChainSolver(const SceneParameters  &scene,
                 const TablePlan        &plan,
                 const SteadyState<dim> &base,
+                const MoreColumns      &more_columns,
                 RunContext             &context);
 
     /**
@@ -92,6 +98,7 @@ namespace RollingContact
     SceneEntries            entries;
     const TablePlan        &plan;
     const SteadyState<dim> &base;
+    const MoreColumns       more_columns;
     RunContext             &context;
     SteadyState<dim>        steady;
     bool                    is_continued = false;

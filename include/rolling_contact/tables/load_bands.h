@@ -31,11 +31,14 @@ namespace RollingContact
   };
 
   /**
-   * The bands of all groups of a plan, from large to small patches. Throws
-   * InputError naming the state that no patch can be estimated for.
+   * The bands of all groups of a plan, from large to small patches, each with
+   * patches down to a share @p smallest of its largest one. Throws InputError
+   * naming the state that no patch can be estimated for.
    */
   std::vector<LoadBand>
-  load_bands(const SceneParameters &scene, const TablePlan &plan);
+  load_bands(const SceneParameters &scene,
+             const TablePlan       &plan,
+             const double           smallest);
 } // namespace RollingContact
 
 #endif

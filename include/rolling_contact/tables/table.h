@@ -28,6 +28,78 @@ namespace RollingContact
     void
     run() override;
 
+  protected:
+    /**
+     * What a row has of a state that is solved, besides that of the state
+     * itself. Several threads call it.
+     */
+    virtual void
+    add_columns(const SceneParameters &,
+                const SteadyState<dim> &,
+                ResultsTable &) const
+    {}
+
+    /**
+     * Bodies are there, and a state on them, to solve others.
+     */
+    virtual void
+    take_bodies(const SceneParameters &, const SteadyState<dim> &)
+    {}
+
+    /**
+     * All states on these bodies have their rows; the bodies will go.
+     */
+    virtual void
+    leave_bodies(const LoadBand &,
+                 const SceneParameters &,
+                 const SteadyState<dim> &)
+    {}
+
+    /**
+     * What makes the pairs of a band; none: each makes bodies of its own.
+     */
+    virtual PairMaker<dim>
+    pair_maker(const LoadBand &)
+    {
+      return {};
+    }
+
+    /**
+     * The smallest patch that bodies serve, over the one they are made for.
+     */
+    virtual double
+    smallest_share() const;
+
+    /**
+     * So many sets of bodies that states share, in words.
+     */
+    virtual std::string
+    sets(const std::size_t n) const;
+
+    /**
+     * What bodies and mesh must have, beyond what the scene says.
+     */
+    virtual StateDemands
+    demands() const;
+
+    /**
+     * When all states have rows, in the order of their numbers.
+     */
+    virtual void
+    draw();
+
+    /**
+     * Say what all rows together tell.
+     */
+    virtual void
+    summarise()
+    {}
+
+    const SceneParameters &scene;
+    RunContext            &context;
+    const TablePlan        plan;
+    std::vector<LoadBand>  bands;
+
   private:
     /**
      * So many states, one after the other, start from a common one: what a
@@ -65,7 +137,8 @@ namespace RollingContact
     SteadyState<dim>
     enlarged(const SteadyState<dim> &base,
              const SceneParameters  &scene,
-             const unsigned int      n_elements);
+             const unsigned int      n_elements,
+             const PairMaker<dim>   &make_pair);
 
     void
     describe(const LoadBand         &band,
@@ -76,14 +149,11 @@ namespace RollingContact
     void
     finish();
 
-    const SceneParameters &scene;
-    RunContext            &context;
-    const unsigned int     n_threads;
-    TablePlan              plan;
-    std::vector<bool>      has_row;
-    std::size_t            n_before = 0;  ///< rows of a run that is continued
-    unsigned int           n_bodies = 0;  ///< sets of them that were built
-    double                 seconds  = 0.; ///< of solving states
+    const unsigned int n_threads;
+    std::vector<bool>  has_row;
+    std::size_t        n_before = 0;  ///< rows of a run that is continued
+    unsigned int       n_bodies = 0;  ///< sets of them that were built
+    double             seconds  = 0.; ///< of solving states
   };
 } // namespace RollingContact
 

@@ -1,5 +1,5 @@
-#ifndef rolling_contact_analyses_vibrating_body_h
-#define rolling_contact_analyses_vibrating_body_h
+#ifndef rolling_contact_vibration_vibrating_body_h
+#define rolling_contact_vibration_vibrating_body_h
 
 #include <rolling_contact/elasticity/direct_body.h>
 #include <rolling_contact/modes/body_places.h>

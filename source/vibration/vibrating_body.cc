@@ -1,9 +1,9 @@
-#include <rolling_contact/analyses/vibrating_body.h>
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/modes/measuring_point.h>
 #include <rolling_contact/parallel/interrupt.h>
+#include <rolling_contact/vibration/vibrating_body.h>
 
 #include <algorithm>
 

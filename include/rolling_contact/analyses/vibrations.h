@@ -1,0 +1,112 @@
+#ifndef rolling_contact_analyses_vibrations_h
+#define rolling_contact_analyses_vibrations_h
+
+#include <rolling_contact/stability/correction.h>
+#include <rolling_contact/stability/linear_contact.h>
+#include <rolling_contact/stability/pencil.h>
+#include <rolling_contact/state/steady_state.h>
+#include <rolling_contact/vibration/rolling_modes.h>
+
+#include <optional>
+#include <vector>
+
+namespace RollingContact
+{
+  /**
+   * A vibration about the steady state and what is known of it.
+   */
+  struct Finding
+  {
+    StabilityMode                mode;
+    std::optional<CorrectedMode> corrected;
+
+    double
+    growth() const
+    {
+      return corrected ? corrected->growth() : mode.growth();
+    }
+
+    bool
+    unstable() const
+    {
+      return corrected ? corrected->unstable() : mode.growth() > 0.;
+    }
+  };
+
+  /**
+   * All small vibrations about a steady rolling state, in the frequencies that
+   * the scene looks at: from Stability/Lowest frequency to Modes/Maximum
+   * frequency.
+   */
+  class Vibrations
+  {
+  public:
+    /**
+     * The state of @p problem disturbed, @p pair: the bodies under the
+     * conditions of the scene. Throws InputError, see linear_contact().
+     */
+    Vibrations(const SceneParameters &scene,
+               ReducedPair            pair,
+               const ContactProblem  &problem,
+               const ContactState    &state);
+
+    const ReducedPair &
+    bodies() const
+    {
+      return pair;
+    }
+
+    const LinearContact &
+    contact() const
+    {
+      return linear;
+    }
+
+    /** All eigenvalues, of any frequency. Units: 1/s. */
+    const ComplexVector &
+    eigenvalues() const
+    {
+      return all;
+    }
+
+    /**
+     * Those that grow, and so many more, from the least damped one on.
+     */
+    ComplexVector
+    least_damped(const std::size_t n_stable) const;
+
+    /**
+     * The number of those that grow by more than @p least_growth (1/s).
+     */
+    std::size_t
+    n_unstable(const double least_growth = 0.) const;
+
+    /**
+     * The real eigenvalues that grow: the contact itself, no vibration. Units:
+     * 1/s.
+     */
+    std::vector<double>
+    real_growth() const;
+
+    /**
+     * The vibration of an eigenvalue, corrected by the whole bodies if they are
+     * given.
+     */
+    template <int dim>
+    Finding
+    find(const std::complex<double> s, const WholeBodies<dim> *bodies) const;
+
+  private:
+    bool
+    is_looked_at(const std::complex<double> s) const;
+
+    const double      lowest, highest; ///< rad/s
+    CorrectionOptions options;
+    ReducedPair       pair;
+    LinearContact     linear;
+    StabilityPencil   pencil;
+    ComplexVector     all;
+  };
+} // namespace RollingContact
+
+#endif

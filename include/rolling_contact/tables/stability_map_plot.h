@@ -1,0 +1,59 @@
+#ifndef rolling_contact_tables_stability_map_plot_h
+#define rolling_contact_tables_stability_map_plot_h
+
+#include <rolling_contact/run/run_context.h>
+#include <rolling_contact/tables/table_plan.h>
+
+#include <string>
+#include <vector>
+
+namespace RollingContact
+{
+  /**
+   * A vibration as column vibrations of a stability map has it, "1035.1:1.042".
+   */
+  struct ListedVibration
+  {
+    double frequency = 0.; ///< Hz
+    double growth    = 0.; ///< 1/s
+  };
+
+  std::string
+  text_of(const std::vector<ListedVibration> &vibrations);
+
+  /**
+   * Throws InputError naming the row if it is none.
+   */
+  std::vector<ListedVibration>
+  vibrations_of(const std::string &text, const std::size_t row);
+
+  /**
+   * One vibration followed along an axis.
+   */
+  struct Branch
+  {
+    std::vector<double>          at; ///< values of the axis
+    std::vector<ListedVibration> vibrations;
+
+    double
+    largest_growth() const;
+  };
+
+  /**
+   * Join the vibrations of neighbouring values: each to the nearest one of its
+   * neighbour by frequency and growth, in order of distance, up to a fiftieth
+   * of the frequency.
+   */
+  std::vector<Branch>
+  branches(const std::vector<double>                       &values,
+           const std::vector<std::vector<ListedVibration>> &vibrations);
+
+  /**
+   * Over two axes stability_map.svg, _frequency.svg and _count.svg, over one
+   * root_locus.svg; nothing for more axes and rows of a file.
+   */
+  void
+  plot_stability_map(const TablePlan &plan, RunContext &context);
+} // namespace RollingContact
+
+#endif

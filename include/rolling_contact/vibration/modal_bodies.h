@@ -1,0 +1,96 @@
+#ifndef rolling_contact_vibration_modal_bodies_h
+#define rolling_contact_vibration_modal_bodies_h
+
+#include <rolling_contact/modes/full_dynamics.h>
+#include <rolling_contact/pair/body_pair.h>
+#include <rolling_contact/vibration/vibrating_body.h>
+
+#include <memory>
+#include <utility>
+
+namespace RollingContact
+{
+  /**
+   * What the modes of rolling bodies are damped and turned by, besides what the
+   * bodies are made of.
+   */
+  struct RollingConditions
+  {
+    RollingConditions() = default;
+
+    explicit RollingConditions(const SceneParameters &scene);
+
+    double speed = 0.; ///< of rolling, m/s; 0: the wheel does not turn
+    double added_damping =
+      0.; ///< damping ratio that all modes have in addition
+  };
+
+  /**
+   * The modes of the elastic bodies of a rolling pair, found once, and the
+   * matrices of their equations under given conditions. A wheel that is a body
+   * of revolution turns under the contact.
+   */
+  template <int dim>
+  class ModalBodies
+  {
+  public:
+    /**
+     * Find the modes up to a frequency (Hz) of @p bodies, which must outlive
+     * this and have kept their factors. Throws InputError for bodies without.
+     */
+    ModalBodies(const SceneParameters &scene,
+                const BodyPair<dim>   &bodies,
+                const double           cut_off,
+                RunContext            &context);
+
+    /** nullptr for a rigid body. */
+    const VibratingBody<dim> *
+    body(const Side side) const
+    {
+      return bodies[side].get();
+    }
+
+    /** 0 for a rigid body. */
+    std::size_t
+    n_modes(const Side side) const
+    {
+      return bodies[side] ? bodies[side]->modes.size() : 0;
+    }
+
+    /** Angular velocity of the wheel, 0 if it does not turn. Units: rad/s. */
+    double
+    rate(const Side side, const RollingConditions &conditions) const;
+
+    /**
+     * The stiffness and the damping matrix of the modes of a body. Units:
+     * 1/s^2, 1/s.
+     */
+    std::pair<DenseMatrix, DenseMatrix>
+    modal_matrices(const Side side, const RollingConditions &conditions) const;
+
+    /**
+     * All unknowns of a body under the same conditions. Keeps references to
+     * this.
+     */
+    std::unique_ptr<FullDynamics>
+    whole_body(const Side side, const RollingConditions &conditions) const;
+
+  private:
+    /** Of a body that does not turn. */
+    struct Part
+    {
+      SymmetricSparseMatrix C;
+      SkewSparseMatrix      S;
+      DenseMatrix           C_m, S_m; ///< without damping ratios; S_m: if it
+                                      ///< may turn
+    };
+
+    std::vector<double>
+    damping_ratios(const Side side, const RollingConditions &conditions) const;
+
+    PerSide<std::unique_ptr<VibratingBody<dim>>> bodies;
+    PerSide<Part>                                parts;
+  };
+} // namespace RollingContact
+
+#endif

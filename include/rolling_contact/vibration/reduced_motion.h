@@ -1,0 +1,191 @@
+#ifndef rolling_contact_vibration_reduced_motion_h
+#define rolling_contact_vibration_reduced_motion_h
+
+#include <rolling_contact/dynamics/theta_scheme.h>
+#include <rolling_contact/stability/reduced_pair.h>
+
+#include <vector>
+
+namespace RollingContact
+{
+  /**
+   * What wheel and rail by their modes have at the end of a step: amplitudes of
+   * the modes, and the nodal forces at the middles of the last two steps, which
+   * the rate of the residual displacement is taken from. Units: m kg^(1/2), m
+   * kg^(1/2)/s, N, s.
+   */
+  struct ReducedState
+  {
+    std::vector<double> eta, rate; ///< of the modes
+    std::vector<double> forces, forces_before;
+    double              last_step = 0.; ///< 0: none has been taken
+
+    /** From the middle of the step before to that of the last one, s. */
+    double distance = 0.;
+
+    /** Constant modal load that keeps the state the motion began with. */
+    std::vector<double> load;
+  };
+
+  /**
+   * Wheel and rail by their modes and a massless residual compliance, in time
+   * by the implicit midpoint rule. With v = eta' and m = n + 1/2 the middle of
+   * a step h,
+   *
+   *   v_m   = v_n + h/2 (load + Phi^T f_m - C_m v_m - K_m eta_m),
+   *   eta_m = eta_n + h/2 v_m,    eta_(n+1) = eta_n + h v_m,
+   *   u_m   = Phi eta_m + W_res f_m,
+   *   u'_m  = Phi v_m + W_res (3/2 f_m - 2 f_(m-1) + 1/2 f_(m-2)) / h:
+   *
+   * the nodes have no mass, so that none of them bounces, and forces and laws
+   * of contact belong to the middle of the step. All is of second order in h;
+   * without damping the modes keep their energy but for the work of the forces,
+   * and the rate by BDF2 takes some at the scale of the step alone.
+   *
+   * The contact laws take one matrix, with which u_m = free + W f and u'_m =
+   * free + 3/2 W f / h,
+   *
+   *   W = W_res + h^2/3 sym(G),   G = Phi (1 + h/2 C_m + h^2/4 K_m)^-1 Phi^T.
+   *
+   * That gives the velocity exactly and the displacement but for h^2/12 G f,
+   * for which, and for the skew part of G, the forces are extrapolated from the
+   * steps before: an error of order h^4, and stable.
+   */
+  class ReducedMotion
+  {
+  public:
+    /**
+     * At rest and undeformed. Throws InputError as check() does.
+     */
+    explicit ReducedMotion(ReducedPair pair);
+
+    /**
+     * Prepare steps of this length. Throws InputError unless it is above 0.
+     * Units: s.
+     */
+    void
+    set_time_step(const double h);
+
+    /**
+     * W of the step. Units: m/N.
+     */
+    const DenseMatrix &
+    compliance() const
+    {
+      return W;
+    }
+
+    /** What forces add to the velocity, times h and over W f. */
+    static constexpr double velocity_factor = 1.5;
+
+    /**
+     * Come to rest with the given amplitudes under nodal forces, and stay so
+     * as long as these do: a load on the modes makes up for what K_m has beyond
+     * the static stiffness. Units: m kg^(1/2), N.
+     */
+    void
+    rest_at(const std::vector<double> &eta, const std::vector<double> &forces);
+
+    /**
+     * Begin a step, in place of one that was begun and not ended. Unless
+     * @p smooth forces may jump in it, so that those before tell nothing.
+     */
+    void
+    begin_step(const bool smooth = true);
+
+    /**
+     * u_m and u'_m at the nodes without forces. Units: m, m/s.
+     */
+    const std::vector<double> &
+    free_displacement() const
+    {
+      return free_u;
+    }
+
+    const std::vector<double> &
+    free_velocity() const
+    {
+      return free_v;
+    }
+
+    /**
+     * Take the step with these nodal forces, and return the energies: strain
+     * is that of the modes, eta^T K_m eta / 2, and of the residual compliance,
+     * and damping has the work of the skew part of K_m as well. Units: N, J.
+     */
+    const StepEnergy &
+    end_step(const std::vector<double> &forces);
+
+    /**
+     * Motion of wheel relative to rail at the middle of the last step. Units:
+     * m/s.
+     */
+    const std::vector<double> &
+    contact_velocity() const
+    {
+      return velocity;
+    }
+
+    /**
+     * Kinetic and strain energy now, and what the last step did. Units: J.
+     */
+    const StepEnergy &
+    energy() const
+    {
+      return step_energy;
+    }
+
+    const ReducedState &
+    state() const
+    {
+      return now;
+    }
+
+    /**
+     * Go on from a state. Throws InputError if it is that of other bodies.
+     */
+    void
+    set_state(ReducedState state);
+
+    const ReducedPair &
+    bodies() const
+    {
+      return pair;
+    }
+
+    std::size_t
+    memory_consumption() const;
+
+  private:
+    /** The weights of the two steps before in the rate of the forces. */
+    struct Past
+    {
+      double before, earlier;
+    };
+
+    Past
+    past(const bool smooth) const;
+
+    /** Of the residual compliance: that which BDF2 keeps. Units: J. */
+    double
+    residual_energy() const;
+
+    /** Kinetic and strain energy of the state. */
+    void
+    find_energy();
+
+    const ReducedPair   pair;
+    DenseMatrix         shapes;                      ///< Phi^T
+    DenseMatrix         inverse, inverse_transposed; ///< of 1 + h/2 C + h^2/4 K
+    DenseMatrix         W;
+    double              h     = 0.;
+    bool                begun = false, continues = true;
+    ReducedState        now;
+    std::vector<double> K_eta;
+    std::vector<double> residual, residual_before; ///< W_res f, m
+    std::vector<double> free_rate, free_u, free_v, velocity;
+    StepEnergy          step_energy;
+  };
+} // namespace RollingContact
+
+#endif

@@ -1,0 +1,114 @@
+#ifndef rolling_contact_vibration_reduced_rolling_h
+#define rolling_contact_vibration_reduced_rolling_h
+
+#include <rolling_contact/pair/pair_integrator.h>
+#include <rolling_contact/vibration/excitation.h>
+#include <rolling_contact/vibration/rolling_modes.h>
+
+namespace RollingContact
+{
+  /**
+   * Wheel and rail in time by their modes, see ReducedMotion. It begins with
+   * start_from(), in a steady state or in a vibration about it.
+   */
+  template <int dim>
+  class ReducedRolling : public PairIntegrator<dim>
+  {
+  public:
+    /**
+     * Keeps a reference to the pair, which must have kept what static solutions
+     * need; @p W is its static compliance.
+     */
+    ReducedRolling(std::unique_ptr<ModalBodies<dim>> modes,
+                   const RollingPair<dim>           &pair,
+                   const DenseMatrix                &W,
+                   const RollingConditions          &conditions);
+
+    void
+    set_time_step(const double h) override;
+
+    bool
+    compliance_depends_on_step() const override;
+
+    DenseMatrix
+    compliance() const override;
+
+    std::vector<std::vector<double>>
+    response(const std::vector<std::vector<double>> &forces) override;
+
+    double
+    displacement_factor() const override;
+
+    bool
+    laws_in_the_middle() const override;
+
+    /**
+     * Throws InputError if the hub accelerates, of which modes know nothing.
+     */
+    FreeMotion
+    begin_step(const double hub_acceleration, const bool smooth) override;
+
+    StepEnergy
+    end_step(const ContactProblem &problem, const ContactState &state) override;
+
+    void
+    start_from(const ContactProblem &problem,
+               const ContactState   &state) override;
+
+    /**
+     * Add a vibration to the state that steps of length @p h follow. Units: s.
+     */
+    void
+    excite(const Excitation &vibration, const double h);
+
+    double
+    stored_energy() const override;
+
+    std::vector<double>
+    contact_velocity() const override;
+
+    BodyDynamics::Memory
+    memory_consumption() const override;
+
+    BodyField
+    displacement(const Side            side,
+                 const ContactProblem &problem,
+                 const ContactState   &state) const override;
+
+    void
+    remember() override;
+
+    void
+    go_back() override;
+
+    PerSide<BodyMotion>
+    save() const override;
+
+    void
+    restore(const PerSide<BodyMotion> &saved,
+            const ContactProblem      &problem,
+            const ContactState        &state) override;
+
+    PastStep
+    past() const override;
+
+    void
+    set_past(const PastStep &past) override;
+
+    const ReducedPair &
+    reduced() const
+    {
+      return motion.bodies();
+    }
+
+  private:
+    std::unique_ptr<ModalBodies<dim>> modal;
+    const RollingModes<dim>           bodies;
+    const RollingPair<dim>           &pair;
+    ReducedMotion                     motion;
+    ReducedState                      kept;
+    double                            h = 0.;
+  };
+} // namespace RollingContact
+
+#endif

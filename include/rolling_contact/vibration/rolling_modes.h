@@ -1,0 +1,105 @@
+#ifndef rolling_contact_vibration_rolling_modes_h
+#define rolling_contact_vibration_rolling_modes_h
+
+#include <rolling_contact/pair/rolling_pair.h>
+#include <rolling_contact/stability/reduced_pair.h>
+#include <rolling_contact/vibration/modal_bodies.h>
+
+namespace RollingContact
+{
+  /**
+   * The modes of two bodies as a contact between them sees them.
+   */
+  template <int dim>
+  class RollingModes
+  {
+  public:
+    /**
+     * @p rolling: where @p bodies touch, with its compliance @p W in m/N. Keeps
+     * references to the first two. Throws InputError if W is not that of the
+     * matrices the modes come from.
+     */
+    RollingModes(const ModalBodies<dim> &bodies,
+                 const RollingPair<dim> &rolling,
+                 const DenseMatrix      &W);
+
+    /**
+     * What a disturbance of a state under these conditions moves.
+     */
+    ReducedPair
+    reduced(const RollingConditions &conditions) const;
+
+    /** The side and the number of a column of the reduced pair. */
+    std::pair<Side, std::size_t>
+    mode_of(const std::size_t column) const;
+
+    /**
+     * Static amplitudes of the modes under nodal forces, Lambda^-1 Phi^T f.
+     * Units: N to m kg^(1/2).
+     */
+    std::vector<double>
+    static_amplitudes(const std::vector<double> &forces) const;
+
+    /**
+     * Displacement of a body by amplitudes of all modes. Units: m kg^(1/2), m.
+     */
+    BodyField
+    displacement(const Side side, const std::vector<double> &eta) const;
+
+    const ModalBodies<dim> &
+    bodies() const
+    {
+      return modal;
+    }
+
+    const RollingPair<dim> &
+    pair() const
+    {
+      return rolling;
+    }
+
+  private:
+    const ModalBodies<dim> &modal;
+    const RollingPair<dim> &rolling;
+    DenseMatrix             Phi, W_res;
+  };
+
+  /**
+   * How whole bodies in contact answer forces that go as exp(s t), by all their
+   * unknowns.
+   */
+  template <int dim>
+  class WholeBodies
+  {
+  public:
+    /** Keeps a reference to @p rolling. */
+    WholeBodies(const RollingModes<dim> &rolling,
+                const RollingConditions &conditions);
+
+    /**
+     * Motion of the wheel relative to the rail at the contact nodes under nodal
+     * forces. Units: 1/s, N to m.
+     */
+    ComplexVector
+    response(const std::complex<double> s, const ComplexVector &forces) const;
+
+    /**
+     * All unknowns of a body under them; empty for a rigid one. Units: m.
+     */
+    ComplexVector
+    motion(const Side                 side,
+           const std::complex<double> s,
+           const ComplexVector       &forces) const;
+
+    /** Iterations so far, two triangular solves each. */
+    unsigned int
+    n_iterations() const;
+
+  private:
+    const RollingModes<dim>               &rolling;
+    PerSide<std::unique_ptr<FullDynamics>> bodies;
+    PerSide<std::vector<std::size_t>>      unknowns; ///< of contact
+  };
+} // namespace RollingContact
+
+#endif

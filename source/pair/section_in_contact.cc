@@ -1,0 +1,83 @@
+#include <rolling_contact/pair/section_in_contact.h>
+
+#include <cmath>
+
+namespace RollingContact
+{
+  bool
+  SectionInContact::is_on(const SceneParameters &scene, const Side side)
+  {
+    return scene.profiles.frame && scene.body(side).is_section();
+  }
+
+
+
+  namespace
+  {
+    std::shared_ptr<const PlacedProfile>
+    placed(const SceneParameters &scene, const Side side)
+    {
+      return side == Side::wheel ? scene.profiles.placed_wheel()
+                                 : scene.profiles.placed_rail();
+    }
+  } // namespace
+
+
+
+  SectionInContact::SectionInContact(const SceneParameters &scene,
+                                     const Side             side)
+    : is_left(scene.profiles.is_left)
+    , is_curved(scene.profiles.surface_kind == Profiles::SurfaceKind::curved)
+    , radius(side == Side::wheel ? scene.wheel.radius : 0.)
+    , profile(*placed(scene, side), side == Side::wheel)
+    , turn((is_left ? -1. : 1.) * placed(scene, side)->turn)
+    , origin(profile.at(profile.contact()))
+  {
+    if (is_left)
+      origin[0] = -origin[0];
+  }
+
+
+
+  ProfiledSection::Point
+  SectionInContact::in_file(const FileMesh::Point &vertex) const
+  {
+    const double outwards =
+      radius > 0. ? std::hypot(vertex[0], vertex[2] + radius) - radius
+                  : vertex[2];
+    return {{is_left ? -vertex[1] : vertex[1], outwards}};
+  }
+
+
+
+  double
+  SectionInContact::off_profile(const FileMesh::Point &vertex) const
+  {
+    return profile.nearest(in_file(vertex)).distance;
+  }
+
+
+
+  FileMesh
+  SectionInContact::seen_from_contact(const FileMesh &mesh) const
+  {
+    FileMesh     result = mesh;
+    const double c = std::cos(turn), s = std::sin(turn);
+    for (FileMesh::Point &vertex : result.vertices)
+      {
+        const double y = vertex[1] - origin[0], z = vertex[2] - origin[1];
+        vertex[1] = c * y - s * z;
+        vertex[2] = s * y + c * z;
+      }
+    if (!is_curved)
+      return result;
+    for (const FileMesh::Face &face : mesh.contact_faces)
+      for (const unsigned int corner : face)
+        {
+          const double across = profile.coordinate(
+            profile.nearest(in_file(mesh.vertices[corner])).along);
+          result.vertices[corner][1] = is_left ? -across : across;
+        }
+    return result;
+  }
+} // namespace RollingContact

@@ -1,0 +1,124 @@
+#include <rolling_contact/base/constants.h>
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/linear_algebra/block_products.h>
+#include <rolling_contact/modes/rotation.h>
+#include <rolling_contact/stability/reduced_pair.h>
+#include <rolling_contact/vibration/modal_bodies.h>
+
+namespace RollingContact
+{
+  RollingConditions::RollingConditions(const SceneParameters &scene)
+    : speed(scene.stability.rotation ? scene.contact.speed.value_or(0.) : 0.)
+    , added_damping(scene.stability.added_damping)
+  {}
+
+
+
+  template <int dim>
+  ModalBodies<dim>::ModalBodies(const SceneParameters &scene,
+                                const BodyPair<dim>   &rolling,
+                                const double           cut_off,
+                                RunContext            &context)
+  {
+    for (const Side side : both_sides)
+      {
+        if (!rolling.is_elastic(side))
+          continue;
+        const auto *direct =
+          dynamic_cast<const DirectBody<dim> *>(rolling.body(side));
+        if (direct == nullptr)
+          throw InputError("Body solver: modes need the factor of the bodies; "
+                           "take direct, on one rank.");
+        bodies[side] = std::make_unique<VibratingBody<dim>>(
+          scene, side, *direct, cut_off, context);
+        PhaseTimer::Scope         phase(context.timer, Phase::modes);
+        const VibratingBody<dim> &body  = *bodies[side];
+        const DenseMatrix        &modes = body.modes.shapes;
+        Part                     &part  = parts[side];
+        part.C                          = direct->damping_in_time();
+        part.C_m                        = part.C.size() > 0
+                                            ? projected(part.C, modes)
+                                            : DenseMatrix(n_modes(side), n_modes(side));
+        const auto axle                 = body.parameters.body_shape()->axle();
+        if constexpr (dim == 3)
+          if (side == Side::wheel && axle)
+            {
+              part.S   = direct->rotation(*axle);
+              part.S_m = modal_rotation(part.S, modes);
+            }
+      }
+  }
+
+
+
+  template <int dim>
+  double
+  ModalBodies<dim>::rate(const Side               side,
+                         const RollingConditions &conditions) const
+  {
+    return parts[side].S_m.n_rows() > 0
+             ? conditions.speed / bodies[side]->parameters.radius
+             : 0.;
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  ModalBodies<dim>::damping_ratios(const Side               side,
+                                   const RollingConditions &conditions) const
+  {
+    std::vector<double> ratios = bodies[side]->given_damping();
+    for (double &ratio : ratios)
+      ratio += conditions.added_damping;
+    return ratios;
+  }
+
+
+
+  template <int dim>
+  std::pair<DenseMatrix, DenseMatrix>
+  ModalBodies<dim>::modal_matrices(const Side               side,
+                                   const RollingConditions &conditions) const
+  {
+    const std::size_t      m      = n_modes(side);
+    const StructuralModes &modes  = bodies[side]->modes;
+    const auto             ratios = damping_ratios(side, conditions);
+    ReducedPair            alone;
+    alone.K_m = DenseMatrix(m, m);
+    alone.C_m = parts[side].C_m;
+    for (std::size_t j = 0; j < m; ++j)
+      {
+        alone.K_m(j, j) = modes.eigenvalue(j);
+        alone.C_m(j, j) += 2 * ratios[j] * 2 * pi * modes.frequencies[j];
+      }
+    const double turns = rate(side, conditions);
+    if (turns != 0.)
+      add_rotation(alone, parts[side].S_m, turns);
+    return {std::move(alone.K_m), std::move(alone.C_m)};
+  }
+
+
+
+  template <int dim>
+  std::unique_ptr<FullDynamics>
+  ModalBodies<dim>::whole_body(const Side               side,
+                               const RollingConditions &conditions) const
+  {
+    const VibratingBody<dim> &body = *bodies[side];
+    const auto [K_m, C_m]          = modal_matrices(side, conditions);
+    return std::make_unique<FullDynamics>(
+      TurningStructure{
+        body.K, body.M, parts[side].C, parts[side].S, rate(side, conditions)},
+      *body.factor,
+      body.modes,
+      damping_ratios(side, conditions),
+      K_m,
+      C_m);
+  }
+
+
+
+  template class ModalBodies<2>;
+  template class ModalBodies<3>;
+} // namespace RollingContact

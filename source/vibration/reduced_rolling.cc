@@ -1,0 +1,262 @@
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/text.h>
+#include <rolling_contact/vibration/reduced_rolling.h>
+
+namespace RollingContact
+{
+  template <int dim>
+  ReducedRolling<dim>::ReducedRolling(std::unique_ptr<ModalBodies<dim>> modes,
+                                      const RollingPair<dim>           &pair,
+                                      const DenseMatrix                &W,
+                                      const RollingConditions &conditions)
+    : modal(std::move(modes))
+    , bodies(*modal, pair, W)
+    , pair(pair)
+    , motion(bodies.reduced(conditions))
+  {}
+
+
+
+  template <int dim>
+  void
+  ReducedRolling<dim>::set_time_step(const double step)
+  {
+    h = step;
+    motion.set_time_step(step);
+  }
+
+
+
+  template <int dim>
+  bool
+  ReducedRolling<dim>::compliance_depends_on_step() const
+  {
+    return true;
+  }
+
+
+
+  template <int dim>
+  DenseMatrix
+  ReducedRolling<dim>::compliance() const
+  {
+    return motion.compliance();
+  }
+
+
+
+  template <int dim>
+  std::vector<std::vector<double>>
+  ReducedRolling<dim>::response(const std::vector<std::vector<double>> &forces)
+  {
+    const DenseMatrix               &W = motion.compliance();
+    std::vector<std::vector<double>> result;
+    for (const std::vector<double> &load : forces)
+      {
+        result.emplace_back(W.n_rows());
+        W.multiply_block(0, 0, load, result.back());
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
+  double
+  ReducedRolling<dim>::displacement_factor() const
+  {
+    return 1.;
+  }
+
+
+
+  template <int dim>
+  bool
+  ReducedRolling<dim>::laws_in_the_middle() const
+  {
+    return true;
+  }
+
+
+
+  template <int dim>
+  FreeMotion
+  ReducedRolling<dim>::begin_step(const double hub_acceleration,
+                                  const bool   smooth)
+  {
+    if (hub_acceleration != 0.)
+      throw InputError("Time/Bodies = reduced: the approach changes, so that "
+                       "the wheel's hub accelerates, of which modes know "
+                       "nothing; keep the approach, or take full.");
+    motion.begin_step(smooth);
+    const auto &u = motion.free_displacement(), &v = motion.free_velocity();
+    const std::size_t n_tangential = u.size() - pair.trace().nodes.size();
+    FreeMotion        free;
+    free.displacement.assign(u.begin(), u.begin() + n_tangential);
+    free.velocity.assign(v.begin(), v.begin() + n_tangential);
+    free.gap.assign(u.begin() + n_tangential, u.end());
+    free.velocity_factor = ReducedMotion::velocity_factor;
+    return free;
+  }
+
+
+
+  template <int dim>
+  StepEnergy
+  ReducedRolling<dim>::end_step(const ContactProblem &problem,
+                                const ContactState   &state)
+  {
+    return motion.end_step(nodal_forces(problem, state));
+  }
+
+
+
+  template <int dim>
+  void
+  ReducedRolling<dim>::start_from(const ContactProblem &problem,
+                                  const ContactState   &state)
+  {
+    const std::vector<double> forces = nodal_forces(problem, state);
+    motion.rest_at(bodies.static_amplitudes(forces), forces);
+  }
+
+
+
+  template <int dim>
+  void
+  ReducedRolling<dim>::excite(const Excitation &vibration, const double step)
+  {
+    ReducedState state = motion.state();
+    vibration.add_to(state, step);
+    motion.set_state(std::move(state));
+  }
+
+
+
+  template <int dim>
+  double
+  ReducedRolling<dim>::stored_energy() const
+  {
+    return motion.energy().kinetic + motion.energy().strain;
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  ReducedRolling<dim>::contact_velocity() const
+  {
+    return motion.contact_velocity();
+  }
+
+
+
+  template <int dim>
+  BodyDynamics::Memory
+  ReducedRolling<dim>::memory_consumption() const
+  {
+    BodyDynamics::Memory memory;
+    memory.matrices = motion.memory_consumption();
+    return memory;
+  }
+
+
+
+  template <int dim>
+  BodyField
+  ReducedRolling<dim>::displacement(const Side            side,
+                                    const ContactProblem &problem,
+                                    const ContactState   &state) const
+  {
+    // static under the forces, and the modes' motion about that
+    BodyField field = pair.displacement(side, problem, state);
+    if (modal->body(side) == nullptr)
+      return field;
+    std::vector<double> eta = motion.state().eta;
+    const auto at_rest = bodies.static_amplitudes(nodal_forces(problem, state));
+    for (std::size_t k = 0; k < eta.size(); ++k)
+      eta[k] -= at_rest[k];
+    field += bodies.displacement(side, eta);
+    return field;
+  }
+
+
+
+  template <int dim>
+  void
+  ReducedRolling<dim>::remember()
+  {
+    kept = motion.state();
+  }
+
+
+
+  template <int dim>
+  void
+  ReducedRolling<dim>::go_back()
+  {
+    motion.set_state(kept);
+  }
+
+
+
+  template <int dim>
+  PerSide<BodyMotion>
+  ReducedRolling<dim>::save() const
+  {
+    PerSide<BodyMotion> saved; // the modes of both, with the wheel
+    saved.wheel = {motion.state().eta, motion.state().rate};
+    return saved;
+  }
+
+
+
+  template <int dim>
+  void
+  ReducedRolling<dim>::restore(const PerSide<BodyMotion> &saved,
+                               const ContactProblem &,
+                               const ContactState &)
+  {
+    require_size(saved.wheel, motion.bodies().n_modes());
+    ReducedState state = motion.state();
+    state.eta          = saved.wheel.displacement;
+    state.rate         = saved.wheel.velocity;
+    motion.set_state(std::move(state));
+  }
+
+
+
+  template <int dim>
+  PastStep
+  ReducedRolling<dim>::past() const
+  {
+    const ReducedState &state = motion.state();
+    PastStep            past;
+    past.length        = state.last_step;
+    past.forces        = state.forces;
+    past.forces_before = state.forces_before;
+    past.load          = state.load;
+    past.distance      = state.distance;
+    return past;
+  }
+
+
+
+  template <int dim>
+  void
+  ReducedRolling<dim>::set_past(const PastStep &past)
+  {
+    ReducedState state  = motion.state();
+    state.last_step     = past.length;
+    state.forces        = past.forces;
+    state.forces_before = past.forces_before;
+    state.load          = past.load;
+    state.distance      = past.distance;
+    motion.set_state(std::move(state));
+  }
+
+
+
+  template class ReducedRolling<2>;
+  template class ReducedRolling<3>;
+} // namespace RollingContact
