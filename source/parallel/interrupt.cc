@@ -58,8 +58,12 @@ namespace RollingContact
 
 
 
+    /**
+     * Under a launcher a second signal may be its own, which ends the ranks that
+     * are left when one has ended: the run has its message already.
+     */
     [[noreturn]] void
-    stop_at_once(const int signal)
+    stop_at_once(const int signal, const bool silent)
     {
       try
         {
@@ -67,8 +71,9 @@ namespace RollingContact
           if (last_words_mutex.try_lock_for(std::chrono::seconds(1)) &&
               !last_words.text.empty())
             write_file(last_words.file, last_words.text, last_words.temporary);
-          say("rolling-contact: " + name_of_interrupt(signal) +
-              " and stopped at once: what was complete is kept.");
+          if (!silent)
+            say("rolling-contact: " + name_of_interrupt(signal) +
+                " and stopped at once: what was complete is kept.");
         }
       catch (const std::exception &)
         {
@@ -109,12 +114,12 @@ namespace RollingContact
             timed ? std::max(0.01, seconds_to_stop - since_first.seconds())
                    : 0.);
           if (signal == 0 && !is_stopping && received_signal != 0)
-            stop_at_once(first);
+            stop_at_once(first, false);
           if (signal <= 0)
             continue;
           int none = 0;
           if (!received_signal.compare_exchange_strong(none, signal))
-            stop_at_once(signal);
+            stop_at_once(signal, !on_its_own && is_stopping);
           since_first = Stopwatch();
           if (on_its_own)
             say(signal == SIGINT

@@ -2,8 +2,9 @@
 # largest value. Energies (J), which add up errors, to 1e-6, and
 # several_solutions_ratio, which depends on slopes of the friction law, to `ratio`.
 # What vanishes but for rounding: energies to 1e-12 of the largest one, forces (N)
-# and moments (Nm) to 1e-12 of the load (times 1 m). In the second file an
-# energy_balance_error of at most `balance`.
+# and moments (Nm) to 1e-12 of the load (times 1 m). Velocities (m/s), differences of
+# displacements over a step, to 1e-9 of the approach over the step. In the second
+# file an energy_balance_error of at most `balance`.
 function size(x) { return x < 0 ? -x : x + 0 }
 function complain(text) {
   print text
@@ -22,6 +23,8 @@ NR == FNR {
     if (size($i) > largest[i]) largest[i] = size($i)
     if (name[i] ~ /_J$/ && size($i) > energy) energy = size($i)
     if (name[i] == "normal_force_N" && size($i) > load) load = size($i)
+    if (name[i] == "approach_m" && size($i) > approach) approach = size($i)
+    if (name[i] == "time_s" && FNR == 2) step = size($i)
   }
   next
 }
@@ -41,6 +44,7 @@ END {
   for (i = 1; i <= n; ++i) {
     is_energy = name[i] ~ /_J$/
     floor = is_energy ? 1e-12 * energy : name[i] ~ /_Nm?$/ ? 1e-12 * load : 0
+    if (name[i] ~ /^velocity_/ && step > 0) floor = 1e-9 * approach / step
     near = is_energy ? 1e-6 : name[i] == "several_solutions_ratio" ? ratio : 1e-8
     if (worst[i] > near * largest[i] && worst[i] > floor)
       complain(name[i] " differs by " worst[i])
