@@ -113,7 +113,8 @@ namespace RollingContact
     const std::vector<double> shares = mode.participation();
     for (const Side side : both_sides)
       set_nearest(side, rolling, shares, table);
-    table.set("force_phase_rad", phase_of_forces(contact, mode.unknowns));
+    if (contact.n_tangential > 0)
+      table.set("force_phase_rad", phase_of_forces(contact, mode.unknowns));
     table.end_row();
   }
 

@@ -38,10 +38,8 @@ namespace RollingContact
     if (!contact.speed)
       throw InputError(why + "Contact/Speed is empty; give the rolling speed V "
                              "in m/s, which the slip's rate is compared with.");
-    if (contact.friction_coefficient == 0.)
-      throw InputError(why + "Contact/Friction coefficient = 0: without "
-                             "friction nothing squeals; give one.");
-    if (contact.slip_operator != SlipOperatorKind::upwind_2 &&
+    if (contact.friction_coefficient > 0. &&
+        contact.slip_operator != SlipOperatorKind::upwind_2 &&
         contact.slip_operator != SlipOperatorKind::upwind_1)
       throw InputError(why + "Contact/Slip operator must be `upwind 2` or "
                              "`upwind 1`: the linearised laws hold without an "

@@ -18,11 +18,8 @@ namespace RollingContact
                         const RollingPair<dim> &rolling,
                         const Side              side)
     {
-      std::vector<unsigned int> components;
-      for (unsigned int d = 0; d < dim; ++d)
-        components.push_back(d);
       return modal.body(side)->body->unknowns(rolling.interface().nodes[side],
-                                              components);
+                                              rolling.contact_directions());
     }
   } // namespace
 

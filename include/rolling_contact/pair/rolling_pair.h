@@ -70,6 +70,16 @@ namespace RollingContact
     }
 
     /**
+     * Directions of a body's displacement that are among the values of the
+     * contact: all, or z alone without friction. Numbers of axes, from 0.
+     */
+    const std::vector<unsigned int> &
+    contact_directions() const
+    {
+      return components;
+    }
+
+    /**
      * Surfaces that move with the material, on the elements of this pair.
      */
     const MovingSurfaces &
