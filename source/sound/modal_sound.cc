@@ -11,6 +11,9 @@ namespace RollingContact::Sound
   {
     using Complex = std::complex<double>;
 
+    /// s; no shorter where the record allows, so that bands have lines
+    const double short_segment = 0.1;
+
     /**
      * Amplitudes of the modes at lines of frequencies, in one or more segments
      * of a record: the squares, summed over segments, are mean squares.
@@ -31,8 +34,12 @@ namespace RollingContact::Sound
                       const double                            time_step,
                       const AudibleRange                     &range)
     {
-      const std::size_t segment =
-        Signals::chosen_segment(velocities.front().size());
+      const std::size_t n       = velocities.front().size(),
+                        segment = std::min<std::size_t>(
+                          n,
+                          std::max<std::size_t>(Signals::chosen_segment(n),
+                                                std::llround(short_segment /
+                                                             time_step)));
       Lines lines;
       lines.step    = 1 / (segment * time_step);
       lines.n_lines = 1 + segment / 2;

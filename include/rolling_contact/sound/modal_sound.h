@@ -67,7 +67,9 @@ namespace RollingContact::Sound
   {
     double power = 0.; ///< mean over the record, W
 
-    /** By Welch's method, scaled so that its sum is the power. Units: W/Hz. */
+    /** By Welch's method over segments of a quarter of the record, or of 0.1 s
+     * where that is longer, scaled so that its sum is the power. Units: W/Hz.
+     */
     Signals::PowerSpectrum spectrum;
 
     /** Of each mode, in the measure of the spectrum: the power it would radiate
