@@ -47,7 +47,7 @@ namespace RollingContact
                                : "."));
       }
     describe(stepper, steps);
-    TransientOutput<dim> output(scene, context, start);
+    TransientOutput<dim> output(scene, context, start, stepper);
     try
       {
         march(steps, stepper, output);

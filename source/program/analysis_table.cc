@@ -60,7 +60,7 @@ namespace RollingContact
     {
       return {TimeParameters::free_on_resume(),
               checkpoint_name,
-              history_name,
+              {history_name, modal_velocities_name},
               [&](const std::filesystem::path &path) {
                 check_resumable(scene, path);
               }};
@@ -73,7 +73,7 @@ namespace RollingContact
     {
       return {{"Output/", "Table/Threads", "Body threads"},
               "results.csv",
-              "",
+              {},
               {}};
     }
 

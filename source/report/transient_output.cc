@@ -145,9 +145,10 @@ namespace RollingContact
 
 
   template <int dim>
-  TransientOutput<dim>::TransientOutput(const SceneParameters &scene,
-                                        RunContext            &context,
-                                        const Checkpoint      &checkpoint)
+  TransientOutput<dim>::TransientOutput(const SceneParameters     &scene,
+                                        RunContext                &context,
+                                        const Checkpoint          &checkpoint,
+                                        const ContactStepper<dim> &stepper)
     : scene(scene)
     , context(context)
     , body_fields(checkpoint.body_fields)
@@ -158,6 +159,8 @@ namespace RollingContact
       history.emplace(context.folder, history_name, names, checkpoint.history);
     else
       history.emplace(context.folder, history_name, names);
+    if (scene.sound.estimate)
+      sound.emplace(scene, stepper, checkpoint, context);
   }
 
 
@@ -175,6 +178,8 @@ namespace RollingContact
     for (const Column &column : columns_of(scene))
       row.push_back(column.value(step));
     history->add_row(row);
+    if (sound)
+      sound->add_row(stepper, progress.time);
   }
 
 
@@ -228,6 +233,8 @@ namespace RollingContact
     PhaseTimer::Scope phase(context.timer, Phase::checkpoints);
     Checkpoint        checkpoint;
     Ranks::on_root([&]() { checkpoint.history = history->flush(); });
+    if (sound)
+      checkpoint.modal_velocities = sound->flush();
     checkpoint.tables           = files;
     checkpoint.progress         = progress;
     checkpoint.body_fields      = body_fields;
@@ -248,6 +255,8 @@ namespace RollingContact
     context.results.set("rolled_m", progress.rolled_distance);
     if (const auto velocity = stepper.bodies().wheel_velocity())
       context.results.set("wheel_velocity_m/s", *velocity);
+    if (sound)
+      sound->finish();
     add_result_row(scene, stepper.current(), context);
     if (!Ranks::is_root()) // who has the history
       return;

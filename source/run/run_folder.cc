@@ -160,7 +160,7 @@ namespace RollingContact
         resumption.check(folder);
 
       claimed_files = read_previous_run(folder).files;
-      adopt_old_files(resumption.growing_file);
+      adopt_old_files(resumption.growing_files);
       write_run_json();
       write_atomically("original.prm", original_prm);
       write_atomically("used.prm", used_prm);

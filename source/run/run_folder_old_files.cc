@@ -23,16 +23,16 @@ namespace RollingContact
 
 
   void
-  RunFolder::adopt_old_files(const std::string &growing_file)
+  RunFolder::adopt_old_files(const std::set<std::string> &growing)
   {
     const std::set<std::string> old_files = claimed_files;
     for (const std::string &name : old_files)
       {
-        if (name != growing_file)
+        if (growing.count(name) == 0)
           remove_file(temporary_path(name));
         if (fs::is_regular_file(final_path(name)))
           published_files.insert(name);
-        else if (name != growing_file)
+        else if (growing.count(name) == 0)
           claimed_files.erase(name);
       }
   }

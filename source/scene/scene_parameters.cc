@@ -65,6 +65,7 @@ namespace RollingContact
     time.declare(prm);
     surfaces.declare(prm);
     spectrum.declare(prm);
+    sound.declare(prm);
     profiles.declare(prm);
     modes.declare(prm);
     receptance.declare(prm);
@@ -145,6 +146,7 @@ namespace RollingContact
     check_reduced_bodies();
     check_excitation();
     check_friction_response();
+    check_sound();
     check_pair();
     check_body_solver();
     check_profiles();

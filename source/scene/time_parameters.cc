@@ -352,6 +352,13 @@ namespace RollingContact
   {
     return {"Output/",
             "Spectrum/",
+            "Sound/Density of air",
+            "Sound/Speed of sound",
+            "Sound/Distance",
+            "Sound/Skipped time",
+            "Sound/WAV file",
+            "Sound/Sampling rate",
+            "Sound/Full scale pressure",
             "Body solver",
             "Time/End time",
             "Time/Rolled distance",

@@ -44,7 +44,8 @@ namespace RollingContact
       if (!is_study)
         idle["Accuracy study"] = "Analysis = accuracy study reads that section";
       if (scene.analysis != "transient")
-        idle["Spectrum"] = "Analysis = transient reads that section";
+        for (const char *section : {"Spectrum", "Sound"})
+          idle[section] = "Analysis = transient reads that section";
       if (scene.analysis != "transient" &&
           !(is_study && scene.study.varies_time_step))
         idle["Time"] = is_study ? "Accuracy study/Vary = time step reads that "
@@ -154,6 +155,32 @@ namespace RollingContact
             scene.spectrum.write == WriteSpectrum::never
               ? "Spectrum/Write = never"
               : "no surface moves; take Spectrum/Write = always";
+      return idle;
+    }
+
+
+
+    /** Entries on sound that this scene has no use for, and why. */
+    std::map<std::string, std::string>
+    idle_sound_entries(const SceneParameters &scene)
+    {
+      std::map<std::string, std::string> idle;
+      const SoundParameters             &sound = scene.sound;
+      if (scene.analysis != "transient" || (sound.estimate && sound.wav_file))
+        return idle;
+      const auto add = [&](const std::string &entry) {
+        idle["Sound/" + entry] =
+          sound.estimate ? "Sound/WAV file = false" : "Sound/Estimate = false";
+      };
+      for (const char *entry : {"Sampling rate", "Full scale pressure"})
+        add(entry);
+      if (!sound.estimate)
+        for (const char *entry : {"Density of air",
+                                  "Speed of sound",
+                                  "Distance",
+                                  "Skipped time",
+                                  "WAV file"})
+          add(entry);
       return idle;
     }
 
@@ -340,6 +367,8 @@ namespace RollingContact
     for (const auto &[path, why] : idle_body_entries(scene))
       check(path, why);
     for (const auto &[path, why] : idle_surface_entries(scene))
+      check(path, why);
+    for (const auto &[path, why] : idle_sound_entries(scene))
       check(path, why);
     const std::string missing = missing_spectrum(scene);
     if (!missing.empty())

@@ -30,17 +30,14 @@ namespace RollingContact::Signals
 
 
 
-  PowerSpectrum
-  welch(const std::vector<double> &values,
-        const double               time_step,
-        const std::size_t          segment)
+  std::vector<std::vector<std::complex<double>>>
+  segment_amplitudes(const std::vector<double> &values,
+                     const std::size_t          segment)
   {
     const std::vector<double> window = hann(segment);
     const double              mean =
       std::accumulate(values.begin(), values.end(), 0.) / values.size();
-    PowerSpectrum spectrum;
-    spectrum.step = 1 / (segment * time_step);
-    spectrum.density.assign(segment / 2 + 1, 0.);
+    std::vector<std::vector<std::complex<double>>> amplitudes;
     const std::size_t advance = segment - segment / 2;
     for (std::size_t first = 0; first + segment <= values.size();
          first += advance)
@@ -48,18 +45,33 @@ namespace RollingContact::Signals
         std::vector<double> part(segment);
         for (std::size_t j = 0; j < segment; ++j)
           part[j] = window[j] * (values[first + j] - mean);
-        const auto sums = fourier_sums(std::move(part));
-        for (std::size_t k = 0; k < sums.size(); ++k)
-          {
-            const bool twice = k > 0 && 2 * k < segment;
-            spectrum.density[k] += (twice ? 2 : 1) * std::norm(sums[k]);
-          }
-        ++spectrum.n_segments;
+        amplitudes.push_back(fourier_sums(std::move(part)));
       }
     const double squares =
       std::inner_product(window.begin(), window.end(), window.begin(), 0.);
-    for (double &density : spectrum.density)
-      density *= time_step / (squares * spectrum.n_segments);
+    const double once  = 1 / std::sqrt(squares * segment * amplitudes.size()),
+                 twice = std::sqrt(2.) * once; // stands for -f as well
+    for (auto &lines : amplitudes)
+      for (std::size_t k = 0; k < lines.size(); ++k)
+        lines[k] *= k > 0 && 2 * k < segment ? twice : once;
+    return amplitudes;
+  }
+
+
+
+  PowerSpectrum
+  welch(const std::vector<double> &values,
+        const double               time_step,
+        const std::size_t          segment)
+  {
+    const auto    amplitudes = segment_amplitudes(values, segment);
+    PowerSpectrum spectrum;
+    spectrum.step       = 1 / (segment * time_step);
+    spectrum.n_segments = amplitudes.size();
+    spectrum.density.assign(segment / 2 + 1, 0.);
+    for (const auto &lines : amplitudes)
+      for (std::size_t k = 0; k < lines.size(); ++k)
+        spectrum.density[k] += std::norm(lines[k]) / spectrum.step;
     return spectrum;
   }
 } // namespace RollingContact::Signals

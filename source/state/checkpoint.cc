@@ -65,6 +65,7 @@ namespace boost
       archive &p.numerical_energy &p.energy_error &p.surface_energy &p
         .n_impacts;
       archive &c.history.n_rows &c.history.n_bytes;
+      archive &c.modal_velocities.n_rows &c.modal_velocities.n_bytes;
       archive &c.body_fields &c.interface_fields;
     }
   } // namespace serialization
@@ -78,7 +79,7 @@ namespace RollingContact
     struct Head
     {
       char          mark[24] = "rolling-contact restart"; ///< with its '\0'
-      std::uint32_t version  = 8; ///< to be raised with every change above
+      std::uint32_t version  = 9; ///< to be raised with every change above
       std::uint32_t checksum = 0; ///< CRC-32 of the archive
       std::uint64_t n_bytes  = 0; ///< of the archive
     };

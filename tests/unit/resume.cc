@@ -36,7 +36,7 @@ namespace
 
   const RunFolder::Resumption resumption{{"Output/", "Time/End time"},
                                          checkpoint_name,
-                                         history_name};
+                                         {history_name}};
 
   const std::vector<std::string> columns{"step", "time_s", "force_x_N"};
 

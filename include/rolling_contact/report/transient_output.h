@@ -1,6 +1,7 @@
 #ifndef rolling_contact_report_transient_output_h
 #define rolling_contact_report_transient_output_h
 
+#include <rolling_contact/report/sound_output.h>
 #include <rolling_contact/run/history_table.h>
 #include <rolling_contact/state/contact_stepper.h>
 
@@ -21,9 +22,10 @@ namespace RollingContact
      * Start history.csv and the series of fields, or continue those of
      * @p checkpoint if the run is resumed.
      */
-    TransientOutput(const SceneParameters &scene,
-                    RunContext            &context,
-                    const Checkpoint      &checkpoint);
+    TransientOutput(const SceneParameters     &scene,
+                    RunContext                &context,
+                    const Checkpoint          &checkpoint,
+                    const ContactStepper<dim> &stepper);
 
     /**
      * Add the row of the step just taken; @p progress includes it.
@@ -72,7 +74,10 @@ namespace RollingContact
     const SceneParameters      &scene;
     RunContext                 &context;
     std::optional<HistoryTable> history;
-    std::vector<PvdBlock>       body_fields, interface_fields; ///< written
+
+    std::optional<SoundOutput<dim>> sound;
+
+    std::vector<PvdBlock> body_fields, interface_fields; ///< written
   };
 } // namespace RollingContact
 

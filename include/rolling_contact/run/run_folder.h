@@ -67,8 +67,8 @@ namespace RollingContact
       std::set<std::string> may_differ;
       /** Without this published file there is nothing to resume. */
       std::string checkpoint;
-      /** Its temporary form is kept for the new run to continue. */
-      std::string growing_file;
+      /** Their temporary forms are kept for the new run to continue. */
+      std::set<std::string> growing_files;
       /** Throws InputError if the run cannot be resumed after all. */
       std::function<void(const std::filesystem::path &folder)> check = {};
     };
@@ -164,7 +164,7 @@ namespace RollingContact
     void
     remove_old_files();
     void
-    adopt_old_files(const std::string &growing_file);
+    adopt_old_files(const std::set<std::string> &growing);
     void
     remove_unpublished_files();
 

@@ -14,6 +14,7 @@
 #include <rolling_contact/scene/profile_parameters.h>
 #include <rolling_contact/scene/receptance_parameters.h>
 #include <rolling_contact/scene/solver_parameters.h>
+#include <rolling_contact/scene/sound_parameters.h>
 #include <rolling_contact/scene/spectrum_parameters.h>
 #include <rolling_contact/scene/stability_parameters.h>
 #include <rolling_contact/scene/study_parameters.h>
@@ -134,6 +135,7 @@ namespace RollingContact
     TimeParameters       time;
     SurfaceParameters    surfaces;
     SpectrumParameters   spectrum;
+    SoundParameters      sound;
     ProfileParameters    profiles;
     ModesParameters      modes;
     ReceptanceParameters receptance;
@@ -218,6 +220,9 @@ namespace RollingContact
 
     void
     check_friction_response() const;
+
+    void
+    check_sound() const;
 
     void
     check_pair() const;

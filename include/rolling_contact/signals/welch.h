@@ -1,6 +1,7 @@
 #ifndef rolling_contact_signals_welch_h
 #define rolling_contact_signals_welch_h
 
+#include <complex>
 #include <cstddef>
 #include <vector>
 
@@ -24,6 +25,15 @@ namespace RollingContact::Signals
    */
   std::size_t
   chosen_segment(const std::size_t n_values);
+
+  /**
+   * Amplitudes of the lines of the segments that welch() takes, by segment: the
+   * squares of their sizes, summed over the segments, are its densities times
+   * the step between its lines.
+   */
+  std::vector<std::vector<std::complex<double>>>
+  segment_amplitudes(const std::vector<double> &values,
+                     const std::size_t          segment);
 
   /**
    * The spectrum of values at equal time steps about their mean, after Welch

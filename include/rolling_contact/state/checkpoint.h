@@ -21,8 +21,9 @@
 
 namespace RollingContact
 {
-  inline const std::string checkpoint_name = "checkpoint.bin";
-  inline const std::string history_name    = "history.csv";
+  inline const std::string checkpoint_name       = "checkpoint.bin";
+  inline const std::string history_name          = "history.csv";
+  inline const std::string modal_velocities_name = "modal_velocities.csv";
 
   /**
    * How far a transient run has come, and what it has summed up since the
@@ -89,6 +90,7 @@ namespace RollingContact
     LastStep            last_step;
 
     HistoryTable::Position history;
+    HistoryTable::Position modal_velocities; ///< 0 without a sound
     std::vector<PvdBlock>  body_fields;      ///< of bodies.pvd so far
     std::vector<PvdBlock>  interface_fields; ///< of interface.pvd so far
   };

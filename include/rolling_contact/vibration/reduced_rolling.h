@@ -101,6 +101,22 @@ namespace RollingContact
       return motion.bodies();
     }
 
+    const ModalBodies<dim> &
+    modes() const
+    {
+      return *modal;
+    }
+
+    /**
+     * Velocities of the modes at the end of the last step, those of the wheel
+     * first. Units: m kg^(1/2)/s.
+     */
+    const std::vector<double> &
+    modal_velocities() const
+    {
+      return motion.state().rate;
+    }
+
   private:
     std::unique_ptr<ModalBodies<dim>> modal;
     const RollingModes<dim>           bodies;

@@ -1,0 +1,54 @@
+#ifndef rolling_contact_scene_sound_parameters_h
+#define rolling_contact_scene_sound_parameters_h
+
+#include <cstddef>
+#include <optional>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace RollingContact
+{
+  struct TimeSteps;
+
+  /**
+   * Section `Sound`: the sound that wheel and rail radiate in a transient run
+   * of their modes.
+   */
+  struct SoundParameters
+  {
+    void
+    declare(dealii::ParameterHandler &prm);
+
+    /**
+     * Rules for the sound of modes up to a frequency (Hz) over these steps.
+     * Throws InputError.
+     */
+    void
+    check(const TimeSteps &steps, const double maximum_frequency) const;
+
+    /**
+     * Steps at the beginning that are left out. Units: s.
+     */
+    std::size_t
+    skipped_rows(const double time_step) const;
+
+    /** Fewest steps that a sound is estimated from. */
+    static constexpr std::size_t least_rows = 64;
+
+    bool         estimate       = false;
+    double       air_density    = 1.2;  ///< kg/m^3
+    double       speed_of_sound = 343.; ///< m/s
+    double       distance       = 7.5;  ///< m
+    double       skipped_time   = 0.;   ///< s
+    bool         wav_file       = true;
+    unsigned int sampling_rate  = 44100; ///< Hz
+    /** Of the WAV file; none: the next of 1, 2, 5, 10, ... above what is there.
+     * Units: Pa. */
+    std::optional<double> full_scale_pressure;
+  };
+} // namespace RollingContact
+
+#endif
