@@ -204,6 +204,20 @@ namespace RollingContact
       }
 
       void
+      watch(const WatchedPoints<dim> &points) override
+      {
+        watched = points;
+      }
+
+      std::vector<double>
+      watched_displacement() const override
+      {
+        return watched.values(pair.bodies(), [&](const Side side) {
+          return bodies[side] ? bodies[side]->displacement() : BodyField();
+        });
+      }
+
+      void
       remember() override
       {
         for_each([](BodyDynamics &body, Side) { body.remember(); });
@@ -290,6 +304,7 @@ namespace RollingContact
       PerSide<std::unique_ptr<BodyDynamics>> bodies;
       double                                 h = 0.;
       std::vector<double>                    start; ///< u0 of the step, m
+      WatchedPoints<dim>                     watched;
     };
   } // namespace
 

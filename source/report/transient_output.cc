@@ -4,10 +4,11 @@
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/parallel/ranks.h>
 #include <rolling_contact/report/body_fields.h>
-#include <rolling_contact/report/force_spectrum.h>
 #include <rolling_contact/report/history_plot.h>
 #include <rolling_contact/report/interface_fields.h>
+#include <rolling_contact/report/point_columns.h>
 #include <rolling_contact/report/result_row.h>
+#include <rolling_contact/report/run_spectra.h>
 #include <rolling_contact/report/transient_output.h>
 #include <rolling_contact/run/pvd.h>
 
@@ -154,7 +155,9 @@ namespace RollingContact
     , body_fields(checkpoint.body_fields)
     , interface_fields(checkpoint.interface_fields)
   {
-    const auto names = names_of(columns_of(scene));
+    auto names = names_of(columns_of(scene));
+    for (const std::string &column : point_columns(scene))
+      names.push_back(column);
     if (context.resume)
       history.emplace(context.folder, history_name, names, checkpoint.history);
     else
@@ -177,6 +180,9 @@ namespace RollingContact
     std::vector<double> row;
     for (const Column &column : columns_of(scene))
       row.push_back(column.value(step));
+    row.insert(row.end(),
+               outcome.point_velocity.begin(),
+               outcome.point_velocity.end());
     history->add_row(row);
     if (sound)
       sound->add_row(stepper, progress.time);
@@ -263,10 +269,11 @@ namespace RollingContact
     note_largest_load();
     if (scene.output.plot)
       plot();
-    if (scene.spectrum.wanted(scene.surfaces.in_use()))
-      write_force_spectrum(scene,
-                           context.folder.get_path() / history_name,
-                           context);
+    if (scene.wants_spectra())
+      write_spectra(scene,
+                    context.folder.get_path() / history_name,
+                    stepper.eigenvalues(),
+                    context);
   }
 
 

@@ -38,6 +38,7 @@ namespace RollingContact
     declare_hub(prm);
     declare_foundation(prm);
     declare_damping(prm);
+    declare_points(prm);
     prm.leave_subsection();
   }
 
@@ -181,6 +182,27 @@ namespace RollingContact
                       heat_capacity,
                       "For flash temperatures. Units: J/(kg K).",
                       not_negative);
+  }
+
+
+
+  void
+  BodyParameters::declare_points(ParameterHandler &prm)
+  {
+    const std::string what =
+      section == "Wheel"
+        ? "name: radius in m, angle from the contact in degrees (towards +x), "
+          "position along the axle in m (towards +y), several separated by "
+          "semicolons, such as `tread: 0.46, 90, 0; web: 0.3, 0, 0.01`. They stay "
+          "where they are as the wheel turns."
+        : "name: x, y, z in m from the contact point, z upwards, several "
+          "separated by semicolons, such as `foot: 0.3, 0, -0.17`.";
+    prm.add_parameter("Velocity points",
+                      velocity_points,
+                      "Points whose velocities Analysis = transient with "
+                      "inertia writes into history.csv, columns "
+                      "velocity_NAME_x_m/s, ...; " +
+                        what);
   }
 
 

@@ -130,16 +130,7 @@ namespace RollingContact
     check_mesh_files();
     if (is_transient())
       time.check(contact, dimension, prm_folder);
-    if (analysis == "transient" && spectrum.write == WriteSpectrum::always)
-      {
-        const std::string why = spectrum.why_none(
-          time.steps(time.histories(contact, prm_folder).speed));
-        if (!why.empty())
-          throw InputError("Spectrum/Write = always, Skipped time = " +
-                           text_of(spectrum.skipped_time) +
-                           " s, Segment length = " +
-                           text_of(spectrum.segment_length) + " s: " + why);
-      }
+    check_spectra();
     check_speed();
     check_forces();
     check_stability();

@@ -32,9 +32,10 @@ namespace RollingContact
       "Write",
       write,
       named_ways,
-      "Whether a transient run ends with spectra and third octaves "
-      "of its forces: `automatic`, when a surface moves (section "
-      "Surfaces), `always` or `never`.");
+      "Whether a transient run ends with spectra, third octaves and lines of "
+      "its forces and velocities: `automatic`, when a surface moves (section "
+      "Surfaces), a vibration is excited (Time/Excite mode) or points are named "
+      "(Velocity points of Wheel and Rail), `always` or `never`.");
     prm.add_parameter("Skipped time",
                       skipped_time,
                       "Beginning of the run that spectra leave out: what is "
@@ -47,7 +48,47 @@ namespace RollingContact
       "spectrum is the mean of; 0 takes a quarter of what there "
       "is. Units: s.",
       not_negative);
+    declare_lines(prm);
     prm.leave_subsection();
+  }
+
+
+
+  void
+  SpectrumParameters::declare_lines(ParameterHandler &prm)
+  {
+    const Patterns::Double not_negative(0.);
+    prm.add_parameter(
+      "Highest frequency",
+      highest_frequency,
+      "Up to which lines are looked for and spectrograms reach; 0 takes "
+      "Modes/Maximum frequency for bodies by their modes, and all there is for "
+      "full ones. Units: Hz.",
+      not_negative);
+    prm.add_parameter(
+      "Line prominence",
+      line_prominence,
+      "What a peak of a spectrum rises at least, above the deeper ground "
+      "between it and higher ones, to be a line of lines.csv. Units: dB.",
+      not_negative);
+    prm.add_parameter(
+      "Spectrogram",
+      spectrogram,
+      "Whether the spectrum over time of one signal is written and drawn, "
+      "spectrogram.csv and spectrogram.svg.");
+    prm.add_parameter(
+      "Spectrogram signal",
+      spectrogram_signal,
+      "A column of history.csv with a force, a velocity or the height of the "
+      "surfaces, such as velocity_y_m/s; empty takes the velocity of the contact "
+      "across, in 2D along.");
+    prm.add_parameter(
+      "Spectrogram window",
+      spectrogram_window,
+      "Length of the windows, which overlap by three quarters, that a column "
+      "of the spectrogram is of; its lines are as far apart as the inverse of "
+      "it. 0 takes a sixteenth of what there is. Units: s.",
+      not_negative);
   }
 
 
@@ -64,6 +105,17 @@ namespace RollingContact
   SpectrumParameters::rows_in_segment(const double time_step) const
   {
     return std::llround(segment_length / time_step);
+  }
+
+
+
+  std::size_t
+  SpectrumParameters::rows_in_window(const double      time_step,
+                                     const std::size_t n_rows) const
+  {
+    return spectrogram_window > 0.
+             ? std::llround(spectrogram_window / time_step)
+             : std::max(least_rows, n_rows / 16);
   }
 
 

@@ -148,13 +148,23 @@ namespace RollingContact
             surfaces.in_use() ? "it is that of a file, and an expression gives "
                                 "the heights"
                               : smooth;
-      if (scene.analysis == "transient" &&
-          !scene.spectrum.wanted(surfaces.in_use()))
-        for (const char *entry : {"Skipped time", "Segment length"})
+      if (scene.analysis == "transient" && !scene.wants_spectra())
+        for (const char *entry : {"Skipped time",
+                                  "Segment length",
+                                  "Highest frequency",
+                                  "Line prominence",
+                                  "Spectrogram",
+                                  "Spectrogram signal",
+                                  "Spectrogram window"})
           idle["Spectrum/" + std::string(entry)] =
             scene.spectrum.write == WriteSpectrum::never
               ? "Spectrum/Write = never"
-              : "no surface moves; take Spectrum/Write = always";
+              : "no surface moves, no vibration is excited and no points are "
+                "named; take Spectrum/Write = always";
+      else if (!scene.spectrum.spectrogram)
+        for (const char *entry : {"Spectrogram signal", "Spectrogram window"})
+          idle["Spectrum/" + std::string(entry)] =
+            "Spectrum/Spectrogram = false";
       return idle;
     }
 
@@ -193,7 +203,7 @@ namespace RollingContact
       const auto &[skipped, segment] =
         std::pair(scene.spectrum.skipped_time, scene.spectrum.segment_length);
       if (scene.analysis != "transient" || (skipped == 0. && segment == 0.) ||
-          !scene.spectrum.wanted(scene.surfaces.in_use()))
+          !scene.wants_spectra())
         return "";
       const std::string why = scene.spectrum.why_none(scene.time.steps(
         scene.time.histories(scene.contact, scene.prm_folder).speed));
@@ -332,6 +342,12 @@ namespace RollingContact
         {
           add_idle_supports(*body, scene.dimension, idle);
           add_idle_damping(scene, *body, idle);
+          if (body->rigid)
+            idle[body->section + "/Velocity points"] =
+              "a rigid body has no velocity of its own";
+          else if (scene.analysis != "transient" || !scene.time.inertia)
+            idle[body->section + "/Velocity points"] =
+              "Analysis = transient with Time/Inertia = true reads it";
         }
       return idle;
     }

@@ -32,7 +32,16 @@ namespace RollingContact
     motion         = std::move(initial.motion);
     patch_friction = initial.friction;
     undeformed_gap = contact.problem.loads.gap;
+    vibrations     = std::move(initial.eigenvalues);
     border         = contact.pair->trace().border_nodes();
+    const WatchedPoints<dim> points(scene,
+                                    contact.pair->bodies(),
+                                    [&](const std::string &text) {
+                                      context.log.message(text);
+                                    });
+    if (points.n_values() > 0)
+      motion->watch(points);
+    watched_position = motion->watched_displacement();
     if (scene.time.initial_state == InitialState::rest)
       contact.problem.loads.creepages = histories.creepages(0.);
     slip = slip_memory(contact.problem,
@@ -358,8 +367,15 @@ namespace RollingContact
       throw ConvergenceError(
         "The patch reaches the border of the candidate zone at t = " +
         significant(time + h, 9) + " s: take a larger Mesh/Candidate zone.");
-    contact.result                 = resultants(contact.problem, contact.state);
-    outcome.wheel_velocity         = motion->wheel_velocity();
+    contact.result         = resultants(contact.problem, contact.state);
+    outcome.wheel_velocity = motion->wheel_velocity();
+    outcome.point_velocity = motion->watched_displacement();
+    for (std::size_t i = 0; i < watched_position.size(); ++i)
+      {
+        const double now          = outcome.point_velocity[i];
+        outcome.point_velocity[i] = (now - watched_position[i]) / h;
+        watched_position[i]       = now;
+      }
     const MovingSurfaces &surfaces = contact.pair->moving_surfaces();
     if (surfaces.in_use())
       outcome.surface_height =

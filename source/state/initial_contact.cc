@@ -200,16 +200,16 @@ namespace RollingContact
     void
     excite(const SceneParameters &scene,
            const LinearContact   &linear,
+           const StabilityPencil &pencil,
            const double           h,
            InitialContact<dim>   &initial,
            RunContext            &context)
     {
       auto &motion = dynamic_cast<ReducedRolling<dim> &>(*initial.motion);
-      const ReducedPair    &pair = motion.reduced();
-      const StabilityPencil pencil(pair, linear);
-      const StabilityMode   mode = pencil.mode(nearest_unstable(
-        pencil.eigenvalues(), scene.time.excite_mode, "Time/Excite mode"));
-      const Excitation      vibration(pair,
+      const ReducedPair  &pair = motion.reduced();
+      const StabilityMode mode = pencil.mode(nearest_unstable(
+        initial.eigenvalues, scene.time.excite_mode, "Time/Excite mode"));
+      const Excitation    vibration(pair,
                                  linear,
                                  mode,
                                  scene.time.excite_velocity);
@@ -230,6 +230,29 @@ namespace RollingContact
           " Hz that grows by " + significant(mode.growth(), 5) +
           " 1/s while it is small, of " +
           significant(scene.time.excite_velocity, 4) + " m/s at the start");
+    }
+
+
+
+    /**
+     * The vibrations about the state that reduced bodies start from, and one of
+     * them excited; @p linear as the law was.
+     */
+    template <int dim>
+    void
+    vibrate(const SceneParameters &scene,
+            const LinearContact   &linear,
+            const double           h,
+            InitialContact<dim>   &initial,
+            RunContext            &context)
+    {
+      PhaseTimer::Scope phase(context.timer, Phase::eigenvalues);
+      const auto       &motion =
+        dynamic_cast<const ReducedRolling<dim> &>(*initial.motion);
+      const StabilityPencil pencil(motion.reduced(), linear);
+      initial.eigenvalues = pencil.eigenvalues();
+      if (scene.time.excite_mode > 0.)
+        excite(scene, linear, pencil, h, initial, context);
     }
   } // namespace
 
@@ -260,7 +283,8 @@ namespace RollingContact
         ? make_inertial<dim>(scene, in_time, histories, slip_operator, context)
         : make_massless<dim>(scene, in_time, histories, context);
     std::optional<LinearContact> linear; // of the law, if one falls
-    if (scene.time.excite_mode > 0.)
+    if (scene.time.excite_mode > 0. ||
+        (scene.wants_spectra() && scene.why_no_eigenvalues().empty()))
       linear = linear_contact(initial.contact.problem,
                               initial.contact.state,
                               {std::abs(histories.speed.value(0.)),
@@ -268,7 +292,7 @@ namespace RollingContact
                                scene.contact.friction_delay});
     take_over_friction(scene, initial);
     if (linear)
-      excite(scene, *linear, h, initial, context);
+      vibrate(scene, *linear, h, initial, context);
     return initial;
   }
 

@@ -111,7 +111,8 @@ namespace RollingContact
                      holds_friction};
     motion->restore(checkpoint.bodies, contact.problem, contact.state);
     motion->set_past(checkpoint.past);
-    slip = checkpoint.slip;
+    watched_position = motion->watched_displacement();
+    slip             = checkpoint.slip;
     if (patch_friction)
       {
         patch_friction->set_memory(checkpoint.patch_friction);

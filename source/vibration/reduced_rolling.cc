@@ -184,6 +184,45 @@ namespace RollingContact
 
   template <int dim>
   void
+  ReducedRolling<dim>::watch(const WatchedPoints<dim> &points)
+  {
+    const std::size_t n_modes = motion.bodies().n_modes();
+    watched                   = DenseMatrix(points.n_values(), n_modes);
+    for (std::size_t j = 0; j < n_modes; ++j)
+      {
+        const auto [side, mode] = bodies.mode_of(j);
+        if (!points.has_any(side))
+          continue;
+        const auto        &body   = *modal->body(side);
+        const DenseMatrix &shapes = body.modes.shapes;
+        const double      *first  = shapes.data() + mode * shapes.n_rows();
+        const std::vector<double> moved =
+          points.values_of(side,
+                           body.body->field({first, first + shapes.n_rows()}));
+        // those of the rail are behind those of the wheel
+        const std::size_t place =
+          side == Side::wheel ? 0 : watched.n_rows() - moved.size();
+        for (std::size_t i = 0; i < moved.size(); ++i)
+          watched(place + i, j) = moved[i];
+      }
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  ReducedRolling<dim>::watched_displacement() const
+  {
+    std::vector<double> values(watched.n_rows());
+    if (!values.empty())
+      watched.multiply_block(0, 0, motion.state().eta, values);
+    return values;
+  }
+
+
+
+  template <int dim>
+  void
   ReducedRolling<dim>::remember()
   {
     kept = motion.state();

@@ -4,9 +4,11 @@
 #include <rolling_contact/dynamics/body_motion.h>
 #include <rolling_contact/pair/past_step.h>
 #include <rolling_contact/pair/rolling_pair.h>
+#include <rolling_contact/pair/watched_points.h>
 
 #include <memory>
 #include <optional>
+#include <stdexcept>
 
 namespace RollingContact
 {
@@ -157,6 +159,26 @@ namespace RollingContact
     displacement(const Side            side,
                  const ContactProblem &problem,
                  const ContactState   &state) const = 0;
+
+    /**
+     * Follow the motion of these points from now on. Collective.
+     */
+    virtual void
+    watch(const WatchedPoints<dim> &)
+    {
+      throw std::logic_error("Points are watched in bodies with inertia.");
+    }
+
+    /**
+     * Displacement of the points that are watched, in the order of
+     * WatchedPoints; of bodies by their modes without what the residual
+     * compliance adds. Collective. Units: m.
+     */
+    virtual std::vector<double>
+    watched_displacement() const
+    {
+      return {};
+    }
 
     /**
      * Keep the state of the bodies for go_back(), in place of one kept before.

@@ -84,6 +84,7 @@ namespace RollingContact
     BodyModel     model;
     double        thermal_conductivity = 50.;  ///< W/(m K)
     double        heat_capacity        = 460.; ///< J/(kg K)
+    std::string   velocity_points;             ///< see read_velocity_points()
 
   private:
     void
@@ -97,6 +98,9 @@ namespace RollingContact
 
     void
     declare_material(dealii::ParameterHandler &prm);
+
+    void
+    declare_points(dealii::ParameterHandler &prm);
 
     void
     declare_hub(dealii::ParameterHandler &prm);

@@ -21,6 +21,7 @@
 #include <rolling_contact/scene/surface_parameters.h>
 #include <rolling_contact/scene/table_parameters.h>
 #include <rolling_contact/scene/time_parameters.h>
+#include <rolling_contact/scene/velocity_points.h>
 #include <rolling_contact/stability/linear_contact.h>
 
 #include <filesystem>
@@ -170,6 +171,26 @@ namespace RollingContact
     }
 
     /**
+     * Points of a body whose velocities a run records: those of an elastic body
+     * of a transient run with inertia.
+     */
+    std::vector<VelocityPoint>
+    velocity_points(const Side side) const;
+
+    /**
+     * Whether a run ends with spectra, see Spectrum/Write.
+     */
+    bool
+    wants_spectra() const;
+
+    /**
+     * Why the vibrations of the state that a run starts from are not to be
+     * compared with its spectra, a part of a sentence; empty if they are.
+     */
+    std::string
+    why_no_eigenvalues() const;
+
+    /**
      * How friction follows what changes in time or is disturbed, see
      * Contact/Friction response; constant with a law that does not fall.
      */
@@ -220,6 +241,12 @@ namespace RollingContact
 
     void
     check_friction_response() const;
+
+    /**
+     * Rules for named points, spectra and spectrograms of a transient run.
+     */
+    void
+    check_spectra() const;
 
     void
     check_sound() const;

@@ -14,17 +14,18 @@ namespace RollingContact
   struct TimeSteps;
 
   /**
-   * When a transient run ends with spectra of its forces.
+   * When a transient run ends with spectra.
    */
   enum class WriteSpectrum
   {
-    automatic, ///< when a surface moves
+    automatic, ///< where the scene has something that vibrates
     always,
     never
   };
 
   /**
-   * Section `Spectrum`: spectra of the forces of a transient run.
+   * Section `Spectrum`: spectra of the forces and velocities of a transient
+   * run, their lines, and a spectrogram.
    */
   struct SpectrumParameters
   {
@@ -32,13 +33,14 @@ namespace RollingContact
     declare(dealii::ParameterHandler &prm);
 
     /**
-     * Whether a transient run ends with spectra.
+     * Whether a transient run ends with spectra; @p of_interest: a surface
+     * moves, a vibration is excited or points are named.
      */
     bool
-    wanted(const bool a_surface_moves) const
+    wanted(const bool of_interest) const
     {
       return write == WriteSpectrum::always ||
-             (write == WriteSpectrum::automatic && a_surface_moves);
+             (write == WriteSpectrum::automatic && of_interest);
     }
 
     /**
@@ -58,12 +60,29 @@ namespace RollingContact
     std::size_t
     rows_in_segment(const double time_step) const;
 
+    /**
+     * Rows in a window of the spectrogram of so many rows; chosen: a sixteenth
+     * of them. Units: s.
+     */
+    std::size_t
+    rows_in_window(const double time_step, const std::size_t n_rows) const;
+
     /** Fewest rows of a segment. */
     static constexpr std::size_t least_rows = 32;
 
     WriteSpectrum write          = WriteSpectrum::automatic;
     double        skipped_time   = 0.; ///< s
     double        segment_length = 0.; ///< s; 0 chooses
+
+    double      highest_frequency = 0.;  ///< Hz; 0 chooses
+    double      line_prominence   = 10.; ///< dB
+    bool        spectrogram       = false;
+    std::string spectrogram_signal;      ///< column of history.csv
+    double      spectrogram_window = 0.; ///< s; 0 chooses
+
+  private:
+    void
+    declare_lines(dealii::ParameterHandler &prm);
   };
 } // namespace RollingContact
 

@@ -2,6 +2,7 @@
 #define rolling_contact_state_contact_stepper_h
 
 #include <rolling_contact/contact/uniqueness.h>
+#include <rolling_contact/linear_algebra/complex_matrix.h>
 #include <rolling_contact/pair/pair_integrator.h>
 #include <rolling_contact/scene/travelled_distance.h>
 #include <rolling_contact/state/checkpoint.h>
@@ -37,7 +38,10 @@ namespace RollingContact
     /** Of wheel over rail without the rigid creepage, where the forces act, the
      * mean weighted with the load of the nodes: x, y, z; m/s. */
     std::array<double, 3> contact_velocity{};
-    double                friction_share = 1.; ///< m of PatchFriction
+    /** Of the points that are watched, in the order of WatchedPoints: how far
+     * they moved in the step over its length; m/s. */
+    std::vector<double> point_velocity;
+    double              friction_share = 1.; ///< m of PatchFriction
   };
 
   /**
@@ -74,6 +78,17 @@ namespace RollingContact
      */
     StepOutcome
     advance(const double time, const double h);
+
+    /**
+     * The vibrations of the state that the run starts from by their
+     * eigenvalues, as StabilityPencil::eigenvalues(), where one is excited or
+     * the scene wants spectra and has them; else empty. Units: 1/s.
+     */
+    const ComplexVector &
+    eigenvalues() const
+    {
+      return vibrations;
+    }
 
     /**
      * The contact now, with the bodies' pair; forces in `result`.
@@ -238,6 +253,8 @@ namespace RollingContact
     std::vector<double>                  undeformed_gap; ///< smooth surfaces
     std::vector<double>                  step_heights;   ///< on them
     std::vector<bool>                    border;
+    ComplexVector                        vibrations;       ///< 1/s
+    std::vector<double>                  watched_position; ///< now, m
     double                               time_step = 0.;
   };
 } // namespace RollingContact

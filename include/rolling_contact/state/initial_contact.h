@@ -1,6 +1,7 @@
 #ifndef rolling_contact_state_initial_contact_h
 #define rolling_contact_state_initial_contact_h
 
+#include <rolling_contact/linear_algebra/complex_matrix.h>
 #include <rolling_contact/pair/pair_integrator.h>
 #include <rolling_contact/state/patch_friction.h>
 #include <rolling_contact/state/steady_state.h>
@@ -21,6 +22,9 @@ namespace RollingContact
     /** In place of a law that falls, of a patch or constant; see
      * SceneParameters::friction_response(). */
     std::optional<PatchFriction> friction;
+    /** Of the vibrations about it, where they are asked for and known. Units:
+     * 1/s. */
+    ComplexVector eigenvalues;
   };
 
   /**

@@ -76,6 +76,12 @@ namespace RollingContact
                  const ContactState   &state) const override;
 
     void
+    watch(const WatchedPoints<dim> &points) override;
+
+    std::vector<double>
+    watched_displacement() const override;
+
+    void
     remember() override;
 
     void
@@ -123,7 +129,8 @@ namespace RollingContact
     const RollingPair<dim>           &pair;
     ReducedMotion                     motion;
     ReducedState                      kept;
-    double                            h = 0.;
+    DenseMatrix watched; ///< motion of points by the modes, kg^(-1/2)
+    double      h = 0.;
   };
 } // namespace RollingContact
 

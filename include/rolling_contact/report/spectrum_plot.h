@@ -1,0 +1,17 @@
+#ifndef rolling_contact_report_spectrum_plot_h
+#define rolling_contact_report_spectrum_plot_h
+
+#include <rolling_contact/report/run_spectra.h>
+
+namespace RollingContact
+{
+  /**
+   * spectrum.svg: third octaves of forces, heights and velocities, densities of
+   * forces, and those of velocities with the lines of the strongest one and
+   * what they may be of; up to the frequency that is looked at.
+   */
+  void
+  draw_spectrum(const RunSpectra &spectra, RunContext &context);
+} // namespace RollingContact
+
+#endif
