@@ -7,6 +7,7 @@
 #include <rolling_contact/report/force_spectrum.h>
 #include <rolling_contact/report/history_plot.h>
 #include <rolling_contact/report/interface_fields.h>
+#include <rolling_contact/report/limit_cycle.h>
 #include <rolling_contact/report/result_row.h>
 #include <rolling_contact/report/transient_output.h>
 #include <rolling_contact/run/pvd.h>
@@ -121,17 +122,6 @@ namespace RollingContact
 
 
 
-    std::vector<std::string>
-    names_of(const std::vector<Column> &columns)
-    {
-      std::vector<std::string> names;
-      for (const Column &column : columns)
-        names.push_back(column.name);
-      return names;
-    }
-
-
-
     std::string
     numbered(const std::string &name, const std::uint64_t step)
     {
@@ -144,6 +134,35 @@ namespace RollingContact
 
 
 
+  std::vector<std::string>
+  history_columns(const SceneParameters &scene)
+  {
+    std::vector<std::string> names;
+    for (const Column &column : columns_of(scene))
+      names.push_back(column.name);
+    return names;
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  history_row(const SceneParameters     &scene,
+              const ContactStepper<dim> &stepper,
+              const StepOutcome         &outcome,
+              const TransientProgress   &progress)
+  {
+    const SteadyState<dim> &contact = stepper.current();
+    const Step              step{
+      contact.problem, contact.state, contact.result, outcome, progress};
+    std::vector<double> row;
+    for (const Column &column : columns_of(scene))
+      row.push_back(column.value(step));
+    return row;
+  }
+
+
+
   template <int dim>
   TransientOutput<dim>::TransientOutput(const SceneParameters &scene,
                                         RunContext            &context,
@@ -153,11 +172,19 @@ namespace RollingContact
     , body_fields(checkpoint.body_fields)
     , interface_fields(checkpoint.interface_fields)
   {
-    const auto names = names_of(columns_of(scene));
+    const auto names = history_columns(scene);
+    if (scene.looks_for_cycles())
+      watch.emplace(
+        scene,
+        scene.time
+          .steps(scene.time.histories(scene.contact, scene.prm_folder).speed)
+          .length);
     if (context.resume)
       history.emplace(context.folder, history_name, names, checkpoint.history);
     else
       history.emplace(context.folder, history_name, names);
+    if (watch && context.resume) // all ranks, and the root has cut it
+      watch->restore(context.folder.get_path() / (history_name + ".part"));
   }
 
 
@@ -168,12 +195,10 @@ namespace RollingContact
                                 const StepOutcome         &outcome,
                                 const TransientProgress   &progress)
   {
-    const SteadyState<dim> &contact = stepper.current();
-    const Step              step{
-      contact.problem, contact.state, contact.result, outcome, progress};
-    std::vector<double> row;
-    for (const Column &column : columns_of(scene))
-      row.push_back(column.value(step));
+    const std::vector<double> row =
+      history_row(scene, stepper, outcome, progress);
+    if (watch)
+      watch->add_row(history_columns(scene), row);
     history->add_row(row);
   }
 
@@ -248,6 +273,8 @@ namespace RollingContact
     context.results.set("rolled_m", progress.rolled_distance);
     if (const auto velocity = stepper.bodies().wheel_velocity())
       context.results.set("wheel_velocity_m/s", *velocity);
+    if (watch)
+      measure_cycle(stepper);
     add_result_row(scene, stepper.current(), context);
     if (!Ranks::is_root()) // who has the history
       return;
@@ -258,6 +285,22 @@ namespace RollingContact
       write_force_spectrum(scene,
                            context.folder.get_path() / history_name,
                            context);
+  }
+
+
+
+  template <int dim>
+  void
+  TransientOutput<dim>::measure_cycle(const ContactStepper<dim> &stepper)
+  {
+    const LimitCycle cycle(*watch, stepper.excited());
+    cycle.add_columns(context.results);
+    cycle.note(context);
+    cycle.write_harmonics(context);
+    if (scene.output.plot)
+      cycle.draw(context);
+    if (cycle.is_periodic())
+      found_period = cycle.period();
   }
 
 
@@ -290,6 +333,16 @@ namespace RollingContact
 
 
 
+  template std::vector<double>
+  history_row(const SceneParameters &,
+              const ContactStepper<2> &,
+              const StepOutcome &,
+              const TransientProgress &);
+  template std::vector<double>
+  history_row(const SceneParameters &,
+              const ContactStepper<3> &,
+              const StepOutcome &,
+              const TransientProgress &);
   template class TransientOutput<2>;
   template class TransientOutput<3>;
 } // namespace RollingContact
