@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <rolling_contact/analyses/limit_cycles.h>
+#include <rolling_contact/assessment/result_error.h>
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/files.h>
@@ -52,6 +53,7 @@ namespace RollingContact
                                           *bodies.base.pair,
                                           bodies.base.problem.operators.W());
     describe_bodies(bodies.base, context);
+    note_error_of_step(scene, bodies.base, context.report);
     if (context.resume)
       restore_rows();
     if (state.starts.empty())

@@ -2,6 +2,7 @@
 #include <rolling_contact/cycles/verdict.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace RollingContact::Cycles
 {
@@ -51,13 +52,43 @@ namespace RollingContact::Cycles
 
 
 
+    /** x(t) - x(t - m T), with m T of about a quarter of the samples. */
+    SampledMotion
+    differences_of(const SampledMotion &motion, const double period)
+    {
+      const std::size_t n = motion.n_samples();
+      const double  lag   = std::max(1., std::floor(n / 4. / period)) * period;
+      const auto    first = static_cast<std::size_t>(std::ceil(lag)) + 1;
+      SampledMotion result{motion.step, {}};
+      for (const Signal &signal : motion.signals)
+        {
+          Signal difference{{}, signal.kind, signal.floor};
+          for (std::size_t t = first; t < n; ++t)
+            difference.values.push_back(signal.values[t] -
+                                        value_at(signal.values, t - lag));
+          result.signals.push_back(std::move(difference));
+        }
+      return result;
+    }
+
+
+
+    bool
+    goes_on_to_grow(const AmplitudeTrend &trend)
+    {
+      return trend.changes && trend.rate > 0. && !trend.settles();
+    }
+
+
+
     bool
     repeats_itself(const Verdict &verdict, const double tolerance)
     {
       return verdict.period.length > 0. &&
              verdict.period.difference <= tolerance &&
              verdict.amplitude.spread <= tolerance &&
-             verdict.amplitude.settles();
+             verdict.amplitude.settles() &&
+             !goes_on_to_grow(verdict.differences);
     }
   } // namespace
 
@@ -87,14 +118,23 @@ namespace RollingContact::Cycles
       }
     verdict.period    = find_period(end, scales, tolerance);
     verdict.amplitude = amplitude_trend(end, scales, verdict.period.length);
+    if (verdict.period.length > 0.)
+      verdict.differences =
+        amplitude_trend(differences_of(end, verdict.period.length),
+                        scales,
+                        verdict.period.length);
     const AmplitudeTrend &trend = verdict.amplitude;
     if (repeats_itself(verdict, tolerance))
       verdict.motion = Motion::periodic;
     else if (!(verdict.left_over <= tolerance && trend.changes &&
                trend.rate < 0.))
-      verdict.motion = trend.settles() && trend.spread <= steady_enough
-                         ? Motion::stationary
-                         : Motion::changing;
+      {
+        const bool steady = trend.settles() && trend.spread <= steady_enough,
+                   grows  = verdict.period.difference <= tolerance &&
+                           goes_on_to_grow(verdict.differences);
+        verdict.motion =
+          steady && !grows ? Motion::stationary : Motion::changing;
+      }
     return verdict;
   }
 
@@ -152,7 +192,13 @@ namespace RollingContact::Cycles
         case Motion::changing:
           if (verdict.left_over == 0.)
             return "still grows from next to nothing at the end";
-          return "still changes at the end: " + change;
+          return "still changes at the end: " + change +
+                 (goes_on_to_grow(verdict.differences)
+                    ? ", and what differs from period to period, " +
+                        scientific(verdict.period.difference, 2) +
+                        " of the ranges, grows by " +
+                        significant(verdict.differences.rate, 2) + " 1/s"
+                    : "");
         default:
           return "too short to tell whether it is periodic";
       }

@@ -151,24 +151,56 @@ namespace RollingContact
 
 
 
+    /** Both ends of cells about ascending places, a hair apart. */
+    std::vector<double>
+    ends_of_cells(const std::vector<double> &places)
+    {
+      std::vector<double> ends;
+      for (std::size_t k = 0; k < places.size(); ++k)
+        {
+          const double before = k > 0 ? places[k] - places[k - 1]
+                                      : places[k + 1] - places[k],
+                       after = k + 1 < places.size() ? places[k + 1] - places[k]
+                                                     : before;
+          ends.push_back(places[k] - 0.4999 * before);
+          ends.push_back(places[k] + 0.4999 * after);
+        }
+      return ends;
+    }
+
+
+
     void
     LineRecord::draw(RunContext &context) const
     {
+      const auto in_contact = touching();
+      if (in_contact.empty() || steps.size() < 2)
+        return;
+      // with what is open next to them
+      const std::size_t first =
+                          std::max<std::size_t>(in_contact.front(), 1) - 1,
+                        end = std::min(in_contact.back() + 2, nodes.size());
       std::vector<double> times, places, values;
       for (const Step &step : steps)
         times.push_back(1e3 * step.time);
-      for (const std::size_t k : touching())
+      for (std::size_t k = first; k < end; ++k)
         {
           places.push_back(1e3 * x[k]);
-          for (const Step &step : steps)
-            values.push_back(static_cast<double>(step.states[k]));
+          for (unsigned int side = 0; side < 2; ++side)
+            for (const Step &step : steps)
+              values.insert(values.end(),
+                            2,
+                            static_cast<double>(step.states[k]));
         }
       if (places.size() < 2)
         return;
       Figure figure("Stick and slip in the middle of the patch, one cycle",
                     "time (ms)",
                     "x (mm)");
-      figure.add_map("0 open, 1 slip, 2 stick", times, places, values);
+      figure.add_map("0 open, 1 slip, 2 stick",
+                     ends_of_cells(times),
+                     ends_of_cells(places),
+                     values);
       figure.draw(context, "cycle_patch");
     }
 

@@ -10,6 +10,9 @@ namespace RollingContact
   {
     using Values = std::vector<double>;
 
+    /// of the largest rms value in a panel: what is less is not drawn
+    const double least_shown = 1e-6;
+
     Values
     last(const Values &values, const std::size_t n)
     {
@@ -49,6 +52,22 @@ namespace RollingContact
 
 
 
+  LimitCycle::Names
+  LimitCycle::that_move(const Names &names) const
+  {
+    double largest = 0.;
+    for (const auto &[name, label] : names)
+      if (has(name))
+        largest = std::max(largest, whole->rms(column(name)));
+    Names result;
+    for (const auto &[name, label] : names)
+      if (has(name) && whole->rms(column(name)) >= least_shown * largest)
+        result.emplace_back(name, label);
+    return result;
+  }
+
+
+
   void
   LimitCycle::draw(RunContext &context) const
   {
@@ -78,23 +97,24 @@ namespace RollingContact
     Values time(std::min(2 * n, velocity.size()));
     for (std::size_t t = 0; t < time.size(); ++t)
       time[t] = 1e3 * h * t;
-    Figure velocities("", "time (ms)", "velocity (m/s)"),
-      forces("", "time (ms)", "force (kN)");
-    for (const char axis : {'x', 'y', 'z'})
-      if (const std::string name = "velocity_" + std::string(1, axis) + "_m/s";
-          has(name))
-        velocities.add_curve(std::string(1, axis),
-                             time,
-                             last(column(name), time.size()));
-    for (const auto &[name, label] : {std::pair("normal_force_N", "N"),
-                                      std::pair("force_x_N", "longitudinal T"),
-                                      std::pair("force_y_N", "lateral T")})
-      if (has(name))
-        forces.add_curve(label,
-                         time,
-                         scaled(last(column(name), time.size()), 1e-3));
-    portrait.add_separate_panel(velocities);
-    portrait.add_separate_panel(forces);
+    const auto add_over_time =
+      [&](const std::string &y_label, const Names &names, const double factor) {
+        Figure panel("", "time (ms)", y_label);
+        for (const auto &[name, label] : that_move(names))
+          panel.add_curve(label,
+                          time,
+                          scaled(last(column(name), time.size()), factor));
+        portrait.add_separate_panel(panel);
+      };
+    add_over_time("velocity (m/s)",
+                  {{"velocity_x_m/s", "x"},
+                   {"velocity_y_m/s", "y"},
+                   {"velocity_z_m/s", "z"}},
+                  1.);
+    add_over_time("N (kN)", {{"normal_force_N", ""}}, 1e-3);
+    add_over_time("T (kN)",
+                  {{"force_x_N", "longitudinal"}, {"force_y_N", "lateral"}},
+                  1e-3);
     portrait.draw(context, "cycle");
   }
 } // namespace RollingContact

@@ -111,26 +111,27 @@ def check_cycle(folder):
 def check_sweep(folder, cycle):
     rows, run = read(f"{folder}/results.csv"), read(f"{cycle}/results.csv")[-1]
     axis = [float(row["Stability/Added damping"]) for row in rows]
-    if axis != [0, 0.05, 0.2, 0.05, 0]:
+    if axis != [0, 0.09, 0.12, 0.09, 0]:
         failures.append(f"axis: {axis}")
     if [row["direction"] for row in rows] != ["up"] * 3 + ["down"] * 2:
         failures.append("directions")
     # the same start as the run by itself
     for name in ("cycle_frequency_Hz", "cycle_velocity_x_amplitude_m/s"):
         near(name, float(rows[0][name]), float(run[name]), 5e-3)
+    # at 0.09 the steady state is stable, but so is the cycle
     growths = [float(row["largest_growth_1/s"]) for row in rows]
-    if not growths[0] > growths[1] > 0 > growths[2]:
+    if not growths[0] > 0 > growths[1] > growths[2]:
         failures.append(f"growths: {growths}")
-    if rows[2]["cycle"] != "decayed" or int(rows[2]["steps"]) == 0:
-        failures.append("the cycle is to die away where nothing grows")
-    for up, down in ((0, 4), (1, 3)):
-        if rows[up]["cycle"] != "periodic" or rows[down]["cycle"] != "periodic":
-            failures.append(f"rows {up} and {down} are to be periodic")
-            continue
-        near("up and down", float(rows[up]["cycle_velocity_x_amplitude_m/s"]),
-             float(rows[down]["cycle_velocity_x_amplitude_m/s"]), 0.01)
-        near("damping takes what the vibration gets", float(rows[up]["cycle_vibration_J"]),
-             float(rows[up]["cycle_damping_J"]), 0.02)
+    kinds = [row["cycle"] for row in rows]
+    if kinds != ["periodic", "periodic", "decayed", "decayed", "periodic"]:
+        failures.append(f"kinds: {kinds}")
+    if int(rows[2]["steps"]) == 0 or int(rows[3]["steps"]) != 0:
+        failures.append("the cycle is to die away at 0.12, and nothing begins at 0.09")
+    near("up and down", float(rows[0]["cycle_velocity_x_amplitude_m/s"]),
+         float(rows[4]["cycle_velocity_x_amplitude_m/s"]), 0.01)
+    for row in (rows[0], rows[1], rows[4]):
+        near("damping takes what the vibration gets", float(row["cycle_vibration_J"]),
+             float(row["cycle_damping_J"]), 0.02)
 
 
 if sys.argv[1] == "sweep":

@@ -120,6 +120,32 @@ BOOST_AUTO_TEST_CASE(an_exponential_is_never_periodic)
                  Motion::changing);
 }
 
+BOOST_AUTO_TEST_CASE(a_vibration_that_grows_in_a_cycle_is_no_cycle)
+{
+  const auto judged = [](const double growth, const double f) {
+    return judge(motion(30000,
+                        [&](double t) {
+                          return wave(990.3, t) +
+                                 1e-3 * std::exp(growth * (t - 0.3)) *
+                                   std::cos(2 * pi * f * t);
+                        }),
+                 0,
+                 1e-2);
+  };
+  for (const double growth : {20., 5., -5., -20.})
+    {
+      const Verdict verdict = judged(growth, 1773.3);
+      BOOST_TEST_MESSAGE(sentence(verdict));
+      CHECK_MOTION(verdict.motion,
+                   growth > 0. ? Motion::changing : Motion::periodic);
+      BOOST_TEST(verdict.differences.rate == growth,
+                 boost::test_tools::tolerance(0.1));
+    }
+  // the other one of a pair that rotation has split
+  CHECK_MOTION(judged(20., 1009.1).motion, Motion::changing);
+  CHECK_MOTION(judged(-20., 1009.1).motion, Motion::periodic);
+}
+
 BOOST_AUTO_TEST_CASE(what_dies_away_has_decayed)
 {
   const auto dies = [](double t) {

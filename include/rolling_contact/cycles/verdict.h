@@ -26,6 +26,10 @@ namespace RollingContact::Cycles
     Period         period; ///< the nearest there is; of no length: none
     AmplitudeTrend amplitude;
 
+    /** Of the differences to what was about a quarter of the judged samples
+     * before, a whole number of periods: another vibration may grow in them. */
+    AmplitudeTrend differences;
+
     /** Largest range of a signal at the end, over its range in all samples. */
     double left_over = 1.;
 
@@ -53,7 +57,8 @@ namespace RollingContact::Cycles
    *  - periodic: a period of at most a twelfth of it is found, from which the
    *    motion differs by no more than the tolerance over up to half of it; the
    *    amplitude's spread is below the tolerance, and it settles (see
-   *    AmplitudeTrend), so that no exponential passes, however slow;
+   *    AmplitudeTrend), so that no exponential passes, however slow; and the
+   *    differences do not grow exponentially;
    *  - decayed: ranges are below the tolerance times those of all samples and
    *    go on to fall, or below the floors of the signals without growing;
    *  - stationary: the amplitude settles and spreads by less than 5 %.

@@ -92,6 +92,13 @@ namespace RollingContact
     void
     add_ranges(ResultsTable &row) const;
 
+    /** Columns and what they are called in a picture. */
+    using Names = std::vector<std::pair<std::string, std::string>>;
+
+    /** Those that are not nothing to the largest of them. */
+    Names
+    that_move(const Names &names) const;
+
     /** x or y, whichever the contact moves more along. */
     char
     direction() const;
