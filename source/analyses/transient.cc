@@ -8,6 +8,7 @@
 #include <rolling_contact/parallel/interrupt.h>
 #include <rolling_contact/parallel/ranks.h>
 #include <rolling_contact/report/bodies_report.h>
+#include <rolling_contact/report/cycle_recording.h>
 #include <rolling_contact/report/state_report.h>
 #include <rolling_contact/run/progress.h>
 #include <rolling_contact/state/checkpoint_schedule.h>
@@ -72,6 +73,9 @@ namespace RollingContact
     summarise(stepper);
     output.finish(stepper, progress);
     note_error_of_step(scene, stepper.current(), context.report);
+    if (output.period() > 0.)
+      record_cycle(
+        scene, progress.time, steps.length, output.period(), stepper, context);
   }
 
 
@@ -162,7 +166,7 @@ namespace RollingContact
                                 time.checkpoint_seconds);
     const Stopwatch    watch;
     const auto         now = [&]() { return Ranks::maximum(watch.seconds()); };
-    while (progress.step < steps.number)
+    while (progress.step < steps.number && !output.settled())
       {
         throw_if_interrupted();
         take_step(steps, stepper, output);
@@ -189,18 +193,8 @@ namespace RollingContact
               stepper.current().problem,
               "t = " + significant(progress.time + h, 6) + " s");
     falling->add(stepper.current().problem, stepper.current().state);
-    ++progress.step;
-    progress.time      = progress.step * h;
-    progress.time_step = h;
-    progress.rolled_distance += std::abs(outcome.speed) * h;
-    progress.supplied_energy +=
-      outcome.energy.contact_work + outcome.energy.load_work + outcome.friction;
-    progress.friction_energy += outcome.friction;
-    progress.damping_energy += outcome.energy.damping;
-    progress.numerical_energy += outcome.energy.numerical_dissipation;
-    progress.energy_error += outcome.energy.balance_error;
-    progress.surface_energy += outcome.surface_work;
-    progress.n_impacts += outcome.n_impacts;
+    add_step(progress, outcome, h);
+    progress.time = progress.step * h;
     output.add_row(stepper, outcome, progress);
     output.write_fields(stepper, progress, false);
   }

@@ -1,5 +1,6 @@
 #include <rolling_contact/analyses/contact_table.h>
 #include <rolling_contact/analyses/creep_curve.h>
+#include <rolling_contact/analyses/limit_cycles.h>
 #include <rolling_contact/analyses/load_curve.h>
 #include <rolling_contact/analyses/modes.h>
 #include <rolling_contact/analyses/quasi_static.h>
@@ -79,6 +80,14 @@ namespace RollingContact
 
 
 
+    RunFolder::Resumption
+    cycle_resumption(const SceneParameters &)
+    {
+      return {{"Output/", "Body threads"}, "limit_cycle_state.txt", "", {}};
+    }
+
+
+
     std::vector<AnalysisKind>
     make_kinds()
     {
@@ -124,6 +133,13 @@ namespace RollingContact
                            "sections Table and Stability");
       map.resumption = &table_resumption;
       map.on_ranks   = false;
+      AnalysisKind cycles =
+        kind<LimitCycles>("limit cycle",
+                          "runs in time until the motion repeats itself, from "
+                          "several starts and along an axis, see sections Time "
+                          "and Limit cycle");
+      cycles.resumption = &cycle_resumption;
+      cycles.on_ranks   = false;
       return {kind<QuasiStatic>("quasi-static", "one steady rolling state"),
               kind<CreepCurve>("creep curve",
                                "many creepages, see section Creep curve"),
@@ -137,7 +153,8 @@ namespace RollingContact
               modes,
               receptance,
               stability,
-              map};
+              map,
+              cycles};
     }
   } // namespace
 

@@ -6,6 +6,7 @@
 #include <rolling_contact/report/body_fields.h>
 #include <rolling_contact/report/history_plot.h>
 #include <rolling_contact/report/interface_fields.h>
+#include <rolling_contact/report/limit_cycle.h>
 #include <rolling_contact/report/point_columns.h>
 #include <rolling_contact/report/result_row.h>
 #include <rolling_contact/report/run_spectra.h>
@@ -122,17 +123,6 @@ namespace RollingContact
 
 
 
-    std::vector<std::string>
-    names_of(const std::vector<Column> &columns)
-    {
-      std::vector<std::string> names;
-      for (const Column &column : columns)
-        names.push_back(column.name);
-      return names;
-    }
-
-
-
     std::string
     numbered(const std::string &name, const std::uint64_t step)
     {
@@ -142,6 +132,40 @@ namespace RollingContact
              digits;
     }
   } // namespace
+
+
+
+  std::vector<std::string>
+  history_columns(const SceneParameters &scene)
+  {
+    std::vector<std::string> names;
+    for (const Column &column : columns_of(scene))
+      names.push_back(column.name);
+    for (const std::string &column : point_columns(scene))
+      names.push_back(column);
+    return names;
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  history_row(const SceneParameters     &scene,
+              const ContactStepper<dim> &stepper,
+              const StepOutcome         &outcome,
+              const TransientProgress   &progress)
+  {
+    const SteadyState<dim> &contact = stepper.current();
+    const Step              step{
+      contact.problem, contact.state, contact.result, outcome, progress};
+    std::vector<double> row;
+    for (const Column &column : columns_of(scene))
+      row.push_back(column.value(step));
+    row.insert(row.end(),
+               outcome.point_velocity.begin(),
+               outcome.point_velocity.end());
+    return row;
+  }
 
 
 
@@ -155,15 +179,21 @@ namespace RollingContact
     , body_fields(checkpoint.body_fields)
     , interface_fields(checkpoint.interface_fields)
   {
-    auto names = names_of(columns_of(scene));
-    for (const std::string &column : point_columns(scene))
-      names.push_back(column);
+    const auto names = history_columns(scene);
+    if (scene.looks_for_cycles())
+      watch.emplace(
+        scene,
+        scene.time
+          .steps(scene.time.histories(scene.contact, scene.prm_folder).speed)
+          .length);
     if (context.resume)
       history.emplace(context.folder, history_name, names, checkpoint.history);
     else
       history.emplace(context.folder, history_name, names);
     if (scene.sound.estimate)
       sound.emplace(scene, stepper, checkpoint, context);
+    if (watch && context.resume) // all ranks, and the root has cut it
+      watch->restore(context.folder.get_path() / (history_name + ".part"));
   }
 
 
@@ -174,15 +204,10 @@ namespace RollingContact
                                 const StepOutcome         &outcome,
                                 const TransientProgress   &progress)
   {
-    const SteadyState<dim> &contact = stepper.current();
-    const Step              step{
-      contact.problem, contact.state, contact.result, outcome, progress};
-    std::vector<double> row;
-    for (const Column &column : columns_of(scene))
-      row.push_back(column.value(step));
-    row.insert(row.end(),
-               outcome.point_velocity.begin(),
-               outcome.point_velocity.end());
+    const std::vector<double> row =
+      history_row(scene, stepper, outcome, progress);
+    if (watch)
+      watch->add_row(history_columns(scene), row);
     history->add_row(row);
     if (sound)
       sound->add_row(stepper, progress.time);
@@ -261,6 +286,8 @@ namespace RollingContact
     context.results.set("rolled_m", progress.rolled_distance);
     if (const auto velocity = stepper.bodies().wheel_velocity())
       context.results.set("wheel_velocity_m/s", *velocity);
+    if (watch)
+      measure_cycle(stepper);
     if (sound)
       sound->finish();
     add_result_row(scene, stepper.current(), context);
@@ -274,6 +301,22 @@ namespace RollingContact
                     context.folder.get_path() / history_name,
                     stepper.eigenvalues(),
                     context);
+  }
+
+
+
+  template <int dim>
+  void
+  TransientOutput<dim>::measure_cycle(const ContactStepper<dim> &stepper)
+  {
+    const LimitCycle cycle(*watch, stepper.excited());
+    cycle.add_columns(context.results);
+    cycle.note(context);
+    cycle.write_harmonics(context);
+    if (scene.output.plot)
+      cycle.draw(context);
+    if (cycle.is_periodic())
+      found_period = cycle.period();
   }
 
 
@@ -306,6 +349,16 @@ namespace RollingContact
 
 
 
+  template std::vector<double>
+  history_row(const SceneParameters &,
+              const ContactStepper<2> &,
+              const StepOutcome &,
+              const TransientProgress &);
+  template std::vector<double>
+  history_row(const SceneParameters &,
+              const ContactStepper<3> &,
+              const StepOutcome &,
+              const TransientProgress &);
   template class TransientOutput<2>;
   template class TransientOutput<3>;
 } // namespace RollingContact

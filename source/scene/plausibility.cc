@@ -64,6 +64,7 @@ namespace RollingContact
       is_transient() const
       {
         return scene.analysis == "transient" ||
+               scene.analysis == "limit cycle" ||
                (scene.analysis == "accuracy study" &&
                 scene.study.varies_time_step);
       }

@@ -36,7 +36,7 @@ namespace RollingContact
     if (!has_reduced_bodies())
       return;
     const std::string why = "Time/Bodies = reduced: ";
-    if (analysis != "transient")
+    if (analysis == "accuracy study")
       throw InputError(
         why + "Analysis = " + analysis +
         " varies theta, and reduced bodies have 0.5; take full.");
@@ -80,13 +80,14 @@ namespace RollingContact
   void
   SceneParameters::check_excitation() const
   {
+    const bool is_sweep = analysis == "limit cycle"; // it has its starts
     if (!is_transient() ||
         (time.excite_mode == 0. && time.excite_velocity == 0.))
       return;
     const std::string why =
       "Time/Excite mode = " + text_of(time.excite_mode) +
       ", Excite velocity = " + text_of(time.excite_velocity) + ": ";
-    if (time.excite_mode == 0. || time.excite_velocity == 0.)
+    if (!is_sweep && (time.excite_mode == 0. || time.excite_velocity == 0.))
       throw InputError(why + "one needs the other; give a frequency in Hz and "
                              "a velocity in m/s above 0, or 0 for both.");
     if (!has_reduced_bodies())

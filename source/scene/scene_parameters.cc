@@ -70,6 +70,7 @@ namespace RollingContact
     modes.declare(prm);
     receptance.declare(prm);
     stability.declare(prm);
+    limit_cycle.declare(prm);
     output.declare(prm);
   }
 
@@ -136,6 +137,7 @@ namespace RollingContact
     check_stability();
     check_reduced_bodies();
     check_excitation();
+    check_cycles();
     check_friction_response();
     check_sound();
     check_pair();

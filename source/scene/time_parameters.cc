@@ -40,6 +40,7 @@ namespace RollingContact
     declare_start(prm);
     declare_histories(prm);
     declare_output(prm);
+    declare_end(prm);
     prm.leave_subsection();
   }
 
@@ -245,6 +246,31 @@ namespace RollingContact
 
 
 
+  void
+  TimeParameters::declare_end(ParameterHandler &prm)
+  {
+    prm.add_parameter(
+      "Stop when periodic",
+      stop_when_periodic,
+      "Whether the run ends before `End time` once the motion repeats itself, "
+      "or nothing moves any more, and its limit cycle is measured: cycle.csv, "
+      "cycle.svg, cycle_patch.csv.");
+    prm.add_parameter(
+      "Periodic tolerance",
+      periodic_tolerance,
+      "What a period may differ by from those before it, as a part of the "
+      "range of each velocity and force, and by how much the amplitude may "
+      "still be away from where it is going. Units: 1.",
+      Patterns::Double(1e-6, 0.1));
+    prm.add_parameter("Periodic after",
+                      periodic_after,
+                      "Beginning of the run that is left out when periods are "
+                      "looked for. Units: s.",
+                      Patterns::Double(0.));
+  }
+
+
+
   namespace
   {
     void
@@ -362,6 +388,9 @@ namespace RollingContact
             "Body solver",
             "Time/End time",
             "Time/Rolled distance",
+            "Time/Stop when periodic",
+            "Time/Periodic tolerance",
+            "Time/Periodic after",
             "Time/Checkpoint interval",
             "Time/Checkpoint seconds"};
   }

@@ -46,7 +46,10 @@ namespace RollingContact
       if (scene.analysis != "transient")
         for (const char *section : {"Spectrum", "Sound"})
           idle[section] = "Analysis = transient reads that section";
-      if (scene.analysis != "transient" &&
+      const bool finds_cycles = scene.analysis == "limit cycle";
+      if (!finds_cycles)
+        idle["Limit cycle"] = "Analysis = limit cycle reads that section";
+      if (scene.analysis != "transient" && !finds_cycles &&
           !(is_study && scene.study.varies_time_step))
         idle["Time"] = is_study ? "Accuracy study/Vary = time step reads that "
                                   "section"
@@ -217,6 +220,29 @@ namespace RollingContact
 
 
 
+    /** Entries of section Time on its end and its files without use, and why.
+     */
+    std::map<std::string, std::string>
+    idle_entries_of_the_end(const SceneParameters &scene)
+    {
+      std::map<std::string, std::string> idle;
+      if (scene.analysis == "limit cycle")
+        for (const char *entry : {"Stop when periodic",
+                                  "Field interval",
+                                  "Checkpoint interval",
+                                  "Checkpoint seconds"})
+          idle["Time/" + std::string(entry)] =
+            "Analysis = limit cycle always stops when the motion is periodic, "
+            "and has a row for each run";
+      if (scene.analysis == "transient" && !scene.looks_for_cycles())
+        for (const char *entry : {"Periodic tolerance", "Periodic after"})
+          idle["Time/" + std::string(entry)] =
+            "Time/Stop when periodic = true reads it";
+      return idle;
+    }
+
+
+
     /** Who gives the creepages in place of section Contact; empty if none. */
     std::string
     giver_of_creepages(const SceneParameters &scene)
@@ -306,8 +332,9 @@ namespace RollingContact
                                          "Rayleigh stiffness",
                                          "Sponge length",
                                          "Sponge rate"};
-      const bool                     has_modes =
-        scene.is_of_structures() || scene.is_of_stability();
+      const bool                     has_modes = scene.is_of_structures() ||
+                             scene.is_of_stability() ||
+                             scene.has_reduced_bodies();
       const bool moves = has_modes || (scene.time.inertia &&
                                        (scene.analysis == "transient" ||
                                         (scene.analysis == "accuracy study" &&
@@ -386,6 +413,11 @@ namespace RollingContact
       check(path, why);
     for (const auto &[path, why] : idle_sound_entries(scene))
       check(path, why);
+    for (const auto &[path, why] : idle_entries_of_the_end(scene))
+      check(path, why);
+    if (!scene.limit_cycle.axis_entry().empty() &&
+        scene.analysis == "limit cycle")
+      check(scene.limit_cycle.axis_entry(), "Limit cycle/Values gives it");
     const std::string missing = missing_spectrum(scene);
     if (!missing.empty())
       warnings.push_back(missing);

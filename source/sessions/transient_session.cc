@@ -154,18 +154,8 @@ namespace RollingContact
     {
       const SteadyState<dim> &contact  = stepper.current();
       TransientProgress      &progress = found.progress;
-      ++progress.step;
-      progress.time      = found.time + length;
-      progress.time_step = length;
-      progress.rolled_distance += std::abs(outcome.speed) * length;
-      progress.supplied_energy += outcome.energy.contact_work +
-                                  outcome.energy.load_work + outcome.friction;
-      progress.friction_energy += outcome.friction;
-      progress.damping_energy += outcome.energy.damping;
-      progress.numerical_energy += outcome.energy.numerical_dissipation;
-      progress.energy_error += outcome.energy.balance_error;
-      progress.surface_energy += outcome.surface_work;
-      progress.n_impacts += outcome.n_impacts;
+      add_step(progress, outcome, length);
+      progress.time        = found.time + length;
       found.time           = progress.time;
       found.force_time     = progress.time - outcome.force_lag;
       found.forces         = contact.result;

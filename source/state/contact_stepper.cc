@@ -4,7 +4,6 @@
 #include <rolling_contact/pair/compliance_update.h>
 #include <rolling_contact/solvers/force_control.h>
 #include <rolling_contact/state/contact_stepper.h>
-#include <rolling_contact/state/initial_contact.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,25 +11,51 @@
 
 namespace RollingContact
 {
+  namespace
+  {
+    template <int dim>
+    InitialContact<dim>
+    begin(const SceneParameters &scene,
+          const PairDemands     &demands,
+          RunContext            &context)
+    {
+      const DrivingFunctions histories =
+        scene.time.histories(scene.contact, scene.prm_folder);
+      return make_initial_contact<dim>(scene,
+                                       demands,
+                                       histories,
+                                       scene.time.steps(histories.speed).length,
+                                       context);
+    }
+  } // namespace
+
+
+
   template <int dim>
   ContactStepper<dim>::ContactStepper(const SceneParameters &scene,
                                       const PairDemands     &demands,
+                                      RunContext            &context)
+    : ContactStepper(scene, begin<dim>(scene, demands, context), context)
+  {}
+
+
+
+  template <int dim>
+  ContactStepper<dim>::ContactStepper(const SceneParameters &scene,
+                                      InitialContact<dim>    initial,
                                       RunContext            &context)
     : scene(scene)
     , context(context)
     , histories(scene.time.histories(scene.contact, scene.prm_folder))
     , travelled(histories.speed, scene.time.steps(histories.speed).length)
+    , contact(std::move(initial.contact))
+    , motion(std::move(initial.motion))
     , solver(make_contact_solver(scene.solver.solver, scene.solver.controls))
+    , patch_friction(initial.friction)
+    , excitation(initial.excited)
   {
-    InitialContact<dim> initial =
-      make_initial_contact<dim>(scene,
-                                demands,
-                                histories,
-                                scene.time.steps(histories.speed).length,
-                                context);
-    contact        = std::move(initial.contact);
-    motion         = std::move(initial.motion);
-    patch_friction = initial.friction;
+    if (patch_friction)
+      friction_of_start = initial.friction_of_start;
     undeformed_gap = contact.problem.loads.gap;
     vibrations     = std::move(initial.eigenvalues);
     border         = contact.pair->trace().border_nodes();

@@ -136,36 +136,6 @@ namespace RollingContact
         contact.state = open_state(contact.problem);
       return initial;
     }
-    template <int dim>
-    InitialContact<dim>
-    make_reduced(const SceneParameters  &scene,
-                 const StateDemands     &demands,
-                 const DrivingFunctions &histories,
-                 const SlipOperatorKind  slip_operator,
-                 RunContext             &context)
-    {
-      InitialContact<dim> initial;
-      SteadyState<dim>   &contact = initial.contact;
-      contact        = solve_steady_state<dim>(scene, demands, context);
-      DenseMatrix W  = std::move(contact.problem.operators).W();
-      initial.motion = std::make_unique<ReducedRolling<dim>>(
-        std::make_unique<ModalBodies<dim>>(scene,
-                                           contact.pair->bodies(),
-                                           scene.modes.cut_off_ratio *
-                                             scene.modes.maximum_frequency,
-                                           context),
-        *contact.pair,
-        W,
-        RollingConditions(scene));
-      ContactParameters in_time = scene.contact;
-      in_time.slip_operator     = slip_operator;
-      contact.problem = contact.pair->contact_problem(in_time, std::move(W));
-      start_steadily(scene, demands, histories, context, initial);
-      return initial;
-    }
-
-
-
     /**
      * Friction that falls in another way than at each node by its own speed:
      * from now on without the law of the problem.
@@ -183,6 +153,7 @@ namespace RollingContact
       PatchFriction friction(problem,
                              initial.contact.state,
                              scene.contact.friction_delay);
+      initial.friction_of_start = friction.memory();
       friction.begin_step(0.);
       problem.loads.friction_law.reset();
       problem.loads.friction = friction.coefficients();
@@ -222,6 +193,7 @@ namespace RollingContact
                                      vibration.friction(t - dt)) /
                                       (2 * dt));
         }
+      initial.excited = mode.s;
       context.results.set("excited_frequency_Hz", mode.frequency());
       context.results.set("excited_growth_1/s", mode.growth());
       context.report.set_finding(
@@ -254,7 +226,87 @@ namespace RollingContact
       if (scene.time.excite_mode > 0.)
         excite(scene, linear, pencil, h, initial, context);
     }
+
+
+
+    /**
+     * In a steady state: friction in time, and the vibration that is wanted.
+     */
+    template <int dim>
+    void
+    begin_motion(const SceneParameters  &scene,
+                 const DrivingFunctions &histories,
+                 const double            h,
+                 InitialContact<dim>    &initial,
+                 RunContext             &context)
+    {
+      std::optional<LinearContact> linear; // of the law, if one falls
+      if (scene.time.excite_mode > 0. ||
+          (scene.wants_spectra() && scene.why_no_eigenvalues().empty()))
+        linear = linear_contact(initial.contact.problem,
+                                initial.contact.state,
+                                {std::abs(histories.speed.value(0.)),
+                                 scene.friction_response(),
+                                 scene.contact.friction_delay});
+      take_over_friction(scene, initial);
+      if (linear)
+        vibrate(scene, *linear, h, initial, context);
+    }
   } // namespace
+
+
+
+  template <int dim>
+  ReducedBodies<dim>
+  make_reduced_bodies(const SceneParameters &scene,
+                      const StateDemands    &demands,
+                      RunContext            &context)
+  {
+    ReducedBodies<dim> bodies;
+    bodies.base = solve_steady_state<dim>(scene, demands, context);
+    bodies.modes =
+      std::make_shared<ModalBodies<dim>>(scene,
+                                         bodies.base.pair->bodies(),
+                                         scene.modes.cut_off_ratio *
+                                           scene.modes.maximum_frequency,
+                                         context);
+    return bodies;
+  }
+
+
+
+  template <int dim>
+  InitialContact<dim>
+  make_reduced_contact(const SceneParameters    &scene,
+                       const ReducedBodies<dim> &bodies,
+                       const DrivingFunctions   &histories,
+                       const double              h,
+                       const Disturbance        *disturbance,
+                       RunContext               &context)
+  {
+    InitialContact<dim> initial;
+    SteadyState<dim>   &contact = initial.contact;
+    contact                     = bodies.base;
+    DenseMatrix W               = contact.problem.operators.W();
+    auto        motion          = std::make_unique<ReducedRolling<dim>>(
+      bodies.modes, *contact.pair, W, RollingConditions(scene));
+    ReducedRolling<dim> &reduced = *motion;
+    initial.motion               = std::move(motion);
+    ContactParameters in_time    = scene.contact;
+    in_time.slip_operator        = operator_in_time(scene);
+    contact.problem = contact.pair->contact_problem(in_time, std::move(W));
+    start_steadily(
+      scene, demands_in_time(PairDemands()), histories, context, initial);
+    begin_motion(scene, histories, h, initial, context);
+    if (disturbance == nullptr)
+      return initial;
+    reduced.disturb(disturbance->motion);
+    if (initial.friction)
+      initial.friction->disturb(disturbance->share,
+                                (disturbance->target - disturbance->share) /
+                                  scene.contact.friction_delay);
+    return initial;
+  }
 
 
 
@@ -276,28 +328,47 @@ namespace RollingContact
       in_time.pair.displacements = true;
     const bool reduced   = scene.has_reduced_bodies();
     in_time.pair.factors = in_time.pair.factors || reduced;
+    if (reduced)
+      return make_reduced_contact(scene,
+                                  make_reduced_bodies<dim>(scene,
+                                                           in_time,
+                                                           context),
+                                  histories,
+                                  h,
+                                  nullptr,
+                                  context);
     InitialContact<dim> initial =
-      reduced
-        ? make_reduced<dim>(scene, in_time, histories, slip_operator, context)
-      : scene.time.inertia
+      scene.time.inertia
         ? make_inertial<dim>(scene, in_time, histories, slip_operator, context)
         : make_massless<dim>(scene, in_time, histories, context);
-    std::optional<LinearContact> linear; // of the law, if one falls
-    if (scene.time.excite_mode > 0. ||
-        (scene.wants_spectra() && scene.why_no_eigenvalues().empty()))
-      linear = linear_contact(initial.contact.problem,
-                              initial.contact.state,
-                              {std::abs(histories.speed.value(0.)),
-                               scene.friction_response(),
-                               scene.contact.friction_delay});
-    take_over_friction(scene, initial);
-    if (linear)
-      vibrate(scene, *linear, h, initial, context);
+    begin_motion(scene, histories, h, initial, context);
     return initial;
   }
 
 
 
+  template ReducedBodies<2>
+  make_reduced_bodies<2>(const SceneParameters &,
+                         const StateDemands &,
+                         RunContext &);
+  template ReducedBodies<3>
+  make_reduced_bodies<3>(const SceneParameters &,
+                         const StateDemands &,
+                         RunContext &);
+  template InitialContact<2>
+  make_reduced_contact(const SceneParameters &,
+                       const ReducedBodies<2> &,
+                       const DrivingFunctions &,
+                       const double,
+                       const Disturbance *,
+                       RunContext &);
+  template InitialContact<3>
+  make_reduced_contact(const SceneParameters &,
+                       const ReducedBodies<3> &,
+                       const DrivingFunctions &,
+                       const double,
+                       const Disturbance *,
+                       RunContext &);
   template InitialContact<2>
   make_initial_contact<2>(const SceneParameters &,
                           const PairDemands &,

@@ -1,5 +1,6 @@
 #include <rolling_contact/contact/friction_memory.h>
 #include <rolling_contact/state/contact_stepper.h>
+#include <rolling_contact/vibration/reduced_rolling.h>
 
 #include <algorithm>
 #include <cmath>
@@ -117,12 +118,53 @@ namespace RollingContact
 
 
 
+  template <int dim>
+  Disturbance
+  ContactStepper<dim>::disturbance() const
+  {
+    Disturbance found;
+    found.motion =
+      dynamic_cast<const ReducedRolling<dim> &>(*motion).disturbance();
+    if (patch_friction)
+      {
+        const PatchMemory &now = patch_friction->memory();
+        found.share            = now.share - friction_of_start.share;
+        found.target           = now.target - friction_of_start.target;
+      }
+    return found;
+  }
+
+
+
+  void
+  add_step(TransientProgress &progress,
+           const StepOutcome &outcome,
+           const double       h)
+  {
+    const StepEnergy &energy = outcome.energy;
+    ++progress.step;
+    progress.time_step = h;
+    progress.rolled_distance += std::abs(outcome.speed) * h;
+    progress.supplied_energy +=
+      energy.contact_work + energy.load_work + outcome.friction;
+    progress.friction_energy += outcome.friction;
+    progress.damping_energy += energy.damping;
+    progress.numerical_energy += energy.numerical_dissipation;
+    progress.energy_error += energy.balance_error;
+    progress.surface_energy += outcome.surface_work;
+    progress.n_impacts += outcome.n_impacts;
+  }
+
+
+
   template void
   ContactStepper<2>::set_drive(const double, const double);
   template std::vector<double>
   ContactStepper<2>::heights(const double) const;
   template std::array<double, 3>
   ContactStepper<2>::contact_velocity() const;
+  template Disturbance
+  ContactStepper<2>::disturbance() const;
   template bool
   ContactStepper<2>::follows_jump(const double, const double) const;
   template void
@@ -131,6 +173,8 @@ namespace RollingContact
   ContactStepper<3>::heights(const double) const;
   template std::array<double, 3>
   ContactStepper<3>::contact_velocity() const;
+  template Disturbance
+  ContactStepper<3>::disturbance() const;
   template bool
   ContactStepper<3>::follows_jump(const double, const double) const;
 } // namespace RollingContact

@@ -5,7 +5,7 @@
 namespace RollingContact
 {
   template <int dim>
-  ReducedRolling<dim>::ReducedRolling(std::unique_ptr<ModalBodies<dim>> modes,
+  ReducedRolling<dim>::ReducedRolling(std::shared_ptr<ModalBodies<dim>> modes,
                                       const RollingPair<dim>           &pair,
                                       const DenseMatrix                &W,
                                       const RollingConditions &conditions)
@@ -118,6 +118,7 @@ namespace RollingContact
   {
     const std::vector<double> forces = nodal_forces(problem, state);
     motion.rest_at(bodies.static_amplitudes(forces), forces);
+    rest = motion.state();
   }
 
 
@@ -129,6 +130,45 @@ namespace RollingContact
     ReducedState state = motion.state();
     vibration.add_to(state, step);
     motion.set_state(std::move(state));
+  }
+
+
+
+  namespace
+  {
+    /** x + a y of the parts of states that may be added. */
+    ReducedState
+    sum(ReducedState x, const double a, const ReducedState &y)
+    {
+      const auto add = [&](std::vector<double>       &to,
+                           const std::vector<double> &from) {
+        for (std::size_t i = 0; i < to.size(); ++i)
+          to[i] += a * from[i];
+      };
+      add(x.eta, y.eta);
+      add(x.rate, y.rate);
+      add(x.forces, y.forces);
+      add(x.forces_before, y.forces_before);
+      return x;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  ReducedState
+  ReducedRolling<dim>::disturbance() const
+  {
+    return sum(motion.state(), -1., rest);
+  }
+
+
+
+  template <int dim>
+  void
+  ReducedRolling<dim>::disturb(const ReducedState &differences)
+  {
+    motion.set_state(sum(motion.state(), 1., differences));
   }
 
 

@@ -2,6 +2,8 @@
 
 #include "reduced_run.h"
 
+#include <rolling_contact/cycles/cycle_measures.h>
+#include <rolling_contact/cycles/verdict.h>
 #include <rolling_contact/references/mass_on_belt.h>
 #include <rolling_contact/state/patch_friction.h>
 
@@ -153,6 +155,54 @@ BOOST_AUTO_TEST_CASE(a_mass_on_a_belt_with_falling_friction_has_its_limit_cycle)
   BOOST_TEST_MESSAGE("belt " << f << " Hz, " << (largest - least) / 2);
   BOOST_TEST(f == 31.14155, boost::test_tools::tolerance(1e-3));
   BOOST_TEST((largest - least) / 2 == 1.170249e-3,
+             boost::test_tools::tolerance(2e-3));
+}
+
+BOOST_AUTO_TEST_CASE(the_limit_cycle_is_found_and_measured)
+{
+  const double                 h = 1e-4;
+  const References::MassOnBelt belt{1., 4e4, 20., 100., 0.2, 0.4, 0.2};
+  Belt                         mass(belt,
+            belt.static_friction,
+            h,
+            make_friction_law("exponential", 0.5, 0.2));
+  mass.pull(1.1e-3);
+  Cycles::SampledMotion motion{h, {{{}, 0, 0.}, {{}, 1, 0.}}};
+  auto &place = motion.signals[0].values, &velocity = motion.signals[1].values;
+  std::vector<double> supplied, damping;
+  Cycles::Verdict     verdict;
+  while (!verdict.is_final())
+    {
+      const StepEnergy  &energy = mass.run.step();
+      const ReducedState state  = mass.run.motion.state();
+      place.push_back(state.eta[0]);
+      velocity.push_back(state.rate[0]);
+      const auto before = [](const auto &sums) {
+        return sums.empty() ? 0. : sums.back();
+      };
+      supplied.push_back(before(supplied) + energy.contact_work +
+                         energy.load_work);
+      damping.push_back(before(damping) + energy.damping);
+      if (Cycles::is_due(place.size()))
+        verdict = Cycles::judge(motion, 0, 1e-3);
+      BOOST_REQUIRE(mass.run.time < 6.);
+    }
+  BOOST_TEST_MESSAGE(mass.run.time << " s: " << Cycles::sentence(verdict));
+  BOOST_TEST(Cycles::name_of(verdict.motion) == "periodic");
+  BOOST_TEST(verdict.frequency() == 31.14155,
+             boost::test_tools::tolerance(5e-4));
+  const Cycles::WholePeriods whole(verdict.period.length,
+                                   place.size(),
+                                   verdict.n_judged);
+  BOOST_TEST((whole.most(place) - whole.least(place)) / 2 == 1.170249e-3,
+             boost::test_tools::tolerance(1e-3));
+  // a cycle gives back what it takes: c times the mean square velocity
+  const double period = verdict.period.length * h,
+               lost   = belt.damping * period *
+                      (std::pow(whole.rms(velocity), 2) +
+                       std::pow(whole.mean(velocity), 2));
+  BOOST_TEST(whole.change(damping) == lost, boost::test_tools::tolerance(1e-3));
+  BOOST_TEST(whole.change(supplied) == lost,
              boost::test_tools::tolerance(2e-3));
 }
 

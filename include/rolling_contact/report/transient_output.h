@@ -1,6 +1,7 @@
 #ifndef rolling_contact_report_transient_output_h
 #define rolling_contact_report_transient_output_h
 
+#include <rolling_contact/report/cycle_watch.h>
 #include <rolling_contact/report/sound_output.h>
 #include <rolling_contact/run/history_table.h>
 #include <rolling_contact/state/contact_stepper.h>
@@ -9,6 +10,20 @@
 
 namespace RollingContact
 {
+  /**
+   * The columns of history.csv, and the row of the step just taken;
+   * @p progress includes it.
+   */
+  std::vector<std::string>
+  history_columns(const SceneParameters &scene);
+
+  template <int dim>
+  std::vector<double>
+  history_row(const SceneParameters     &scene,
+              const ContactStepper<dim> &stepper,
+              const StepOutcome         &outcome,
+              const TransientProgress   &progress);
+
   /**
    * What a transient run writes: a row of history.csv for each step, fields
    * every Time/Field interval steps as a time series, the last state in
@@ -54,6 +69,16 @@ namespace RollingContact
                      const PrmEntries          &files);
 
     /**
+     * Whether the run is to end as its motion repeats itself, or nothing
+     * moves, see Time/Stop when periodic.
+     */
+    bool
+    settled()
+    {
+      return watch && watch->settled();
+    }
+
+    /**
      * End the output: history.csv under its final name, results.csv, the
      * largest load, the plot.
      */
@@ -61,7 +86,21 @@ namespace RollingContact
     finish(const ContactStepper<dim> &stepper,
            const TransientProgress   &progress);
 
+    /** Period of the limit cycle that the run has come to; 0 without one.
+     * Units: s. */
+    double
+    period() const
+    {
+      return found_period;
+    }
+
   private:
+    /**
+     * What the run has come to, into the row of results.csv, and cycle.csv.
+     */
+    void
+    measure_cycle(const ContactStepper<dim> &stepper);
+
     /**
      * Note the largest load of the whole history as a finding of the run.
      */
@@ -74,6 +113,8 @@ namespace RollingContact
     const SceneParameters      &scene;
     RunContext                 &context;
     std::optional<HistoryTable> history;
+    std::optional<CycleWatch>   watch;
+    double                      found_period = 0.;
 
     std::optional<SoundOutput<dim>> sound;
 

@@ -7,6 +7,7 @@
 #include <rolling_contact/scene/body_parameters.h>
 #include <rolling_contact/scene/contact_parameters.h>
 #include <rolling_contact/scene/creep_curve_parameters.h>
+#include <rolling_contact/scene/limit_cycle_parameters.h>
 #include <rolling_contact/scene/load_curve_parameters.h>
 #include <rolling_contact/scene/mesh_parameters.h>
 #include <rolling_contact/scene/modes_parameters.h>
@@ -141,6 +142,7 @@ namespace RollingContact
     ModesParameters      modes;
     ReceptanceParameters receptance;
     StabilityParameters  stability;
+    LimitCycleParameters limit_cycle;
     OutputParameters     output;
 
     /**
@@ -159,6 +161,16 @@ namespace RollingContact
     is_of_stability() const
     {
       return analysis == "stability" || analysis == "stability map";
+    }
+
+    /**
+     * Whether steps are taken until the motion repeats itself.
+     */
+    bool
+    looks_for_cycles() const
+    {
+      return analysis == "limit cycle" ||
+             (analysis == "transient" && time.stop_when_periodic);
     }
 
     /**
@@ -213,7 +225,7 @@ namespace RollingContact
     bool
     is_transient() const
     {
-      return analysis == "transient" ||
+      return analysis == "transient" || analysis == "limit cycle" ||
              (analysis == "accuracy study" && study.varies_time_step);
     }
 
@@ -238,6 +250,12 @@ namespace RollingContact
 
     void
     check_excitation() const;
+
+    /**
+     * Rules for runs until the motion repeats itself.
+     */
+    void
+    check_cycles() const;
 
     void
     check_friction_response() const;

@@ -173,6 +173,9 @@ namespace RollingContact
     double       checkpoint_seconds  = 60.;
     unsigned int maximum_halvings    = 6;
     double       damping_frequency   = 0.;
+    bool         stop_when_periodic  = false;
+    double       periodic_tolerance  = 1e-2; ///< part of the range
+    double       periodic_after      = 0.;   ///< s
 
   private:
     void
@@ -185,6 +188,8 @@ namespace RollingContact
     declare_histories(dealii::ParameterHandler &prm);
     void
     declare_output(dealii::ParameterHandler &prm);
+    void
+    declare_end(dealii::ParameterHandler &prm);
 
     void
     check_entries(const ContactParameters &contact,

@@ -6,6 +6,7 @@
 #include <rolling_contact/pair/pair_integrator.h>
 #include <rolling_contact/scene/travelled_distance.h>
 #include <rolling_contact/state/checkpoint.h>
+#include <rolling_contact/state/initial_contact.h>
 #include <rolling_contact/state/patch_friction.h>
 #include <rolling_contact/state/steady_state.h>
 
@@ -45,6 +46,15 @@ namespace RollingContact
   };
 
   /**
+   * Add a step of length @p h to what a run has summed up; its time is not.
+   * Units: s.
+   */
+  void
+  add_step(TransientProgress &progress,
+           const StepOutcome &outcome,
+           const double       h);
+
+  /**
    * Wheel and rail in time: the motion of the bodies, the contact laws of
    * eq. (12) of Lai et al. 2017 at the end of each step, and the histories that
    * drive them. The gap is that of the shifted configuration or the gap plus
@@ -60,6 +70,13 @@ namespace RollingContact
      */
     ContactStepper(const SceneParameters &scene,
                    const PairDemands     &demands,
+                   RunContext            &context);
+
+    /**
+     * Go on from a state on bodies that are there.
+     */
+    ContactStepper(const SceneParameters &scene,
+                   InitialContact<dim>    initial,
                    RunContext            &context);
 
     /**
@@ -120,6 +137,23 @@ namespace RollingContact
      */
     void
     set_drive_functions(const DrivingFunctions &driving);
+
+    /**
+     * The eigenvalue of the vibration that the run begins in, if it does so.
+     * Units: 1/s.
+     */
+    const std::optional<std::complex<double>> &
+    excited() const
+    {
+      return excitation;
+    }
+
+    /**
+     * How the state differs from the steady one of the start, of reduced
+     * bodies.
+     */
+    Disturbance
+    disturbance() const;
 
     void
     save(Checkpoint &checkpoint) const;
@@ -250,6 +284,8 @@ namespace RollingContact
     std::unique_ptr<ContactSolver>       solver;
     SlipMemory                           slip; ///< at the end of the last step
     std::optional<PatchFriction>         patch_friction;
+    PatchMemory                          friction_of_start;
+    std::optional<std::complex<double>>  excitation;
     std::vector<double>                  undeformed_gap; ///< smooth surfaces
     std::vector<double>                  step_heights;   ///< on them
     std::vector<bool>                    border;

@@ -19,7 +19,7 @@ namespace RollingContact
      * Keeps a reference to the pair, which must have kept what static solutions
      * need; @p W is its static compliance.
      */
-    ReducedRolling(std::unique_ptr<ModalBodies<dim>> modes,
+    ReducedRolling(std::shared_ptr<ModalBodies<dim>> modes,
                    const RollingPair<dim>           &pair,
                    const DenseMatrix                &W,
                    const RollingConditions          &conditions);
@@ -60,6 +60,18 @@ namespace RollingContact
      */
     void
     excite(const Excitation &vibration, const double h);
+
+    /**
+     * How the state differs from the one that start_from() came to rest in.
+     */
+    ReducedState
+    disturbance() const;
+
+    /**
+     * Add such differences to the state.
+     */
+    void
+    disturb(const ReducedState &differences);
 
     double
     stored_energy() const override;
@@ -124,11 +136,11 @@ namespace RollingContact
     }
 
   private:
-    std::unique_ptr<ModalBodies<dim>> modal;
+    std::shared_ptr<ModalBodies<dim>> modal;
     const RollingModes<dim>           bodies;
     const RollingPair<dim>           &pair;
     ReducedMotion                     motion;
-    ReducedState                      kept;
+    ReducedState                      kept, rest;
     DenseMatrix watched; ///< motion of points by the modes, kg^(-1/2)
     double      h = 0.;
   };
