@@ -123,6 +123,26 @@ namespace RollingContact
 
 
   template <int dim>
+  std::vector<double>
+  RollingModes<dim>::hub_inertia() const
+  {
+    std::vector<double>       result(Phi.n_columns(), 0.);
+    const VibratingBody<dim> *wheel = modal.body(Side::wheel);
+    if (wheel == nullptr)
+      return result;
+    const std::vector<double> rise = wheel->body->uniform(dim - 1, 1.);
+    std::vector<double>       momentum(rise.size());
+    wheel->M.multiply(rise, momentum);
+    const DenseMatrix &shapes = wheel->modes.shapes;
+    for (std::size_t j = 0; j < modal.n_modes(Side::wheel); ++j)
+      for (std::size_t i = 0; i < momentum.size(); ++i)
+        result[j] -= shapes(i, j) * momentum[i];
+    return result;
+  }
+
+
+
+  template <int dim>
   BodyField
   RollingModes<dim>::displacement(const Side                 side,
                                   const std::vector<double> &eta) const
