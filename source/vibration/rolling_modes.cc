@@ -11,15 +11,18 @@ namespace RollingContact
 
 
 
-    /** The unknowns of a body at its contact nodes, component by component. */
+    /** The unknowns of a body at its contact nodes, component by component;
+     * without friction the normal one alone. */
     template <int dim>
     std::vector<std::size_t>
     unknowns_of_contact(const ModalBodies<dim> &modal,
                         const RollingPair<dim> &rolling,
                         const Side              side)
     {
+      const bool friction =
+        rolling.relative_motion({}).size() > rolling.trace().nodes.size();
       std::vector<unsigned int> components;
-      for (unsigned int d = 0; d < dim; ++d)
+      for (unsigned int d = friction ? 0 : dim - 1; d < dim; ++d)
         components.push_back(d);
       return modal.body(side)->body->unknowns(rolling.interface().nodes[side],
                                               components);

@@ -4,7 +4,7 @@ compare FULL REDUCED FROM COLUMN...: of each column rms difference and differenc
 over the standard deviation of the full bodies', from a time (s) on, at the times that forces act.
 onset HISTORY FREQUENCY MAP: logarithm of the amplitude of the velocity along z at that frequency
 (Hz) while a creepage changes, against the growth of a stability map: prints the time (s) from
-which on it grows, that of the map, and how much it grows from there over what the map says."""
+which on it grows, that of the map, growth from there over what the map says, and the growth."""
 import bisect
 import cmath
 import csv
