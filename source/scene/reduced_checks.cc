@@ -61,11 +61,6 @@ namespace RollingContact
     if (!contact.speed || !time.speed.empty())
       throw InputError(why + "give a constant Contact/Speed in m/s and leave "
                              "Time/Speed empty.");
-    if (!time.approach.empty())
-      throw InputError(why + "Time/Approach = " + time.approach +
-                       ": modes know nothing of a hub that accelerates; leave "
-                       "it empty and drive by Normal load, creepages, forces "
-                       "or Surfaces.");
     if (!wheel.rigid && is_loose(wheel.hub))
       throw InputError(why + "Wheel/Hub = free or mass has no steady state; "
                              "take clamped or elastic.");

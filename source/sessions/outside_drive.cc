@@ -248,7 +248,7 @@ namespace RollingContact
     for (unsigned int k = 0; k < n_quantities; ++k)
       {
         past[k].emplace_back(time, values[k]);
-        if (past[k].size() > 2)
+        if (past[k].size() > 3)
           past[k].erase(past[k].begin());
       }
   }

@@ -4,6 +4,8 @@
 #include <rolling_contact/pair/compliance_update.h>
 #include <rolling_contact/solvers/force_control.h>
 #include <rolling_contact/state/contact_stepper.h>
+#include <rolling_contact/state/hub_motion.h>
+#include <rolling_contact/state/initial_contact.h>
 
 #include <algorithm>
 #include <cmath>
@@ -216,9 +218,9 @@ namespace RollingContact
                        "Contact/Speed.");
     {
       PhaseTimer::Scope phase(context.timer, Phase::body_solves);
-      apply_free_motion(motion->begin_step(histories.hub_acceleration(time, h),
-                                           smooth),
-                        std::abs(outcome.speed));
+      apply_free_motion(
+        motion->begin_step(hub_acceleration_within(histories, time, h), smooth),
+        std::abs(outcome.speed));
     }
     const ContactState previous         = contact.state;
     const Creepages    creepages_before = contact.problem.loads.creepages;

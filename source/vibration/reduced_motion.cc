@@ -47,6 +47,20 @@ namespace RollingContact
 
 
   void
+  ReducedMotion::set_hub_inertia(Vector inertia)
+  {
+    if (inertia.size() != pair.n_modes())
+      throw InputError("The inertia of the hub's motion has " +
+                       std::to_string(inertia.size()) +
+                       " values, the bodies have " +
+                       std::to_string(pair.n_modes()) + " modes.");
+    hub_inertia = std::move(inertia);
+    begun       = false;
+  }
+
+
+
+  void
   ReducedMotion::set_time_step(const double step)
   {
     if (step == h)
@@ -134,12 +148,15 @@ namespace RollingContact
 
 
   void
-  ReducedMotion::begin_step(const bool smooth)
+  ReducedMotion::begin_step(const bool smooth, const double hub_acceleration)
   {
     if (h == 0.)
       throw std::logic_error("Reduced bodies have no time step.");
+    load                = hub_acceleration == 0. || hub_inertia.empty()
+                            ? now.load
+                            : sum(now.load, hub_acceleration, hub_inertia);
     const Past   weight = past(smooth);
-    const Vector start  = sum(now.rate, h / 2, sum(now.load, -1., K_eta));
+    const Vector start  = sum(now.rate, h / 2, sum(load, -1., K_eta));
     free_rate           = product(inverse, start);
 
     Vector expected = now.forces;
@@ -223,7 +240,7 @@ namespace RollingContact
     find_energy();
     StepEnergy &energy  = step_energy;
     energy.contact_work = h * dot(rate, loads) + dot(forces, give);
-    energy.load_work    = h * dot(rate, now.load);
+    energy.load_work    = h * dot(rate, load);
     // with what K_m does beyond its symmetric part, which stores energy
     energy.damping = h * dot(rate, product(pair.C_m, rate)) +
                      (dot(now.eta, K_before) - dot(eta, K_eta)) / 2;

@@ -1,5 +1,3 @@
-#include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/base/text.h>
 #include <rolling_contact/vibration/reduced_rolling.h>
 
 namespace RollingContact
@@ -13,7 +11,9 @@ namespace RollingContact
     , bodies(*modal, pair, W)
     , pair(pair)
     , motion(bodies.reduced(conditions))
-  {}
+  {
+    motion.set_hub_inertia(bodies.hub_inertia());
+  }
 
 
 
@@ -84,11 +84,7 @@ namespace RollingContact
   ReducedRolling<dim>::begin_step(const double hub_acceleration,
                                   const bool   smooth)
   {
-    if (hub_acceleration != 0.)
-      throw InputError("Time/Bodies = reduced: the approach changes, so that "
-                       "the wheel's hub accelerates, of which modes know "
-                       "nothing; keep the approach, or take full.");
-    motion.begin_step(smooth);
+    motion.begin_step(smooth, hub_acceleration);
     const auto &u = motion.free_displacement(), &v = motion.free_velocity();
     const std::size_t n_tangential = u.size() - pair.trace().nodes.size();
     FreeMotion        free;

@@ -11,7 +11,8 @@ namespace RollingContact
 
 
 
-    /** The unknowns of a body at its contact nodes, component by component. */
+    /** The unknowns of a body at its contact nodes, component by component;
+     * without friction the normal one alone. */
     template <int dim>
     std::vector<std::size_t>
     unknowns_of_contact(const ModalBodies<dim> &modal,
@@ -115,6 +116,26 @@ namespace RollingContact
         eta[j] /= modal.body(side)->modes.eigenvalue(mode);
       }
     return eta;
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  RollingModes<dim>::hub_inertia() const
+  {
+    std::vector<double>       result(Phi.n_columns(), 0.);
+    const VibratingBody<dim> *wheel = modal.body(Side::wheel);
+    if (wheel == nullptr)
+      return result;
+    const std::vector<double> rise = wheel->body->uniform(dim - 1, 1.);
+    std::vector<double>       momentum(rise.size());
+    wheel->M.multiply(rise, momentum);
+    const DenseMatrix &shapes = wheel->modes.shapes;
+    for (std::size_t j = 0; j < modal.n_modes(Side::wheel); ++j)
+      for (std::size_t i = 0; i < momentum.size(); ++i)
+        result[j] -= shapes(i, j) * momentum[i];
+    return result;
   }
 
 

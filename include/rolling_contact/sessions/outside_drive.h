@@ -68,7 +68,7 @@ namespace RollingContact
 
     const SceneParameters           *scene;
     DrivingFunctions                 histories; ///< of the last step
-    std::array<Points, n_quantities> past;      ///< ends of two steps at most
+    std::array<Points, n_quantities> past;      ///< ends of three steps at most
     std::array<bool, n_quantities>   from_outside{};
   };
 } // namespace RollingContact

@@ -32,13 +32,15 @@ namespace RollingContact
    * by the implicit midpoint rule. With v = eta' and m = n + 1/2 the middle of
    * a step h,
    *
-   *   v_m   = v_n + h/2 (load + Phi^T f_m - C_m v_m - K_m eta_m),
+   *   v_m   = v_n + h/2 (load + g a_m + Phi^T f_m - C_m v_m - K_m eta_m),
    *   eta_m = eta_n + h/2 v_m,    eta_(n+1) = eta_n + h v_m,
    *   u_m   = Phi eta_m + W_res f_m,
    *   u'_m  = Phi v_m + W_res (3/2 f_m - 2 f_(m-1) + 1/2 f_(m-2)) / h:
    *
-   * the nodes have no mass, so that none of them bounces, and forces and laws
-   * of contact belong to the middle of the step. All is of second order in h;
+   * where a_m is the acceleration of the hub that the wheel moves with and g
+   * what it loads the modes by. The nodes have no mass, so that none of them
+   * bounces, and forces and laws of contact belong to the middle of the step.
+   * All is of second order in h;
    * without damping the modes keep their energy but for the work of the forces,
    * and the rate by BDF2 takes some at the scale of the step alone.
    *
@@ -58,6 +60,15 @@ namespace RollingContact
      * At rest and undeformed. Throws InputError as check() does.
      */
     explicit ReducedMotion(ReducedPair pair);
+
+    /**
+     * What the modes are loaded by when the wheel's hub accelerates towards the
+     * rail, with which the displacements move: g = -Phi^T M e_z of all nodes of
+     * the wheel, m values. What modes beyond the basis would take of it is left
+     * out. Throws InputError if it is that of other bodies. Units: kg^(1/2).
+     */
+    void
+    set_hub_inertia(std::vector<double> inertia);
 
     /**
      * Prepare steps of this length. Throws InputError unless it is above 0.
@@ -89,9 +100,10 @@ namespace RollingContact
     /**
      * Begin a step, in place of one that was begun and not ended. Unless
      * @p smooth forces may jump in it, so that those before tell nothing.
+     * @p hub_acceleration is that in its middle. Units: m/s^2.
      */
     void
-    begin_step(const bool smooth = true);
+    begin_step(const bool smooth = true, const double hub_acceleration = 0.);
 
     /**
      * u_m and u'_m at the nodes without forces. Units: m, m/s.
@@ -181,6 +193,7 @@ namespace RollingContact
     double              h     = 0.;
     bool                begun = false, continues = true;
     ReducedState        now;
+    std::vector<double> hub_inertia, load; ///< load: of the step that has begun
     std::vector<double> K_eta;
     std::vector<double> residual, residual_before; ///< W_res f, m
     std::vector<double> free_rate, free_u, free_v, velocity;

@@ -42,9 +42,6 @@ namespace RollingContact
     bool
     laws_in_the_middle() const override;
 
-    /**
-     * Throws InputError if the hub accelerates, of which modes know nothing.
-     */
     FreeMotion
     begin_step(const double hub_acceleration, const bool smooth) override;
 

@@ -41,6 +41,14 @@ namespace RollingContact
     static_amplitudes(const std::vector<double> &forces) const;
 
     /**
+     * Load on the modes when the wheel's hub accelerates by 1 m/s^2 towards the
+     * rail and displacements are those relative to it: -Phi^T M e_z of the
+     * wheel, 0 of the rail. Units: kg^(1/2).
+     */
+    std::vector<double>
+    hub_inertia() const;
+
+    /**
      * Displacement of a body by amplitudes of all modes. Units: m kg^(1/2), m.
      */
     BodyField
