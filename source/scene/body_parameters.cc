@@ -38,6 +38,7 @@ namespace RollingContact
     declare_hub(prm);
     declare_foundation(prm);
     declare_damping(prm);
+    declare_dampers(prm);
     prm.leave_subsection();
   }
 
@@ -200,6 +201,7 @@ namespace RollingContact
               "Dimension = 3.");
     body_shape()->check(dimension, rigid);
     check_model();
+    check_dampers(dimension);
     if (!rigid)
       check_material(dimension);
   }

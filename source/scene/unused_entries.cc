@@ -269,8 +269,9 @@ namespace RollingContact
                                          "Rayleigh stiffness",
                                          "Sponge length",
                                          "Sponge rate"};
-      const bool                     has_modes =
-        scene.is_of_structures() || scene.is_of_stability();
+      const bool                     has_modes = scene.is_of_structures() ||
+                             scene.is_of_stability() ||
+                             scene.has_reduced_bodies();
       const bool moves = has_modes || (scene.time.inertia &&
                                        (scene.analysis == "transient" ||
                                         (scene.analysis == "accuracy study" &&
@@ -282,7 +283,7 @@ namespace RollingContact
             "only bodies with inertia are damped, Analysis = transient with "
             "Time/Inertia = true, and those of analyses of modes");
       if (!has_modes)
-        add({"Modal damping"},
+        add({"Modal damping", "Mode damping"},
             "modes of a body have it, and this analysis finds none");
       if (scene.is_of_structures())
         add({"Loss frequency"},
@@ -297,6 +298,32 @@ namespace RollingContact
 
 
 
+    /** Of the dampers of the wheel, entries without a use, and why. */
+    void
+    add_idle_dampers(const SceneParameters              &scene,
+                     std::map<std::string, std::string> &idle)
+    {
+      std::string why;
+      if (!scene.is_of_stability() && !scene.has_reduced_bodies() &&
+          scene.analysis != "receptance")
+        why = "dampers hang on modes as receptance, stability, stability map "
+              "and Time/Bodies = reduced have them";
+      else if (scene.wheel.dampers.number.empty())
+        why = "there are no dampers, Dampers is empty";
+      else
+        return;
+      for (const char *entry : {"s",
+                                " mass",
+                                " frequency",
+                                " damping ratio",
+                                " radius",
+                                " position",
+                                " direction"})
+        idle.emplace("Wheel/Damper" + std::string(entry), why);
+    }
+
+
+
     std::map<std::string, std::string>
     idle_body_entries(const SceneParameters &scene)
     {
@@ -306,6 +333,7 @@ namespace RollingContact
           add_idle_supports(*body, scene.dimension, idle);
           add_idle_damping(scene, *body, idle);
         }
+      add_idle_dampers(scene, idle);
       return idle;
     }
   } // namespace

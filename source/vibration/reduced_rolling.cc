@@ -12,6 +12,7 @@ namespace RollingContact
     : modal(std::move(modes))
     , bodies(*modal, pair, W)
     , pair(pair)
+    , conditions(conditions)
     , motion(bodies.reduced(conditions))
   {}
 
@@ -117,7 +118,7 @@ namespace RollingContact
                                   const ContactState   &state)
   {
     const std::vector<double> forces = nodal_forces(problem, state);
-    motion.rest_at(bodies.static_amplitudes(forces), forces);
+    motion.rest_at(bodies.static_amplitudes(forces, conditions), forces);
   }
 
 
@@ -173,7 +174,8 @@ namespace RollingContact
     if (modal->body(side) == nullptr)
       return field;
     std::vector<double> eta = motion.state().eta;
-    const auto at_rest = bodies.static_amplitudes(nodal_forces(problem, state));
+    const auto          at_rest =
+      bodies.static_amplitudes(nodal_forces(problem, state), conditions);
     for (std::size_t k = 0; k < eta.size(); ++k)
       eta[k] -= at_rest[k];
     field += bodies.displacement(side, eta);

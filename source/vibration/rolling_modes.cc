@@ -34,7 +34,8 @@ namespace RollingContact
                                   const DenseMatrix      &W)
     : modal(bodies)
     , rolling(rolling)
-    , Phi(W.n_rows(), bodies.n_modes(Side::wheel) + bodies.n_modes(Side::rail))
+    , Phi(W.n_rows(),
+          bodies.n_coordinates(Side::wheel) + bodies.n_coordinates(Side::rail))
     , W_res(W)
   {
     PerSide<std::vector<std::size_t>> unknowns;
@@ -48,8 +49,10 @@ namespace RollingContact
     const std::size_t n = W.n_rows();
     for (std::size_t j = 0; j < Phi.n_columns(); ++j)
       {
-        const auto [side, mode]              = mode_of(j);
-        const StructuralModes       &modes   = bodies.body(side)->modes;
+        const auto [side, mode]      = coordinate_of(j);
+        const StructuralModes &modes = bodies.body(side)->modes;
+        if (mode >= modes.size())
+          continue; // absorbers do not touch
         PerSide<std::vector<double>> motions = at_rest;
         for (std::size_t i = 0; i < unknowns[side].size(); ++i)
           motions[side][i] = modes.shapes(unknowns[side][i], mode);
@@ -61,7 +64,7 @@ namespace RollingContact
           for (std::size_t p = 0; p < n; ++p)
             W_res(p, q) -= at[p] * at[q] / lambda;
       }
-    check(reduced(RollingConditions()));
+    check(reduced(bodies.standing()));
   }
 
 
@@ -72,7 +75,7 @@ namespace RollingContact
   {
     const std::size_t m = Phi.n_columns();
     ReducedPair       pair;
-    pair.n_wheel_modes = modal.n_modes(Side::wheel);
+    pair.n_wheel_modes = modal.n_coordinates(Side::wheel);
     pair.K_m = pair.C_m = DenseMatrix(m, m);
     pair.Phi            = Phi;
     pair.W_res          = W_res;
@@ -80,7 +83,7 @@ namespace RollingContact
       {
         if (modal.n_modes(side) == 0)
           continue;
-        const std::size_t first = side == Side::wheel ? 0 : pair.n_wheel_modes;
+        const std::size_t first = first_column(side);
         const auto [K_m, C_m]   = modal.modal_matrices(side, conditions);
         for (std::size_t j = 0; j < K_m.n_columns(); ++j)
           for (std::size_t i = 0; i < K_m.n_rows(); ++i)
@@ -95,10 +98,19 @@ namespace RollingContact
 
 
   template <int dim>
-  std::pair<Side, std::size_t>
-  RollingModes<dim>::mode_of(const std::size_t column) const
+  std::size_t
+  RollingModes<dim>::first_column(const Side side) const
   {
-    const std::size_t n_wheel = modal.n_modes(Side::wheel);
+    return side == Side::wheel ? 0 : modal.n_coordinates(Side::wheel);
+  }
+
+
+
+  template <int dim>
+  std::pair<Side, std::size_t>
+  RollingModes<dim>::coordinate_of(const std::size_t column) const
+  {
+    const std::size_t n_wheel = first_column(Side::rail);
     return column < n_wheel ? std::pair(Side::wheel, column)
                             : std::pair(Side::rail, column - n_wheel);
   }
@@ -107,17 +119,25 @@ namespace RollingContact
 
   template <int dim>
   std::vector<double>
-  RollingModes<dim>::static_amplitudes(const std::vector<double> &forces) const
+  RollingModes<dim>::static_amplitudes(
+    const std::vector<double> &forces,
+    const RollingConditions   &conditions) const
   {
-    std::vector<double> eta(Phi.n_columns(), 0.);
-    for (std::size_t j = 0; j < eta.size(); ++j)
+    std::vector<double> all;
+    for (const Side side : both_sides)
       {
-        const auto [side, mode] = mode_of(j);
-        for (std::size_t i = 0; i < forces.size(); ++i)
-          eta[j] += Phi(i, j) * forces[i];
-        eta[j] /= modal.body(side)->modes.eigenvalue(mode);
+        std::vector<double> eta(modal.n_modes(side), 0.);
+        for (std::size_t j = 0; j < eta.size(); ++j)
+          {
+            const std::size_t column = first_column(side) + j;
+            for (std::size_t i = 0; i < forces.size(); ++i)
+              eta[j] += Phi(i, column) * forces[i];
+            eta[j] /= modal.body(side)->modes.eigenvalue(j);
+          }
+        eta = modal.with_absorbers_at_rest(side, std::move(eta), conditions);
+        all.insert(all.end(), eta.begin(), eta.end());
       }
-    return eta;
+    return all;
   }
 
 
@@ -129,11 +149,8 @@ namespace RollingContact
   {
     const VibratingBody<dim> &body   = *modal.body(side);
     const DenseMatrix        &shapes = body.modes.shapes;
-    const std::size_t         first =
-      side == Side::wheel ? 0 : modal.n_modes(Side::wheel);
-    const std::vector<double> amplitudes(eta.begin() + first,
-                                         eta.begin() + first +
-                                           modal.n_modes(side));
+    const auto                first  = eta.begin() + first_column(side);
+    const std::vector<double> amplitudes(first, first + modal.n_modes(side));
     std::vector<double>       values(shapes.n_rows());
     shapes.multiply_block(0, 0, amplitudes, values);
     return body.body->field(values);

@@ -105,6 +105,7 @@ namespace RollingContact
     std::unique_ptr<ModalBodies<dim>> modal;
     const RollingModes<dim>           bodies;
     const RollingPair<dim>           &pair;
+    const RollingConditions           conditions;
     ReducedMotion                     motion;
     ReducedState                      kept;
     double                            h = 0.;

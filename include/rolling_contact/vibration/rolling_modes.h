@@ -29,19 +29,26 @@ namespace RollingContact
     ReducedPair
     reduced(const RollingConditions &conditions) const;
 
-    /** The side and the number of a column of the reduced pair. */
+    /** The side and the number, among its coordinates, of a column of the
+     * reduced pair; those from n_modes() of that side on are absorbers. */
     std::pair<Side, std::size_t>
-    mode_of(const std::size_t column) const;
+    coordinate_of(const std::size_t column) const;
+
+    /** The column of the first coordinate of a side. */
+    std::size_t
+    first_column(const Side side) const;
 
     /**
-     * Static amplitudes of the modes under nodal forces, Lambda^-1 Phi^T f.
-     * Units: N to m kg^(1/2).
+     * Static amplitudes of all coordinates under nodal forces, Lambda^-1 Phi^T
+     * f of modes, absorbers at rest with them. Units: N to m kg^(1/2).
      */
     std::vector<double>
-    static_amplitudes(const std::vector<double> &forces) const;
+    static_amplitudes(const std::vector<double> &forces,
+                      const RollingConditions   &conditions) const;
 
     /**
-     * Displacement of a body by amplitudes of all modes. Units: m kg^(1/2), m.
+     * Displacement of a body by amplitudes of all coordinates, of which those
+     * of absorbers move nothing of it. Units: m kg^(1/2), m.
      */
     BodyField
     displacement(const Side side, const std::vector<double> &eta) const;
