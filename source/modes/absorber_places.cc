@@ -161,7 +161,7 @@ namespace RollingContact
           std::to_string(circle.nodes.size()) + " nodes at radius " +
           significant(at.radius, 4) + " m, position " +
           significant(at.axial, 4) + " m, " +
-          significant(1e3 * distance(circle, ring), 2) +
+          significant(std::round(1e4 * distance(circle, ring)) / 10, 4) +
           " mm from the one asked for, up to " +
           std::to_string(places.diameters.back()) + " nodal diameters.");
       }

@@ -172,13 +172,44 @@ namespace RollingContact
 
 
 
+  void
+  join_absorbers(const AbsorberPlaces            &places,
+                 const std::vector<AbsorberRing> &rings,
+                 const DenseMatrix               &cross,
+                 DenseMatrix                     &shapes,
+                 DenseMatrix                     &residual)
+  {
+    const auto        at = coordinates(places, rings);
+    const std::size_t m = shapes.n_columns(), n = shapes.n_rows(),
+                      c = at.size();
+    const DenseMatrix by_spring =
+                        dense_product(cross, springs_on(places.residual, at)),
+                      of_modes = dense_product(by_spring, places.motions);
+    DenseMatrix all(n, m + c);
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        for (std::size_t j = 0; j < m; ++j)
+          all(i, j) = shapes(i, j) - of_modes(i, j);
+        for (std::size_t k = 0; k < c; ++k)
+          all(i, m + k) = by_spring(i, k) / std::sqrt(at[k].mass);
+      }
+    shapes                   = std::move(all);
+    const DenseMatrix softer = dense_product(by_spring, transposed(cross));
+    for (std::size_t j = 0; j < n; ++j)
+      for (std::size_t i = 0; i < n; ++i)
+        residual(i, j) -= (softer(i, j) + softer(j, i)) / 2;
+  }
+
+
+
   std::vector<double>
   absorbers_at_rest(const AbsorberPlaces            &places,
                     const std::vector<AbsorberRing> &rings,
-                    const std::vector<double>       &eta)
+                    const std::vector<double>       &eta,
+                    const std::vector<double>       &left_out)
   {
     const auto          at = coordinates(places, rings);
-    std::vector<double> z(at.size(), 0.);
+    std::vector<double> z  = left_out;
     for (std::size_t i = 0; i < z.size(); ++i)
       {
         for (std::size_t j = 0; j < eta.size(); ++j)

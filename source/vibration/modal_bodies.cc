@@ -92,22 +92,6 @@ namespace RollingContact
 
 
   template <int dim>
-  std::vector<double>
-  ModalBodies<dim>::with_absorbers_at_rest(
-    const Side               side,
-    std::vector<double>      eta,
-    const RollingConditions &conditions) const
-  {
-    if (hanging[side].n_coordinates() > 0)
-      for (const double z :
-           absorbers_at_rest(hanging[side], conditions.absorbers, eta))
-        eta.push_back(z);
-    return eta;
-  }
-
-
-
-  template <int dim>
   std::pair<DenseMatrix, DenseMatrix>
   ModalBodies<dim>::modal_matrices(const Side               side,
                                    const RollingConditions &conditions) const

@@ -62,13 +62,35 @@ namespace RollingContact
                  DenseMatrix                     &C_m);
 
   /**
-   * z of absorbers that follow the modes at rest, sqrt(n m) P eta: springs that
-   * carry nothing. Units: m kg^(1/2).
+   * Let absorbers and forces f_n at other places of the body know of each other
+   * by what the modes leave out, @p cross = R_n = N^T K^-1 L - N^T Phi
+   * Lambda^-1 P^T, with u = N^T x the motion there: the elongation is
+   * z / sqrt(n m) - P eta - R_n^T f_n, so that
+   *
+   *   u = (Phi_n - R_n K_s P) eta + R_n K_s z / sqrt(n m)
+   *       + (W_res - R_n K_s R_n^T) f_n,
+   *
+   * in which the dashpots are left out. @p shapes: Phi_n of the body's modes,
+   * of all of which and of z it gets the columns; @p residual: W_res. Units:
+   * m/N, 1/sqrt(kg), m/N.
+   */
+  void
+  join_absorbers(const AbsorberPlaces            &places,
+                 const std::vector<AbsorberRing> &rings,
+                 const DenseMatrix               &cross,
+                 DenseMatrix                     &shapes,
+                 DenseMatrix                     &residual);
+
+  /**
+   * z of absorbers that follow the body at rest, sqrt(n m) (P eta + @p
+   * left_out) with what the modes leave out of their motion: springs that carry
+   * nothing. Units: m, m kg^(1/2).
    */
   std::vector<double>
   absorbers_at_rest(const AbsorberPlaces            &places,
                     const std::vector<AbsorberRing> &rings,
-                    const std::vector<double>       &eta);
+                    const std::vector<double>       &eta,
+                    const std::vector<double>       &left_out);
 
   /**
    * Dynamic stiffness Z(s) of rings, which take Z W from the body where it

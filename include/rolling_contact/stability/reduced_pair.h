@@ -17,8 +17,7 @@ namespace RollingContact
    * ContactOperators::W(), tangential components first, in the frame of the
    * pair. The columns of Phi that belong to the rail carry the minus sign of
    * the relative motion. Modes first of the wheel, then of the rail. What hangs
-   * on a body counts among its modes, as coordinates of unit mass that do not
-   * move the contact.
+   * on a body counts among its modes, as coordinates of unit mass.
    */
   struct ReducedPair
   {

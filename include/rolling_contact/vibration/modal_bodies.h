@@ -75,14 +75,12 @@ namespace RollingContact
     RollingConditions
     standing() const;
 
-    /**
-     * Amplitudes of the coordinates of a body where absorbers follow its modes
-     * at rest. Units: m kg^(1/2).
-     */
-    std::vector<double>
-    with_absorbers_at_rest(const Side               side,
-                           std::vector<double>      eta,
-                           const RollingConditions &conditions) const;
+    /** Where absorbers hang on a body. */
+    const AbsorberPlaces &
+    absorber_places(const Side side) const
+    {
+      return hanging[side];
+    }
 
     /** Angular velocity of the wheel, 0 if it does not turn. Units: rad/s. */
     double

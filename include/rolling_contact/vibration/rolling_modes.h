@@ -66,9 +66,16 @@ namespace RollingContact
     }
 
   private:
+    /** Motions of the unknowns of a body, by columns, as the relative motion at
+     * the contact nodes. */
+    DenseMatrix
+    at_contact(const Side side, const DenseMatrix &motions) const;
+
     const ModalBodies<dim> &modal;
     const RollingPair<dim> &rolling;
-    DenseMatrix             Phi, W_res;
+    PerSide<DenseMatrix>    Phi;   ///< of the modes of a body
+    PerSide<DenseMatrix>    cross; ///< between contact and absorbers, residual
+    DenseMatrix             W_res; ///< without absorbers
   };
 
   /**
