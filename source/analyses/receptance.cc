@@ -171,9 +171,17 @@ namespace RollingContact
   Receptance<dim>::sweep(const VibratingBody<dim> &body, ResultsTable &table)
   {
     std::vector<Station> stations;
-    const auto           forces = loads(body, stations);
+    auto                 forces = loads(body, stations);
     const auto           ratios = body.given_damping();
-    VibratingStructure   structure{
+    const auto           rings  = body.parameters.absorbers();
+    const AbsorberPlaces hanging =
+      body.absorbers(scene.receptance.highest_frequency, context);
+    for (std::size_t k = 0; k < hanging.n_coordinates(); ++k)
+      {
+        const double *load = hanging.loads.data() + k * body.K.size();
+        forces.emplace_back(load, load + body.K.size());
+      }
+    VibratingStructure structure{
       body.K, body.M, body.H, body.C, body.body->nodes_of_unknowns()};
     PhaseTimer::Scope       phase(context.timer, Phase::response);
     const FrequencyResponse response(
@@ -187,6 +195,12 @@ namespace RollingContact
       {
         throw_if_interrupted();
         alpha.push_back(response.receptances(frequency));
+        if (!rings.empty())
+          alpha.back() = receptances_with(
+            alpha.back(),
+            absorber_stiffness(
+              hanging, rings, 0., Complex(0., 2 * pi * frequency)),
+            stations.size());
         add_rows(body.side, stations, frequency, alpha.back(), table);
       }
     std::size_t peak = 0;

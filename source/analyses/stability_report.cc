@@ -54,13 +54,10 @@ namespace RollingContact
                 const std::vector<double> &shares,
                 ResultsTable              &table)
     {
-      const ModalBodies<dim> &bodies  = rolling.bodies();
-      const bool              wheel   = side == Side::wheel;
-      const std::size_t       n_wheel = bodies.n_modes(Side::wheel);
+      const ModalBodies<dim> &bodies = rolling.bodies();
+      const std::size_t       first  = rolling.first_column(side);
       const auto [column, share] =
-        largest_share(shares,
-                      wheel ? 0 : n_wheel,
-                      wheel ? n_wheel : shares.size());
+        largest_share(shares, first, first + bodies.n_modes(side));
       const std::string name = name_of(side);
       if (bodies.n_modes(side) == 0)
         {
@@ -68,7 +65,7 @@ namespace RollingContact
             table.leave_empty(name + what);
           return;
         }
-      const std::size_t mode = rolling.mode_of(column).second;
+      const std::size_t mode = column - first;
       table.set(name + "_mode", mode + 1);
       table.set(name + "_mode_Hz", bodies.body(side)->modes.frequencies[mode]);
       table.set(name + "_mode_share", share);

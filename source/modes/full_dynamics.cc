@@ -91,18 +91,20 @@ namespace RollingContact
 
 
 
-  FullDynamics::FullDynamics(const TurningStructure    &structure,
-                             const Factorisation       &factor,
-                             const StructuralModes     &modes,
-                             const std::vector<double> &damping_ratios,
-                             const DenseMatrix         &K_m,
-                             const DenseMatrix         &C_m)
+  FullDynamics::FullDynamics(const TurningStructure         &structure,
+                             const Factorisation            &factor,
+                             const StructuralModes          &modes,
+                             const std::vector<double>      &damping_ratios,
+                             const DenseMatrix              &K_m,
+                             const DenseMatrix              &C_m,
+                             std::optional<AttachedDynamics> attached)
     : structure(structure)
     , factor(factor)
     , modes(modes)
     , K_m(K_m)
     , C_m(C_m)
     , M_phi(times(structure.M, modes.shapes))
+    , attached(std::move(attached))
   {
     for (std::size_t j = 0; j < modes.size(); ++j)
       modal_damping.push_back(2 * damping_ratios[j] * 2 * pi *
@@ -111,14 +113,74 @@ namespace RollingContact
 
 
 
+  FullDynamics::AtOneRate
+  FullDynamics::at(const Complex s) const
+  {
+    ComplexMatrix D(K_m, s, C_m);
+    for (std::size_t j = 0; j < modes.size(); ++j)
+      D(j, j) += s * s;
+    AtOneRate now{ComplexLU(std::move(D)), {}, {}};
+    if (now.modes.singular())
+      throw ConvergenceError("Vibration of the modes alone has no answer at "
+                             "this frequency: it is an undamped eigenvalue.");
+    if (!attached)
+      return now;
+    // L^T P^-1 L = P [(s^2 + s C_m + K_m)^-1 - Lambda^-1] P^T + L^T K^-1 L
+    const DenseMatrix &P = attached->motions;
+    const std::size_t  c = P.n_rows(), m = P.n_columns();
+    ComplexMatrix      of_modes(m, c);
+    for (std::size_t i = 0; i < c; ++i)
+      for (std::size_t j = 0; j < m; ++j)
+        of_modes(j, i) = P(i, j);
+    now.modes.solve(of_modes);
+    for (std::size_t i = 0; i < c; ++i)
+      for (std::size_t j = 0; j < m; ++j)
+        of_modes(j, i) -= P(i, j) / modes.eigenvalue(j);
+    ComplexMatrix compliance = ComplexMatrix(P) * of_modes;
+    for (std::size_t i = 0; i < c; ++i)
+      for (std::size_t j = 0; j < c; ++j)
+        compliance(j, i) += attached->compliance(j, i);
+    now.stiffness        = attached->stiffness(s);
+    ComplexMatrix system = now.stiffness * compliance;
+    for (std::size_t i = 0; i < c; ++i)
+      system(i, i) += 1.;
+    now.woodbury.emplace(std::move(system));
+    if (now.woodbury->singular())
+      throw ConvergenceError("Vibration of the modes and what hangs on them "
+                             "has no answer at this frequency: it is an "
+                             "undamped eigenvalue.");
+    return now;
+  }
+
+
+
+  void
+  FullDynamics::add_attached(const AtOneRate     &now,
+                             const ComplexVector &x,
+                             ComplexVector       &result) const
+  {
+    if (!attached)
+      return;
+    const ComplexVector force =
+      now.stiffness * transposed_product(attached->loads, x);
+    add(1.,
+        parts_of(dense_product(attached->loads, columns_of(Parts(force)))),
+        result);
+  }
+
+
+
   ComplexVector
-  FullDynamics::multiply(const Complex s, const ComplexVector &x) const
+  FullDynamics::multiply(const Complex        s,
+                         const AtOneRate     &now,
+                         const ComplexVector &x) const
   {
     const double  rate = structure.rate;
     const Parts   parts(x);
     ComplexVector result(x.size(), 0.);
     add(1., product(structure.K, parts), result);
     add(s * s, product(structure.M, parts), result);
+    add_attached(now, x, result);
     // what the damping sees: s x, and what flow brings
     ComplexVector velocity(x.size(), 0.);
     add(s, parts, velocity);
@@ -157,34 +219,42 @@ namespace RollingContact
 
 
 
-  ComplexVector
-  FullDynamics::precondition(const ComplexLU &D_m, const ComplexVector &b) const
+  void
+  FullDynamics::add_modes(const AtOneRate &now,
+                          ComplexVector    q,
+                          ComplexVector   &x) const
   {
-    const std::size_t n = b.size();
-    const int         m = modes.size();
-    const Parts       parts(b);
-    DenseMatrix       block = columns_of(parts);
-    factor.solve(block);
-    ComplexVector result(n);
-    for (std::size_t i = 0; i < n; ++i)
-      result[i] = Complex(block(i, 0), block(i, 1));
+    ComplexVector change = q;
+    now.modes.solve(change);
+    for (std::size_t j = 0; j < change.size(); ++j)
+      change[j] -= q[j] / modes.eigenvalue(j);
+    add(1.,
+        parts_of(dense_product(modes.shapes, columns_of(Parts(change)))),
+        x);
+  }
 
-    const Parts modal =
-      parts_of(transposed_product(modes.shapes, columns_of(parts)));
-    ComplexVector q(m);
-    for (int j = 0; j < m; ++j)
-      q[j] = Complex(modal.real[j], modal.imaginary[j]);
-    D_m.solve(q);
-    Parts dynamic(m);
-    for (int j = 0; j < m; ++j)
-      {
-        const Complex change =
-          q[j] -
-          Complex(modal.real[j], modal.imaginary[j]) / modes.eigenvalue(j);
-        dynamic.real[j]      = change.real();
-        dynamic.imaginary[j] = change.imag();
-      }
-    add(1., parts_of(dense_product(modes.shapes, columns_of(dynamic))), result);
+
+
+  ComplexVector
+  FullDynamics::precondition(const AtOneRate &now, const ComplexVector &b) const
+  {
+    DenseMatrix block = columns_of(Parts(b));
+    factor.solve(block);
+    ComplexVector result(b.size(), 0.);
+    add(1., parts_of(block), result);
+    add_modes(now, transposed_product(modes.shapes, b), result);
+    if (!attached)
+      return result;
+    // less P^-1 L (1 + Z L^T P^-1 L)^-1 Z L^T of that
+    ComplexVector force =
+      now.stiffness * transposed_product(attached->loads, result);
+    now.woodbury->solve(force);
+    for (Complex &value : force)
+      value *= -1.;
+    add(1.,
+        parts_of(dense_product(attached->deflected, columns_of(Parts(force)))),
+        result);
+    add_modes(now, transposed_product(attached->motions, force), result);
     return result;
   }
 
@@ -195,16 +265,10 @@ namespace RollingContact
                       const ComplexVector &b,
                       const double         tolerance) const
   {
-    ComplexMatrix D(K_m, s, C_m);
-    for (std::size_t j = 0; j < modes.size(); ++j)
-      D(j, j) += s * s;
-    const ComplexLU D_m(std::move(D));
-    if (D_m.singular())
-      throw ConvergenceError("Vibration of the modes alone has no answer at "
-                             "this frequency: it is an undamped eigenvalue.");
-    ComplexVector x(b.size(), 0.), rest = b;
-    const double  scale = norm(b);
-    double        error = scale > 0. ? 1. : 0., before = 2.;
+    const AtOneRate now = at(s);
+    ComplexVector   x(b.size(), 0.), rest = b;
+    const double    scale = norm(b);
+    double          error = scale > 0. ? 1. : 0., before = 2.;
     for (unsigned int k = 0; error > tolerance; ++k)
       {
         if (error < good_enough && error > standing_still * before)
@@ -218,11 +282,11 @@ namespace RollingContact
             std::to_string(k) +
             " iterations; raise Modes/Cut-off ratio, so that the modes reach "
             "further.");
-        const ComplexVector step = precondition(D_m, rest);
+        const ComplexVector step = precondition(now, rest);
         for (std::size_t i = 0; i < x.size(); ++i)
           x[i] += step[i];
         rest                      = b;
-        const ComplexVector image = multiply(s, x);
+        const ComplexVector image = multiply(s, now, x);
         for (std::size_t i = 0; i < x.size(); ++i)
           rest[i] -= image[i];
         error = norm(rest) / scale;

@@ -1,9 +1,9 @@
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/modes/mode_character.h>
+#include <rolling_contact/modes/node_rings.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace RollingContact
 {
@@ -11,13 +11,7 @@ namespace RollingContact
   {
     using Vector = std::array<double, 3>;
 
-    /// of the radius, by which nodes of a ring may differ
-    const double same_ring = 1e-6;
-
     const unsigned int most_rings = 64, most_diameters = 24;
-
-    /// widest gap of a ring between nodes that the series is taken from (rad)
-    const double widest_gap = 0.8;
 
     /// of a pair: difference of the frequencies over their mean, of the shares
     const double close = 0.03, alike = 0.05;
@@ -29,53 +23,6 @@ namespace RollingContact
     {
       return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     }
-
-
-
-    Vector
-    cross(const Vector &a, const Vector &b)
-    {
-      return {{a[1] * b[2] - a[2] * b[1],
-               a[2] * b[0] - a[0] * b[2],
-               a[0] * b[1] - a[1] * b[0]}};
-    }
-
-
-
-    Vector
-    combination(const double  a,
-                const Vector &x,
-                const double  b,
-                const Vector &y)
-    {
-      return {{a * x[0] + b * y[0], a * x[1] + b * y[1], a * x[2] + b * y[2]}};
-    }
-
-
-
-    /**
-     * Where a node is round the axle: axes along it, outwards and around.
-     */
-    struct Cylindrical
-    {
-      Cylindrical(const Axle &axle, const Vector &point)
-        : along(axle.direction)
-      {
-        const Vector from = combination(1., point, -1., axle.point);
-        axial             = product(from, along);
-        outwards          = combination(1., from, -axial, along);
-        radius            = std::sqrt(product(outwards, outwards));
-        if (radius > 0.)
-          outwards = combination(1 / radius, outwards, 0., outwards);
-        around          = cross(along, outwards);
-        const Vector up = combination(1., {{0., 0., 1.}}, -along[2], along);
-        angle           = std::atan2(product(outwards, cross(along, up)),
-                           product(outwards, up));
-      }
-
-      Vector along, outwards, around;
-      double axial = 0., radius = 0., angle = 0.;
-    };
 
 
 
@@ -93,72 +40,16 @@ namespace RollingContact
 
 
 
-    /**
-     * Nodes on a circle round the axle, by angle, with the weights of the
-     * trapezoidal rule.
-     */
-    struct Ring
-    {
-      struct Node
-      {
-        const BodyPlaces::Node *node;
-        Cylindrical             place;
-        double                  weight; // of the circle
-      };
-
-      std::vector<Node> nodes;
-      double            mass = 0., gap = 2 * pi;
-
-      void
-      close()
-      {
-        std::sort(nodes.begin(), nodes.end(), [](const Node &a, const Node &b) {
-          return a.place.angle < b.place.angle;
-        });
-        gap = 0.;
-        for (std::size_t k = 0; k < nodes.size(); ++k)
-          {
-            const std::size_t next = (k + 1) % nodes.size();
-            const double step = nodes[next].place.angle - nodes[k].place.angle +
-                                (next == 0 ? 2 * pi : 0.);
-            nodes[k].weight += step / (4 * pi);
-            nodes[next].weight += step / (4 * pi);
-            gap = std::max(gap, step);
-          }
-      }
-    };
-
-
-
     /** The heaviest rings that go all the way round. */
-    std::vector<Ring>
+    std::vector<NodeRing>
     rings_of(const BodyPlaces &places, const Axle &axle)
     {
-      double largest = 0.;
-      for (const auto &node : places.nodes)
-        largest = std::max(largest, Cylindrical(axle, node.point).radius);
-      const double                          tolerance = same_ring * largest;
-      std::map<std::pair<long, long>, Ring> found;
-      for (const auto &node : places.nodes)
-        {
-          const Cylindrical place(axle, node.point);
-          if (place.radius < 1e-3 * largest)
-            continue;
-          Ring &ring = found[{std::lround(place.radius / tolerance),
-                              std::lround(place.axial / tolerance)}];
-          ring.nodes.push_back({&node, place, 0.});
-          ring.mass += node.mass;
-        }
-      std::vector<Ring> rings;
-      for (auto &[key, ring] : found)
-        {
-          ring.close();
-          if (ring.gap < widest_gap)
-            rings.push_back(std::move(ring));
-        }
-      std::sort(rings.begin(), rings.end(), [](const Ring &a, const Ring &b) {
-        return a.mass > b.mass;
-      });
+      std::vector<NodeRing> rings = node_rings(places, axle);
+      std::sort(rings.begin(),
+                rings.end(),
+                [](const NodeRing &a, const NodeRing &b) {
+                  return a.mass > b.mass;
+                });
       if (rings.size() > most_rings)
         rings.resize(most_rings);
       return rings;
@@ -168,20 +59,20 @@ namespace RollingContact
 
     /** Energy of each order of the Fourier series round the axle. */
     std::vector<double>
-    energy_of_orders(const std::vector<Ring> &rings,
-                     const DenseMatrix       &shapes,
-                     const std::size_t        mode)
+    energy_of_orders(const std::vector<NodeRing> &rings,
+                     const DenseMatrix           &shapes,
+                     const std::size_t            mode)
     {
       double gap = 0.;
-      for (const Ring &ring : rings)
+      for (const NodeRing &ring : rings)
         gap = std::max(gap, ring.gap);
       const unsigned int n_orders =
         std::min<unsigned int>(most_diameters, pi / gap);
       std::vector<double> energy(n_orders + 1, 0.);
-      for (const Ring &ring : rings)
+      for (const NodeRing &ring : rings)
         {
           std::vector<Vector> cosine(n_orders + 1, Vector{}), sine = cosine;
-          for (const Ring::Node &at : ring.nodes)
+          for (const NodeRing::Node &at : ring.nodes)
             {
               const Vector u = motion(*at.node, shapes, mode);
               const Vector cylindrical{
@@ -222,7 +113,7 @@ namespace RollingContact
           Vector       parts{{u[1], u[2], u[0]}};
           if (axle)
             {
-              const Cylindrical place(*axle, node.point);
+              const CylindricalPlace place(*axle, node.point);
               parts = {{product(u, place.along),
                         product(u, place.outwards),
                         product(u, place.around)}};
@@ -286,7 +177,7 @@ namespace RollingContact
                   const std::optional<Axle> &axle,
                   const StructuralModes     &modes)
   {
-    std::vector<Ring> rings;
+    std::vector<NodeRing> rings;
     if (axle)
       rings = rings_of(places, *axle);
     std::vector<ModeCharacter> characters(modes.size());

@@ -39,6 +39,7 @@ namespace RollingContact
     declare_foundation(prm);
     declare_damping(prm);
     declare_points(prm);
+    declare_dampers(prm);
     prm.leave_subsection();
   }
 
@@ -222,6 +223,7 @@ namespace RollingContact
               "Dimension = 3.");
     body_shape()->check(dimension, rigid);
     check_model();
+    check_dampers(dimension);
     if (!rigid)
       check_material(dimension);
   }

@@ -66,15 +66,15 @@ namespace RollingContact
     prm.add_parameter(
       "Friction law",
       friction_law,
-      "How mu falls with the sliding speed v = |s| V from mu_s to "
-      "mu_k. " +
+      "How mu changes with the sliding speed v = |s| V from mu_s to mu_k: it "
+      "falls, or rises where mu_k is above mu_s. " +
         choice_help(friction_law_kinds()),
       Patterns::Selection(choice_names(friction_law_kinds())));
     prm.add_parameter(
       "Kinetic friction coefficient",
       kinetic_friction,
-      "mu_k of a law that falls, mu at high sliding speed. Polach: "
-      "0.4 mu_s, dry. Units: 1.",
+      "mu_k of a law that falls, mu at high sliding speed. Polach: 0.4 mu_s, "
+      "dry. Above mu_s friction rises, as with a friction modifier. Units: 1.",
       Patterns::Double(0.));
     prm.add_parameter("Friction decay speed",
                       friction_decay_speed,
@@ -242,13 +242,14 @@ namespace RollingContact
         "take exponential or rational.");
     if (!law)
       return;
-    if (!(kinetic_friction > 0.) || kinetic_friction > friction_coefficient)
+    if (!(kinetic_friction > 0.))
       throw InputError(
         "Contact/Kinetic friction coefficient = " + text_of(kinetic_friction) +
         ": Contact/Friction law = " + friction_law +
-        " needs mu_k above 0 and at most mu_s, "
-        "Contact/Friction coefficient = " +
-        text_of(friction_coefficient) + ".");
+        " needs mu_k above 0; below mu_s, Contact/Friction coefficient = " +
+        text_of(friction_coefficient) +
+        ", friction falls with the speed, above it rises, as by a friction "
+        "modifier.");
     if (!(friction_decay_speed > 0.))
       throw InputError(
         "Contact/Friction decay speed = " + text_of(friction_decay_speed) +

@@ -33,6 +33,10 @@ namespace RollingContact
       throw InputError("Time/Hold approach = true: the approach is that of the "
                        "steady state at t = 0; take Time/Initial state = "
                        "steady and leave Time/Normal load empty.");
+    if (!has_reduced_bodies() && time.inertia && !wheel.dampers.number.empty())
+      throw InputError("Wheel/Dampers: they hang on modes, and Time/Bodies = "
+                       "full has none; leave it empty, or take Time/Bodies = "
+                       "reduced.");
     if (!has_reduced_bodies())
       return;
     const std::string why = "Time/Bodies = reduced: ";

@@ -55,8 +55,12 @@ namespace RollingContact
     static const std::set<std::string> of_operators{"Contact/Slip operator",
                                                     "Contact/Contact matrices",
                                                     "Contact/Roughness"};
+    static const std::set<std::string> of_dampers{"Wheel/Damper mass",
+                                                  "Wheel/Damper frequency",
+                                                  "Wheel/Damper damping ratio"};
     return (entry.compare(0, 8, "Contact/") == 0 &&
             of_operators.count(entry) == 0) ||
+           of_dampers.count(entry) > 0 ||
            entry.compare(0, 10, "Stability/") == 0;
   }
 
@@ -89,7 +93,9 @@ namespace RollingContact
       "Wheel", "Rail", "Contact", "Mesh", "Profiles"};
     static const std::set<std::string> texts{"Contact/Roughness",
                                              "Wheel/Mesh file",
+                                             "Wheel/Mode damping",
                                              "Rail/Mesh file",
+                                             "Rail/Mode damping",
                                              "Profiles/Wheel profile",
                                              "Profiles/Rail profile"};
     const DeclaredEntries             &declared = handler->declared();

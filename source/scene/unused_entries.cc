@@ -346,7 +346,7 @@ namespace RollingContact
             "only bodies with inertia are damped, Analysis = transient with "
             "Time/Inertia = true, and those of analyses of modes");
       if (!has_modes)
-        add({"Modal damping"},
+        add({"Modal damping", "Mode damping"},
             "modes of a body have it, and this analysis finds none");
       if (scene.is_of_structures())
         add({"Loss frequency"},
@@ -357,6 +357,32 @@ namespace RollingContact
           body.model.foundation.loss_factor == 0. &&
           body.model.foundation.ballast_loss_factor == 0.)
         add({"Loss frequency"}, "all loss factors are 0");
+    }
+
+
+
+    /** Of the dampers of the wheel, entries without a use, and why. */
+    void
+    add_idle_dampers(const SceneParameters              &scene,
+                     std::map<std::string, std::string> &idle)
+    {
+      std::string why;
+      if (!scene.is_of_stability() && !scene.has_reduced_bodies() &&
+          scene.analysis != "receptance")
+        why = "dampers hang on modes as receptance, stability, stability map "
+              "and Time/Bodies = reduced have them";
+      else if (scene.wheel.dampers.number.empty())
+        why = "there are no dampers, Dampers is empty";
+      else
+        return;
+      for (const char *entry : {"s",
+                                " mass",
+                                " frequency",
+                                " damping ratio",
+                                " radius",
+                                " position",
+                                " direction"})
+        idle.emplace("Wheel/Damper" + std::string(entry), why);
     }
 
 
@@ -376,6 +402,7 @@ namespace RollingContact
             idle[body->section + "/Velocity points"] =
               "Analysis = transient with Time/Inertia = true reads it";
         }
+      add_idle_dampers(scene, idle);
       return idle;
     }
   } // namespace

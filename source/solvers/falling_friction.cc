@@ -23,6 +23,11 @@ namespace RollingContact
 
   namespace
   {
+    /// decay speeds after which nothing of a law is left to change
+    const double fast = 1e9;
+
+
+
     void
     add_outer_iteration(const SolverReport &fixed_mu, SolverReport &report)
     {
@@ -33,6 +38,20 @@ namespace RollingContact
       ++report.friction_rounds;
       report.residual = fixed_mu.residual;
       report.reason   = fixed_mu.reason;
+    }
+
+
+
+    /**
+     * The largest mu that the law gives a node: at rest, or sliding fast if mu
+     * rises.
+     */
+    double
+    highest_friction(const ContactLoads &loads, const unsigned int node)
+    {
+      const FrictionLaw &law = *loads.friction_law;
+      return loads.friction[node] *
+             std::max(1., 1 - law.drop(fast * law.decay_speed()));
     }
 
 
@@ -71,7 +90,7 @@ namespace RollingContact
         {
           const unsigned int i = nodes[k];
           own[i] = std::min(std::max(state.friction[i] + d(k, 0), 0.),
-                            problem.loads.friction[i]);
+                            highest_friction(problem.loads, i));
         }
       return own;
     }
@@ -115,7 +134,7 @@ namespace RollingContact
         {
           const unsigned int i = nodes[k];
           target[i] = std::min(std::max(state.friction[i] + d(k, 0), 0.),
-                               problem.loads.friction[i]);
+                               highest_friction(problem.loads, i));
         }
       return target;
     }
@@ -141,7 +160,7 @@ namespace RollingContact
       const FrictionLaw  &law      = *problem.loads.friction_law;
       std::vector<double> friction = problem.loads.friction;
       for (double &mu : friction)
-        mu *= 1 - law.drop(1e9 * law.decay_speed());
+        mu *= 1 - law.drop(fast * law.decay_speed());
       return friction;
     }
   } // namespace

@@ -1,5 +1,6 @@
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/text.h>
 #include <rolling_contact/linear_algebra/block_products.h>
 #include <rolling_contact/modes/rotation.h>
 #include <rolling_contact/stability/reduced_pair.h>
@@ -10,6 +11,7 @@ namespace RollingContact
   RollingConditions::RollingConditions(const SceneParameters &scene)
     : speed(scene.stability.rotation ? scene.contact.speed.value_or(0.) : 0.)
     , added_damping(scene.stability.added_damping)
+    , absorbers(scene.wheel.absorbers())
   {}
 
 
@@ -39,7 +41,8 @@ namespace RollingContact
         part.C_m                        = part.C.size() > 0
                                             ? projected(part.C, modes)
                                             : DenseMatrix(n_modes(side), n_modes(side));
-        const auto axle                 = body.parameters.body_shape()->axle();
+        hanging[side] = body.absorbers(scene.modes.maximum_frequency, context);
+        const auto axle = body.parameters.body_shape()->axle();
         if constexpr (dim == 3)
           if (side == Side::wheel && axle)
             {
@@ -47,6 +50,18 @@ namespace RollingContact
               part.S_m = modal_rotation(part.S, modes);
             }
       }
+  }
+
+
+
+  template <int dim>
+  RollingConditions
+  ModalBodies<dim>::standing() const
+  {
+    RollingConditions conditions;
+    if (bodies.wheel)
+      conditions.absorbers = bodies.wheel->parameters.absorbers();
+    return conditions;
   }
 
 
@@ -81,6 +96,23 @@ namespace RollingContact
   ModalBodies<dim>::modal_matrices(const Side               side,
                                    const RollingConditions &conditions) const
   {
+    auto matrices = matrices_of_modes(side, conditions);
+    if (hanging[side].n_coordinates() > 0)
+      hang_absorbers(hanging[side],
+                     conditions.absorbers,
+                     rate(side, conditions),
+                     matrices.first,
+                     matrices.second);
+    return matrices;
+  }
+
+
+
+  template <int dim>
+  std::pair<DenseMatrix, DenseMatrix>
+  ModalBodies<dim>::matrices_of_modes(const Side               side,
+                                      const RollingConditions &conditions) const
+  {
     const std::size_t      m      = n_modes(side);
     const StructuralModes &modes  = bodies[side]->modes;
     const auto             ratios = damping_ratios(side, conditions);
@@ -106,7 +138,20 @@ namespace RollingContact
                                const RollingConditions &conditions) const
   {
     const VibratingBody<dim> &body = *bodies[side];
-    const auto [K_m, C_m]          = modal_matrices(side, conditions);
+    const auto [K_m, C_m]          = matrices_of_modes(side, conditions);
+    std::optional<AttachedDynamics> attached;
+    if (hanging[side].n_coordinates() > 0)
+      attached.emplace(AttachedDynamics{
+        hanging[side].loads,
+        hanging[side].deflected,
+        hanging[side].compliance,
+        hanging[side].motions,
+        [this, side, conditions](const std::complex<double> s) {
+          return absorber_stiffness(hanging[side],
+                                    conditions.absorbers,
+                                    rate(side, conditions),
+                                    s);
+        }});
     return std::make_unique<FullDynamics>(
       TurningStructure{
         body.K, body.M, parts[side].C, parts[side].S, rate(side, conditions)},
@@ -114,7 +159,8 @@ namespace RollingContact
       body.modes,
       damping_ratios(side, conditions),
       K_m,
-      C_m);
+      C_m,
+      std::move(attached));
   }
 
 

@@ -10,6 +10,7 @@ namespace RollingContact
     : modal(std::move(modes))
     , bodies(*modal, pair, W)
     , pair(pair)
+    , conditions(conditions)
     , motion(bodies.reduced(conditions))
   {
     motion.set_hub_inertia(bodies.hub_inertia());
@@ -113,7 +114,7 @@ namespace RollingContact
                                   const ContactState   &state)
   {
     const std::vector<double> forces = nodal_forces(problem, state);
-    motion.rest_at(bodies.static_amplitudes(forces), forces);
+    motion.rest_at(bodies.static_amplitudes(forces, conditions), forces);
     rest = motion.state();
   }
 
@@ -209,7 +210,8 @@ namespace RollingContact
     if (modal->body(side) == nullptr)
       return field;
     std::vector<double> eta = motion.state().eta;
-    const auto at_rest = bodies.static_amplitudes(nodal_forces(problem, state));
+    const auto          at_rest =
+      bodies.static_amplitudes(nodal_forces(problem, state), conditions);
     for (std::size_t k = 0; k < eta.size(); ++k)
       eta[k] -= at_rest[k];
     field += bodies.displacement(side, eta);

@@ -1,3 +1,5 @@
+#include <rolling_contact/linear_algebra/block_products.h>
+#include <rolling_contact/linear_algebra/dense_eigenvalues.h>
 #include <rolling_contact/vibration/rolling_modes.h>
 
 namespace RollingContact
@@ -32,34 +34,65 @@ namespace RollingContact
                                   const DenseMatrix      &W)
     : modal(bodies)
     , rolling(rolling)
-    , Phi(W.n_rows(), bodies.n_modes(Side::wheel) + bodies.n_modes(Side::rail))
     , W_res(W)
+  {
+    const std::size_t n = W.n_rows();
+    for (const Side side : both_sides)
+      {
+        const std::size_t m = modal.n_modes(side);
+        Phi[side]           = DenseMatrix(n, m);
+        if (m == 0)
+          continue;
+        const StructuralModes &modes = modal.body(side)->modes;
+        Phi[side]                    = at_contact(side, modes.shapes);
+        DenseMatrix soft             = Phi[side]; // Phi Lambda^-1
+        for (std::size_t j = 0; j < m; ++j)
+          for (std::size_t p = 0; p < n; ++p)
+            soft(p, j) /= modes.eigenvalue(j);
+        for (std::size_t j = 0; j < m; ++j)
+          for (std::size_t q = 0; q < n; ++q)
+            for (std::size_t p = 0; p < n; ++p)
+              W_res(p, q) -=
+                Phi[side](p, j) * Phi[side](q, j) / modes.eigenvalue(j);
+        const AbsorberPlaces &places = modal.absorber_places(side);
+        if (places.n_coordinates() == 0)
+          continue;
+        cross[side] = at_contact(side, places.deflected);
+        const DenseMatrix of_modes =
+          dense_product(soft, transposed(places.motions));
+        for (std::size_t k = 0; k < places.n_coordinates(); ++k)
+          for (std::size_t p = 0; p < n; ++p)
+            cross[side](p, k) -= of_modes(p, k);
+      }
+    check(reduced(bodies.standing()));
+  }
+
+
+
+  template <int dim>
+  DenseMatrix
+  RollingModes<dim>::at_contact(const Side         side,
+                                const DenseMatrix &motions) const
   {
     PerSide<std::vector<std::size_t>> unknowns;
     PerSide<std::vector<double>>      at_rest;
-    for (const Side side : both_sides)
-      if (bodies.body(side) != nullptr)
+    for (const Side it : both_sides)
+      if (modal.body(it) != nullptr)
         {
-          unknowns[side] = unknowns_of_contact(bodies, rolling, side);
-          at_rest[side].assign(unknowns[side].size(), 0.);
+          unknowns[it] = unknowns_of_contact(modal, rolling, it);
+          at_rest[it].assign(unknowns[it].size(), 0.);
         }
-    const std::size_t n = W.n_rows();
-    for (std::size_t j = 0; j < Phi.n_columns(); ++j)
+    DenseMatrix result(W_res.n_rows(), motions.n_columns());
+    for (std::size_t j = 0; j < motions.n_columns(); ++j)
       {
-        const auto [side, mode]              = mode_of(j);
-        const StructuralModes       &modes   = bodies.body(side)->modes;
-        PerSide<std::vector<double>> motions = at_rest;
+        PerSide<std::vector<double>> moved = at_rest;
         for (std::size_t i = 0; i < unknowns[side].size(); ++i)
-          motions[side][i] = modes.shapes(unknowns[side][i], mode);
+          moved[side][i] = motions(unknowns[side][i], j);
         const std::vector<double> at =
-          rolling.relative_motion(std::move(motions));
-        std::copy(at.begin(), at.end(), Phi.data() + j * n);
-        const double lambda = modes.eigenvalue(mode);
-        for (std::size_t q = 0; q < n; ++q)
-          for (std::size_t p = 0; p < n; ++p)
-            W_res(p, q) -= at[p] * at[q] / lambda;
+          rolling.relative_motion(std::move(moved));
+        std::copy(at.begin(), at.end(), result.data() + j * at.size());
       }
-    check(reduced(RollingConditions()));
+    return result;
   }
 
 
@@ -68,17 +101,19 @@ namespace RollingContact
   ReducedPair
   RollingModes<dim>::reduced(const RollingConditions &conditions) const
   {
-    const std::size_t m = Phi.n_columns();
-    ReducedPair       pair;
-    pair.n_wheel_modes = modal.n_modes(Side::wheel);
+    const std::size_t m = modal.n_coordinates(Side::wheel) +
+                          modal.n_coordinates(Side::rail),
+                      n = W_res.n_rows();
+    ReducedPair pair;
+    pair.n_wheel_modes = modal.n_coordinates(Side::wheel);
     pair.K_m = pair.C_m = DenseMatrix(m, m);
-    pair.Phi            = Phi;
+    pair.Phi            = DenseMatrix(n, m);
     pair.W_res          = W_res;
     for (const Side side : both_sides)
       {
         if (modal.n_modes(side) == 0)
           continue;
-        const std::size_t first = side == Side::wheel ? 0 : pair.n_wheel_modes;
+        const std::size_t first = first_column(side);
         const auto [K_m, C_m]   = modal.modal_matrices(side, conditions);
         for (std::size_t j = 0; j < K_m.n_columns(); ++j)
           for (std::size_t i = 0; i < K_m.n_rows(); ++i)
@@ -86,6 +121,14 @@ namespace RollingContact
               pair.K_m(first + i, first + j) = K_m(i, j);
               pair.C_m(first + i, first + j) = C_m(i, j);
             }
+        DenseMatrix           shapes = Phi[side];
+        const AbsorberPlaces &places = modal.absorber_places(side);
+        if (places.n_coordinates() > 0)
+          join_absorbers(
+            places, conditions.absorbers, cross[side], shapes, pair.W_res);
+        std::copy(shapes.data(),
+                  shapes.data() + n * shapes.n_columns(),
+                  pair.Phi.data() + n * first);
       }
     return pair;
   }
@@ -93,10 +136,19 @@ namespace RollingContact
 
 
   template <int dim>
-  std::pair<Side, std::size_t>
-  RollingModes<dim>::mode_of(const std::size_t column) const
+  std::size_t
+  RollingModes<dim>::first_column(const Side side) const
   {
-    const std::size_t n_wheel = modal.n_modes(Side::wheel);
+    return side == Side::wheel ? 0 : modal.n_coordinates(Side::wheel);
+  }
+
+
+
+  template <int dim>
+  std::pair<Side, std::size_t>
+  RollingModes<dim>::coordinate_of(const std::size_t column) const
+  {
+    const std::size_t n_wheel = first_column(Side::rail);
     return column < n_wheel ? std::pair(Side::wheel, column)
                             : std::pair(Side::rail, column - n_wheel);
   }
@@ -105,17 +157,32 @@ namespace RollingContact
 
   template <int dim>
   std::vector<double>
-  RollingModes<dim>::static_amplitudes(const std::vector<double> &forces) const
+  RollingModes<dim>::static_amplitudes(
+    const std::vector<double> &forces,
+    const RollingConditions   &conditions) const
   {
-    std::vector<double> eta(Phi.n_columns(), 0.);
-    for (std::size_t j = 0; j < eta.size(); ++j)
+    std::vector<double> all;
+    for (const Side side : both_sides)
       {
-        const auto [side, mode] = mode_of(j);
-        for (std::size_t i = 0; i < forces.size(); ++i)
-          eta[j] += Phi(i, j) * forces[i];
-        eta[j] /= modal.body(side)->modes.eigenvalue(mode);
+        const AbsorberPlaces &places = modal.absorber_places(side);
+        std::vector<double>   eta(modal.n_modes(side), 0.),
+          left_out(places.n_coordinates(), 0.);
+        for (std::size_t j = 0; j < eta.size(); ++j)
+          {
+            for (std::size_t i = 0; i < forces.size(); ++i)
+              eta[j] += Phi[side](i, j) * forces[i];
+            eta[j] /= modal.body(side)->modes.eigenvalue(j);
+          }
+        all.insert(all.end(), eta.begin(), eta.end());
+        for (std::size_t k = 0; k < left_out.size(); ++k)
+          for (std::size_t i = 0; i < forces.size(); ++i)
+            left_out[k] += cross[side](i, k) * forces[i];
+        if (!left_out.empty())
+          for (const double z :
+               absorbers_at_rest(places, conditions.absorbers, eta, left_out))
+            all.push_back(z);
       }
-    return eta;
+    return all;
   }
 
 
@@ -147,11 +214,8 @@ namespace RollingContact
   {
     const VibratingBody<dim> &body   = *modal.body(side);
     const DenseMatrix        &shapes = body.modes.shapes;
-    const std::size_t         first =
-      side == Side::wheel ? 0 : modal.n_modes(Side::wheel);
-    const std::vector<double> amplitudes(eta.begin() + first,
-                                         eta.begin() + first +
-                                           modal.n_modes(side));
+    const auto                first  = eta.begin() + first_column(side);
+    const std::vector<double> amplitudes(first, first + modal.n_modes(side));
     std::vector<double>       values(shapes.n_rows());
     shapes.multiply_block(0, 0, amplitudes, values);
     return body.body->field(values);

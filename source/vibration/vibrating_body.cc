@@ -1,6 +1,7 @@
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
+#include <rolling_contact/modes/absorber_places.h>
 #include <rolling_contact/modes/measuring_point.h>
 #include <rolling_contact/parallel/interrupt.h>
 #include <rolling_contact/vibration/vibrating_body.h>
@@ -13,6 +14,9 @@ namespace RollingContact
   {
     /// difference of the eigenfrequencies of a pair that is one of rounding
     const double same_frequency = 1e-6;
+
+    /// from an eigenfrequency, over that, from where it is another one
+    const double far_frequency = 0.05;
 
 
 
@@ -236,15 +240,108 @@ namespace RollingContact
 
 
   template <int dim>
+  void
+  VibratingBody<dim>::warn_of_diameters(const std::vector<AbsorberRing> &rings,
+                                        const double highest,
+                                        RunContext  &context) const
+  {
+    for (const AbsorberRing &ring : rings)
+      for (std::size_t j = 0; j < modes.size(); ++j)
+        if (modes.frequencies[j] <= highest &&
+            characters[j].nodal_diameters.value_or(0) > ring.most_diameters())
+          {
+            context.log.warning(
+              parameters.section + "/Dampers = " + std::to_string(ring.number) +
+              ": they are taken as a continuous ring, which needs at least " +
+              std::to_string(2 * *characters[j].nodal_diameters + 1) +
+              " of them for the mode with " +
+              std::to_string(*characters[j].nodal_diameters) +
+              " nodal diameters at " + significant(modes.frequencies[j], 5) +
+              " Hz; such modes and those with more diameters are not damped "
+              "here.");
+            break;
+          }
+  }
+
+
+
+  template <int dim>
+  AbsorberPlaces
+  VibratingBody<dim>::absorbers(const double highest, RunContext &context) const
+  {
+    const auto rings = parameters.absorbers();
+    if (rings.empty())
+      return {};
+    const auto axle = parameters.body_shape()->axle();
+    if (!axle)
+      throw InputError(parameters.section +
+                       "/Dampers: this wheel has no axle for them to be "
+                       "round; take Shape = disc or section, with a Radius "
+                       "above 0.");
+    PhaseTimer::Scope        phase(context.timer, Phase::modes);
+    std::vector<std::string> notes;
+    const AbsorberPlaces     result = absorber_places(rings,
+                                                  parameters.section,
+                                                  places,
+                                                  *axle,
+                                                  modes,
+                                                  characters,
+                                                  *factor,
+                                                  shift,
+                                                  notes);
+    for (const std::string &note : notes)
+      context.log.message(parameters.section + ": " + note);
+    context.log.detail(parameters.section +
+                       ": what the modes leave out is as soft as " +
+                       significant(100 * softening(result, rings), 2) +
+                       " % of the dampers' springs, and in series with them.");
+    warn_of_diameters(rings, highest, context);
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  VibratingBody<dim>::damping_of_single_modes() const
+  {
+    std::vector<double> ratios(modes.size(), 0.);
+    for (const auto &[f, ratio] : parameters.model.damping.of_modes)
+      {
+        std::size_t nearest = 0;
+        for (std::size_t j = 0; j < modes.size(); ++j)
+          if (std::abs(modes.frequencies[j] - f) <
+              std::abs(modes.frequencies[nearest] - f))
+            nearest = j;
+        if (modes.size() == 0 ||
+            std::abs(modes.frequencies[nearest] - f) > far_frequency * f)
+          throw InputError(
+            parameters.section + "/Mode damping: no mode is within 5 % of " +
+            significant(f, 6) + " Hz" +
+            (modes.size() == 0
+               ? ""
+               : "; the nearest is at " +
+                   significant(modes.frequencies[nearest], 6) + " Hz") +
+            ". Analysis = modes lists all.");
+        ratios[nearest] += ratio;
+        if (characters[nearest].partner)
+          ratios[*characters[nearest].partner] += ratio;
+      }
+    return ratios;
+  }
+
+
+
+  template <int dim>
   std::vector<double>
   VibratingBody<dim>::given_damping() const
   {
     const std::vector<double> &by_diameters = parameters.model.damping.modal;
-    std::vector<double>        ratios(modes.size(), 0.);
+    std::vector<double>        ratios       = damping_of_single_modes();
     if (by_diameters.empty())
       return ratios;
     for (std::size_t j = 0; j < modes.size(); ++j)
-      ratios[j] = by_diameters[std::min<std::size_t>(
+      ratios[j] += by_diameters[std::min<std::size_t>(
         by_diameters.size() - 1,
         characters[j].nodal_diameters.value_or(by_diameters.size()))];
     return ratios;

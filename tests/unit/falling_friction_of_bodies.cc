@@ -255,9 +255,9 @@ BOOST_AUTO_TEST_CASE(entries_that_contradict_each_other)
       BOOST_TEST(contains(text, "Contact/Friction law = " + std::string(law)));
       BOOST_TEST(contains(text, "Contact/Speed"));
     }
-  BOOST_TEST(
-    contains(said([](auto &scene) { scene.contact.kinetic_friction = 0.4; }),
-             "Contact/Kinetic friction coefficient = 0.4"));
+  BOOST_TEST(said([](auto &scene) {
+               scene.contact.kinetic_friction = 0.4; // rises
+             }) == "");
   BOOST_TEST(
     contains(said([](auto &scene) { scene.contact.kinetic_friction = 0.; }),
              "above 0"));

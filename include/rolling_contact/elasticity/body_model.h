@@ -3,6 +3,7 @@
 
 #include <array>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace RollingContact
@@ -90,6 +91,8 @@ namespace RollingContact
     double sponge_rate       = 3000.; ///< 1/s at the very ends
     std::vector<double>
       modal; ///< with 0, 1, ... nodal diameters, the last: all
+    std::vector<std::pair<double, double>>
+      of_modes; ///< of single modes in addition: frequency (Hz), ratio
 
     /**
      * Whether there is a viscous matrix.
@@ -116,7 +119,8 @@ namespace RollingContact
                         it.stiffness_damping,
                         it.sponge_length,
                         it.sponge_rate,
-                        it.modal);
+                        it.modal,
+                        it.of_modes);
       };
       return tied(*this) == tied(other);
     }

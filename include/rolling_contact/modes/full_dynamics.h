@@ -7,6 +7,8 @@
 #include <rolling_contact/modes/structural_modes.h>
 
 #include <complex>
+#include <functional>
+#include <optional>
 
 namespace RollingContact
 {
@@ -23,33 +25,48 @@ namespace RollingContact
   };
 
   /**
+   * What hangs on a few motions W = L^T x of a structure, which is left with
+   * the forces -L Z(s) W: L, K^-1 L, L^T K^-1 L, P = L^T Phi of the modes, and
+   * Z by s in 1/s. Units: 1, m/N, m/N, 1/sqrt(kg), N/m.
+   */
+  struct AttachedDynamics
+  {
+    const DenseMatrix &loads, &deflected, &compliance, &motions;
+
+    std::function<ComplexMatrix(const std::complex<double>)> stiffness;
+  };
+
+  /**
    * Vibration that goes as exp(s t), of all unknowns of a body:
    *
    *   D(s) x = b,
    *   D = K + s C' + s^2 M + 2 s Omega S + Omega^2 S M_l^-1 S
-   *         + Omega C' M_l^-1 S,
+   *         + Omega C' M_l^-1 S + L Z(s) L^T,
    *
-   * C' = C + M Phi diag(2 zeta_j omega_j) Phi^T M with the damping ratios of
-   * the modes, M_l the diagonal of M. Solved with the real factor of K and the
-   * modes alone: x <- x + P^-1 (b - D x),
+   * L Z L^T of what is attached, C' = C + M Phi diag(2 zeta_j omega_j) Phi^T M
+   * with the damping ratios of the modes, M_l the diagonal of M. Solved with
+   * the real factor of K and the modes alone: x <- x + P^-1 (b - D x),
    *
    *   P^-1 b = Phi [(s^2 + s C_m + K_m)^-1 - Lambda^-1] Phi^T b + K^-1 b,
    *
-   * which contracts by |s|^2 over the first eigenvalue beyond the modes.
+   * which contracts by |s|^2 over the first eigenvalue beyond the modes. With
+   * something attached its inverse is that of P + L Z L^T, by Woodbury's
+   * formula.
    */
   class FullDynamics
   {
   public:
     /**
      * Keeps references: all of them must outlive this. @p K_m, @p C_m: of the
-     * modes, with damping and rotation.
+     * modes, with damping and rotation, without what is @p attached.
      */
-    FullDynamics(const TurningStructure    &structure,
-                 const Factorisation       &factor,
-                 const StructuralModes     &modes,
-                 const std::vector<double> &damping_ratios,
-                 const DenseMatrix         &K_m,
-                 const DenseMatrix         &C_m);
+    FullDynamics(const TurningStructure         &structure,
+                 const Factorisation            &factor,
+                 const StructuralModes          &modes,
+                 const std::vector<double>      &damping_ratios,
+                 const DenseMatrix              &K_m,
+                 const DenseMatrix              &C_m,
+                 std::optional<AttachedDynamics> attached = {});
 
     /**
      * x to a relative residual of @p tolerance, or, below 1e-6, as far as
@@ -69,11 +86,35 @@ namespace RollingContact
     }
 
   private:
-    ComplexVector
-    multiply(const std::complex<double> s, const ComplexVector &x) const;
+    /** Of one s: (s^2 + s C_m + K_m)^-1 and, of what is attached, Z and
+     * (1 + Z L^T P^-1 L)^-1. */
+    struct AtOneRate
+    {
+      ComplexLU                modes;
+      ComplexMatrix            stiffness;
+      std::optional<ComplexLU> woodbury;
+    };
+
+    AtOneRate
+    at(const std::complex<double> s) const;
 
     ComplexVector
-    precondition(const ComplexLU &D_m, const ComplexVector &b) const;
+    multiply(const std::complex<double> s,
+             const AtOneRate           &now,
+             const ComplexVector       &x) const;
+
+    ComplexVector
+    precondition(const AtOneRate &now, const ComplexVector &b) const;
+
+    /** x += Phi [(s^2 + s C_m + K_m)^-1 - Lambda^-1] q. */
+    void
+    add_modes(const AtOneRate &now, ComplexVector q, ComplexVector &x) const;
+
+    /** Forces of what is attached on the structure, to be taken from x. */
+    void
+    add_attached(const AtOneRate     &now,
+                 const ComplexVector &x,
+                 ComplexVector       &result) const;
 
     TurningStructure       structure;
     const Factorisation   &factor;
@@ -81,7 +122,10 @@ namespace RollingContact
     std::vector<double>    modal_damping; ///< 2 zeta omega
     DenseMatrix            K_m, C_m;
     DenseMatrix            M_phi;
-    mutable unsigned int   iterations = 0;
+
+    std::optional<AttachedDynamics> attached;
+
+    mutable unsigned int iterations = 0;
   };
 } // namespace RollingContact
 

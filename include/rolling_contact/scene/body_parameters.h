@@ -1,6 +1,7 @@
 #ifndef rolling_contact_scene_body_parameters_h
 #define rolling_contact_scene_body_parameters_h
 
+#include <rolling_contact/elasticity/absorber_ring.h>
 #include <rolling_contact/elasticity/body_model.h>
 #include <rolling_contact/elasticity/material.h>
 #include <rolling_contact/mesh/body_shape.h>
@@ -22,6 +23,17 @@ namespace RollingContact
   {
     radii,
     nodes
+  };
+
+  /**
+   * Absorbers on a wheel as the entries have them: lists with a value for each
+   * ring, or one value for all.
+   */
+  struct DamperEntries
+  {
+    std::vector<double> number; ///< in each ring; empty: none
+    std::vector<double> mass, frequency, damping_ratio, radius, position;
+    std::string         direction = "axial";
   };
 
   /**
@@ -65,6 +77,13 @@ namespace RollingContact
     body_shape() const;
 
     /**
+     * The absorbers that hang on it. Throws InputError if the lists of entries
+     * do not fit each other or a value is not allowed.
+     */
+    std::vector<AbsorberRing>
+    absorbers() const;
+
+    /**
      * Whether it is elastic with a mesh or a section from a file.
      */
     bool
@@ -82,6 +101,7 @@ namespace RollingContact
     SurfaceSource surface   = SurfaceSource::radii;
     Material      material  = {210e9, 0.3};
     BodyModel     model;
+    DamperEntries dampers;
     double        thermal_conductivity = 50.;  ///< W/(m K)
     double        heat_capacity        = 460.; ///< J/(kg K)
     std::string   velocity_points;             ///< see read_velocity_points()
@@ -112,6 +132,9 @@ namespace RollingContact
     declare_damping(dealii::ParameterHandler &prm);
 
     void
+    declare_dampers(dealii::ParameterHandler &prm);
+
+    void
     check_material(const unsigned int dimension) const;
 
     /**
@@ -131,6 +154,9 @@ namespace RollingContact
 
     void
     check_damping() const;
+
+    void
+    check_dampers(const unsigned int dimension) const;
   };
 } // namespace RollingContact
 

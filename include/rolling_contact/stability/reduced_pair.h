@@ -16,7 +16,8 @@ namespace RollingContact
    * the nodal forces on the wheel, both (T + 1) N values in the order of
    * ContactOperators::W(), tangential components first, in the frame of the
    * pair. The columns of Phi that belong to the rail carry the minus sign of
-   * the relative motion. Modes first of the wheel, then of the rail.
+   * the relative motion. Modes first of the wheel, then of the rail. What hangs
+   * on a body counts among its modes, as coordinates of unit mass.
    */
   struct ReducedPair
   {

@@ -1,6 +1,7 @@
 #ifndef rolling_contact_vibration_modal_bodies_h
 #define rolling_contact_vibration_modal_bodies_h
 
+#include <rolling_contact/modes/absorbers.h>
 #include <rolling_contact/modes/full_dynamics.h>
 #include <rolling_contact/pair/body_pair.h>
 #include <rolling_contact/vibration/vibrating_body.h>
@@ -23,12 +24,16 @@ namespace RollingContact
     double speed = 0.; ///< of rolling, m/s; 0: the wheel does not turn
     double added_damping =
       0.; ///< damping ratio that all modes have in addition
+
+    /** Of the wheel: on the circles where they were when the modes were
+     * found. */
+    std::vector<AbsorberRing> absorbers;
   };
 
   /**
    * The modes of the elastic bodies of a rolling pair, found once, and the
    * matrices of their equations under given conditions. A wheel that is a body
-   * of revolution turns under the contact.
+   * of revolution turns under the contact and may have absorbers.
    */
   template <int dim>
   class ModalBodies
@@ -57,12 +62,32 @@ namespace RollingContact
       return bodies[side] ? bodies[side]->modes.size() : 0;
     }
 
+    /** Unknowns of the reduced equations of a body: its modes, then what
+     * absorbers add. 0 for a rigid body. */
+    std::size_t
+    n_coordinates(const Side side) const
+    {
+      return n_modes(side) + hanging[side].n_coordinates();
+    }
+
+    /** Those of a wheel that does not turn, with the absorbers that it had when
+     * the modes were found. */
+    RollingConditions
+    standing() const;
+
+    /** Where absorbers hang on a body. */
+    const AbsorberPlaces &
+    absorber_places(const Side side) const
+    {
+      return hanging[side];
+    }
+
     /** Angular velocity of the wheel, 0 if it does not turn. Units: rad/s. */
     double
     rate(const Side side, const RollingConditions &conditions) const;
 
     /**
-     * The stiffness and the damping matrix of the modes of a body. Units:
+     * The stiffness and the damping matrix of the coordinates of a body. Units:
      * 1/s^2, 1/s.
      */
     std::pair<DenseMatrix, DenseMatrix>
@@ -88,8 +113,14 @@ namespace RollingContact
     std::vector<double>
     damping_ratios(const Side side, const RollingConditions &conditions) const;
 
+    /** Without absorbers. */
+    std::pair<DenseMatrix, DenseMatrix>
+    matrices_of_modes(const Side               side,
+                      const RollingConditions &conditions) const;
+
     PerSide<std::unique_ptr<VibratingBody<dim>>> bodies;
     PerSide<Part>                                parts;
+    PerSide<AbsorberPlaces>                      hanging;
   };
 } // namespace RollingContact
 

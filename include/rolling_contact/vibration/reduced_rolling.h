@@ -136,6 +136,7 @@ namespace RollingContact
     std::shared_ptr<ModalBodies<dim>> modal;
     const RollingModes<dim>           bodies;
     const RollingPair<dim>           &pair;
+    const RollingConditions           conditions;
     ReducedMotion                     motion;
     ReducedState                      kept, rest;
     DenseMatrix watched; ///< motion of points by the modes, kg^(-1/2)

@@ -29,27 +29,34 @@ namespace RollingContact
     ReducedPair
     reduced(const RollingConditions &conditions) const;
 
-    /** The side and the number of a column of the reduced pair. */
+    /** The side and the number, among its coordinates, of a column of the
+     * reduced pair; those from n_modes() of that side on are absorbers. */
     std::pair<Side, std::size_t>
-    mode_of(const std::size_t column) const;
+    coordinate_of(const std::size_t column) const;
+
+    /** The column of the first coordinate of a side. */
+    std::size_t
+    first_column(const Side side) const;
 
     /**
-     * Static amplitudes of the modes under nodal forces, Lambda^-1 Phi^T f.
-     * Units: N to m kg^(1/2).
+     * Static amplitudes of all coordinates under nodal forces, Lambda^-1 Phi^T
+     * f of modes, absorbers at rest with them. Units: N to m kg^(1/2).
      */
     std::vector<double>
-    static_amplitudes(const std::vector<double> &forces) const;
+    static_amplitudes(const std::vector<double> &forces,
+                      const RollingConditions   &conditions) const;
 
     /**
-     * Load on the modes when the wheel's hub accelerates by 1 m/s^2 towards the
-     * rail and displacements are those relative to it: -Phi^T M e_z of the
-     * wheel, 0 of the rail. Units: kg^(1/2).
+     * Load on all coordinates when the wheel's hub accelerates by 1 m/s^2
+     * towards the rail and displacements are those relative to it: -Phi^T M e_z
+     * of the wheel, 0 of the rail. Units: kg^(1/2).
      */
     std::vector<double>
     hub_inertia() const;
 
     /**
-     * Displacement of a body by amplitudes of all modes. Units: m kg^(1/2), m.
+     * Displacement of a body by amplitudes of all coordinates, of which those
+     * of absorbers move nothing of it. Units: m kg^(1/2), m.
      */
     BodyField
     displacement(const Side side, const std::vector<double> &eta) const;
@@ -67,9 +74,16 @@ namespace RollingContact
     }
 
   private:
+    /** Motions of the unknowns of a body, by columns, as the relative motion at
+     * the contact nodes. */
+    DenseMatrix
+    at_contact(const Side side, const DenseMatrix &motions) const;
+
     const ModalBodies<dim> &modal;
     const RollingPair<dim> &rolling;
-    DenseMatrix             Phi, W_res;
+    PerSide<DenseMatrix>    Phi;   ///< of the modes of a body
+    PerSide<DenseMatrix>    cross; ///< between contact and absorbers, residual
+    DenseMatrix             W_res; ///< without absorbers
   };
 
   /**

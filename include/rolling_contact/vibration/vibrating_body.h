@@ -2,6 +2,7 @@
 #define rolling_contact_vibration_vibrating_body_h
 
 #include <rolling_contact/elasticity/direct_body.h>
+#include <rolling_contact/modes/absorbers.h>
 #include <rolling_contact/modes/body_places.h>
 #include <rolling_contact/modes/mode_character.h>
 #include <rolling_contact/modes/structural_modes.h>
@@ -41,10 +42,20 @@ namespace RollingContact
                   RunContext            &context);
 
     /**
-     * Damping ratio of each mode that the scene gives by nodal diameters.
+     * Damping ratio of each mode that the scene gives, by nodal diameters and
+     * for single modes. Throws InputError for a single mode that there is not.
      */
     std::vector<double>
     given_damping() const;
+
+    /**
+     * Where the absorbers that the scene gives the body hang on it; empty if
+     * it has none. Tells the log, and warns of modes up to a frequency with
+     * more nodal diameters than they act on as a continuous ring. Units: Hz.
+     * Throws InputError if there is no place for them.
+     */
+    AbsorberPlaces
+    absorbers(const double highest, RunContext &context) const;
 
     const Side                 side;
     const BodyParameters       parameters;
@@ -73,6 +84,14 @@ namespace RollingContact
     find_modes(const ModesParameters &wanted,
                const double           cut_off,
                RunContext            &context);
+
+    std::vector<double>
+    damping_of_single_modes() const;
+
+    void
+    warn_of_diameters(const std::vector<AbsorberRing> &rings,
+                      const double                     highest,
+                      RunContext                      &context) const;
 
     void
     warn_of_pairs(const std::optional<double> &speed,
