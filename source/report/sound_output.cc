@@ -77,7 +77,7 @@ namespace RollingContact
           continue;
         bodies.push_back(std::move(body));
         const std::size_t first =
-          side == Side::wheel ? 0 : modes.n_modes(Side::wheel);
+          side == Side::wheel ? 0 : modes.n_coordinates(Side::wheel);
         for (std::size_t j = 0; j < bodies.back().radiating.frequencies.size();
              ++j)
           {

@@ -224,13 +224,13 @@ namespace RollingContact
   void
   ReducedRolling<dim>::watch(const WatchedPoints<dim> &points)
   {
-    const std::size_t n_modes = motion.bodies().n_modes();
-    watched                   = DenseMatrix(points.n_values(), n_modes);
-    for (std::size_t j = 0; j < n_modes; ++j)
+    const std::size_t n = motion.bodies().n_modes();
+    watched             = DenseMatrix(points.n_values(), n);
+    for (std::size_t j = 0; j < n; ++j)
       {
-        const auto [side, mode] = bodies.mode_of(j);
-        if (!points.has_any(side))
-          continue;
+        const auto [side, mode] = bodies.coordinate_of(j);
+        if (!points.has_any(side) || mode >= modal->n_modes(side))
+          continue; // absorbers move no point of the body
         const auto        &body   = *modal->body(side);
         const DenseMatrix &shapes = body.modes.shapes;
         const double      *first  = shapes.data() + mode * shapes.n_rows();
