@@ -39,6 +39,14 @@ namespace RollingContact
                        "reduced.");
     if (!has_reduced_bodies())
       return;
+    if (!time.approach.empty() && !wheel.dampers.number.empty() &&
+        wheel.dampers.direction != "axial")
+      throw InputError("Time/Approach = " + time.approach +
+                       ": the hub would shake Wheel/Dampers in Damper "
+                       "direction = " +
+                       wheel.dampers.direction +
+                       ", which is not computed; take axial dampers, or drive "
+                       "by another entry.");
     const std::string why = "Time/Bodies = reduced: ";
     if (analysis == "accuracy study")
       throw InputError(
