@@ -247,20 +247,26 @@ namespace RollingContact
 
 
 
-    /** Levels of bands for the eye: none of what is far below the rest. */
-    Values
+    /** Levels of bands for the eye, from the first one that has any: a gap for
+     * what is far below the rest. */
+    std::pair<Values, Values>
     shown_levels(const Bands &bands)
     {
-      const double range = 1e-9;
+      const double range = 1e-8;
       double       most  = 0.;
       for (const Signals::ThirdOctave &band : bands)
         most = std::max(most, band.mean_square.value_or(0.));
-      Values levels;
+      Values centres, levels;
       for (const Signals::ThirdOctave &band : bands)
-        levels.push_back(band.mean_square.value_or(0.) > range * most
-                           ? power_level(*band.mean_square)
-                           : std::numeric_limits<double>::quiet_NaN());
-      return levels;
+        {
+          const bool shown = band.mean_square.value_or(0.) > range * most;
+          if (!shown && centres.empty())
+            continue;
+          centres.push_back(band.centre);
+          levels.push_back(shown ? power_level(*band.mean_square)
+                                 : std::numeric_limits<double>::quiet_NaN());
+        }
+      return {centres, levels};
     }
 
 
@@ -282,12 +288,10 @@ namespace RollingContact
         for (const auto &[other, values] : bands)
           if (other == column)
             {
-              Values centres;
-              for (const Signals::ThirdOctave &band : values)
-                centres.push_back(band.centre);
+              const auto [centres, levels] = shown_levels(values);
               figure.add_curve(label,
                                centres,
-                               shown_levels(values),
+                               levels,
                                CurveStyle::line_and_points);
             }
       for (const SoundingBody &body : bodies)
