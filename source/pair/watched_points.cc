@@ -112,7 +112,7 @@ namespace RollingContact
           millimetres(point.distance()) + " outside of the " + name_of(side) +
           "; the nearest point of its mesh is at " +
           place_text(side, point.place()) +
-          " from the contact point. Give a point inside.");
+          " in the axes of the body. Give a point inside.");
       return point;
     }
   } // namespace
