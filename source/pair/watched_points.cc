@@ -76,14 +76,17 @@ namespace RollingContact
     std::string
     place_text(const Side side, const Point<dim> &point)
     {
-      std::string text;
+      const double rounding = 1e-12; // m
+      std::string  text;
       for (unsigned int d = 0; d < dim; ++d)
-        text += (d == 0         ? "x = "
-                 : d == dim - 1 ? ", z = "
-                                : ", y = ") +
-                significant(d == dim - 1 && side == Side::wheel ? -point[d]
-                                                                : point[d],
-                            5);
+        {
+          const bool   up    = d == dim - 1;
+          const double value = up && side == Side::wheel ? -point[d] : point[d];
+          text += (d == 0 ? "x = "
+                   : up   ? ", z = "
+                          : ", y = ") +
+                  significant(std::abs(value) > rounding ? value : 0., 5);
+        }
       return text + " m";
     }
 
@@ -109,7 +112,7 @@ namespace RollingContact
           millimetres(point.distance()) + " outside of the " + name_of(side) +
           "; the nearest point of its mesh is at " +
           place_text(side, point.place()) +
-          " from the contact point. Give a point inside.");
+          " in the axes of the body. Give a point inside.");
       return point;
     }
   } // namespace

@@ -139,13 +139,14 @@ set palette defined (0 "#440154", 1 "#472D7B", 2 "#3B528B", 3 "#2C728E", \
     };
     for (const Map &map : maps)
       {
-        // cells without a value are of the map as well
+        // cells without a value are of the map as well; with the digits of the
+        // data, or the outer cells would be cut
         if (!map.x.empty() && !map.y.empty())
           text += fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n",
-                              map.x.front(),
-                              map.x.back(),
-                              map.y.front(),
-                              map.y.back());
+                              significant(map.x.front(), 9),
+                              significant(map.x.back(), 9),
+                              significant(map.y.front(), 9),
+                              significant(map.y.back(), 9));
         text += "set cblabel " + quoted(map.label) + " noenhanced offset 1,0\n";
         add(fmt::format("'{}.dat' index {} with pm3d notitle", name, block++));
       }

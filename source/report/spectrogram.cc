@@ -1,3 +1,4 @@
+#include <rolling_contact/base/text.h>
 #include <rolling_contact/plot/figure.h>
 #include <rolling_contact/report/history_plot.h>
 #include <rolling_contact/report/run_spectra.h>
@@ -73,8 +74,13 @@ namespace RollingContact
           time *= 1e3;
         const double most =
           *std::max_element(mean_squares.begin(), mean_squares.end());
-        if (!(most > 0.))
-          return;
+        if (!(most > 0.) || times.size() < 2 || frequencies.size() < 2)
+          {
+            context.log.message("The spectrogram has no picture: it is of one "
+                                "window or one line, or of a signal that is "
+                                "0.");
+            return;
+          }
         const double least = level(most) - shown_range;
         for (const double value : mean_squares)
           levels.push_back(value > 0. ? std::max(least, level(value)) : least);
@@ -127,6 +133,16 @@ namespace RollingContact
       }
     const Signals::Spectrogram spectrogram =
       Signals::spectrogram(Values(all.end() - n_rows, all.end()), step, window);
+    if (spectrogram.frequency_step > highest_frequency(scene))
+      {
+        context.log.message(
+          "No spectrogram: its lines would be " +
+          significant(spectrogram.frequency_step, 4) +
+          " Hz apart, and Spectrum/Highest frequency is " +
+          significant(highest_frequency(scene), 4) +
+          " Hz. Raise it, or take a longer Spectrum/Spectrogram window.");
+        return;
+      }
     const LevelsOverTime levels(signal,
                                 spectrogram,
                                 times[all.size() - n_rows],

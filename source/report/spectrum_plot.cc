@@ -20,7 +20,7 @@ namespace RollingContact
     const double least_band = 1e-10, least_density = 1e-12;
 
     /// lines that have a name in the picture
-    const std::size_t most_named = 6;
+    const std::size_t most_named = 4;
 
     const char frequency_label[] = "frequency (Hz)";
 
@@ -74,35 +74,49 @@ namespace RollingContact
 
 
 
-    /** Densities of the signals of a kind. */
-    Figure
-    densities_of(const RunSpectra  &spectra,
-                 const SignalKind   kind,
-                 const std::string &label)
+    /** The density of a signal as far as it is looked at, without rounding far
+     * below the highest. */
+    void
+    add_density(const RunSpectra     &spectra,
+                const SignalSpectrum &of,
+                const double          highest,
+                Figure               &figure)
     {
-      double most = 0.;
-      for (const SignalSpectrum &of : spectra.signals)
-        if (of.signal.kind == kind)
-          most = std::max(most,
-                          *std::max_element(of.spectrum.density.begin(),
-                                            of.spectrum.density.end()));
-      Figure figure("", frequency_label, label);
-      for (const SignalSpectrum &of : spectra.signals)
+      Values frequencies, densities;
+      for (std::size_t k = 0; k < of.spectrum.density.size() &&
+                              k * of.spectrum.step <= spectra.highest;
+           ++k)
         {
-          if (of.signal.kind != kind)
-            continue;
-          Values frequencies, densities;
-          for (std::size_t k = 0; k < of.spectrum.density.size() &&
-                                  k * of.spectrum.step <= spectra.highest;
-               ++k)
-            {
-              const double density = of.spectrum.density[k];
-              frequencies.push_back(k * of.spectrum.step);
-              densities.push_back(density > least_density * most ? density
-                                                                 : nothing);
-            }
-          figure.add_curve(of.signal.label, frequencies, densities);
+          const double density = of.spectrum.density[k];
+          frequencies.push_back(k * of.spectrum.step);
+          densities.push_back(density > least_density * highest ? density
+                                                                : nothing);
         }
+      figure.add_curve(of.signal.label, frequencies, densities);
+    }
+
+
+
+    double
+    highest_density(const SignalSpectrum &of)
+    {
+      return *std::max_element(of.spectrum.density.begin(),
+                               of.spectrum.density.end());
+    }
+
+
+
+    Figure
+    densities_of_forces(const RunSpectra &spectra)
+    {
+      Figure figure("", frequency_label, "density (N\u00b2/Hz)");
+      double highest = 0.;
+      for (const SignalSpectrum &of : spectra.signals)
+        if (of.signal.kind == SignalKind::force)
+          highest = std::max(highest, highest_density(of));
+      for (const SignalSpectrum &of : spectra.signals)
+        if (of.signal.kind == SignalKind::force)
+          add_density(spectra, of, highest, figure);
       figure.set_scales(AxisScale::logarithmic, AxisScale::logarithmic);
       return figure;
     }
@@ -175,14 +189,13 @@ namespace RollingContact
       figure.add_separate_panel(bands_of(spectra, SignalKind::height, ""));
     if (has(velocity))
       figure.add_separate_panel(bands_of(spectra, velocity, ""));
-    figure.add_separate_panel(
-      densities_of(spectra, SignalKind::force, "density (N\u00b2/Hz)"));
-    if (has(velocity))
+    figure.add_separate_panel(densities_of_forces(spectra));
+    if (const SignalSpectrum *of = loudest(spectra, velocity))
       {
-        Figure lines =
-          densities_of(spectra, velocity, "density ((m/s)\u00b2/Hz)");
-        if (const SignalSpectrum *of = loudest(spectra, velocity))
-          mark_lines(*of, spectra.eigenvalues, lines);
+        Figure lines("", frequency_label, "density ((m/s)\u00b2/Hz)");
+        lines.set_scales(AxisScale::logarithmic, AxisScale::logarithmic);
+        add_density(spectra, *of, highest_density(*of), lines);
+        mark_lines(*of, spectra.eigenvalues, lines);
         figure.add_separate_panel(lines);
       }
     figure.draw(context, "spectrum");

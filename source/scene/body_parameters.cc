@@ -195,14 +195,16 @@ namespace RollingContact
         ? "name: radius in m, angle from the contact in degrees (towards +x), "
           "position along the axle in m (towards +y), several separated by "
           "semicolons, such as `tread: 0.46, 90, 0; web: 0.3, 0, 0.01`. They stay "
-          "where they are as the wheel turns."
+          "where they are as the wheel turns. Units: m, degrees."
         : "name: x, y, z in m from the contact point, z upwards, several "
-          "separated by semicolons, such as `foot: 0.3, 0, -0.17`.";
+          "separated by semicolons, such as `foot: 0.3, 0, -0.17`. Units: m.";
     prm.add_parameter("Velocity points",
                       velocity_points,
                       "Points whose velocities Analysis = transient with "
                       "inertia writes into history.csv, columns "
-                      "velocity_NAME_x_m/s, ...; " +
+                      "velocity_NAME_x_m/s, ...; a section from a file under "
+                      "profiles has its file's origin in place of the contact. "
+                      "Of each, " +
                         what);
   }
 

@@ -18,6 +18,9 @@ namespace RollingContact
       {"automatic", WriteSpectrum::automatic},
       {"always", WriteSpectrum::always},
       {"never", WriteSpectrum::never}};
+
+    /// of a spectrogram: tells times and lines of squeal apart, s
+    const double usual_window = 0.01;
   } // namespace
 
 
@@ -87,7 +90,7 @@ namespace RollingContact
       spectrogram_window,
       "Length of the windows, which overlap by three quarters, that a column "
       "of the spectrogram is of; its lines are as far apart as the inverse of "
-      "it. 0 takes a sixteenth of what there is. Units: s.",
+      "it. 0 takes 0.01 s, or a quarter of what there is if that is less. Units: s.",
       not_negative);
   }
 
@@ -115,7 +118,9 @@ namespace RollingContact
   {
     return spectrogram_window > 0.
              ? std::llround(spectrogram_window / time_step)
-             : std::max(least_rows, n_rows / 16);
+             : std::clamp<std::size_t>(std::llround(usual_window / time_step),
+                                       least_rows,
+                                       std::max(least_rows, n_rows / 4));
   }
 
 

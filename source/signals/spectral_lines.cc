@@ -9,12 +9,12 @@ namespace RollingContact::Signals
   {
     using Values = std::vector<double>;
 
+    /// over a peak: ground below it is rounding
+    const double rounding = 1e-20;
+
     /// lines of the spectrum that the mean of the values fills, and the half
     /// width of a tone
     const std::size_t lobe = 2;
-
-    /// over the largest density: smaller ones are rounding
-    const double rounding = 1e-20;
 
 
 
@@ -49,14 +49,14 @@ namespace RollingContact::Signals
     /** Height of the peak k above the ground between it and higher ones, as a
      * ratio of densities. */
     double
-    prominence(const Values &P, const std::size_t k, const double least)
+    prominence(const Values &P, const std::size_t k)
     {
       double left = P[k], right = P[k];
       for (std::size_t i = k; i-- > 1 && P[i] <= P[k];)
         left = std::min(left, P[i]);
       for (std::size_t i = k + 1; i < P.size() && P[i] <= P[k]; ++i)
         right = std::min(right, P[i]);
-      return P[k] / std::max({left, right, least});
+      return P[k] / std::max({left, right, rounding * P[k]});
     }
   } // namespace
 
@@ -69,14 +69,15 @@ namespace RollingContact::Signals
     std::vector<SpectralLine> lines;
     if (P.size() < 2 * lobe + 2)
       return lines;
-    const double most    = *std::max_element(P.begin() + 1, P.end()),
+    const double least = std::pow(10., -criteria.range / 10) *
+                         *std::max_element(P.begin() + 1, P.end()),
                  highest = criteria.highest > 0.
                              ? criteria.highest
                              : spectrum.step * static_cast<double>(P.size());
     for (std::size_t k = lobe + 1; k + 1 < P.size(); ++k)
-      if (P[k] > P[k - 1] && P[k] >= P[k + 1] && P[k] > rounding * most)
+      if (P[k] > P[k - 1] && P[k] >= P[k + 1] && P[k] > least)
         {
-          const double above = prominence(P, k, rounding * most);
+          const double above = prominence(P, k);
           lines.push_back(
             {spectrum.step * (static_cast<double>(k) + offset(P, k)),
              spectrum.step * sum_of_peak(P, k),
@@ -95,10 +96,6 @@ namespace RollingContact::Signals
                        return a.mean_square > b.mean_square;
                      });
     lines.resize(std::min(lines.size(), criteria.most));
-    const double strongest = lines.empty() ? 0. : lines.front().mean_square;
-    drop([&](const SpectralLine &line) {
-      return line.mean_square < strongest * std::pow(10., -criteria.range / 10);
-    });
     std::sort(lines.begin(),
               lines.end(),
               [](const SpectralLine &a, const SpectralLine &b) {

@@ -56,7 +56,7 @@ def lines(folder, frequency, growth):
     step = float(history[0]["time_s"])
     skipped = round(2e-3 / step)
     rows = history[skipped:]
-    segment = len(rows) // 4
+    segment = round(14e-3 / step)
     df = float(spectrum[1]["frequency_Hz"])
     check("distance of the lines", abs(df * segment * step - 1) < 1e-6)
     references = {"velocity": (1e-9, "dB_re_1nm/s", "(m/s)2/Hz"), "normal_force": (1, "dB_re_1N", "N2/Hz"),
@@ -124,14 +124,18 @@ def spectrogram(folder, frequency, signal):
 def compare(full, reduced, *points):
     full, reduced = read(full, "history.csv"), read(reduced, "history.csv")
     for point in points:
+        spread = off = 0.0
         for axis in "xz":
             name = f"velocity_{point}_{axis}_m/s"
             a, b = column(full, name), column(reduced, name)
             mean = sum(a) / len(a)
-            spread = math.sqrt(sum((x - mean) ** 2 for x in a) / len(a))
-            off = math.sqrt(sum((x - y) ** 2 for x, y in zip(a, b)) / len(a))
-            print(name, spread, off / spread)
-            check(name, spread > 1e-7 and off < 0.02 * spread, spread, off)
+            spread += sum((x - mean) ** 2 for x in a) / len(a)
+            off += sum((x - y) ** 2 for x, y in zip(a, b)) / len(a)
+        spread, off = math.sqrt(spread), math.sqrt(off)
+        # close to the patch the static part of the forces is missing in modes
+        most = 0.05 if point in ("low", "deep") else 0.01
+        print(point, spread, off / spread)
+        check(name, spread > 1e-7 and off < most * spread, spread, off)
 
 
 if sys.argv[1] == "lines":

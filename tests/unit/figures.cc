@@ -113,6 +113,14 @@ BOOST_FIXTURE_TEST_CASE(maps, DrawingRun)
   BOOST_TEST(contains(script("map"),
                       "splot 'map.dat' index 0 with pm3d notitle, \\\n"
                       "  'map.dat' index 1 using 1:2:(0) with lines"));
+  // ranges to the digit of the data, or gnuplot cuts the outer cells
+  Figure thirds("", "x", "y");
+  thirds.add_map("v", {1 / 3., 2 / 3.}, {8 / 9., 5000 / 3.}, {1., 2., 3., 4.});
+  thirds.draw(drawing, "thirds");
+  BOOST_TEST(contains(script("thirds"),
+                      "set xrange [0.333333333:0.666666667]\n"
+                      "set yrange [0.888888889:1666.66667]\n"));
+  BOOST_TEST(contains(thirds.data(), "\n0.666666667\t1666.66667\t4\n"));
 }
 
 

@@ -7,8 +7,9 @@ namespace RollingContact
 {
   /**
    * spectrum.svg: third octaves of forces, heights and velocities, densities of
-   * forces, and those of velocities with the lines of the strongest one and
-   * what they may be of; up to the frequency that is looked at.
+   * forces, and that of the velocity with the strongest line, with its four
+   * strongest lines and what they may be of; up to the frequency that is looked
+   * at.
    */
   void
   draw_spectrum(const RunSpectra &spectra, RunContext &context);

@@ -61,8 +61,8 @@ namespace RollingContact
     rows_in_segment(const double time_step) const;
 
     /**
-     * Rows in a window of the spectrogram of so many rows; chosen: a sixteenth
-     * of them. Units: s.
+     * Rows in a window of the spectrogram of so many rows; chosen: those of
+     * 10 ms, a quarter of them at most. Units: s.
      */
     std::size_t
     rows_in_window(const double time_step, const std::size_t n_rows) const;

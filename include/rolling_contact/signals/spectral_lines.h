@@ -23,7 +23,7 @@ namespace RollingContact::Signals
   struct LineCriteria
   {
     double      prominence = 10.;
-    double      range      = 60.; ///< below the strongest line
+    double      range      = 60.; ///< below the highest density
     double      highest    = 0.;  ///< frequency; 0: of the spectrum
     std::size_t most       = 24;  ///< the strongest ones
   };
