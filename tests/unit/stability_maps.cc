@@ -55,10 +55,15 @@ BOOST_AUTO_TEST_CASE(entries_that_states_of_a_map_may_differ_by)
   const std::string key = map.bodies_key();
   map.check_variable("Stability/Added damping", "");
   map.set("Stability/Added damping", "0.001");
+  map.check_variable("Wheel/Damper mass", "");
+  map.set("Wheel/Damper mass", "0.3");
   map.set("Contact/Creepage direction", "3.141592653589793");
   BOOST_TEST(map.bodies_key() == key); // on the same bodies
   const SceneParameters changed = map.scene();
   BOOST_TEST(changed.stability.added_damping == 0.001);
+  BOOST_TEST(changed.wheel.dampers.mass == std::vector<double>{0.3});
+  map.set("Wheel/Damper radius", "0.3");
+  BOOST_TEST(map.bodies_key() != key); // on another circle
   BOOST_TEST(changed.contact.creepages.x == -0.01);
   BOOST_TEST(changed.contact.creepages.y == 0.);
 

@@ -149,7 +149,11 @@ namespace
  * its statics exactly. */
 BOOST_AUTO_TEST_CASE(what_the_modes_leave_out_is_there)
 {
-  const Ring          ring(9e3);
+  Ring ring(9e3);
+  // so stiff that what is left out softens them by several per cent
+  ring.parameters.dampers.mass      = {0.4};
+  ring.parameters.dampers.frequency = {6000.};
+  BOOST_TEST(softening(ring.places, ring.parameters.absorbers()) > 0.05);
   int                 unknown;
   const ComplexVector b = force_on_contact(ring, unknown);
   const AtOnePoint    standing(ring, unknown, 0.), turning(ring, unknown, 50.);
@@ -157,13 +161,13 @@ BOOST_AUTO_TEST_CASE(what_the_modes_leave_out_is_there)
   load[unknown] = 1.;
   BOOST_TEST(standing.response(0.).real() == ring.factor.solve(load)[unknown],
              boost::test_tools::tolerance(1e-9));
-  for (const double f : {2300., 2500., 2700.})
+  for (const double f : {1300., 1500., 1700.})
     {
       const Complex s(0., 2 * pi * f),
         exact            = solved_densely(ring, 50., s, b)[unknown];
       const double error = std::abs(turning.response(s) / exact - 1.);
       BOOST_TEST_MESSAGE(f << " Hz: " << error);
-      BOOST_TEST(error < 0.02);
+      BOOST_TEST(error < 2.2e-3); // 2.8e-3 without R
     }
 }
 
