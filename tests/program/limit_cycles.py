@@ -134,9 +134,6 @@ def check_sweep(folder, cycle):
              float(row["cycle_damping_J"]), 0.02)
 
 
-if sys.argv[1] == "sweep":
-    check_sweep(*sys.argv[2:])
-else:
-    check_cycle(sys.argv[1])
+{"cycle": check_cycle, "sweep": check_sweep}[sys.argv[1]](*sys.argv[2:])
 print("\n".join(failures))
 sys.exit(1 if failures else 0)
