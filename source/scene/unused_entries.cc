@@ -190,13 +190,14 @@ namespace RollingContact
     {
       std::map<std::string, std::string> idle;
       if (scene.analysis == "limit cycle")
+        idle[scene.limit_cycle.axis_entry()] = "Limit cycle/Values gives it";
+      if (scene.analysis == "limit cycle")
         for (const char *entry : {"Stop when periodic",
                                   "Field interval",
                                   "Checkpoint interval",
                                   "Checkpoint seconds"})
           idle["Time/" + std::string(entry)] =
-            "Analysis = limit cycle always stops when the motion is periodic, "
-            "and has a row for each run";
+            "each run of a limit cycle ends when it is periodic, with a row";
       if (scene.analysis == "transient" && !scene.looks_for_cycles())
         for (const char *entry : {"Periodic tolerance", "Periodic after"})
           idle["Time/" + std::string(entry)] =
@@ -370,9 +371,6 @@ namespace RollingContact
       check(path, why);
     for (const auto &[path, why] : idle_entries_of_the_end(scene))
       check(path, why);
-    if (!scene.limit_cycle.axis_entry().empty() &&
-        scene.analysis == "limit cycle")
-      check(scene.limit_cycle.axis_entry(), "Limit cycle/Values gives it");
     const std::string missing = missing_spectrum(scene);
     if (!missing.empty())
       warnings.push_back(missing);
