@@ -146,8 +146,8 @@ namespace RollingContact
       "Excite mode",
       excite_mode,
       "With Bodies = reduced the run starts in the vibration about the steady "
-      "state that grows and is nearest to this frequency, see Analysis = "
-      "stability; 0 for none. Units: Hz.",
+      "state that grows and is nearest to this frequency, or in the nearest if "
+      "none grows, see Analysis = stability; 0 for none. Units: Hz.",
       Patterns::Double(0.));
     prm.add_parameter("Excite velocity",
                       excite_velocity,

@@ -178,7 +178,7 @@ namespace RollingContact
     {
       auto &motion = dynamic_cast<ReducedRolling<dim> &>(*initial.motion);
       const ReducedPair  &pair = motion.reduced();
-      const StabilityMode mode = pencil.mode(nearest_unstable(
+      const StabilityMode mode = pencil.mode(vibration_near(
         initial.eigenvalues, scene.time.excite_mode, "Time/Excite mode"));
       const Excitation    vibration(pair,
                                  linear,
@@ -199,7 +199,8 @@ namespace RollingContact
       context.report.set_finding(
         "excited",
         "a vibration of " + significant(mode.frequency(), 6) +
-          " Hz that grows by " + significant(mode.growth(), 5) +
+          " Hz that " + (mode.growth() > 0. ? "grows by " : "decays by ") +
+          significant(std::abs(mode.growth()), 5) +
           " 1/s while it is small, of " +
           significant(scene.time.excite_velocity, 4) + " m/s at the start");
     }

@@ -87,22 +87,28 @@ namespace RollingContact
 
 
 
-  Complex
-  nearest_unstable(const ComplexVector &eigenvalues,
-                   const double         frequency,
-                   const std::string   &entry)
+  std::complex<double>
+  vibration_near(const ComplexVector &eigenvalues,
+                 const double         frequency,
+                 const std::string   &entry)
   {
-    const double omega = 2 * pi * frequency;
-    Complex      best  = 0.;
+    const Complex wanted(0., 2 * pi * frequency);
+    Complex       growing = 0., any = 0.;
     for (const Complex &s : eigenvalues)
-      if (s.imag() > 0. && s.real() > 0. &&
-          (best == 0. ||
-           std::abs(s.imag() - omega) < std::abs(best.imag() - omega)))
-        best = s;
-    if (best == 0.)
+      {
+        if (s.imag() <= 0.)
+          continue;
+        if (any == 0. || std::abs(s - wanted) < std::abs(any - wanted))
+          any = s;
+        if (s.real() > 0. &&
+            (growing == 0. || std::abs(s.imag() - wanted.imag()) <
+                                std::abs(growing.imag() - wanted.imag())))
+          growing = s;
+      }
+    if (any == 0.)
       throw InputError(entry + " = " + significant(frequency, 6) +
-                       " Hz: no vibration of this state grows; see "
-                       "Analysis = stability, or leave it at 0.");
-    return best;
+                       " Hz: the bodies have no vibrations; raise "
+                       "Modes/Maximum frequency, or leave it at 0.");
+    return growing != 0. ? growing : any;
   }
 } // namespace RollingContact

@@ -176,7 +176,7 @@ namespace
       }
     add_rotation(s.pair, S, rotation);
     const StabilityPencil pencil(s.pair, s.contact);
-    s.mode = pencil.mode(nearest_unstable(pencil.eigenvalues(), 500., "x"));
+    s.mode = pencil.mode(vibration_near(pencil.eigenvalues(), 500., "x"));
     return s;
   }
 

@@ -52,14 +52,15 @@ namespace RollingContact
   };
 
   /**
-   * The eigenvalue of positive growth whose frequency is nearest to
-   * @p frequency (Hz), of the vibrations among @p eigenvalues. Throws
-   * InputError that names @p entry if none grows.
+   * Of the vibrations among @p eigenvalues (1/s) the one whose frequency is
+   * nearest to @p frequency (Hz) of those that grow; where none grows the one
+   * nearest to i 2 pi frequency in the complex plane. Throws InputError that
+   * names @p entry if there are none.
    */
   std::complex<double>
-  nearest_unstable(const ComplexVector &eigenvalues,
-                   const double         frequency,
-                   const std::string   &entry);
+  vibration_near(const ComplexVector &eigenvalues,
+                 const double         frequency,
+                 const std::string   &entry);
 } // namespace RollingContact
 
 #endif
