@@ -83,7 +83,7 @@ namespace RollingContact
     RunFolder::Resumption
     cycle_resumption(const SceneParameters &)
     {
-      return {{"Output/", "Body threads"}, "limit_cycle_state.txt", "", {}};
+      return {{"Output/", "Body threads"}, "limit_cycle_state.txt", {}, {}};
     }
 
 
