@@ -59,8 +59,8 @@ namespace RollingContact
 
 
     /**
-     * Under a launcher a second signal may be its own, which ends the ranks that
-     * are left when one has ended: the run has its message already.
+     * Under a launcher a second signal may be its own, which ends the ranks
+     * that are left when one has ended: the run has its message already.
      */
     [[noreturn]] void
     stop_at_once(const int signal, const bool silent)

@@ -198,8 +198,8 @@ namespace RollingContact
       context.results.set("excited_growth_1/s", mode.growth());
       context.report.set_finding(
         "excited",
-        "a vibration of " + significant(mode.frequency(), 6) +
-          " Hz that " + (mode.growth() > 0. ? "grows by " : "decays by ") +
+        "a vibration of " + significant(mode.frequency(), 6) + " Hz that " +
+          (mode.growth() > 0. ? "grows by " : "decays by ") +
           significant(std::abs(mode.growth()), 5) +
           " 1/s while it is small, of " +
           significant(scene.time.excite_velocity, 4) + " m/s at the start");

@@ -191,7 +191,7 @@ namespace RollingContact
   std::vector<double>
   RollingModes<dim>::hub_inertia() const
   {
-    std::vector<double> result(modal.n_coordinates(Side::wheel) +
+    std::vector<double>       result(modal.n_coordinates(Side::wheel) +
                                  modal.n_coordinates(Side::rail),
                                0.);
     const VibratingBody<dim> *wheel = modal.body(Side::wheel);
