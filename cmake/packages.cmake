@@ -12,7 +12,9 @@ if(HELP2MAN)
     DEPENDS rolling-contact ${PROJECT_SOURCE_DIR}/cmake/manual.h2m
     VERBATIM)
   add_custom_target(manual_page ALL DEPENDS ${MANUAL_PAGE})
-  install(FILES ${MANUAL_PAGE} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+  # not there if nothing but the tests was built
+  install(FILES ${MANUAL_PAGE} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
+          OPTIONAL)
 endif()
 
 set(CPACK_GENERATOR DEB)

@@ -197,7 +197,7 @@ namespace RollingContact
       context.results.set("excited_frequency_Hz", mode.frequency());
       context.results.set("excited_growth_1/s", mode.growth());
       context.report.set_finding(
-        "excited",
+        "start",
         "a vibration of " + significant(mode.frequency(), 6) + " Hz that " +
           (mode.growth() > 0. ? "grows by " : "decays by ") +
           significant(std::abs(mode.growth()), 5) +
