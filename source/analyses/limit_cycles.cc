@@ -20,6 +20,11 @@ namespace RollingContact
 {
   namespace
   {
+    /// in column cycle, a run that did not reach its end
+    const std::string not_converged = "not converged";
+
+
+
     StateDemands
     demands()
     {
@@ -78,6 +83,11 @@ namespace RollingContact
     note_sweep(scene.limit_cycle, runs, state.starts, context);
     if (scene.output.plot)
       plot_sweep(scene.limit_cycle, runs, context);
+    for (std::size_t row = 0; row < runs.size(); ++row)
+      if (context.results.text(row, "cycle") == not_converged)
+        throw ConvergenceError("Run " + std::to_string(row) +
+                               " ended early, see the warning above; column "
+                               "cycle of results.csv names all that did.");
   }
 
 
@@ -134,12 +144,13 @@ namespace RollingContact
                                 steady.problem,
                                 steady.state);
     Growing           found;
-    for (const auto &s : vibrations.least_damped(1))
-      if (s.real() > 0.)
-        found.frequencies.push_back(s.imag() / (2 * pi));
     found.largest = -std::numeric_limits<double>::infinity();
     for (const auto &s : vibrations.least_damped(1))
-      found.largest = std::max(found.largest, s.real());
+      {
+        if (s.real() > 0.)
+          found.frequencies.push_back(s.imag() / (2 * pi));
+        found.largest = std::max(found.largest, s.real());
+      }
     return found;
   }
 
@@ -238,7 +249,7 @@ namespace RollingContact
     const LimitCycle cycle(watch, stepper.excited());
     cycle.add_columns(results);
     if (!solved)
-      results.set("cycle", "not converged");
+      results.set("cycle", not_converged);
     else if (!begins) // at rest in a stable state
       results.set("cycle", "decayed");
     results.end_row();

@@ -18,6 +18,10 @@ namespace RollingContact::Cycles
     const std::size_t most_tried     = 12;
     const double      surely_another = 0.1;
 
+    /// times the difference of a multiple, below which the shorter is the
+    /// period
+    const double little_more = 2.;
+
     /// places at which a motion is compared with itself
     const std::size_t n_places = 2000;
 
@@ -197,6 +201,37 @@ namespace RollingContact::Cycles
                    comparison.difference(most * period.length, false));
       return period;
     }
+
+
+
+    bool
+    is_multiple(const Period &period, const Period &of)
+    {
+      const double ratio = period.length / of.length;
+      return std::round(ratio) > 1. &&
+             std::abs(ratio / std::round(ratio) - 1) < 0.01;
+    }
+
+
+
+    /** The period of least difference, or one that it is a multiple of and that
+     * leaves little more. */
+    Period
+    shortest_of(const std::vector<Period> &periods)
+    {
+      const auto differs_less = [](const Period &a, const Period &b) {
+        return a.difference < b.difference;
+      };
+      const auto best =
+        std::min_element(periods.begin(), periods.end(), differs_less);
+      if (best == periods.end())
+        return {};
+      for (const Period &shorter : periods)
+        if (is_multiple(*best, shorter) &&
+            shorter.difference < little_more * best->difference)
+          return shorter;
+      return *best;
+    }
   } // namespace
 
 
@@ -210,17 +245,15 @@ namespace RollingContact::Cycles
     const auto        n_lags = static_cast<std::size_t>(longest_period * n);
     if (n_lags < 4)
       return {};
-    const Comparison comparison(motion, scales);
-    Period           best;
+    const Comparison    comparison(motion, scales);
+    std::vector<Period> periods;
     for (const std::size_t lag :
          candidates(differences(motion, scales, n_lags)))
       {
-        const Period period = examined(lag, comparison, n, tolerance);
-        if (best.length == 0. || period.difference < best.difference)
-          best = period;
-        if (best.difference <= tolerance)
+        periods.push_back(examined(lag, comparison, n, tolerance));
+        if (periods.back().difference <= tolerance)
           break;
       }
-    return best;
+    return shortest_of(periods);
   }
 } // namespace RollingContact::Cycles

@@ -219,6 +219,27 @@ BOOST_AUTO_TEST_CASE(a_doubled_period_is_found)
              boost::test_tools::tolerance(1e-4));
 }
 
+BOOST_AUTO_TEST_CASE(noise_doubles_no_period)
+{
+  // by itself one period leaves a hair more than the tolerance, two a hair less
+  std::mt19937                     random(5);
+  std::normal_distribution<double> normal;
+  for (int k = 0; k < 40; ++k)
+    {
+      const double tolerance = 3.5e-3 + 4e-5 * k;
+      random.seed(5);
+      const Verdict verdict =
+        judge(motion(20000,
+                     [&](double t) {
+                       return wave(989.1, t) + 7e-3 * normal(random);
+                     }),
+              0,
+              tolerance);
+      BOOST_TEST(verdict.frequency() == 989.1,
+                 boost::test_tools::tolerance(1e-3));
+    }
+}
+
 BOOST_AUTO_TEST_CASE(all_signals_count_but_for_what_is_nothing)
 {
   SampledMotion both = motion(40000, [](double t) { return wave(1000.7, t); });
