@@ -7,6 +7,8 @@
 #include <rolling_contact/program/scene_reader.h>
 #include <rolling_contact/scene/scene_parameters.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <cmath>
 #include <functional>
 #include <iostream>
