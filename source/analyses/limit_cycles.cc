@@ -6,10 +6,10 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/files.h>
 #include <rolling_contact/base/text.h>
+#include <rolling_contact/histories/limit_cycle.h>
+#include <rolling_contact/histories/transient_output.h>
 #include <rolling_contact/parallel/interrupt.h>
 #include <rolling_contact/report/bodies_report.h>
-#include <rolling_contact/report/limit_cycle.h>
-#include <rolling_contact/report/transient_output.h>
 #include <rolling_contact/run/progress.h>
 #include <rolling_contact/scene/scene_entries.h>
 

@@ -3,12 +3,12 @@
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
+#include <rolling_contact/histories/cycle_recording.h>
 #include <rolling_contact/input/prm_entries.h>
 #include <rolling_contact/parallel/collective_failure.h>
 #include <rolling_contact/parallel/interrupt.h>
 #include <rolling_contact/parallel/ranks.h>
 #include <rolling_contact/report/bodies_report.h>
-#include <rolling_contact/report/cycle_recording.h>
 #include <rolling_contact/report/state_report.h>
 #include <rolling_contact/run/progress.h>
 #include <rolling_contact/state/checkpoint_schedule.h>

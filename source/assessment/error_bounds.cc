@@ -1,7 +1,7 @@
 #include <rolling_contact/assessment/error_bounds.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/contact/friction_limit.h>
 #include <rolling_contact/contact/touching_run.h>
+#include <rolling_contact/patch/friction_limit.h>
 #include <rolling_contact/solvers/scaled_forces.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include <rolling_contact/assessment/reference_2d.h>
-#include <rolling_contact/contact/recovered_tractions.h>
 #include <rolling_contact/interface/patch_edge.h>
+#include <rolling_contact/patch/recovered_tractions.h>
 #include <rolling_contact/references/clamped_annuli_approach.h>
 
 #include <algorithm>

@@ -48,7 +48,7 @@ namespace RollingContact
       what + ". Worst ratio of fall to compliance " +
       significant(worst.ratio, 3) +
       " (unique well below 1, see "
-      "contact/uniqueness.h) " +
+      "patch/uniqueness.h) " +
       (worst.of.empty() ? "" : "at " + worst.of + ", ") +
       "node at x = " + millimetres(worst.position[0]) +
       (scene.dimension == 3 ? ", y = " + millimetres(worst.position[1]) : "") +

@@ -1,6 +1,6 @@
 #include <rolling_contact/mesh/disc_shape.h>
-#include <rolling_contact/mesh/rim_coordinate.h>
 #include <rolling_contact/references/line_contact_approach.h>
+#include <rolling_contact/sections/rim_coordinate.h>
 
 #include <algorithm>
 #include <cmath>

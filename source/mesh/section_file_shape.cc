@@ -3,8 +3,8 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/mesh/profiled_section.h>
 #include <rolling_contact/mesh/section_file_shape.h>
-#include <rolling_contact/mesh/swept_mesh.h>
 #include <rolling_contact/references/line_contact_approach.h>
+#include <rolling_contact/sections/swept_mesh.h>
 
 #include <algorithm>
 #include <cmath>

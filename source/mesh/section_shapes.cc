@@ -1,10 +1,10 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/mesh/rail_section_mesh.h>
-#include <rolling_contact/mesh/running_surfaces.h>
 #include <rolling_contact/mesh/section_shapes.h>
-#include <rolling_contact/mesh/wheel_section_mesh.h>
 #include <rolling_contact/profiles/rail_section.h>
+#include <rolling_contact/sections/rail_section_mesh.h>
+#include <rolling_contact/sections/running_surfaces.h>
+#include <rolling_contact/sections/wheel_section_mesh.h>
 
 #include <algorithm>
 #include <cmath>

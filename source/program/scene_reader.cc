@@ -1,5 +1,7 @@
 #include <deal.II/base/parameter_handler.h>
 
+#include <rolling_contact/advice/plausibility.h>
+#include <rolling_contact/advice/unused_entries.h>
 #include <rolling_contact/base/exception_text.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
@@ -9,8 +11,6 @@
 #include <rolling_contact/pair/moving_surfaces.h>
 #include <rolling_contact/program/analysis_table.h>
 #include <rolling_contact/program/scene_reader.h>
-#include <rolling_contact/scene/plausibility.h>
-#include <rolling_contact/scene/unused_entries.h>
 #include <rolling_contact/tables/table_plan.h>
 
 #include <algorithm>

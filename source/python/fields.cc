@@ -1,8 +1,8 @@
 #include "bindings.h"
 
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/contact/resultants.h>
 #include <rolling_contact/contact/tangential_problem.h>
+#include <rolling_contact/patch/resultants.h>
 
 #include <stdexcept>
 

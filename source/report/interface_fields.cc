@@ -1,9 +1,9 @@
 #include <deal.II/base/data_out_base.h>
 
 #include <rolling_contact/assessment/flash_temperature.h>
-#include <rolling_contact/contact/recovered_tractions.h>
-#include <rolling_contact/contact/resultants.h>
 #include <rolling_contact/parallel/ranks.h>
+#include <rolling_contact/patch/recovered_tractions.h>
+#include <rolling_contact/patch/resultants.h>
 #include <rolling_contact/report/interface_fields.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/contact/patches.h>
+#include <rolling_contact/patch/patches.h>
 #include <rolling_contact/plot/figure.h>
 #include <rolling_contact/report/profile_plot.h>
 

@@ -3,7 +3,7 @@
 #include <rolling_contact/assessment/reference_2d.h>
 #include <rolling_contact/assessment/reference_3d.h>
 #include <rolling_contact/contact/invariants.h>
-#include <rolling_contact/contact/uniqueness.h>
+#include <rolling_contact/patch/uniqueness.h>
 #include <rolling_contact/report/profile_columns.h>
 #include <rolling_contact/report/result_row.h>
 

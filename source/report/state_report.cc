@@ -2,7 +2,7 @@
 #include <rolling_contact/assessment/reference_2d.h>
 #include <rolling_contact/assessment/result_error.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/contact/recovered_tractions.h>
+#include <rolling_contact/patch/recovered_tractions.h>
 #include <rolling_contact/plot/figure.h>
 #include <rolling_contact/report/state_report.h>
 #include <rolling_contact/run/log.h>

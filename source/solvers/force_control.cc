@@ -1,9 +1,9 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/contact/friction_limit.h>
-#include <rolling_contact/contact/resultants.h>
 #include <rolling_contact/parallel/broadcast.h>
 #include <rolling_contact/parallel/interrupt.h>
+#include <rolling_contact/patch/friction_limit.h>
+#include <rolling_contact/patch/resultants.h>
 #include <rolling_contact/solvers/force_control.h>
 #include <rolling_contact/solvers/scaled_forces.h>
 

@@ -1,5 +1,5 @@
-#include <rolling_contact/contact/friction_limit.h>
-#include <rolling_contact/contact/resultants.h>
+#include <rolling_contact/patch/friction_limit.h>
+#include <rolling_contact/patch/resultants.h>
 #include <rolling_contact/solvers/newton_system.h>
 #include <rolling_contact/solvers/scaled_forces.h>
 

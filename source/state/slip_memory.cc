@@ -1,4 +1,4 @@
-#include <rolling_contact/contact/resultants.h>
+#include <rolling_contact/patch/resultants.h>
 #include <rolling_contact/state/slip_memory.h>
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/memory.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/contact/recovered_tractions.h>
 #include <rolling_contact/parallel/interrupt.h>
+#include <rolling_contact/patch/recovered_tractions.h>
 #include <rolling_contact/report/result_row.h>
 #include <rolling_contact/solvers/normal_active_set.h>
 #include <rolling_contact/state/adaptive_levels.h>

@@ -4,8 +4,8 @@
 #include "scene_run.h"
 
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/contact/patches.h>
 #include <rolling_contact/pair/profile_patch.h>
+#include <rolling_contact/patch/patches.h>
 #include <rolling_contact/profiles/nominal_profiles.h>
 #include <rolling_contact/references/half_space_pressure.h>
 #include <rolling_contact/references/hertz_ellipse.h>

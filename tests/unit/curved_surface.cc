@@ -5,8 +5,8 @@
 
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/contact/invariants.h>
-#include <rolling_contact/contact/patches.h>
 #include <rolling_contact/pair/profile_surface.h>
+#include <rolling_contact/patch/patches.h>
 #include <rolling_contact/references/half_space_pressure.h>
 
 #include <algorithm>

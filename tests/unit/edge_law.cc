@@ -1,8 +1,8 @@
 #include "scene_run.h"
 
 #include <rolling_contact/assessment/error_bounds.h>
-#include <rolling_contact/contact/resultants.h>
 #include <rolling_contact/contact/tangential_problem.h>
+#include <rolling_contact/patch/resultants.h>
 
 #include <cmath>
 

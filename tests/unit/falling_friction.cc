@@ -4,7 +4,7 @@
 #include "response_check.h"
 
 #include <rolling_contact/contact/invariants.h>
-#include <rolling_contact/contact/uniqueness.h>
+#include <rolling_contact/patch/uniqueness.h>
 
 #include <algorithm>
 #include <array>

@@ -6,7 +6,7 @@
 
 #include <rolling_contact/assessment/error_bounds.h>
 #include <rolling_contact/assessment/reference_2d.h>
-#include <rolling_contact/contact/friction_limit.h>
+#include <rolling_contact/patch/friction_limit.h>
 #include <rolling_contact/solvers/scaled_forces.h>
 
 #include <array>

@@ -2,8 +2,8 @@
 #define rolling_contact_tests_half_plane_h
 
 #include <rolling_contact/base/constants.h>
-#include <rolling_contact/contact/resultants.h>
 #include <rolling_contact/interface/slip_operator.h>
+#include <rolling_contact/patch/resultants.h>
 #include <rolling_contact/solvers/contact_solver.h>
 
 #include <cmath>

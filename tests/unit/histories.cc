@@ -1,3 +1,5 @@
+#include <deal.II/base/parameter_handler.h>
+
 #include <boost/test/unit_test.hpp>
 
 #include "complaint.h"
@@ -6,8 +8,6 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/program/scene_reader.h>
 #include <rolling_contact/scene/scene_parameters.h>
-
-#include <deal.II/base/exceptions.h>
 
 #include <cmath>
 #include <functional>

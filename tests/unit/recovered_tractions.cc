@@ -3,8 +3,8 @@
 #include <rolling_contact/assessment/reference_2d.h>
 #include <rolling_contact/assessment/reference_3d.h>
 #include <rolling_contact/base/constants.h>
-#include <rolling_contact/contact/recovered_tractions.h>
-#include <rolling_contact/contact/resultants.h>
+#include <rolling_contact/patch/recovered_tractions.h>
+#include <rolling_contact/patch/resultants.h>
 
 #include <algorithm>
 #include <cmath>

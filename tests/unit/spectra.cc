@@ -1,7 +1,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <rolling_contact/base/constants.h>
-#include <rolling_contact/report/spectrum_lines.h>
+#include <rolling_contact/histories/spectrum_lines.h>
 #include <rolling_contact/signals/spectrogram.h>
 
 #include <algorithm>

@@ -9,13 +9,13 @@
 
 #include "scene_run.h"
 
+#include <rolling_contact/advice/plausibility.h>
+#include <rolling_contact/advice/unused_entries.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/dynamics/theta_stepper.h>
 #include <rolling_contact/elasticity/direct_body.h>
 #include <rolling_contact/references/slender_bodies.h>
 #include <rolling_contact/scene/body_parameters.h>
-#include <rolling_contact/scene/plausibility.h>
-#include <rolling_contact/scene/unused_entries.h>
 
 #include <cmath>
 #include <set>

@@ -5,15 +5,15 @@
 #include "complaint.h"
 #include "scene_run.h"
 
+#include <rolling_contact/advice/unused_entries.h>
 #include <rolling_contact/mesh/body_mesh.h>
-#include <rolling_contact/mesh/rail_section_mesh.h>
-#include <rolling_contact/mesh/running_surfaces.h>
 #include <rolling_contact/mesh/section_shapes.h>
-#include <rolling_contact/mesh/wheel_section_mesh.h>
 #include <rolling_contact/parallel/ranks.h>
 #include <rolling_contact/profiles/nominal_profiles.h>
 #include <rolling_contact/profiles/rail_section.h>
-#include <rolling_contact/scene/unused_entries.h>
+#include <rolling_contact/sections/rail_section_mesh.h>
+#include <rolling_contact/sections/running_surfaces.h>
+#include <rolling_contact/sections/wheel_section_mesh.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <rolling_contact/analyses/analysis.h>
 #include <rolling_contact/analyses/cycle_sweep.h>
 #include <rolling_contact/analyses/vibrations.h>
-#include <rolling_contact/report/cycle_watch.h>
+#include <rolling_contact/histories/cycle_watch.h>
 #include <rolling_contact/state/contact_stepper.h>
 
 namespace RollingContact

@@ -4,7 +4,7 @@
 #include <rolling_contact/analyses/analysis.h>
 #include <rolling_contact/assessment/ill_posed_friction.h>
 #include <rolling_contact/assessment/uniqueness_warning.h>
-#include <rolling_contact/report/transient_output.h>
+#include <rolling_contact/histories/transient_output.h>
 
 #include <optional>
 

@@ -1,7 +1,7 @@
 #ifndef rolling_contact_assessment_linearity_check_h
 #define rolling_contact_assessment_linearity_check_h
 
-#include <rolling_contact/contact/resultants.h>
+#include <rolling_contact/patch/resultants.h>
 #include <rolling_contact/run/log.h>
 #include <rolling_contact/scene/scene_parameters.h>
 

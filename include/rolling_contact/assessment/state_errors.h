@@ -1,7 +1,7 @@
 #ifndef rolling_contact_assessment_state_errors_h
 #define rolling_contact_assessment_state_errors_h
 
-#include <rolling_contact/contact/recovered_tractions.h>
+#include <rolling_contact/patch/recovered_tractions.h>
 #include <rolling_contact/state/steady_state.h>
 
 #include <optional>

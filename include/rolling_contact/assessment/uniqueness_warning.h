@@ -1,7 +1,7 @@
 #ifndef rolling_contact_assessment_uniqueness_warning_h
 #define rolling_contact_assessment_uniqueness_warning_h
 
-#include <rolling_contact/contact/uniqueness.h>
+#include <rolling_contact/patch/uniqueness.h>
 #include <rolling_contact/run/log.h>
 #include <rolling_contact/scene/scene_parameters.h>
 

@@ -5,7 +5,7 @@
 
 #include <rolling_contact/mesh/chart.h>
 #include <rolling_contact/mesh/grading.h>
-#include <rolling_contact/mesh/swept_mesh.h>
+#include <rolling_contact/sections/swept_mesh.h>
 
 #include <memory>
 

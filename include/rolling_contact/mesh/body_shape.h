@@ -2,10 +2,10 @@
 #define rolling_contact_mesh_body_shape_h
 
 #include <rolling_contact/mesh/shape_parameters.h>
-#include <rolling_contact/mesh/surface_chart.h>
 #include <rolling_contact/mesh/zone_box.h>
 #include <rolling_contact/references/clamped_annulus.h>
 #include <rolling_contact/references/hertz_line.h>
+#include <rolling_contact/sections/surface_chart.h>
 
 #include <array>
 #include <memory>

@@ -1,8 +1,8 @@
 #ifndef rolling_contact_mesh_profiled_section_h
 #define rolling_contact_mesh_profiled_section_h
 
-#include <rolling_contact/mesh/placed_profile.h>
 #include <rolling_contact/mesh/zone_box.h>
+#include <rolling_contact/sections/placed_profile.h>
 
 #include <array>
 #include <vector>

@@ -2,7 +2,7 @@
 #define rolling_contact_mesh_section_file_shape_h
 
 #include <rolling_contact/mesh/body_shape.h>
-#include <rolling_contact/mesh/section_mesh.h>
+#include <rolling_contact/sections/section_mesh.h>
 
 namespace RollingContact
 {

@@ -2,8 +2,8 @@
 #define rolling_contact_mesh_section_shapes_h
 
 #include <rolling_contact/mesh/body_shape.h>
-#include <rolling_contact/mesh/placed_profile.h>
-#include <rolling_contact/mesh/swept_mesh.h>
+#include <rolling_contact/sections/placed_profile.h>
+#include <rolling_contact/sections/swept_mesh.h>
 
 namespace RollingContact
 {

@@ -1,8 +1,8 @@
 #ifndef rolling_contact_mesh_shape_parameters_h
 #define rolling_contact_mesh_shape_parameters_h
 
-#include <rolling_contact/mesh/placed_profile.h>
 #include <rolling_contact/mesh_files/file_mesh.h>
+#include <rolling_contact/sections/placed_profile.h>
 
 #include <memory>
 #include <string>

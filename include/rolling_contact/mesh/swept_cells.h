@@ -3,7 +3,7 @@
 
 #include <deal.II/grid/tria.h>
 
-#include <rolling_contact/mesh/swept_mesh.h>
+#include <rolling_contact/sections/swept_mesh.h>
 
 #include <utility>
 

@@ -1,9 +1,9 @@
 #ifndef rolling_contact_scene_profile_parameters_h
 #define rolling_contact_scene_profile_parameters_h
 
-#include <rolling_contact/mesh/placed_profile.h>
 #include <rolling_contact/profiles/contact_frame.h>
 #include <rolling_contact/profiles/profile_file.h>
+#include <rolling_contact/sections/placed_profile.h>
 
 #include <filesystem>
 #include <memory>

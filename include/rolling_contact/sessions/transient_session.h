@@ -1,7 +1,7 @@
 #ifndef rolling_contact_sessions_transient_session_h
 #define rolling_contact_sessions_transient_session_h
 
-#include <rolling_contact/contact/resultants.h>
+#include <rolling_contact/patch/resultants.h>
 #include <rolling_contact/run/log.h>
 #include <rolling_contact/scene/scene_parameters.h>
 #include <rolling_contact/state/checkpoint.h>

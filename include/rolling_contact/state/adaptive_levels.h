@@ -1,7 +1,7 @@
 #ifndef rolling_contact_state_adaptive_levels_h
 #define rolling_contact_state_adaptive_levels_h
 
-#include <rolling_contact/contact/refinement_marks.h>
+#include <rolling_contact/patch/refinement_marks.h>
 #include <rolling_contact/state/steady_state.h>
 
 #include <functional>

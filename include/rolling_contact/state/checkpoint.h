@@ -5,7 +5,7 @@
 #include <rolling_contact/contact/contact_problem.h>
 #include <rolling_contact/dynamics/body_motion.h>
 #include <rolling_contact/input/prm_entries.h>
-#include <rolling_contact/pair/past_step.h>
+#include <rolling_contact/motion/past_step.h>
 #include <rolling_contact/run/history_table.h>
 #include <rolling_contact/run/pvd.h>
 #include <rolling_contact/run/run_folder.h>

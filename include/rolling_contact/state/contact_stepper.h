@@ -1,9 +1,9 @@
 #ifndef rolling_contact_state_contact_stepper_h
 #define rolling_contact_state_contact_stepper_h
 
-#include <rolling_contact/contact/uniqueness.h>
 #include <rolling_contact/linear_algebra/complex_matrix.h>
-#include <rolling_contact/pair/pair_integrator.h>
+#include <rolling_contact/motion/pair_integrator.h>
+#include <rolling_contact/patch/uniqueness.h>
 #include <rolling_contact/scene/travelled_distance.h>
 #include <rolling_contact/state/checkpoint.h>
 #include <rolling_contact/state/initial_contact.h>

@@ -2,7 +2,7 @@
 #define rolling_contact_state_initial_contact_h
 
 #include <rolling_contact/linear_algebra/complex_matrix.h>
-#include <rolling_contact/pair/pair_integrator.h>
+#include <rolling_contact/motion/pair_integrator.h>
 #include <rolling_contact/state/patch_friction.h>
 #include <rolling_contact/state/steady_state.h>
 #include <rolling_contact/vibration/modal_bodies.h>

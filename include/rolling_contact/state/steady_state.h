@@ -1,9 +1,9 @@
 #ifndef rolling_contact_state_steady_state_h
 #define rolling_contact_state_steady_state_h
 
-#include <rolling_contact/contact/resultants.h>
 #include <rolling_contact/pair/patch_estimate.h>
 #include <rolling_contact/pair/rolling_pair.h>
+#include <rolling_contact/patch/resultants.h>
 #include <rolling_contact/run/run_context.h>
 #include <rolling_contact/solvers/contact_solver.h>
 #include <rolling_contact/state/level_history.h>

@@ -1,7 +1,7 @@
 #ifndef rolling_contact_vibration_reduced_rolling_h
 #define rolling_contact_vibration_reduced_rolling_h
 
-#include <rolling_contact/pair/pair_integrator.h>
+#include <rolling_contact/motion/pair_integrator.h>
 #include <rolling_contact/vibration/excitation.h>
 #include <rolling_contact/vibration/rolling_modes.h>
 
