@@ -6,8 +6,8 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/files.h>
 #include <rolling_contact/base/text.h>
+#include <rolling_contact/histories/history_rows.h>
 #include <rolling_contact/histories/limit_cycle.h>
-#include <rolling_contact/histories/transient_output.h>
 #include <rolling_contact/parallel/interrupt.h>
 #include <rolling_contact/report/bodies_report.h>
 #include <rolling_contact/run/progress.h>
@@ -181,7 +181,7 @@ namespace RollingContact
                           CycleWatch            &watch) const
   {
     const TimeSteps   steps = scene.time.steps(stepper.drive().speed);
-    const auto        names = history_columns(scene);
+    const HistoryRows rows(scene);
     TransientProgress progress;
     stepper.set_time_step(steps.length);
     try
@@ -193,8 +193,7 @@ namespace RollingContact
               stepper.advance(progress.time, steps.length);
             add_step(progress, outcome, steps.length);
             progress.time = progress.step * steps.length;
-            watch.add_row(names,
-                          history_row(scene, stepper, outcome, progress));
+            watch.add_row(rows.names(), rows.row(stepper, outcome, progress));
           }
       }
     catch (const ConvergenceError &error)

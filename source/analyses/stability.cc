@@ -52,13 +52,7 @@ namespace RollingContact
       std::sort(listed.begin(), listed.end(), [](const auto &a, const auto &b) {
         return a.imag() < b.imag();
       });
-      std::vector<Finding> findings;
-      for (const auto &s : listed)
-        {
-          throw_if_interrupted();
-          findings.push_back(vibrations.find(s, bodies));
-        }
-      return findings;
+      return vibrations.find(listed, bodies);
     }
 
 
@@ -94,8 +88,9 @@ namespace RollingContact
           for (const Side side : both_sides)
             if (const auto *vibrating = rolling.bodies().body(side))
               {
+                const auto          motion = bodies.motion(side, {s}, {forces});
                 std::vector<double> real, imaginary;
-                for (const auto &x : bodies.motion(side, s, forces))
+                for (const auto &x : motion[0])
                   {
                     real.push_back(x.real());
                     imaginary.push_back(x.imag());

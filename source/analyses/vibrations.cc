@@ -1,5 +1,6 @@
 #include <rolling_contact/analyses/vibrations.h>
 #include <rolling_contact/base/constants.h>
+#include <rolling_contact/parallel/interrupt.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +18,12 @@ namespace RollingContact
       options.memory   = scene.contact.friction_delay;
       return options;
     }
+
+
+
+    /// vibrations that the whole bodies answer side by side: more gain little,
+    /// and each keeps matrices of its own
+    const std::size_t at_once = 8;
   } // namespace
 
 
@@ -85,27 +92,43 @@ namespace RollingContact
 
 
   template <int dim>
-  Finding
-  Vibrations::find(const std::complex<double> s,
-                   const WholeBodies<dim>    *bodies) const
+  std::vector<Finding>
+  Vibrations::find(const ComplexVector    &eigenvalues,
+                   const WholeBodies<dim> *bodies) const
   {
-    Finding finding{pencil.mode(s), {}};
-    if (bodies != nullptr)
-      finding.corrected = correct(
-        pair,
-        linear,
-        finding.mode,
-        [&](const std::complex<double> at, const ComplexVector &forces) {
-          return bodies->response(at, forces);
-        },
-        options);
-    return finding;
+    std::vector<Finding> findings;
+    for (std::size_t first = 0; first < eigenvalues.size(); first += at_once)
+      {
+        throw_if_interrupted();
+        std::vector<StabilityMode> modes;
+        for (std::size_t k = first;
+             k < std::min(first + at_once, eigenvalues.size());
+             ++k)
+          modes.push_back(pencil.mode(eigenvalues[k]));
+        std::vector<CorrectedMode> corrected;
+        if (bodies != nullptr)
+          corrected = correct(
+            pair,
+            linear,
+            modes,
+            [&](const auto &s, const auto &forces) {
+              return bodies->response(s, forces);
+            },
+            options);
+        for (std::size_t k = 0; k < modes.size(); ++k)
+          {
+            findings.push_back({modes[k], {}});
+            if (bodies != nullptr)
+              findings.back().corrected = corrected[k];
+          }
+      }
+    return findings;
   }
 
 
 
-  template Finding
-  Vibrations::find(const std::complex<double>, const WholeBodies<2> *) const;
-  template Finding
-  Vibrations::find(const std::complex<double>, const WholeBodies<3> *) const;
+  template std::vector<Finding>
+  Vibrations::find(const ComplexVector &, const WholeBodies<2> *) const;
+  template std::vector<Finding>
+  Vibrations::find(const ComplexVector &, const WholeBodies<3> *) const;
 } // namespace RollingContact

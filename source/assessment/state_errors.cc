@@ -2,6 +2,7 @@
 #include <rolling_contact/assessment/reference_3d.h>
 #include <rolling_contact/assessment/state_errors.h>
 #include <rolling_contact/base/constants.h>
+#include <rolling_contact/patch/patch_area.h>
 
 #include <cmath>
 #include <functional>
@@ -125,7 +126,8 @@ namespace RollingContact
                     const TractionField   &finest,
                     StateErrors           &result)
     {
-      const double area  = steady.result.contact_area / pi,
+      const double area =
+                     patch_areas(steady.problem, steady.state).contact / pi,
                    scale = steady.result.max_pressure;
       result.pressure_l2 = pressure_difference(steady, finest, area, scale);
       result.traction_l2 = traction_difference(

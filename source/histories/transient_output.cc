@@ -4,7 +4,6 @@
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/histories/history_plot.h>
 #include <rolling_contact/histories/limit_cycle.h>
-#include <rolling_contact/histories/point_columns.h>
 #include <rolling_contact/histories/run_spectra.h>
 #include <rolling_contact/histories/transient_output.h>
 #include <rolling_contact/parallel/ranks.h>
@@ -20,109 +19,6 @@ namespace RollingContact
 {
   namespace
   {
-    /**
-     * What a row of history.csv tells.
-     */
-    struct Step
-    {
-      const ContactProblem    &problem;
-      const ContactState      &state;
-      const Resultants        &result;
-      const StepOutcome       &outcome;
-      const TransientProgress &progress;
-    };
-
-
-
-    struct Column
-    {
-      std::string name;
-      double (*value)(const Step &step);
-    };
-
-
-
-    double
-    energy_balance_error(const Step &step)
-    {
-      const StepEnergy &energy = step.outcome.energy;
-      const double      scale  = std::max({energy.kinetic + energy.strain,
-                                           std::abs(step.progress.supplied_energy),
-                                           step.progress.friction_energy});
-      return scale > 0. ? step.progress.energy_error / scale : 0.;
-    }
-
-
-
-    /**
-     * The columns of history.csv; one more with a free wheel, two with surfaces
-     * that move, and one where friction falls.
-     */
-    std::vector<Column>
-    columns_of(const SceneParameters &scene)
-    {
-      using S = const Step &;
-      std::vector<Column> columns{
-        {"step", [](S s) -> double { return s.progress.step; }},
-        {"time_s", [](S s) { return s.progress.time; }},
-        {"force_time_s",
-         [](S s) { return s.progress.time - s.outcome.force_lag; }},
-        {"rolled_m", [](S s) { return s.progress.rolled_distance; }},
-        {"approach_m", [](S s) { return s.state.approach; }},
-        {"creepage_x", [](S s) { return s.problem.loads.creepages.x; }},
-        {"creepage_y", [](S s) { return s.problem.loads.creepages.y; }},
-        {"spin_1/m", [](S s) { return s.problem.loads.creepages.spin; }},
-        {"speed_m/s", [](S s) { return s.outcome.speed; }},
-        {"normal_force_N", [](S s) { return s.result.normal_force; }},
-        {"force_x_N", [](S s) { return s.result.force_x; }},
-        {"force_y_N", [](S s) { return s.result.force_y; }},
-        {"spin_moment_Nm", [](S s) { return s.result.spin_moment; }},
-        {"traction_coefficient",
-         [](S s) { return s.result.traction_coefficient; }},
-        {"max_pressure_Pa", [](S s) { return s.result.max_pressure; }},
-        {"nodes_in_contact", [](S s) -> double { return s.result.n_touching; }},
-        {"nodes_sticking", [](S s) -> double { return s.outcome.n_sticking; }},
-        {"impacts", [](S s) -> double { return s.outcome.n_impacts; }},
-        {"kinetic_J", [](S s) { return s.outcome.energy.kinetic; }},
-        {"strain_J", [](S s) { return s.outcome.energy.strain; }},
-        {"supplied_J", [](S s) { return s.progress.supplied_energy; }},
-        {"friction_J", [](S s) { return s.progress.friction_energy; }},
-        {"damping_J", [](S s) { return s.progress.damping_energy; }},
-        {"numerical_J", [](S s) { return s.progress.numerical_energy; }},
-        {"energy_balance_error", &energy_balance_error},
-        {"iterations",
-         [](S s) -> double { return s.outcome.solver.iterations; }},
-        {"parts", [](S s) -> double { return s.outcome.n_parts; }}};
-      if (scene.time.inertia)
-        for (const Column &column :
-             {Column{"velocity_x_m/s",
-                     [](S s) { return s.outcome.contact_velocity[0]; }},
-              Column{"velocity_y_m/s",
-                     [](S s) { return s.outcome.contact_velocity[1]; }},
-              Column{"velocity_z_m/s",
-                     [](S s) { return s.outcome.contact_velocity[2]; }}})
-          columns.push_back(column);
-      if (is_loose(scene.wheel.hub) && !scene.wheel.rigid)
-        columns.push_back({"wheel_velocity_m/s",
-                           [](S s) { return *s.outcome.wheel_velocity; }});
-      if (scene.surfaces.in_use())
-        {
-          columns.push_back(
-            {"surface_height_m", [](S s) { return s.outcome.surface_height; }});
-          columns.push_back(
-            {"surface_J", [](S s) { return s.progress.surface_energy; }});
-        }
-      if (scene.friction_response() == FrictionResponse::patch_mean)
-        columns.push_back(
-          {"friction_share", [](S s) { return s.outcome.friction_share; }});
-      if (scene.contact.falling_friction())
-        columns.push_back({"several_solutions_ratio",
-                           [](S s) { return s.outcome.several.ratio; }});
-      return columns;
-    }
-
-
-
     std::string
     numbered(const std::string &name, const std::uint64_t step)
     {
@@ -135,40 +31,6 @@ namespace RollingContact
 
 
 
-  std::vector<std::string>
-  history_columns(const SceneParameters &scene)
-  {
-    std::vector<std::string> names;
-    for (const Column &column : columns_of(scene))
-      names.push_back(column.name);
-    for (const std::string &column : point_columns(scene))
-      names.push_back(column);
-    return names;
-  }
-
-
-
-  template <int dim>
-  std::vector<double>
-  history_row(const SceneParameters     &scene,
-              const ContactStepper<dim> &stepper,
-              const StepOutcome         &outcome,
-              const TransientProgress   &progress)
-  {
-    const SteadyState<dim> &contact = stepper.current();
-    const Step              step{
-      contact.problem, contact.state, contact.result, outcome, progress};
-    std::vector<double> row;
-    for (const Column &column : columns_of(scene))
-      row.push_back(column.value(step));
-    row.insert(row.end(),
-               outcome.point_velocity.begin(),
-               outcome.point_velocity.end());
-    return row;
-  }
-
-
-
   template <int dim>
   TransientOutput<dim>::TransientOutput(const SceneParameters     &scene,
                                         RunContext                &context,
@@ -176,10 +38,10 @@ namespace RollingContact
                                         const ContactStepper<dim> &stepper)
     : scene(scene)
     , context(context)
+    , rows(scene)
     , body_fields(checkpoint.body_fields)
     , interface_fields(checkpoint.interface_fields)
   {
-    const auto names = history_columns(scene);
     if (scene.looks_for_cycles())
       watch.emplace(
         scene,
@@ -187,9 +49,12 @@ namespace RollingContact
           .steps(scene.time.histories(scene.contact, scene.prm_folder).speed)
           .length);
     if (context.resume)
-      history.emplace(context.folder, history_name, names, checkpoint.history);
+      history.emplace(context.folder,
+                      history_name,
+                      rows.names(),
+                      checkpoint.history);
     else
-      history.emplace(context.folder, history_name, names);
+      history.emplace(context.folder, history_name, rows.names());
     if (scene.sound.estimate)
       sound.emplace(scene, stepper, checkpoint, context);
     if (watch && context.resume) // all ranks, and the root has cut it
@@ -204,10 +69,9 @@ namespace RollingContact
                                 const StepOutcome         &outcome,
                                 const TransientProgress   &progress)
   {
-    const std::vector<double> row =
-      history_row(scene, stepper, outcome, progress);
+    const std::vector<double> row = rows.row(stepper, outcome, progress);
     if (watch)
-      watch->add_row(history_columns(scene), row);
+      watch->add_row(rows.names(), row);
     history->add_row(row);
     if (sound)
       sound->add_row(stepper, progress.time);
@@ -349,16 +213,6 @@ namespace RollingContact
 
 
 
-  template std::vector<double>
-  history_row(const SceneParameters &,
-              const ContactStepper<2> &,
-              const StepOutcome &,
-              const TransientProgress &);
-  template std::vector<double>
-  history_row(const SceneParameters &,
-              const ContactStepper<3> &,
-              const StepOutcome &,
-              const TransientProgress &);
   template class TransientOutput<2>;
   template class TransientOutput<3>;
 } // namespace RollingContact

@@ -88,6 +88,17 @@ namespace RollingContact
 
 
 
+  void
+  add(ComplexVector             &x,
+      const std::complex<double> factor,
+      const ComplexVector       &y)
+  {
+    for (std::size_t i = 0; i < x.size(); ++i)
+      x[i] += factor * y[i];
+  }
+
+
+
   double
   norm(const ComplexVector &x)
   {

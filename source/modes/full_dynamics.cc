@@ -1,7 +1,6 @@
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/linear_algebra/block_products.h>
 #include <rolling_contact/modes/full_dynamics.h>
 
 #include <algorithm>
@@ -18,75 +17,6 @@ namespace RollingContact
     /// residual at which rounding may end the iterations: they gain less than
     /// this share
     const double good_enough = 1e-6, standing_still = 0.5;
-
-
-
-    /** A real and an imaginary part, as real products take them. */
-    struct Parts
-    {
-      explicit Parts(const ComplexVector &x)
-      {
-        for (const Complex &value : x)
-          {
-            real.push_back(value.real());
-            imaginary.push_back(value.imag());
-          }
-      }
-
-      explicit Parts(const std::size_t n)
-        : real(n)
-        , imaginary(n)
-      {}
-
-      std::vector<double> real, imaginary;
-    };
-
-
-
-    template <class Matrix>
-    Parts
-    product(const Matrix &A, const Parts &x)
-    {
-      Parts result(x.real.size());
-      A.multiply(x.real, result.real);
-      A.multiply(x.imaginary, result.imaginary);
-      return result;
-    }
-
-
-
-    /** y += factor x. */
-    void
-    add(const Complex factor, const Parts &x, ComplexVector &y)
-    {
-      for (std::size_t i = 0; i < y.size(); ++i)
-        y[i] += factor * Complex(x.real[i], x.imaginary[i]);
-    }
-
-
-
-    /** Both parts as columns: one pass through a large matrix takes both. */
-    DenseMatrix
-    columns_of(const Parts &x)
-    {
-      const std::size_t n = x.real.size();
-      DenseMatrix       X(n, 2);
-      std::copy(x.real.begin(), x.real.end(), X.data());
-      std::copy(x.imaginary.begin(), x.imaginary.end(), X.data() + n);
-      return X;
-    }
-
-
-
-    Parts
-    parts_of(const DenseMatrix &X)
-    {
-      const double *middle = X.data() + X.n_rows();
-      Parts         x(0);
-      x.real.assign(X.data(), middle);
-      x.imaginary.assign(middle, middle + X.n_rows());
-      return x;
-    }
   } // namespace
 
 
@@ -119,7 +49,7 @@ namespace RollingContact
     ComplexMatrix D(K_m, s, C_m);
     for (std::size_t j = 0; j < modes.size(); ++j)
       D(j, j) += s * s;
-    AtOneRate now{ComplexLU(std::move(D)), {}, {}};
+    AtOneRate now{s, ComplexLU(std::move(D)), {}, {}};
     if (now.modes.singular())
       throw ConvergenceError("Vibration of the modes alone has no answer at "
                              "this frequency: it is an undamped eigenvalue.");
@@ -155,143 +85,213 @@ namespace RollingContact
 
 
   void
-  FullDynamics::add_attached(const AtOneRate     &now,
-                             const ComplexVector &x,
-                             ComplexVector       &result) const
+  FullDynamics::add_attached(const Rates          &rates,
+                             const ComplexColumns &X,
+                             ComplexColumns       &result) const
   {
     if (!attached)
       return;
-    const ComplexVector force =
-      now.stiffness * transposed_product(attached->loads, x);
-    add(1.,
-        parts_of(dense_product(attached->loads, columns_of(Parts(force)))),
-        result);
+    ComplexColumns forces = transposed_product(attached->loads, X);
+    for (std::size_t k = 0; k < rates.size(); ++k)
+      forces.set(k, rates[k]->stiffness * forces.vector(k));
+    result.add(attached->loads * forces);
   }
 
 
 
-  ComplexVector
-  FullDynamics::multiply(const Complex        s,
-                         const AtOneRate     &now,
-                         const ComplexVector &x) const
+  void
+  FullDynamics::add_flow(const Rates          &rates,
+                         const ComplexColumns &X,
+                         ComplexColumns       &velocities,
+                         ComplexColumns       &result) const
   {
-    const double  rate = structure.rate;
-    const Parts   parts(x);
-    ComplexVector result(x.size(), 0.);
-    add(1., product(structure.K, parts), result);
-    add(s * s, product(structure.M, parts), result);
-    add_attached(now, x, result);
-    // what the damping sees: s x, and what flow brings
-    ComplexVector velocity(x.size(), 0.);
-    add(s, parts, velocity);
-    if (structure.S.size() > 0 && rate != 0.)
+    const double rate = structure.rate;
+    if (structure.S.size() == 0 || rate == 0.)
+      return;
+    std::vector<double> inverse_mass;
+    for (std::size_t i = 0; i < structure.M.size(); ++i)
       {
-        const Parts S_x = product(structure.S, parts);
-        add(2. * s * rate, S_x, result);
-        Parts per_mass = S_x;
-        for (std::size_t i = 0; i < x.size(); ++i)
-          {
-            const double mass =
-              structure.M.values[structure.M.column_starts[i]];
-            const double inverse = mass > 0. ? 1 / mass : 0.;
-            per_mass.real[i] *= inverse;
-            per_mass.imaginary[i] *= inverse;
-          }
-        add(rate * rate, product(structure.S, per_mass), result);
-        add(rate, per_mass, velocity);
+        const double mass = structure.M.values[structure.M.column_starts[i]];
+        inverse_mass.push_back(mass > 0. ? 1 / mass : 0.);
       }
-    const Parts v(velocity);
+    ComplexColumns S_X = times(structure.S, X);
+    for (std::size_t k = 0; k < rates.size(); ++k)
+      result.add(2. * rates[k]->s * rate, S_X, k);
+    S_X.scale_rows(inverse_mass);
+    const ComplexColumns twice = times(structure.S, S_X);
+    for (std::size_t k = 0; k < rates.size(); ++k)
+      {
+        result.add(rate * rate, twice, k);
+        velocities.add(rate, S_X, k);
+      }
+  }
+
+
+
+  ComplexColumns
+  FullDynamics::multiply(const Rates &rates, const ComplexColumns &X) const
+  {
+    ComplexColumns       result  = times(structure.K, X);
+    const ComplexColumns inertia = times(structure.M, X);
+    // what the damping sees: s x, and what flow brings
+    ComplexColumns velocities(X.n_rows(), X.n_vectors());
+    for (std::size_t k = 0; k < rates.size(); ++k)
+      {
+        const Complex s = rates[k]->s;
+        result.add(s * s, inertia, k);
+        velocities.add(s, X, k);
+      }
+    add_attached(rates, X, result);
+    add_flow(rates, X, velocities, result);
     if (structure.C.size() > 0)
-      add(1., product(structure.C, v), result);
+      result.add(times(structure.C, velocities));
     if (std::all_of(modal_damping.begin(),
                     modal_damping.end(),
                     [](const double c) { return c == 0.; }))
       return result;
-    Parts modal = parts_of(transposed_product(M_phi, columns_of(v)));
-    for (std::size_t j = 0; j < modal.real.size(); ++j)
-      {
-        modal.real[j] *= modal_damping[j];
-        modal.imaginary[j] *= modal_damping[j];
-      }
-    add(1., parts_of(dense_product(M_phi, columns_of(modal))), result);
+    ComplexColumns modal = transposed_product(M_phi, velocities);
+    modal.scale_rows(modal_damping);
+    result.add(M_phi * modal);
     return result;
   }
 
 
 
   void
-  FullDynamics::add_modes(const AtOneRate &now,
-                          ComplexVector    q,
-                          ComplexVector   &x) const
+  FullDynamics::add_modes(const Rates    &rates,
+                          ComplexColumns  Q,
+                          ComplexColumns &X) const
   {
-    ComplexVector change = q;
-    now.modes.solve(change);
-    for (std::size_t j = 0; j < change.size(); ++j)
-      change[j] -= q[j] / modes.eigenvalue(j);
-    add(1.,
-        parts_of(dense_product(modes.shapes, columns_of(Parts(change)))),
-        x);
+    for (std::size_t k = 0; k < rates.size(); ++k)
+      {
+        const ComplexVector q      = Q.vector(k);
+        ComplexVector       change = q;
+        rates[k]->modes.solve(change);
+        for (std::size_t j = 0; j < change.size(); ++j)
+          change[j] -= q[j] / modes.eigenvalue(j);
+        Q.set(k, change);
+      }
+    X.add(modes.shapes * Q);
   }
 
 
 
-  ComplexVector
-  FullDynamics::precondition(const AtOneRate &now, const ComplexVector &b) const
+  ComplexColumns
+  FullDynamics::precondition(const Rates &rates, const ComplexColumns &B) const
   {
-    DenseMatrix block = columns_of(Parts(b));
-    factor.solve(block);
-    ComplexVector result(b.size(), 0.);
-    add(1., parts_of(block), result);
-    add_modes(now, transposed_product(modes.shapes, b), result);
+    ComplexColumns result(B);
+    factor.solve(result.real_columns());
+    add_modes(rates, transposed_product(modes.shapes, B), result);
     if (!attached)
       return result;
     // less P^-1 L (1 + Z L^T P^-1 L)^-1 Z L^T of that
-    ComplexVector force =
-      now.stiffness * transposed_product(attached->loads, result);
-    now.woodbury->solve(force);
-    for (Complex &value : force)
-      value *= -1.;
-    add(1.,
-        parts_of(dense_product(attached->deflected, columns_of(Parts(force)))),
-        result);
-    add_modes(now, transposed_product(attached->motions, force), result);
+    ComplexColumns forces = transposed_product(attached->loads, result);
+    for (std::size_t k = 0; k < rates.size(); ++k)
+      {
+        ComplexVector force = rates[k]->stiffness * forces.vector(k);
+        rates[k]->woodbury->solve(force);
+        for (Complex &value : force)
+          value *= -1.;
+        forces.set(k, force);
+      }
+    result.add(attached->deflected * forces);
+    add_modes(rates, transposed_product(attached->motions, forces), result);
     return result;
   }
 
 
 
-  ComplexVector
-  FullDynamics::solve(const Complex        s,
-                      const ComplexVector &b,
-                      const double         tolerance) const
+  namespace
   {
-    const AtOneRate now = at(s);
-    ComplexVector   x(b.size(), 0.), rest = b;
-    const double    scale = norm(b);
-    double          error = scale > 0. ? 1. : 0., before = 2.;
-    for (unsigned int k = 0; error > tolerance; ++k)
+    /** One of the systems that are solved side by side. */
+    struct Iterate
+    {
+      explicit Iterate(const ComplexVector &b)
+        : x(b.size(), 0.)
+        , rest(b)
+        , scale(norm(b))
+        , error(scale > 0. ? 1. : 0.)
+      {}
+
+      void
+      take_residual(const ComplexVector &b, const ComplexVector &image)
       {
-        if (error < good_enough && error > standing_still * before)
-          break;
-        before = error;
-        if (k == most_iterations || !(error < 1e6))
-          throw ConvergenceError(
-            "Vibration of a whole body at " +
-            significant(std::abs(s.imag()) / (2 * pi), 5) +
-            " Hz was not found: residual " + significant(error, 2) + " after " +
-            std::to_string(k) +
-            " iterations; raise Modes/Cut-off ratio, so that the modes reach "
-            "further.");
-        const ComplexVector step = precondition(now, rest);
-        for (std::size_t i = 0; i < x.size(); ++i)
-          x[i] += step[i];
-        rest                      = b;
-        const ComplexVector image = multiply(s, now, x);
-        for (std::size_t i = 0; i < x.size(); ++i)
-          rest[i] -= image[i];
+        rest = b;
+        add(rest, -1., image);
         error = norm(rest) / scale;
-        ++iterations;
+        ++n_steps;
       }
-    return x;
+
+      ComplexVector x, rest;
+      double        scale, error, before = 2.;
+      unsigned int  n_steps = 0;
+    };
+
+
+
+    /** Whether one more step is wanted. Throws ConvergenceError. */
+    bool
+    goes_on(Iterate &now, const Complex s, const double tolerance)
+    {
+      if (!(now.error > tolerance) ||
+          (now.error < good_enough && now.error > standing_still * now.before))
+        return false;
+      now.before = now.error;
+      if (now.n_steps == most_iterations || !(now.error < 1e6))
+        throw ConvergenceError(
+          "Vibration of a whole body at " +
+          significant(std::abs(s.imag()) / (2 * pi), 5) +
+          " Hz was not found: residual " + significant(now.error, 2) +
+          " after " + std::to_string(now.n_steps) +
+          " iterations; raise Modes/Cut-off ratio, so that the modes reach "
+          "further.");
+      return true;
+    }
+  } // namespace
+
+
+
+  std::vector<ComplexVector>
+  FullDynamics::solve(const ComplexVector              &s,
+                      const std::vector<ComplexVector> &b,
+                      const double                      tolerance) const
+  {
+    std::vector<AtOneRate> all_rates;
+    std::vector<Iterate>   iterates;
+    for (std::size_t k = 0; k < s.size(); ++k)
+      {
+        all_rates.push_back(at(s[k]));
+        iterates.emplace_back(b[k]);
+      }
+    while (true)
+      {
+        std::vector<std::size_t> active;
+        Rates                    rates;
+        for (std::size_t k = 0; k < s.size(); ++k)
+          if (goes_on(iterates[k], s[k], tolerance))
+            {
+              active.push_back(k);
+              rates.push_back(&all_rates[k]);
+            }
+        if (active.empty())
+          break;
+        ComplexColumns X(structure.K.size(), active.size());
+        for (std::size_t k = 0; k < active.size(); ++k)
+          X.set(k, iterates[active[k]].rest);
+        const ComplexColumns change = precondition(rates, X);
+        for (std::size_t k = 0; k < active.size(); ++k)
+          {
+            add(iterates[active[k]].x, 1., change.vector(k));
+            X.set(k, iterates[active[k]].x);
+          }
+        const ComplexColumns image = multiply(rates, X);
+        for (std::size_t k = 0; k < active.size(); ++k)
+          iterates[active[k]].take_residual(b[active[k]], image.vector(k));
+        iterations += active.size();
+      }
+    std::vector<ComplexVector> solutions;
+    for (Iterate &iterate : iterates)
+      solutions.push_back(std::move(iterate.x));
+    return solutions;
   }
 } // namespace RollingContact

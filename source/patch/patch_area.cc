@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <set>
 
@@ -365,5 +366,19 @@ namespace RollingContact
             std::min(areas[i], operators.areas()[i] * outline.share(i));
       }
     return sticking;
+  }
+
+
+
+  PatchAreas
+  patch_areas(const ContactProblem &problem, const ContactState &state)
+  {
+    const TangentialProblem   tangential = tangential_problem(problem, state);
+    const std::vector<double> areas =
+      areas_in_contact(problem.operators, state.pressure);
+    const std::vector<double> sticking =
+      sticking_areas(tangential, state, node_states(tangential, state), areas);
+    return {std::accumulate(areas.begin(), areas.end(), 0.),
+            std::accumulate(sticking.begin(), sticking.end(), 0.)};
   }
 } // namespace RollingContact

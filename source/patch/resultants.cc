@@ -1,6 +1,5 @@
 #include <rolling_contact/contact/sliding_response.h>
 #include <rolling_contact/interface/patch_edge.h>
-#include <rolling_contact/patch/patch_area.h>
 #include <rolling_contact/patch/resultants.h>
 
 #include <algorithm>
@@ -148,17 +147,11 @@ namespace RollingContact
               const ContactState           &state,
               Resultants                   &result)
     {
-      const ContactProblem     &problem = tangential.contact;
-      const std::vector<double> areas =
-        areas_in_contact(problem.operators, state.pressure);
-      const std::vector<double> sticking =
-        sticking_areas(tangential, state, states, areas);
+      const ContactProblem &problem = tangential.contact;
       for (unsigned int i = 0; i < problem.n_nodes(); ++i)
         if (states[i] != NodeState::open)
           {
             ++result.n_touching;
-            result.contact_area += areas[i];
-            result.stick_area += sticking[i];
             result.max_pressure =
               std::max(result.max_pressure, state.pressure[i]);
           }

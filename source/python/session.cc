@@ -172,8 +172,14 @@ namespace RollingContact::Bindings
              "friction_force",
              &Resultants::friction_force,
              "mu N, the most that friction can carry. Unit: N.");
-      define(state, "contact_area", &Resultants::contact_area, "Unit: m^2.");
-      define(state, "stick_area", &Resultants::stick_area, "Unit: m^2.");
+      state.def_property_readonly(
+        "contact_area",
+        [](const State &self) { return self.found.areas.contact; },
+        "Unit: m^2.");
+      state.def_property_readonly(
+        "stick_area",
+        [](const State &self) { return self.found.areas.stick; },
+        "Unit: m^2.");
       define(state, "half_width_x", &Resultants::half_width_x, "Unit: m.");
       define(state, "half_width_y", &Resultants::half_width_y, "Unit: m.");
       define(state,

@@ -3,6 +3,7 @@
 #include <rolling_contact/assessment/reference_2d.h>
 #include <rolling_contact/assessment/reference_3d.h>
 #include <rolling_contact/contact/invariants.h>
+#include <rolling_contact/patch/patch_area.h>
 #include <rolling_contact/patch/uniqueness.h>
 #include <rolling_contact/report/profile_columns.h>
 #include <rolling_contact/report/result_row.h>
@@ -28,6 +29,7 @@ namespace RollingContact
      */
     void
     set_resultant_columns(const Resultants &result,
+                          const PatchAreas &areas,
                           const bool        solved,
                           ResultsTable     &table)
     {
@@ -40,8 +42,8 @@ namespace RollingContact
       set("spin_moment_Nm", result.spin_moment);
       set("traction_coefficient", result.traction_coefficient);
       set("max_pressure_Pa", result.max_pressure);
-      set("contact_area_m2", result.contact_area);
-      set("stick_area_m2", result.stick_area);
+      set("contact_area_m2", areas.contact);
+      set("stick_area_m2", areas.stick);
       set("half_width_x_m", result.half_width_x);
       set("half_width_y_m", result.half_width_y);
       set("nodes_in_contact", result.n_touching);
@@ -268,7 +270,11 @@ namespace RollingContact
       table.leave_empty("approach_m");
     if (steady.contact_stiffness)
       table.set("contact_stiffness_N/m", *steady.contact_stiffness);
-    set_resultant_columns(steady.result, solved, table);
+    set_resultant_columns(steady.result,
+                          solved ? patch_areas(steady.problem, steady.state)
+                                 : PatchAreas(),
+                          solved,
+                          table);
     if (steady.problem.operators.time_scaling().rate == 0.)
       set_bound_columns(scene, steady, table);
     if (solved)
@@ -302,7 +308,7 @@ namespace RollingContact
     table.set("level", 0);
     set_creepage_columns(scene.contact.creepages, table);
     table.set("approach_m", scene.contact.approach.value_or(0.));
-    set_resultant_columns(Resultants(), true, table);
+    set_resultant_columns(Resultants(), PatchAreas(), true, table);
     table.set("solver", std::string("none"));
     table.set("converged", true);
     table.end_row();

@@ -2,6 +2,7 @@
 #include <rolling_contact/assessment/reference_2d.h>
 #include <rolling_contact/assessment/result_error.h>
 #include <rolling_contact/base/text.h>
+#include <rolling_contact/patch/patch_area.h>
 #include <rolling_contact/patch/recovered_tractions.h>
 #include <rolling_contact/plot/figure.h>
 #include <rolling_contact/report/state_report.h>
@@ -55,6 +56,7 @@ namespace RollingContact
         std::to_string(result.n_touching) + " nodes touch");
     if (result.friction_force <= 0.)
       return;
+    const PatchAreas  areas = patch_areas(steady.problem, steady.state);
     const std::string across =
       dim == 2 ? "" : ", " + significant(result.force_y, 6);
     report.set_finding(
@@ -67,8 +69,7 @@ namespace RollingContact
            : ", |T|/(mu N) = " +
                significant(result.tangential_force / result.friction_force,
                            5)) +
-        "; stick on " +
-        significant(100 * result.stick_area / result.contact_area, 3) +
+        "; stick on " + significant(100 * areas.stick / areas.contact, 3) +
         " % of the patch");
   }
 

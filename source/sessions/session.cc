@@ -194,6 +194,7 @@ namespace RollingContact
       found.approach                 = steady.state.approach;
       found.creepages                = steady.problem.loads.creepages;
       found.forces                   = steady.result;
+      found.areas = patch_areas(steady.problem, steady.state);
       found.elements_across =
         2 * steady.result.half_width_x / steady.grading.element_size_x;
       if (found.converged)

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <list>
 #include <optional>
 
 namespace RollingContact
@@ -35,17 +36,6 @@ namespace RollingContact
       for (std::size_t k = 0; k < pair.n_modes(); ++k)
         D(k, k) += s * s;
       return ComplexLU(std::move(D));
-    }
-
-
-
-    void
-    add(ComplexVector             &x,
-        const std::complex<double> factor,
-        const ComplexVector       &y)
-    {
-      for (std::size_t i = 0; i < x.size(); ++i)
-        x[i] += factor * y[i];
     }
 
 
@@ -230,52 +220,142 @@ namespace RollingContact
 
 
 
-  CorrectedMode
-  correct(const ReducedPair       &pair,
-          const LinearContact     &contact,
-          const StabilityMode     &mode,
-          const BodyResponse      &response,
-          const CorrectionOptions &options)
+  namespace
   {
-    CorrectedMode result;
-    result.s = result.reduced = mode.s;
-    result.unknowns           = mode.unknowns;
-    result.uncertainty        = std::numeric_limits<double>::infinity();
-    const BorderedSystem system(pair, contact, mode.s, mode.unknowns);
-    double               before = std::numeric_limits<double>::infinity();
-    for (unsigned int step = 0; step < options.most_steps; ++step)
+    /**
+     * The steps of one mode.
+     */
+    class Correction
+    {
+    public:
+      Correction(const ReducedPair       &pair,
+                 const LinearContact     &contact,
+                 const StabilityMode     &mode,
+                 const CorrectionOptions &options)
+        : contact(contact)
+        , mode(mode)
+        , options(options)
+        , system(pair, contact, mode.s, mode.unknowns)
       {
-        const ComplexVector u =
-          response(result.s, contact.forces * result.unknowns);
+        now.s = now.reduced = mode.s;
+        now.unknowns        = mode.unknowns;
+        now.uncertainty     = std::numeric_limits<double>::infinity();
+      }
+
+      bool
+      goes_on() const
+      {
+        return !ended && now.n_responses < options.most_steps;
+      }
+
+      std::complex<double>
+      s() const
+      {
+        return now.s;
+      }
+
+      ComplexVector
+      forces() const
+      {
+        return contact.forces * now.unknowns;
+      }
+
+      /**
+       * Step by the answer of the full bodies to these forces.
+       */
+      void
+      take(const ComplexVector &u)
+      {
         if (u.size() != contact.forces.n_rows())
           throw InputError("The response of the full bodies has " +
                            std::to_string(u.size()) + " values; the contact " +
                            "needs " + std::to_string(contact.forces.n_rows()) +
                            ".");
         const ComplexVector residual =
-          contact_residual(contact, result.s, u, result.unknowns);
-        result.backward_error =
-          system.backward_error(residual, result.unknowns);
-        if (++result.n_responses == 1)
-          result.first_backward_error = result.backward_error;
-        const std::complex<double> change =
-          system.step(residual, result.unknowns);
-        result.s += change;
-        result.uncertainty = std::abs(change);
-        if (!(result.uncertainty < before))
+          contact_residual(contact, now.s, u, now.unknowns);
+        now.backward_error = system.backward_error(residual, now.unknowns);
+        if (++now.n_responses == 1)
+          now.first_backward_error = now.backward_error;
+        const double               before = now.uncertainty;
+        const std::complex<double> change = system.step(residual, now.unknowns);
+        now.s += change;
+        now.uncertainty = std::abs(change);
+        if (!(now.uncertainty < before))
           {
-            result.uncertainty = std::numeric_limits<double>::infinity();
-            break;
+            now.uncertainty = std::numeric_limits<double>::infinity();
+            ended           = true;
           }
-        before = result.uncertainty;
-        if (result.uncertainty <= options.tolerance * std::abs(result.s))
-          break;
+        else
+          ended = now.uncertainty <= options.tolerance * std::abs(now.s);
       }
-    if (mode.is_real())
-      result.s = result.s.real();
-    result.damping_needed =
-      std::max(0.,
-               result.growth() / std::abs(result.s) + options.damping_margin);
-    return result;
+
+      CorrectedMode
+      result() const
+      {
+        CorrectedMode result = now;
+        if (mode.is_real())
+          result.s = result.s.real();
+        result.damping_needed = std::max(0.,
+                                         result.growth() / std::abs(result.s) +
+                                           options.damping_margin);
+        return result;
+      }
+
+    private:
+      const LinearContact     &contact;
+      const StabilityMode     &mode;
+      const CorrectionOptions &options;
+      const BorderedSystem     system;
+      CorrectedMode            now;
+      bool                     ended = false;
+    };
+
+
+
+    /**
+     * The answers of the full bodies to all modes that go on.
+     */
+    void
+    step(std::vector<Correction *> &active, const BodyResponse &response)
+    {
+      ComplexVector              rates;
+      std::vector<ComplexVector> forces;
+      for (const Correction *mode : active)
+        {
+          rates.push_back(mode->s());
+          forces.push_back(mode->forces());
+        }
+      const std::vector<ComplexVector> u = response(rates, forces);
+      for (std::size_t k = 0; k < active.size(); ++k)
+        active[k]->take(u[k]);
+    }
+  } // namespace
+
+
+
+  std::vector<CorrectedMode>
+  correct(const ReducedPair                &pair,
+          const LinearContact              &contact,
+          const std::vector<StabilityMode> &modes,
+          const BodyResponse               &response,
+          const CorrectionOptions          &options)
+  {
+    std::list<Correction> corrections; // which hold references, and stay
+    for (const StabilityMode &mode : modes)
+      corrections.emplace_back(pair, contact, mode, options);
+    while (true)
+      {
+        std::vector<Correction *> active;
+        for (Correction &mode : corrections)
+          if (mode.goes_on())
+            active.push_back(&mode);
+        if (active.empty())
+          break;
+        step(active, response);
+      }
+    std::vector<CorrectedMode> results;
+    for (const Correction &mode : corrections)
+      results.push_back(mode.result());
+    return results;
   }
 } // namespace RollingContact

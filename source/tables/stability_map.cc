@@ -201,7 +201,7 @@ namespace RollingContact
       if (std::abs(frequency_of(s) - frequency) < 1e-4 * frequency)
         {
           const WholeBodies<dim> whole(*rolling, conditions);
-          proof = Proof{state, vibrations.find(s, &whole)};
+          proof = Proof{state, vibrations.find({s}, &whole)[0]};
         }
   }
 

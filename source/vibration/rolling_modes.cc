@@ -243,12 +243,8 @@ namespace RollingContact
 
   template <int dim>
   ComplexVector
-  WholeBodies<dim>::motion(const Side           side,
-                           const Complex        s,
-                           const ComplexVector &forces) const
+  WholeBodies<dim>::load(const Side side, const ComplexVector &forces) const
   {
-    if (!bodies[side])
-      return {};
     std::vector<double> real, imaginary;
     for (const Complex &force : forces)
       {
@@ -260,30 +256,51 @@ namespace RollingContact
     ComplexVector b(rolling.bodies().body(side)->K.size(), 0.);
     for (std::size_t i = 0; i < unknowns[side].size(); ++i)
       b[unknowns[side][i]] += Complex(load_real[i], load_imaginary[i]);
-    return bodies[side]->solve(s, b, full_tolerance);
+    return b;
   }
 
 
 
   template <int dim>
-  ComplexVector
-  WholeBodies<dim>::response(const Complex s, const ComplexVector &forces) const
+  std::vector<ComplexVector>
+  WholeBodies<dim>::motion(const Side                        side,
+                           const ComplexVector              &s,
+                           const std::vector<ComplexVector> &forces) const
   {
-    PerSide<std::vector<double>> real, imaginary;
+    if (!bodies[side])
+      return std::vector<ComplexVector>(forces.size());
+    std::vector<ComplexVector> loads;
+    for (const ComplexVector &force : forces)
+      loads.push_back(load(side, force));
+    return bodies[side]->solve(s, loads, full_tolerance);
+  }
+
+
+
+  template <int dim>
+  std::vector<ComplexVector>
+  WholeBodies<dim>::response(const ComplexVector              &s,
+                             const std::vector<ComplexVector> &forces) const
+  {
+    PerSide<std::vector<ComplexVector>> x;
     for (const Side side : both_sides)
+      x[side] = motion(side, s, forces);
+    std::vector<ComplexVector> result;
+    for (std::size_t k = 0; k < forces.size(); ++k)
       {
-        const ComplexVector x = motion(side, s, forces);
-        for (const std::size_t unknown : unknowns[side])
-          {
-            real[side].push_back(x[unknown].real());
-            imaginary[side].push_back(x[unknown].imag());
-          }
+        PerSide<std::vector<double>> real, imaginary;
+        for (const Side side : both_sides)
+          for (const std::size_t unknown : unknowns[side])
+            {
+              real[side].push_back(x[side][k][unknown].real());
+              imaginary[side].push_back(x[side][k][unknown].imag());
+            }
+        const auto u = rolling.pair().relative_motion(std::move(real)),
+                   v = rolling.pair().relative_motion(std::move(imaginary));
+        result.emplace_back();
+        for (std::size_t i = 0; i < u.size(); ++i)
+          result.back().emplace_back(u[i], v[i]);
       }
-    const auto u = rolling.pair().relative_motion(std::move(real)),
-               v = rolling.pair().relative_motion(std::move(imaginary));
-    ComplexVector result;
-    for (std::size_t i = 0; i < u.size(); ++i)
-      result.emplace_back(u[i], v[i]);
     return result;
   }
 

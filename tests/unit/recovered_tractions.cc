@@ -3,6 +3,7 @@
 #include <rolling_contact/assessment/reference_2d.h>
 #include <rolling_contact/assessment/reference_3d.h>
 #include <rolling_contact/base/constants.h>
+#include <rolling_contact/patch/patch_area.h>
 #include <rolling_contact/patch/recovered_tractions.h>
 #include <rolling_contact/patch/resultants.h>
 
@@ -177,10 +178,11 @@ BOOST_AUTO_TEST_CASE(areas_of_lines_are_those_of_hertz_and_carter)
         const Reference2D reference = reference_2d(run.scene, run.steady);
         const double      area =
           2 * reference.hertz.half_width * run.scene.thickness();
-        const Resultants &found = run.steady.result;
-        const double      stick = std::sqrt(1 + run.force_x());
-        BOOST_TEST(std::abs(found.contact_area / area - 1) < tolerance);
-        BOOST_TEST(std::abs(found.stick_area / area - stick) < 1.2 * tolerance);
+        const PatchAreas found =
+          patch_areas(run.steady.problem, run.steady.state);
+        const double stick = std::sqrt(1 + run.force_x());
+        BOOST_TEST(std::abs(found.contact / area - 1) < tolerance);
+        BOOST_TEST(std::abs(found.stick / area - stick) < 1.2 * tolerance);
       }
 }
 
@@ -210,7 +212,7 @@ namespace
     {
       const References::HertzEllipse hertz =
         reference_3d(scene, steady.result.normal_force, {}).hertz;
-      return steady.result.contact_area /
+      return patch_areas(steady.problem, steady.state).contact /
              (pi * hertz.half_width_x * hertz.half_width_y);
     }
   };
@@ -228,7 +230,8 @@ BOOST_AUTO_TEST_CASE(areas_of_ellipses_are_those_of_hertz)
           scene.mesh.patch_offset = offset;
         });
         BOOST_TEST(std::abs(run.area_over_that_of_hertz() - 1) < tolerance);
-        BOOST_TEST(run.steady.result.stick_area == 0.);
+        BOOST_TEST(patch_areas(run.steady.problem, run.steady.state).stick ==
+                   0.);
       }
 }
 
@@ -246,14 +249,17 @@ BOOST_AUTO_TEST_CASE(what_sticks_is_part_of_what_touches)
   const PointContact rest(0.3, [](SceneParameters &scene) {
     scene.contact.friction_coefficient = 0.3;
   });
-  BOOST_TEST(rest.steady.result.stick_area == rest.steady.result.contact_area);
+  const PatchAreas   at_rest =
+    patch_areas(rest.steady.problem, rest.steady.state);
+  BOOST_TEST(at_rest.stick == at_rest.contact);
   const PointContact creeping(0.3, [](SceneParameters &scene) {
     scene.contact.friction_coefficient = 0.3;
     scene.contact.creepages.x          = 5e-4;
   });
-  const Resultants  &found = creeping.steady.result;
-  BOOST_TEST(found.stick_area < found.contact_area);
-  BOOST_TEST(found.stick_area > 0.7 * found.contact_area);
+  const PatchAreas   found =
+    patch_areas(creeping.steady.problem, creeping.steady.state);
+  BOOST_TEST(found.stick < found.contact);
+  BOOST_TEST(found.stick > 0.7 * found.contact);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

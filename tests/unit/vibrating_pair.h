@@ -129,18 +129,18 @@ namespace VibratingPair
       CorrectionOptions     options;
       options.most_steps = 20;
       options.tolerance  = 1e-11;
-      std::vector<CorrectedMode> result;
+      std::vector<StabilityMode> modes;
       for (const auto &s : pencil.eigenvalues())
         if (s.imag() > 2 * pi * low && s.imag() < 2 * pi * high)
-          result.push_back(correct(
-            reduced,
-            contact,
-            pencil.mode(s),
-            [&](const std::complex<double> at, const ComplexVector &forces) {
-              return whole->response(at, forces);
-            },
-            options));
-      return result;
+          modes.push_back(pencil.mode(s));
+      return correct(
+        reduced,
+        contact,
+        modes,
+        [&](const auto &s, const auto &forces) {
+          return whole->response(s, forces);
+        },
+        options);
     }
 
     SceneInMemory                      run;

@@ -74,15 +74,23 @@ BOOST_AUTO_TEST_CASE(whole_bodies_have_their_dampers)
                      }});
   int                 unknown;
   const ComplexVector b = force_on_contact(ring, unknown);
-  for (const double f : {2400., 4100.})
+  ComplexVector       other(b.size(), 0.);
+  other[unknown - 1] = {0.5, -2.};
+  // side by side, with loads and numbers of steps of their own
+  const ComplexVector              s     = {{15., 2 * pi * 2400.},
+                                            {15., 2 * pi * 4100.},
+                                            {-40., 2 * pi * 300.}};
+  const std::vector<ComplexVector> loads = {b, other, b};
+  const auto                       x     = full.solve(s, loads, 1e-11);
+  for (std::size_t k = 0; k < s.size(); ++k)
     {
-      const Complex       s(15., 2 * pi * f);
-      const ComplexVector x     = full.solve(s, b, 1e-11),
-                          exact = solved_densely(ring, rate, s, b);
-      ComplexVector error       = x;
-      for (std::size_t i = 0; i < x.size(); ++i)
-        error[i] -= exact[i];
+      const ComplexVector exact = solved_densely(ring, rate, s[k], loads[k]);
+      ComplexVector       error = x[k];
+      add(error, -1., exact);
       BOOST_TEST(norm(error) / norm(exact) < 1e-8);
+      BOOST_TEST(norm(full.solve({s[k]}, {loads[k]}, 1e-11)[0]) / norm(exact) ==
+                   1.,
+                 boost::test_tools::tolerance(1e-8));
     }
 }
 

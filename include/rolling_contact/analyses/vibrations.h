@@ -89,12 +89,13 @@ namespace RollingContact
     real_growth() const;
 
     /**
-     * The vibration of an eigenvalue, corrected by the whole bodies if they are
+     * The vibrations of eigenvalues, corrected by the whole bodies if they are
      * given.
      */
     template <int dim>
-    Finding
-    find(const std::complex<double> s, const WholeBodies<dim> *bodies) const;
+    std::vector<Finding>
+    find(const ComplexVector    &eigenvalues,
+         const WholeBodies<dim> *bodies) const;
 
   private:
     bool

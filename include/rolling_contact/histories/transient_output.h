@@ -2,6 +2,7 @@
 #define rolling_contact_histories_transient_output_h
 
 #include <rolling_contact/histories/cycle_watch.h>
+#include <rolling_contact/histories/history_rows.h>
 #include <rolling_contact/histories/sound_output.h>
 #include <rolling_contact/run/history_table.h>
 #include <rolling_contact/state/contact_stepper.h>
@@ -10,20 +11,6 @@
 
 namespace RollingContact
 {
-  /**
-   * The columns of history.csv, and the row of the step just taken;
-   * @p progress includes it.
-   */
-  std::vector<std::string>
-  history_columns(const SceneParameters &scene);
-
-  template <int dim>
-  std::vector<double>
-  history_row(const SceneParameters     &scene,
-              const ContactStepper<dim> &stepper,
-              const StepOutcome         &outcome,
-              const TransientProgress   &progress);
-
   /**
    * What a transient run writes: a row of history.csv for each step, fields
    * every Time/Field interval steps as a time series, the last state in
@@ -112,6 +99,7 @@ namespace RollingContact
 
     const SceneParameters      &scene;
     RunContext                 &context;
+    const HistoryRows           rows;
     std::optional<HistoryTable> history;
     std::optional<CycleWatch>   watch;
     double                      found_period = 0.;

@@ -93,6 +93,14 @@ namespace RollingContact
   ComplexVector
   transposed_product(const DenseMatrix &A, const ComplexVector &x);
 
+  /**
+   * x += factor y.
+   */
+  void
+  add(ComplexVector             &x,
+      const std::complex<double> factor,
+      const ComplexVector       &y);
+
   double
   norm(const ComplexVector &x);
 

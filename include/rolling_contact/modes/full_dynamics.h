@@ -1,7 +1,7 @@
 #ifndef rolling_contact_modes_full_dynamics_h
 #define rolling_contact_modes_full_dynamics_h
 
-#include <rolling_contact/linear_algebra/complex_matrix.h>
+#include <rolling_contact/linear_algebra/complex_columns.h>
 #include <rolling_contact/linear_algebra/factorisation.h>
 #include <rolling_contact/linear_algebra/skew_sparse_matrix.h>
 #include <rolling_contact/modes/structural_modes.h>
@@ -69,14 +69,15 @@ namespace RollingContact
                  std::optional<AttachedDynamics> attached = {});
 
     /**
-     * x to a relative residual of @p tolerance, or, below 1e-6, as far as
-     * rounding allows. Throws ConvergenceError if that
-     * is not reached, as when |s| is beyond the modes. Units: 1/s, N to m.
+     * An x for each s and b, to a relative residual of @p tolerance, or, below
+     * 1e-6, as far as rounding allows; side by side, so that factor and modes
+     * are read once for all of them. Throws ConvergenceError if that is not
+     * reached, as when |s| is beyond the modes. Units: 1/s, N to m.
      */
-    ComplexVector
-    solve(const std::complex<double> s,
-          const ComplexVector       &b,
-          const double               tolerance) const;
+    std::vector<ComplexVector>
+    solve(const ComplexVector              &s,
+          const std::vector<ComplexVector> &b,
+          const double                      tolerance) const;
 
     /** Iterations of all solutions so far, two triangular solves each. */
     unsigned int
@@ -90,31 +91,42 @@ namespace RollingContact
      * (1 + Z L^T P^-1 L)^-1. */
     struct AtOneRate
     {
+      std::complex<double>     s;
       ComplexLU                modes;
       ComplexMatrix            stiffness;
       std::optional<ComplexLU> woodbury;
     };
 
+    /** Of the vectors of a block, one by one. */
+    using Rates = std::vector<const AtOneRate *>;
+
     AtOneRate
     at(const std::complex<double> s) const;
 
-    ComplexVector
-    multiply(const std::complex<double> s,
-             const AtOneRate           &now,
-             const ComplexVector       &x) const;
+    /** D(s) X. */
+    ComplexColumns
+    multiply(const Rates &rates, const ComplexColumns &X) const;
 
-    ComplexVector
-    precondition(const AtOneRate &now, const ComplexVector &b) const;
+    /** P(s)^-1 B. */
+    ComplexColumns
+    precondition(const Rates &rates, const ComplexColumns &B) const;
 
-    /** x += Phi [(s^2 + s C_m + K_m)^-1 - Lambda^-1] q. */
+    /** X += Phi [(s^2 + s C_m + K_m)^-1 - Lambda^-1] Q. */
     void
-    add_modes(const AtOneRate &now, ComplexVector q, ComplexVector &x) const;
+    add_modes(const Rates &rates, ComplexColumns Q, ComplexColumns &X) const;
 
-    /** Forces of what is attached on the structure, to be taken from x. */
+    /** Forces of what is attached on the structure, that X has to bear. */
     void
-    add_attached(const AtOneRate     &now,
-                 const ComplexVector &x,
-                 ComplexVector       &result) const;
+    add_attached(const Rates          &rates,
+                 const ComplexColumns &X,
+                 ComplexColumns       &result) const;
+
+    /** Forces of the flow, and what it adds to the velocities. */
+    void
+    add_flow(const Rates          &rates,
+             const ComplexColumns &X,
+             ComplexColumns       &velocities,
+             ComplexColumns       &result) const;
 
     TurningStructure       structure;
     const Factorisation   &factor;

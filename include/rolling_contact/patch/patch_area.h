@@ -34,6 +34,18 @@ namespace RollingContact
                  const ContactState           &state,
                  const std::vector<NodeState> &states,
                  const std::vector<double>    &areas);
+
+  /**
+   * The sums of both over the patch. Their outlines take longer than all
+   * resultants: for who shows them. Units: m^2.
+   */
+  struct PatchAreas
+  {
+    double contact = 0., stick = 0.;
+  };
+
+  PatchAreas
+  patch_areas(const ContactProblem &problem, const ContactState &state);
 } // namespace RollingContact
 
 #endif

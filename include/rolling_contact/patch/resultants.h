@@ -35,8 +35,7 @@ namespace RollingContact
     double       tangential_force = 0.; ///< |T|, of friction alone
     double       traction_coefficient = 0.; ///< that over the sum of pressure
     double       max_pressure         = 0.;
-    double       contact_area = 0., stick_area = 0.;
-    unsigned int n_touching = 0;
+    unsigned int n_touching           = 0;
 
     double edge_begin_x = 0., edge_end_x = 0.; ///< of the patch
     double half_width_x = 0., half_width_y = 0.;

@@ -2,6 +2,7 @@
 #define rolling_contact_sessions_session_h
 
 #include <rolling_contact/assessment/error_bounds.h>
+#include <rolling_contact/patch/patch_area.h>
 #include <rolling_contact/run/log.h>
 #include <rolling_contact/scene/scene_parameters.h>
 
@@ -20,6 +21,7 @@ namespace RollingContact
     bool         converged = false;
     std::string  reason; ///< why it did not converge
     Resultants   forces;
+    PatchAreas   areas;
     double       approach = 0.; ///< m
     Creepages    creepages;
     ErrorBounds  bounds;

@@ -8,13 +8,13 @@
 namespace RollingContact
 {
   /**
-   * The motion of the wheel relative to the rail at all nodes of contact under
-   * nodal forces that go as exp(s t), of the full bodies: W_full(s) f, (T + 1)
-   * N complex values each. Units: 1/s, N to m.
+   * The motions of the wheel relative to the rail at all nodes of contact under
+   * nodal forces that go as exp(s t), of the full bodies: W_full(s_k) f_k for
+   * each k, (T + 1) N complex values each. Units: 1/s, N to m.
    */
-  using BodyResponse =
-    std::function<ComplexVector(const std::complex<double> s,
-                                const ComplexVector       &forces)>;
+  using BodyResponse = std::function<
+    std::vector<ComplexVector>(const ComplexVector              &s,
+                               const std::vector<ComplexVector> &forces)>;
 
   struct CorrectionOptions
   {
@@ -74,7 +74,7 @@ namespace RollingContact
   };
 
   /**
-   * Eigenvalue and contact vector of a mode by the equations of the full
+   * Eigenvalues and contact vectors of modes by the equations of the full
    * bodies,
    *
    *   T_full(s) x = [(N_u + s N_v) W_full(s) forces + N_r + s N_s] x = 0,
@@ -86,17 +86,19 @@ namespace RollingContact
    *   [ x^H    0  ] [ds] = - [      0      ].
    *
    * The first step is s - l^H T_full x / (l^H T' x), l the left null vector of
-   * T: the correction by one vector. Further ones correct the vector, too.
+   * T: the correction by one vector. Further ones correct the vector, too. All
+   * modes take their steps side by side, so that the full bodies answer a
+   * number of them at once; each keeps two dense complex matrices of contact.
    */
-  CorrectedMode
-  correct(const ReducedPair       &pair,
-          const LinearContact     &contact,
-          const StabilityMode     &mode,
-          const BodyResponse      &response,
-          const CorrectionOptions &options = {});
+  std::vector<CorrectedMode>
+  correct(const ReducedPair                &pair,
+          const LinearContact              &contact,
+          const std::vector<StabilityMode> &modes,
+          const BodyResponse               &response,
+          const CorrectionOptions          &options = {});
 
   /**
-   * W(s) f of the reduced pair, as a BodyResponse.
+   * W(s) f of the reduced pair.
    */
   ComplexVector
   reduced_response(const ReducedPair         &pair,

@@ -99,25 +99,30 @@ namespace RollingContact
                 const RollingConditions &conditions);
 
     /**
-     * Motion of the wheel relative to the rail at the contact nodes under nodal
-     * forces. Units: 1/s, N to m.
+     * Motions of the wheel relative to the rail at the contact nodes under
+     * nodal forces, of each s and forces. Units: 1/s, N to m.
      */
-    ComplexVector
-    response(const std::complex<double> s, const ComplexVector &forces) const;
+    std::vector<ComplexVector>
+    response(const ComplexVector              &s,
+             const std::vector<ComplexVector> &forces) const;
 
     /**
-     * All unknowns of a body under them; empty for a rigid one. Units: m.
+     * All unknowns of a body under them; empty ones for a rigid one. Units: m.
      */
-    ComplexVector
-    motion(const Side                 side,
-           const std::complex<double> s,
-           const ComplexVector       &forces) const;
+    std::vector<ComplexVector>
+    motion(const Side                        side,
+           const ComplexVector              &s,
+           const std::vector<ComplexVector> &forces) const;
 
     /** Iterations so far, two triangular solves each. */
     unsigned int
     n_iterations() const;
 
   private:
+    /** Nodal forces of contact as those of all unknowns of a body. */
+    ComplexVector
+    load(const Side side, const ComplexVector &forces) const;
+
     const RollingModes<dim>               &rolling;
     PerSide<std::unique_ptr<FullDynamics>> bodies;
     PerSide<std::vector<std::size_t>>      unknowns; ///< of contact
