@@ -128,7 +128,8 @@ namespace RollingContact
   template <int dim>
   DenseMatrix
   DistributedBody<dim>::compliance(const std::vector<SurfaceNode>  &nodes,
-                                   const std::vector<unsigned int> &components)
+                                   const std::vector<unsigned int> &components,
+                                   const SparseRows                &P)
   {
     analyse();
     const Stopwatch watch;
@@ -136,7 +137,7 @@ namespace RollingContact
     if (const auto model = make_model())
       {
         n_model_unknowns = model->n_unknowns();
-        W = model->compliance(model_nodes(*model, nodes), components);
+        W = model->compliance(model_nodes(*model, nodes), components, P);
       }
     model_s = watch.seconds();
     return W;

@@ -295,11 +295,15 @@ namespace RollingContact
   template <int dim>
   DenseMatrix
   DirectBody<dim>::compliance(const std::vector<SurfaceNode>  &nodes,
-                              const std::vector<unsigned int> &components)
+                              const std::vector<unsigned int> &components,
+                              const SparseRows                &P)
   {
     analyse();
     factor->factorise();
-    DenseMatrix W = factor->condense(unknowns(nodes, components));
+    const auto  loaded = unknowns(nodes, components);
+    DenseMatrix W =
+      P.size() == 0 ? factor->condense(loaded)
+                    : factor->condense(of_components(P, loaded, nodes.size()));
     if (!recovers)
       factor->release();
     return W;

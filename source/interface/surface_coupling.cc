@@ -89,12 +89,17 @@ namespace RollingContact
   DenseMatrix
   SurfaceCoupling::to_interface(DenseMatrix W) const
   {
-    if (W.n_rows() == 0)
-      return W;
-    if (!is_identity())
-      W = projected(W);
+    return turned(is_identity() || W.n_rows() == 0 ? std::move(W)
+                                                   : projected(W));
+  }
+
+
+
+  DenseMatrix
+  SurfaceCoupling::turned(DenseMatrix W) const
+  {
     const std::size_t n = angles.size(), n_rows = W.n_rows();
-    if (n == 0)
+    if (n == 0 || n_rows == 0)
       return W;
     for (std::size_t j = 0; j < n_rows; ++j)
       turn_values(&W(n, j), &W(2 * n, j), 1, false);

@@ -110,12 +110,47 @@ namespace RollingContact
     using Block = CondensedColumns::Block;
 
     /**
-     * The supernodes on the elimination-tree paths of the sorted rows, each
-     * with the range of columns alive in it; unreached blocks have no columns.
+     * The columns of E in the permuted matrix, sorted by their first row.
+     */
+    struct SortedColumns
+    {
+      using Entry = std::pair<Index, double>; ///< row and value
+
+      SortedColumns(const cholmod_factor &L, const SparseRows &loads)
+        : order(loads.size())
+        , columns(loads.size())
+      {
+        std::vector<Index> position(L.n);
+        const Index       *permutation = static_cast<const Index *>(L.Perm);
+        for (std::size_t i = 0; i < L.n; ++i)
+          position[permutation[i]] = i;
+        std::vector<Index> first_row(loads.size(), L.n);
+        for (unsigned int c = 0; c < loads.size(); ++c)
+          for (const auto &entry : loads[c])
+            first_row[c] = std::min(first_row[c], position[entry.first]);
+        std::iota(order.begin(), order.end(), 0);
+        std::sort(order.begin(),
+                  order.end(),
+                  [&](const Index a, const Index b) {
+                    return first_row[a] < first_row[b];
+                  });
+        for (std::size_t c = 0; c < order.size(); ++c)
+          for (const auto &[unknown, value] : loads[order[c]])
+            columns[c].emplace_back(position[unknown], value);
+      }
+
+      std::vector<Index>              order;
+      std::vector<std::vector<Entry>> columns;
+    };
+
+
+
+    /**
+     * The supernodes on the elimination-tree paths of the columns, each with
+     * the range of columns alive in it; unreached blocks have no columns.
      */
     std::vector<Block>
-    reach(const SupernodesOfRows   &supernodes,
-          const std::vector<Index> &sorted_rows)
+    reach(const SupernodesOfRows &supernodes, const SortedColumns &sorted)
     {
       std::vector<Block> blocks(supernodes.size());
       const auto widen = [](Block &block, const Index begin, const Index end) {
@@ -127,8 +162,9 @@ namespace RollingContact
           block.n_columns > 0 ? std::min(block.first_column, begin) : begin;
         block.n_columns = last - block.first_column;
       };
-      for (Index c = 0; c < static_cast<Index>(sorted_rows.size()); ++c)
-        widen(blocks[supernodes.supernode_of_row(sorted_rows[c])], c, c + 1);
+      for (Index c = 0; c < static_cast<Index>(sorted.columns.size()); ++c)
+        for (const auto &entry : sorted.columns[c])
+          widen(blocks[supernodes.supernode_of_row(entry.first)], c, c + 1);
       for (Index k = 0; k < supernodes.size(); ++k)
         {
           Block &block    = blocks[k];
@@ -238,46 +274,19 @@ namespace RollingContact
 
 
 
-    /**
-     * The columns of E by the row of their one in the permuted matrix.
-     */
-    struct SortedColumns
-    {
-      SortedColumns(const cholmod_factor           &L,
-                    const std::vector<std::size_t> &unknowns)
-        : order(unknowns.size())
-      {
-        std::vector<Index> position(L.n);
-        const Index       *permutation = static_cast<const Index *>(L.Perm);
-        for (std::size_t i = 0; i < L.n; ++i)
-          position[permutation[i]] = i;
-        std::iota(order.begin(), order.end(), 0);
-        std::sort(order.begin(),
-                  order.end(),
-                  [&](const Index a, const Index b) {
-                    return position[unknowns[a]] < position[unknowns[b]];
-                  });
-        for (const Index column : order)
-          rows.push_back(position[unknowns[column]]);
-      }
-
-      std::vector<Index> order, rows;
-    };
-
-
-
     void
-    put_ones(const SupernodesOfRows   &supernodes,
-             const std::vector<Index> &rows,
-             std::vector<Block>       &blocks)
+    put_entries(const SupernodesOfRows &supernodes,
+                const SortedColumns    &sorted,
+                std::vector<Block>     &blocks)
     {
-      for (std::size_t c = 0; c < rows.size(); ++c)
-        {
-          Block &block = blocks[supernodes.supernode_of_row(rows[c])];
-          allocate(block);
-          block.values[rows[c] - block.first_row +
-                       (c - block.first_column) * block.n_rows] = 1.;
-        }
+      for (std::size_t c = 0; c < sorted.columns.size(); ++c)
+        for (const auto &[row, value] : sorted.columns[c])
+          {
+            Block &block = blocks[supernodes.supernode_of_row(row)];
+            allocate(block);
+            block.values[row - block.first_row +
+                         (c - block.first_column) * block.n_rows] += value;
+          }
     }
 
 
@@ -324,16 +333,16 @@ namespace RollingContact
 
 
   DenseMatrix
-  condensed_compliance(const cholmod_factor           &L,
-                       const std::vector<std::size_t> &unknowns,
-                       CondensedColumns               *columns)
+  condensed_compliance(const cholmod_factor &L,
+                       const SparseRows     &loads,
+                       CondensedColumns     *columns)
   {
     const SupernodesOfRows supernodes(L);
-    SortedColumns          sorted(L, unknowns);
-    std::vector<Block>     blocks = reach(supernodes, sorted.rows);
-    DenseMatrix            W(unknowns.size(), unknowns.size());
+    SortedColumns          sorted(L, loads);
+    std::vector<Block>     blocks = reach(supernodes, sorted);
+    DenseMatrix            W(loads.size(), loads.size());
     std::vector<double>    buffer;
-    put_ones(supernodes, sorted.rows, blocks);
+    put_entries(supernodes, sorted, blocks);
     for (Index k = 0; k < supernodes.size(); ++k)
       if (blocks[k].n_columns > 0)
         {

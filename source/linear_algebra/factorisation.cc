@@ -273,16 +273,28 @@ namespace RollingContact
 
 
   DenseMatrix
-  Factorisation::condense(const std::vector<std::size_t> &unknowns,
-                          CondensedColumns               *columns) const
+  Factorisation::condense(const SparseRows &loads,
+                          CondensedColumns *columns) const
   {
     require_factor(implementation->L);
     const Stopwatch watch;
-    DenseMatrix W = condensed_compliance(*implementation->L, unknowns, columns);
+    DenseMatrix W = condensed_compliance(*implementation->L, loads, columns);
     release_free_memory();
     implementation->size.condensation_s = watch.seconds();
-    n_condensed_columns += unknowns.size();
+    n_condensed_columns += loads.size();
     return W;
+  }
+
+
+
+  DenseMatrix
+  Factorisation::condense(const std::vector<std::size_t> &unknowns,
+                          CondensedColumns               *columns) const
+  {
+    SparseRows loads(unknowns.size());
+    for (std::size_t k = 0; k < unknowns.size(); ++k)
+      loads.add(k, unknowns[k], 1.);
+    return condense(loads, columns);
   }
 
 

@@ -77,4 +77,20 @@ namespace RollingContact
         result(i, entry.first) += entry.second;
     return result;
   }
+
+
+
+  SparseRows
+  of_components(const SparseRows               &P,
+                const std::vector<std::size_t> &numbers,
+                const std::size_t               n)
+  {
+    const std::size_t n_components = n > 0 ? numbers.size() / n : 0;
+    SparseRows        result(n_components * P.size());
+    for (std::size_t c = 0; c < n_components; ++c)
+      for (unsigned int i = 0; i < P.size(); ++i)
+        for (const auto &[j, value] : P[i])
+          result.add(c * P.size() + i, numbers[c * n + j], value);
+    return result;
+  }
 } // namespace RollingContact

@@ -93,14 +93,22 @@ namespace RollingContact
   DenseMatrix
   RollingPair<dim>::pair_compliance(PerSide<DenseMatrix> bodies) const
   {
+    for (const Side side : both_sides)
+      bodies[side] =
+        pair_interface.coupling[side].to_interface(std::move(bodies[side]));
+    return added_compliance(std::move(bodies));
+  }
+
+
+
+  template <int dim>
+  DenseMatrix
+  RollingPair<dim>::added_compliance(PerSide<DenseMatrix> bodies) const
+  {
     const std::size_t n_nodes = trace().nodes.size();
     for (const Side side : both_sides)
       if (body_pair.has_own_body(side))
-        {
-          Ranks::broadcast(bodies[side], body_pair.rank_of(side));
-          bodies[side] =
-            pair_interface.coupling[side].to_interface(std::move(bodies[side]));
-        }
+        Ranks::broadcast(bodies[side], body_pair.rank_of(side));
     DenseMatrix W(components.size() * n_nodes, components.size() * n_nodes);
     for (const Side side : both_sides)
       if (body_pair.is_elastic(side))
@@ -231,15 +239,16 @@ namespace RollingContact
     check_contact_memory(double(n_nodes) * components.size());
     PerSide<DenseMatrix> W;
     const auto           condense = [&](const Side side) {
+      const SurfaceCoupling &coupling = pair_interface.coupling[side];
       if (body_pair.body(side) && body_pair.has_own_body(side))
-        W[side] = body_pair.body(side)->compliance(pair_interface.nodes[side],
-                                                   components);
+        W[side] = coupling.turned(body_pair.body(side)->compliance(
+          pair_interface.nodes[side], components, coupling.projection()));
     };
     for_both_bodies(
       body_pair.n_threads(),
       [&]() { condense(Side::wheel); },
       [&]() { condense(Side::rail); });
-    return contact_problem(contact, pair_compliance(std::move(W)));
+    return contact_problem(contact, added_compliance(std::move(W)));
   }
 
 

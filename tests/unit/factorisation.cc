@@ -1,6 +1,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/interface/surface_coupling.h>
 #include <rolling_contact/linear_algebra/dissection.h>
 #include <rolling_contact/linear_algebra/factorisation.h>
 
@@ -185,6 +186,40 @@ BOOST_AUTO_TEST_CASE(condensation_equals_plain_solves)
         }
     }
   BOOST_TEST(difference < 1e-12 * largest);
+}
+
+/** Loads of several unknowns each, in different parts of the tree, one of them
+ * twice in a row and one row empty: P W P^T of the unknowns' own. */
+BOOST_AUTO_TEST_CASE(loads_are_condensed_as_sums_of_unknowns)
+{
+  const Problem problem = grid(9);
+  Factorisation factor(problem.matrix, problem.node_of_unknown);
+  factor.factorise();
+  const auto        unknowns = surface_unknowns(9);
+  const std::size_t n        = unknowns.size();
+  SparseRows        P(7), loads(7);
+  for (unsigned int k = 0; k < 6; ++k)
+    for (unsigned int i = 0; i < 4; ++i)
+      {
+        const std::size_t of = (11 * k + (i < 3 ? i : n - 1 - k)) % n;
+        P.add(k, of, 0.3 + 0.2 * i - 0.5 * (k == i));
+        loads.add(k, unknowns[of], 0.3 + 0.2 * i - 0.5 * (k == i));
+      }
+  CondensedColumns  Y;
+  const DenseMatrix W      = factor.condense(unknowns),
+                    PWP    = SurfaceCoupling(P, n).to_interface(W),
+                    direct = factor.condense(loads, &Y);
+  double largest = 0., difference = 0.;
+  for (std::size_t i = 0; i < 7; ++i)
+    for (std::size_t j = 0; j < 7; ++j)
+      {
+        largest    = std::max(largest, std::abs(PWP(i, j)));
+        difference = std::max(difference, std::abs(direct(i, j) - PWP(i, j)));
+      }
+  BOOST_TEST(largest > 0.);
+  BOOST_TEST(difference < 1e-12 * largest);
+  BOOST_TEST(direct(6, 6) == 0.);
+  BOOST_TEST(Y.column_order.size() == 7u);
 }
 
 BOOST_AUTO_TEST_CASE(kept_columns_give_the_same_compliance)

@@ -15,6 +15,7 @@ namespace RollingContact
   {
   public:
     using typename ElasticBody<dim>::SurfaceNode;
+    using ElasticBody<dim>::compliance;
     using typename ElasticBody<dim>::SurfaceFace;
 
     /**
@@ -38,7 +39,8 @@ namespace RollingContact
      */
     DenseMatrix
     compliance(const std::vector<SurfaceNode>  &nodes,
-               const std::vector<unsigned int> &components) override;
+               const std::vector<unsigned int> &components,
+               const SparseRows                &P) override;
 
     std::vector<std::vector<double>>
     response(const std::vector<SurfaceNode>         &nodes,

@@ -10,6 +10,7 @@
 #include <rolling_contact/elasticity/material.h>
 #include <rolling_contact/elasticity/supports.h>
 #include <rolling_contact/linear_algebra/dense_matrix.h>
+#include <rolling_contact/linear_algebra/sparse_rows.h>
 #include <rolling_contact/mesh/body_mesh.h>
 
 #include <functional>
@@ -80,11 +81,23 @@ namespace RollingContact
      * Compliance of the given nodes: displacement of component @p components[i]
      * at node n for unit nodal forces; row and column i * N + n. Exact, or an
      * approximation that response() corrects. One rank does the work and has
-     * the matrix, without the others, where it is empty. Units: m/N.
+     * the matrix, without the others, where it is empty. With @p P, whose rows
+     * have numbers of nodes and shares, that of loads which are spread over the
+     * nodes by it and of displacements taken by it, P W P^T in each pair of
+     * components. Units: m/N.
      */
     virtual DenseMatrix
     compliance(const std::vector<SurfaceNode>  &nodes,
-               const std::vector<unsigned int> &components) = 0;
+               const std::vector<unsigned int> &components,
+               const SparseRows                &P) = 0;
+
+    /** That of the nodes themselves. */
+    DenseMatrix
+    compliance(const std::vector<SurfaceNode>  &nodes,
+               const std::vector<unsigned int> &components)
+    {
+      return compliance(nodes, components, SparseRows());
+    }
 
     /**
      * Displacement of the given nodes under nodal forces on them, in the order

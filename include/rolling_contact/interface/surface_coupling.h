@@ -61,11 +61,26 @@ namespace RollingContact
     to_body(std::vector<double> interface_forces) const;
 
     /**
+     * P; without rows if nodes are the same.
+     */
+    const SparseRows &
+    projection() const
+    {
+      return P;
+    }
+
+    /**
      * Compliance P W P^T on the interface from a body's W, symmetric. Units:
      * m/N.
      */
     DenseMatrix
     to_interface(DenseMatrix W) const;
+
+    /**
+     * P W P^T in the components of the interface.
+     */
+    DenseMatrix
+    turned(DenseMatrix W) const;
 
   private:
     /**

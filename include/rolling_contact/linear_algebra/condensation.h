@@ -1,7 +1,7 @@
 #ifndef rolling_contact_linear_algebra_condensation_h
 #define rolling_contact_linear_algebra_condensation_h
 
-#include <rolling_contact/linear_algebra/dense_matrix.h>
+#include <rolling_contact/linear_algebra/sparse_rows.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -12,11 +12,12 @@ struct cholmod_factor_struct;
 namespace RollingContact
 {
   /**
-   * Condensed columns Y = L^-1 E for the unit columns E of the contact
-   * unknowns, kept as one dense block for each supernode on the
-   * elimination-tree paths of these columns. Columns are sorted by elimination
-   * order, so that the columns alive in a supernode, those of its subtree, are
-   * the contiguous range [first_column, first_column + n_columns).
+   * Condensed columns Y = L^-1 E for the loads E of contact, unit columns of
+   * its unknowns for one, kept as one dense block for each supernode on the
+   * elimination-tree paths of these columns. Columns are sorted by the first of
+   * their rows that is eliminated, so that those alive in a supernode, where
+   * they have a row in its subtree, are in the range [first_column,
+   * first_column + n_columns); of unit columns there are no others in it.
    */
   struct CondensedColumns
   {
@@ -51,14 +52,15 @@ namespace RollingContact
   };
 
   /**
-   * Compliance W = E^T K^-1 E = Y^T Y from CHOLMOD's supernodal factor of K,
-   * for the given unknowns in their order; see Factorisation::condense().
+   * Compliance W = E^T K^-1 E = Y^T Y from CHOLMOD's supernodal factor of K;
+   * row k of @p loads has unknowns and values of column k of E, see
+   * Factorisation::condense().
    * Supernode by supernode on the elimination paths, with BLAS-3.
    */
   DenseMatrix
-  condensed_compliance(const cholmod_factor_struct    &L,
-                       const std::vector<std::size_t> &unknowns,
-                       CondensedColumns               *columns);
+  condensed_compliance(const cholmod_factor_struct &L,
+                       const SparseRows            &loads,
+                       CondensedColumns            *columns);
 } // namespace RollingContact
 
 #endif

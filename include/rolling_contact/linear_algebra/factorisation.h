@@ -122,9 +122,17 @@ namespace RollingContact
                    const std::vector<std::vector<double> *> &x) const;
 
     /**
-     * Compliance W = E^T K^-1 E = Y^T Y for the given unknowns, in their order.
-     * Y is computed supernode by supernode with BLAS-3; kept in @p columns if
-     * that is given, released on the way otherwise.
+     * Compliance W = E^T K^-1 E = Y^T Y, E with a column for each row of
+     * @p loads, which has its unknowns and values. Y is computed supernode by
+     * supernode with BLAS-3; kept in @p columns if that is given, released on
+     * the way otherwise.
+     */
+    DenseMatrix
+    condense(const SparseRows &loads,
+             CondensedColumns *columns = nullptr) const;
+
+    /**
+     * Such a compliance of the given unknowns, in their order.
      */
     DenseMatrix
     condense(const std::vector<std::size_t> &unknowns,

@@ -79,6 +79,16 @@ namespace RollingContact
   apply(const SparseRows::Row     &row,
         const std::vector<double> &x,
         const std::size_t          offset = 0);
+
+  /**
+   * The rows of a matrix @p P of @p n columns once for each component, one
+   * component after the other: column j of component c becomes @p numbers[c n +
+   * j].
+   */
+  SparseRows
+  of_components(const SparseRows               &P,
+                const std::vector<std::size_t> &numbers,
+                const std::size_t               n);
 } // namespace RollingContact
 
 #endif

@@ -188,6 +188,13 @@ namespace RollingContact
                  const ContactState   &state) const;
 
   private:
+    /**
+     * W of the pair from those of the bodies on the interface, each on the rank
+     * of its body. Collective.
+     */
+    DenseMatrix
+    added_compliance(PerSide<DenseMatrix> at_interface) const;
+
     void
     choose_components();
 
