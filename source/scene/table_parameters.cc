@@ -146,7 +146,7 @@ namespace RollingContact
                        ": a table has axes or rows; leave one of them empty.");
     if (!has_axes && file_of_rows.empty())
       throw InputError("Table/Axis 1 and Table/File of rows are both empty: "
-                       "an axis is " +
+                       "for an axis, " +
                        std::string(form_of_axis));
   }
 } // namespace RollingContact
