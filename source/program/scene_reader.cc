@@ -1,6 +1,5 @@
 #include <deal.II/base/parameter_handler.h>
 
-#include <rolling_contact/advice/plausibility.h>
 #include <rolling_contact/advice/unused_entries.h>
 #include <rolling_contact/base/exception_text.h>
 #include <rolling_contact/base/exceptions.h>
