@@ -31,8 +31,9 @@ namespace RollingContact
                       options::value<std::string>(),
                       "folder of the run (default: output/<stem of FILE>)")(
         "resume",
-        "continue the transient run or the table in the folder where it stopped")(
-        "validate", "read and check the parameters, write nothing")(
+        "continue the transient run, table, map or limit cycles in the folder "
+        "where they stopped")("validate",
+                              "read and check the parameters, write nothing")(
         "print-parameters", "print every parameter with its documentation")(
         "version", "print the version")("help", "print this text");
       return visible;
