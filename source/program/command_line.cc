@@ -67,13 +67,15 @@ namespace RollingContact
     const auto         line = [](const std::string &words) {
       return wrapped(words, screen_width()) + '\n';
     };
-    text << line(usage) << '\n'
-         << line("Steady rolling contact with friction of wheel and rail by "
-                 "finite elements.")
-         << '\n'
-         << visible_options() << '\n'
-         << line("Exit codes: 0 done and converged, 1 input error, 2 not "
-                 "converged or interrupted, 3 internal error.");
+    text
+      << line(usage) << '\n'
+      << line(
+           "Rolling contact with friction of wheel and rail, steady and in time, by "
+           "finite elements.")
+      << '\n'
+      << visible_options() << '\n'
+      << line("Exit codes: 0 done and converged, 1 input error, 2 not "
+              "converged or interrupted, 3 internal error.");
     return text.str();
   }
 
