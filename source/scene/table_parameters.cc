@@ -99,7 +99,7 @@ namespace RollingContact
     prm.add_parameter(
       "File of rows",
       file_of_rows,
-      "In place of axes: a CSV file (columns separated by , or ;) whose first "
+      "In place of axes: a CSV file (columns separated by commas, semicolons or tabs) whose first "
       "line names entries, Section/Entry, and whose other lines are a state "
       "each. Relative to the folder of the .prm file.",
       Patterns::Anything());
