@@ -163,7 +163,18 @@ namespace RollingContact
         folder.reopen(analysis_kind(scene.analysis).resumption(scene));
       else
         throw InputError("--resume with Analysis = " + scene.analysis +
-                         ": only a transient run and a table can be resumed.");
+                         ": only a transient run, a table, a stability map and "
+                         "limit cycles can be resumed.");
+    }
+
+
+
+    bool
+    can_be_resumed(const SceneParameters &scene, const RunFolder &folder)
+    {
+      const auto &resumption = analysis_kind(scene.analysis).resumption;
+      return resumption && std::filesystem::is_regular_file(
+                             folder.get_path() / resumption(scene).checkpoint);
     }
 
 
@@ -226,6 +237,9 @@ namespace RollingContact
           Ranks::all_ranks_failed(failure.code);
           report.failure = failure.message;
           finish_failed(failure.status);
+          if (failure.status == RunStatus::interrupted &&
+              can_be_resumed(scene, folder))
+            log.message("The same command with --resume goes on from here.");
           throw;
         }
       results.flush();

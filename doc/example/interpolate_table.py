@@ -44,10 +44,19 @@ class Table:
                    for corner, weight in self.weights(point))
 
 
-if __name__ == "__main__":
-    table = Table(sys.argv[1])
+def main(words):
+    if len(words) < 2:
+        sys.exit(__doc__)
+    table = Table(words[0])
     at = {name: float(value) for name, value in
-          (argument.split("=") for argument in sys.argv[2:])}
+          (word.split("=") for word in words[1:])}
     for quantity in ("force_x_N", "force_y_N", "spin_moment_Nm"):
         print(f"{quantity:15} {table.value('results/' + quantity, at):12.6g}"
               f" +- {table.value('bounds/' + quantity, at):.2g}")
+
+
+if __name__ == "__main__":
+    try:
+        main(sys.argv[1:])
+    except (OSError, ValueError) as error:
+        sys.exit(f"interpolate_table.py: {error}")

@@ -206,18 +206,20 @@ namespace RollingContact
     void
     Doubts::check_load()
     {
-      const BodyParameters &wheel = scene.wheel;
-      if (!scene.contact.normal_load || *scene.contact.normal_load <= 0. ||
-          wheel.rigid || wheel.shape != "disc")
+      const BodyParameters       &wheel       = scene.wheel;
+      const bool                  is_vertical = !!scene.contact.vertical_load;
+      const std::optional<double> given =
+        is_vertical ? scene.contact.vertical_load : scene.contact.normal_load;
+      if (!given || *given <= 0. || wheel.rigid || wheel.shape != "disc")
         return;
       const double gravity = 9.81, least = 0.2, pi = std::acos(-1.),
-                   load  = *scene.contact.normal_load,
+                   load  = *given,
                    width = scene.dimension == 2 ? wheel.thickness : wheel.width,
                    weight = gravity * wheel.material.density * pi * width *
                             (std::pow(wheel.radius, 2) -
                              std::pow(wheel.hub_radius, 2));
       if (load < least * weight)
-        doubt("Contact/Normal load",
+        doubt(is_vertical ? "Contact/Vertical load" : "Contact/Normal load",
               load,
               "N",
               "the wheel alone weighs " + significant(weight, 3) + " N",

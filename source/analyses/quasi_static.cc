@@ -5,6 +5,7 @@
 #include <rolling_contact/report/bodies_report.h>
 #include <rolling_contact/report/body_fields.h>
 #include <rolling_contact/report/interface_fields.h>
+#include <rolling_contact/report/lines_across.h>
 #include <rolling_contact/report/profile_columns.h>
 #include <rolling_contact/report/profile_plot.h>
 #include <rolling_contact/report/result_row.h>
@@ -109,8 +110,11 @@ namespace RollingContact
       if (scene.output.plot && steady.result.normal_force > 0.)
         plot_line_tractions(scene, steady, context);
     if constexpr (dim == 3)
-      if (scene.output.plot)
-        plot_profiles(scene, steady, context);
+      {
+        write_lines_across(scene, steady, context);
+        if (scene.output.plot)
+          plot_profiles(scene, steady, context);
+      }
   }
 
 

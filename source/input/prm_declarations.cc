@@ -36,8 +36,11 @@ namespace RollingContact
       prm, path, "", help, [&value, path, unit](const std::string &text) {
         value = number(text);
         if (!value && !text.empty())
-          throw InputError(path + " = " + text + ": give a number in " + unit +
-                           ", or leave it empty.");
+          throw InputError(
+            path + " = " + quotable(text) + ": give a number in " + unit +
+            ", or leave it empty" +
+            (text.find(',') != std::string::npos ? "; decimals take a point."
+                                                 : "."));
       });
   }
 

@@ -98,7 +98,10 @@ namespace RollingContact
       throw InputError(place + "the file is empty; its first line names "
                                "entries, Section/Entry, each other line is a "
                                "state.");
-    const char separator = line.find(';') != std::string::npos ? ';' : ',';
+    const char separator = line.find(';') != std::string::npos    ? ';'
+                           : line.find(',') != std::string::npos  ? ','
+                           : line.find('\t') != std::string::npos ? '\t'
+                                                                  : ',';
     NamedRows  found;
     found.names = cells_of(line, separator);
     for (std::size_t k = 0; k < found.names.size(); ++k)

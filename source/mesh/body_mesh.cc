@@ -27,8 +27,8 @@ namespace RollingContact
     const double on_boundary = 1e-6; ///< of the thickness, a vertex may be off
 
     const std::string generated_remedy =
-      "take fewer Mesh/Elements across patch, a larger Mesh/Growth or a "
-      "smaller Mesh/Candidate zone.";
+      "take fewer Mesh/Elements across patch, a larger Mesh/Growth (in 3D 16 "
+      "and 0.4 are usual) or a smaller Mesh/Candidate zone.";
     const std::string file_remedy =
       "take a coarser Mesh file or fewer Cells along, or, with a contact zone, "
       "fewer Mesh/Elements across patch.";

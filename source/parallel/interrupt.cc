@@ -42,8 +42,30 @@ namespace RollingContact
     std::string
     name_of_interrupt(const int signal)
     {
-      return signal == SIGINT ? "Interrupted by Ctrl-C (SIGINT)"
-                              : "Interrupted by SIGTERM";
+      return signal == SIGINT   ? "Interrupted by Ctrl-C (SIGINT)"
+             : signal == SIGHUP ? "Interrupted as its terminal was closed "
+                                  "(SIGHUP; nohup lets a run go on)"
+                                : "Interrupted by SIGTERM";
+    }
+
+
+
+    /** Those to follow: not SIGHUP if the caller ignores it, as nohup does. */
+    sigset_t
+    signals_to_follow()
+    {
+      static const bool hears_hangups = []() {
+        struct sigaction present = {};
+        sigaction(SIGHUP, nullptr, &present);
+        return present.sa_handler != SIG_IGN;
+      }();
+      sigset_t signals;
+      sigemptyset(&signals);
+      sigaddset(&signals, SIGINT);
+      sigaddset(&signals, SIGTERM);
+      if (hears_hangups)
+        sigaddset(&signals, SIGHUP);
+      return signals;
     }
 
 
@@ -107,12 +129,13 @@ namespace RollingContact
       Stopwatch since_first;
       for (;;)
         {
-          const int  first  = received_signal;
-          const bool timed  = on_its_own && first == SIGTERM && !is_stopping;
-          const int  signal = next_signal(
+          const int  first = received_signal;
+          const bool timed =
+            on_its_own && first != 0 && first != SIGINT && !is_stopping;
+          const int signal = next_signal(
             signals,
             timed ? std::max(0.01, seconds_to_stop - since_first.seconds())
-                   : 0.);
+                  : 0.);
           if (signal == 0 && !is_stopping && received_signal != 0)
             stop_at_once(first, false);
           if (signal <= 0)
@@ -142,8 +165,8 @@ namespace RollingContact
     hand_on(const int signal, siginfo_t *, void *context)
     {
       sigset_t &mask = static_cast<ucontext_t *>(context)->uc_sigmask;
-      sigaddset(&mask, SIGINT);
-      sigaddset(&mask, SIGTERM);
+      for (const int followed : {SIGINT, SIGTERM, SIGHUP})
+        sigaddset(&mask, followed);
       kill(getpid(), signal);
     }
 
@@ -156,8 +179,10 @@ namespace RollingContact
       action.sa_sigaction     = &hand_on;
       action.sa_flags         = SA_SIGINFO | SA_RESTART;
       sigfillset(&action.sa_mask);
-      for (const int signal : {SIGINT, SIGTERM})
-        sigaction(signal, &action, nullptr);
+      const sigset_t signals = signals_to_follow();
+      for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+        if (sigismember(&signals, signal))
+          sigaction(signal, &action, nullptr);
     }
   } // namespace
 
@@ -170,10 +195,7 @@ namespace RollingContact
     is_stopping     = false;
     signal(SIGPIPE, SIG_IGN);
     signal(SIGXFSZ, SIG_IGN);
-    sigset_t signals;
-    sigemptyset(&signals);
-    sigaddset(&signals, SIGINT);
-    sigaddset(&signals, SIGTERM);
+    const sigset_t signals = signals_to_follow();
     pthread_sigmask(SIG_BLOCK, &signals, nullptr);
     static pid_t followed_by = 0; // a forked process has no threads
     try

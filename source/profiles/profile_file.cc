@@ -118,21 +118,39 @@ namespace RollingContact::Profiles
 
 
 
+    /** A line of names, as "y;z" or "y [mm], z [mm]". */
+    bool
+    is_heading(const std::string &line)
+    {
+      return line.find_first_of("0123456789") == std::string::npos;
+    }
+
+
+
     std::vector<MeasuredPoint>
     read_columns(const std::filesystem::path &file, const double unit)
     {
       std::vector<MeasuredPoint> points;
-      const auto                 lines = lines_of(file);
+      const auto                 lines       = lines_of(file);
+      bool                       has_heading = false;
       for (std::size_t k = 0; k < lines.size(); ++k)
         {
-          const std::string text = without_comment(lines[k], "#%!");
+          std::string text = without_comment(lines[k], "#%!");
+          if (k == 0 && boost::starts_with(text, "\xEF\xBB\xBF"))
+            text.erase(0, 3); // a byte order mark
           if (text.empty())
             continue;
+          if (points.empty() && !has_heading && is_heading(text))
+            {
+              has_heading = true;
+              continue;
+            }
           const auto found = numbers(text);
           if (!found || found->size() != 2)
             throw InputError(at_line(file, k + 1) + "\"" + quotable(text) +
                              "\" is not two numbers, y and z, with decimal "
-                             "points, separated by blanks, a comma or a tab.");
+                             "points, separated by blanks, a comma, a "
+                             "semicolon or a tab; # begins a comment.");
           points.push_back({unit * (*found)[0], unit * (*found)[1]});
         }
       return points;

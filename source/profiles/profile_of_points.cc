@@ -53,7 +53,8 @@ namespace RollingContact::Profiles
                          " m long; profiles are " + significant(shortest, 2) +
                          " to " + significant(longest, 2) +
                          " m. Check Profiles/File unit (m for one unit of the "
-                         "file), or units.len.f in the file.");
+                         "file), or units.len.f in the file, and that points "
+                         "follow each other along the section.");
     }
 
 

@@ -31,8 +31,9 @@ namespace RollingContact
                       options::value<std::string>(),
                       "folder of the run (default: output/<stem of FILE>)")(
         "resume",
-        "continue the transient run or the table in the folder where it stopped")(
-        "validate", "read and check the parameters, write nothing")(
+        "continue the transient run, table, map or limit cycles in the folder "
+        "where they stopped")("validate",
+                              "read and check the parameters, write nothing")(
         "print-parameters", "print every parameter with its documentation")(
         "version", "print the version")("help", "print this text");
       return visible;
@@ -66,13 +67,15 @@ namespace RollingContact
     const auto         line = [](const std::string &words) {
       return wrapped(words, screen_width()) + '\n';
     };
-    text << line(usage) << '\n'
-         << line("Steady rolling contact with friction of wheel and rail by "
-                 "finite elements.")
-         << '\n'
-         << visible_options() << '\n'
-         << line("Exit codes: 0 done and converged, 1 input error, 2 not "
-                 "converged or interrupted, 3 internal error.");
+    text
+      << line(usage) << '\n'
+      << line(
+           "Rolling contact with friction of wheel and rail, steady and in time, by "
+           "finite elements.")
+      << '\n'
+      << visible_options() << '\n'
+      << line("Exit codes: 0 done and converged, 1 input error, 2 not "
+              "converged or interrupted, 3 internal error.");
     return text.str();
   }
 

@@ -1,6 +1,5 @@
 #include <deal.II/base/parameter_handler.h>
 
-#include <rolling_contact/advice/plausibility.h>
 #include <rolling_contact/advice/unused_entries.h>
 #include <rolling_contact/base/exception_text.h>
 #include <rolling_contact/base/exceptions.h>
@@ -10,10 +9,13 @@
 #include <rolling_contact/pair/mesh_unit_check.h>
 #include <rolling_contact/pair/moving_surfaces.h>
 #include <rolling_contact/program/analysis_table.h>
+#include <rolling_contact/program/scene_doubts.h>
 #include <rolling_contact/program/scene_reader.h>
 #include <rolling_contact/tables/table_plan.h>
 
 #include <algorithm>
+#include <optional>
+#include <set>
 #include <sstream>
 
 namespace RollingContact
@@ -108,6 +110,23 @@ namespace RollingContact
 
 
 
+    /**
+     * What file and command line give, whether it is the default or not.
+     */
+    std::set<std::string>
+    given_entries(const PrmText                           &file,
+                  const std::vector<CommandLine::Setting> &settings)
+    {
+      std::set<std::string> given;
+      for (const PrmEntry &entry : file.entries)
+        given.insert(entry.path);
+      for (const CommandLine::Setting &setting : settings)
+        given.insert(setting.path);
+      return given;
+    }
+
+
+
     void
     declare(SceneParameters &scene, ParameterHandler &prm)
     {
@@ -173,11 +192,12 @@ namespace RollingContact
     scene.read_surfaces();
     if (!scene.is_of_structures())
       check_moving_surfaces(scene);
+    std::optional<TablePlan> table;
     if (scene.is_of_table())
-      plan_table(scene); // all states of it are possible
+      table = plan_table(scene); // all states of it are possible
     input.warnings =
       unused_entries(scene, changed_entries(declared, file, settings));
-    const auto doubts = implausible_values(scene);
+    const auto doubts = doubts_of(scene, table, given_entries(file, settings));
     input.warnings.insert(input.warnings.end(), doubts.begin(), doubts.end());
     return input;
   }

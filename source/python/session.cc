@@ -48,8 +48,9 @@ namespace RollingContact::Bindings
       {
         const auto found = entries.find(entry);
         if (found == entries.end())
-          throw py::key_error(entry + ": neither scene nor settings give it, "
-                                      "it has its default.");
+          throw py::key_error(entry + ": neither scene nor settings give it; "
+                                      "it has its default, if it is one of "
+                                      "rolling_contact.print_parameters().");
         return found->second;
       }
 

@@ -29,6 +29,28 @@ namespace RollingContact
       table.set(patch + "_force_track_z_N", upwards);
       table.set(patch + "_dissipation_J/m", found.dissipation);
     }
+
+
+
+    /** Of all patches and, where there are several, of each. */
+    template <int dim>
+    void
+    note_heat(const SteadyState<dim>          &steady,
+              const std::vector<ContactPatch> &patches,
+              RunReport                       &report)
+    {
+      if (steady.problem.n_tangential() == 0)
+        return;
+      std::string of_each;
+      for (const ContactPatch &patch : patches)
+        of_each +=
+          (of_each.empty() ? ": " : " + ") + significant(patch.dissipation, 4);
+      report.set_finding("heat",
+                         "friction takes " +
+                           significant(steady.result.dissipation, 4) +
+                           " J per metre rolled (T gamma in N)" +
+                           (patches.size() > 1 ? of_each : ""));
+    }
   } // namespace
 
 
@@ -84,6 +106,7 @@ namespace RollingContact
               " N on " + significant(1e6 * patches[k].area, 3) +
               " mm2 at y = " + millimetres(patches[k].centre_y, 3);
     report.set_finding("patch", text);
+    note_heat(steady, patches, report);
     const auto [across, upwards] =
       frame->in_track(steady.result.force_y, steady.result.normal_force);
     report.set_finding("track",

@@ -1,11 +1,11 @@
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/patch/patches.h>
 #include <rolling_contact/plot/figure.h>
+#include <rolling_contact/report/lines_across.h>
 #include <rolling_contact/report/profile_plot.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace RollingContact
 {
@@ -166,38 +166,36 @@ namespace RollingContact
 
 
     /**
-     * The largest pressure of all nodes with the same y.
+     * The largest pressure of each line of nodes along x, and below it the heat
+     * of friction where there is some.
      */
-    Figure
-    peaks_across(const SteadyState<3> &steady, const bool is_plane)
+    void
+    add_lines_of_nodes(const SteadyState<3> &steady,
+                       const bool            is_plane,
+                       Figure               &figure)
     {
-      const double same_place = 1e-3 * steady.grading.element_size_y;
-      std::map<long, std::array<double, 2>> peaks; // y and pressure
-      for (unsigned int i = 0; i < steady.problem.n_nodes(); ++i)
+      std::vector<double> y, pressure, heat;
+      for (const LineAcross &line : lines_across(steady))
         {
-          const double y    = steady.problem.operators.positions()[i][1];
-          auto        &peak = peaks
-                         .try_emplace(std::lround(y / same_place),
-                                      std::array<double, 2>{{y, 0.}})
-                         .first->second;
-          if (steady.state.pressure[i] > peak[1])
-            peak = {{y, steady.state.pressure[i]}};
+          y.push_back(1e3 * line.y);
+          pressure.push_back(1e-6 * line.max_pressure);
+          heat.push_back(1e-3 * line.heat);
         }
-      std::vector<double> y, pressure;
-      for (const auto &[line, peak] : peaks)
-        {
-          y.push_back(1e3 * peak[0]);
-          pressure.push_back(1e-6 * peak[1]);
-        }
-      Figure figure("",
-                    is_plane ? "y in the plane of contact, to the right (mm)"
-                             : "along the rail's section, to the right (mm)",
-                    "max p (MPa)");
-      figure.add_curve("peak pressure along x",
-                       y,
-                       pressure,
-                       CurveStyle::line_and_points);
-      return figure;
+      const auto add = [&](const std::string         &axis,
+                           const std::string         &label,
+                           const std::vector<double> &values) {
+        Figure panel("",
+                     is_plane ? "y in the plane of contact, to the right (mm)"
+                              : "along the rail's section, to the right (mm)",
+                     axis);
+        panel.add_curve(label, y, values, CurveStyle::line_and_points);
+        figure.add_separate_panel(panel);
+      };
+      add("max p (MPa)", "peak pressure along x", pressure);
+      if (steady.problem.n_tangential() > 0)
+        add("heat (kJ/m\u00b2)",
+            "heat of friction, per metre rolled and metre across",
+            heat);
     }
   } // namespace
 
@@ -212,9 +210,10 @@ namespace RollingContact
         steady.result.n_touching == 0)
       return;
     Figure figure = sections(scene, steady);
-    figure.add_separate_panel(peaks_across(steady,
-                                           scene.profiles.frame->kind() ==
-                                             Profiles::SurfaceKind::plane));
+    add_lines_of_nodes(steady,
+                       scene.profiles.frame->kind() ==
+                         Profiles::SurfaceKind::plane,
+                       figure);
     figure.draw(context, "profiles");
   }
 } // namespace RollingContact

@@ -42,7 +42,7 @@ namespace RollingContact
       "Longest edge of the cells where the program meshes a body and no "
       "contact is computed: equal cells, with equal angles round an axle. Left "
       "empty: as few as resolve the shape. Sections and meshes from files are "
-      "taken as they are.");
+      "taken as they are. Units: m.");
     prm.add_parameter(
       "Animated modes",
       animated,

@@ -29,9 +29,10 @@ namespace RollingContact
       "Interface fields",
       interface_fields,
       "Write interface.pvd: pressure, traction, slip, gap, state.");
-    prm.add_parameter("Plot",
-                      plot,
-                      "Write a plot of the tractions (2D) as SVG.");
+    prm.add_parameter(
+      "Plot",
+      plot,
+      "Write plots as SVG, each with its data and gnuplot script: tractions in 2D, profiles, curves, histories, maps, modes.");
     declare_choice(
       prm,
       "Verbosity",

@@ -70,11 +70,12 @@ namespace RollingContact
     prm.enter_subsection("Receptance");
     prm.add_parameter("Lowest frequency",
                       lowest_frequency,
-                      "Units: Hz.",
+                      "First frequency of the forces. Units: Hz.",
                       not_negative);
     prm.add_parameter("Highest frequency",
                       highest_frequency,
-                      "Units: Hz.",
+                      "Last frequency of the forces; modes are found up to "
+                      "Modes/Cut-off ratio times it. Units: Hz.",
                       not_negative);
     prm.add_parameter("Frequencies per octave",
                       per_octave,
@@ -112,7 +113,10 @@ namespace RollingContact
       "File with columns of frequency (Hz) and absolute receptance (m/N), "
       "drawn beside the wheel's point receptance in the first of the "
       "directions; relative to the folder of the .prm file.");
-    prm.add_parameter("Measured rail", measured_rail, "The same for the rail.");
+    prm.add_parameter(
+      "Measured rail",
+      measured_rail,
+      "File with columns of frequency (Hz) and absolute receptance (m/N), drawn beside the rail's point receptance in the first of the directions; relative to the folder of the .prm file.");
     prm.leave_subsection();
   }
 

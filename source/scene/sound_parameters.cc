@@ -60,7 +60,7 @@ namespace RollingContact
       "Sound pressure that the largest number of the WAV file stands for. Give "
       "it to compare files of several runs. Left empty: the next of 1, 2, 5, "
       "10, ... above the highest pressure. The summary, results.csv and a "
-      "comment within the file say what it is.");
+      "comment within the file say what it is. Units: Pa.");
     prm.leave_subsection();
   }
 

@@ -99,7 +99,7 @@ namespace RollingContact
     prm.add_parameter(
       "File of rows",
       file_of_rows,
-      "In place of axes: a CSV file (columns separated by , or ;) whose first "
+      "In place of axes: a CSV file (columns separated by commas, semicolons or tabs) whose first "
       "line names entries, Section/Entry, and whose other lines are a state "
       "each. Relative to the folder of the .prm file.",
       Patterns::Anything());
@@ -146,7 +146,7 @@ namespace RollingContact
                        ": a table has axes or rows; leave one of them empty.");
     if (!has_axes && file_of_rows.empty())
       throw InputError("Table/Axis 1 and Table/File of rows are both empty: "
-                       "an axis is " +
+                       "for an axis, " +
                        std::string(form_of_axis));
   }
 } // namespace RollingContact

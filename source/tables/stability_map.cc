@@ -281,7 +281,7 @@ namespace RollingContact
         {"growth of the fastest vibration",
          std::abs(proof->finding.growth() / proof->finding.mode.growth() - 1),
          "itself",
-         "the modes against the whole bodies, state " +
+         "that of the whole bodies, state " +
            std::to_string(proof->state),
          false,
          ""});

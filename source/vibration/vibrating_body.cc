@@ -153,11 +153,17 @@ namespace RollingContact
   {
     PhaseTimer::Scope phase(context.timer, Phase::modes);
     ModeControls      controls;
-    controls.cut_off   = cut_off;
-    controls.tolerance = wanted.tolerance;
-    controls.count     = wanted.count;
-    controls.interrupt = []() { throw_if_interrupted(); };
-    modes              = structural_modes(
+    controls.cut_off        = cut_off;
+    controls.tolerance      = wanted.tolerance;
+    controls.count          = wanted.count;
+    controls.interrupt      = []() { throw_if_interrupted(); };
+    const unsigned int many = 30000; // unknowns: seconds and more
+    if (body->n_unknowns() > many)
+      context.log.message(parameters.section + ": looking for the modes of " +
+                          std::to_string(body->n_unknowns()) +
+                          " unknowns up to " + significant(cut_off, 4) +
+                          " Hz.");
+    modes = structural_modes(
       K, M, *factor, shift, body->nodes_of_unknowns(), controls);
     const auto axle = parameters.body_shape()->axle();
     characters      = mode_characters(places, axle, modes);

@@ -1,6 +1,7 @@
 #ifndef rolling_contact_advice_plausibility_h
 #define rolling_contact_advice_plausibility_h
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,24 @@ namespace RollingContact
    */
   std::vector<std::string>
   implausible_values(const SceneParameters &scene);
+
+  /**
+   * What about files of measured profiles is hardly meant, a sentence each for
+   * a warning: see Profiles::doubts_of_points(). None where the scene has no
+   * profiles.
+   */
+  std::vector<std::string>
+  doubtful_profiles(const SceneParameters &scene);
+
+  /**
+   * Defaults that are hardly meant in a scene that does not give these entries,
+   * a sentence each for a warning: a block that is curved like a roller, and in
+   * 3D as many elements as a patch in 2D has. @p given holds the entries that
+   * the scene gives, Section/Entry, even if by their default.
+   */
+  std::vector<std::string>
+  doubtful_defaults(const SceneParameters       &scene,
+                    const std::set<std::string> &given);
 } // namespace RollingContact
 
 #endif

@@ -8,9 +8,10 @@
 namespace RollingContact
 {
   /**
-   * Clear the flag of interrupted() and follow SIGINT and SIGTERM from now on:
+   * Clear the flag of interrupted() and follow SIGINT, SIGTERM and, unless it
+   * is ignored as under nohup, SIGHUP from now on:
    * the first only sets the flag, the second ends the process at once, as does
-   * a SIGTERM that was not heard within seconds_to_stop (not under a launcher,
+   * a SIGTERM or SIGHUP not heard within seconds_to_stop (not under a launcher,
    * which kills by itself): exit code 2, and the file of leave_on_stop(). A
    * process on its own answers the first with a message.
    *

@@ -36,7 +36,8 @@ namespace RollingContact::Profiles
 
   /**
    * The points of a file: two columns of numbers (y and z, separated by blanks,
-   * commas or tabs; lines that begin with #, % or ! are comments), SIMPACK .prr
+   * commas, semicolons or tabs; lines that begin with #, % or ! are comments,
+   * and a first line without digits is a heading), SIMPACK .prr
    * and .prw, or MiniProf .ban and .whl, z upwards. Throws InputError, naming
    * file and line.
    */

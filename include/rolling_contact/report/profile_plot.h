@@ -9,8 +9,8 @@ namespace RollingContact
   /**
    * Write profiles.svg of a state on profiles: both sections in the track with
    * the first contact, the plane of contact, its normal and the patches, and
-   * below them the largest pressure of each line of nodes along x. Nothing if
-   * the bodies have other surfaces.
+   * below them the largest pressure and the heat of friction of each line of
+   * nodes along x. Nothing if the bodies have other surfaces.
    */
   void
   plot_profiles(const SceneParameters &scene,
