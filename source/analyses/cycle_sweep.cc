@@ -1,10 +1,12 @@
 #include <rolling_contact/analyses/cycle_sweep.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/files.h>
+#include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/scene/limit_cycle_parameters.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace RollingContact
@@ -24,7 +26,7 @@ namespace RollingContact
 
 
 
-    /** False if there are not as many as it says. */
+    /** False if there are not as many as it says, or one is not finite. */
     bool
     read_numbers(std::istream &stream, std::vector<double> &numbers)
     {
@@ -36,7 +38,12 @@ namespace RollingContact
       words >> n;
       numbers.clear();
       while (words >> number)
-        numbers.push_back(std::strtod(number.c_str(), nullptr));
+        {
+          const double value = number_of(number).value_or(HUGE_VAL);
+          if (!std::isfinite(value))
+            return false;
+          numbers.push_back(value);
+        }
       return numbers.size() == n;
     }
   } // namespace
@@ -108,6 +115,9 @@ namespace RollingContact
                               &carried.motion.forces,
                               &carried.motion.forces_before})
           good = good && read_numbers(stream, *numbers);
+        good =
+          good && carried.motion.eta.size() == carried.motion.rate.size() &&
+          carried.motion.forces.size() == carried.motion.forces_before.size();
         if (good)
           {
             carried.share  = friction[0];

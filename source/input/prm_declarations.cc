@@ -1,3 +1,4 @@
+#include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/input/number_list.h>
 #include <rolling_contact/input/prm_declarations.h>
@@ -69,16 +70,8 @@ namespace RollingContact
   std::optional<double>
   number(const std::string &text)
   {
-    try
-      {
-        std::size_t  end   = 0;
-        const double value = std::stod(text, &end);
-        if (end == text.size() && std::isfinite(value))
-          return value;
-      }
-    catch (const std::logic_error &)
-      {}
-    return {};
+    const auto value = number_of(text);
+    return value && std::isfinite(*value) ? value : std::nullopt;
   }
 
 

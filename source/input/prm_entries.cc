@@ -1,7 +1,7 @@
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/number_text.h>
 #include <rolling_contact/input/prm_entries.h>
 
-#include <cstdlib>
 #include <sstream>
 #include <vector>
 
@@ -25,11 +25,8 @@ namespace RollingContact
     {
       if (first == second)
         return true;
-      char        *end_of_first = nullptr, *end_of_second = nullptr;
-      const double a = std::strtod(first.c_str(), &end_of_first),
-                   b = std::strtod(second.c_str(), &end_of_second);
-      return !first.empty() && !second.empty() && *end_of_first == '\0' &&
-             *end_of_second == '\0' && a == b;
+      const auto a = number_of(first), b = number_of(second);
+      return a && b && *a == *b;
     }
 
 

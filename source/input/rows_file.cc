@@ -1,11 +1,11 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/files.h>
+#include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/input/rows_file.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <sstream>
 
@@ -73,12 +73,11 @@ namespace RollingContact
     double
     number_in(const std::string &cell, const std::string &place)
     {
-      char        *end   = nullptr;
-      const double value = std::strtod(cell.c_str(), &end);
-      if (cell.empty() || *end != '\0' || !std::isfinite(value))
+      const auto value = number_of(cell);
+      if (!value || !std::isfinite(*value))
         throw InputError(place + "'" + quotable(cell) +
                          "' is no number; decimals take a point.");
-      return value;
+      return *value;
     }
   } // namespace
 

@@ -196,15 +196,23 @@ namespace RollingContact
     if (own.L->n == 0 || block.n_columns() == 0)
       return;
     cholmod_dense B{};
-    B.nrow = B.d     = block.n_rows();
-    B.ncol           = block.n_columns();
-    B.nzmax          = B.nrow * B.ncol;
-    B.x              = block.data();
-    B.xtype          = CHOLMOD_REAL;
-    B.dtype          = CHOLMOD_DOUBLE;
-    cholmod_dense *X = nullptr, *Y = nullptr, *E = nullptr;
-    const bool     solved = cholmod_l_solve2(
-      CHOLMOD_A, own.L, &B, nullptr, &X, nullptr, &Y, &E, &own.common);
+    B.nrow = B.d = block.n_rows();
+    B.ncol       = block.n_columns();
+    B.nzmax      = B.nrow * B.ncol;
+    B.x          = block.data();
+    B.xtype      = CHOLMOD_REAL;
+    B.dtype      = CHOLMOD_DOUBLE;
+    // cholmod_l_solve2() crashes where it finds no memory for these
+    const auto make = [&](const std::size_t n_rows) {
+      return cholmod_l_allocate_dense(
+        n_rows, B.ncol, n_rows, CHOLMOD_REAL, &own.common);
+    };
+    cholmod_dense *X = make(B.nrow), *Y = make(B.nrow),
+                  *E = make(std::max<std::size_t>(own.L->maxesize, 1));
+    const bool solved =
+      X != nullptr && Y != nullptr && E != nullptr &&
+      cholmod_l_solve2(
+        CHOLMOD_A, own.L, &B, nullptr, &X, nullptr, &Y, &E, &own.common);
     if (solved)
       std::copy_n(static_cast<const double *>(X->x), B.nzmax, block.data());
     cholmod_l_free_dense(&X, &own.common);

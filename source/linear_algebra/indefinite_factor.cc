@@ -3,6 +3,8 @@
 #include <zmumps_c.h>
 
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/memory.h>
+#include <rolling_contact/base/text.h>
 #include <rolling_contact/linear_algebra/dissection.h>
 #include <rolling_contact/linear_algebra/indefinite_factor.h>
 
@@ -26,14 +28,19 @@ namespace RollingContact
                        parallel_root = 13, extra_memory = 14, no_factor = 31;
     const int          given_order = 1, first_extra = 40, largest_extra = 1000;
     const int          too_little_work_space[] = {-8, -9, -14, -17, -20};
-    const int          no_memory               = -13;
+    const int          no_memory[]             = {-5, -7, -13};
     const unsigned int status = 1, n_negative_pivots = 12;
+
+
+
+    /// of address space, with what its libraries take
+    const std::size_t room_for_mpi = std::size_t(256) << 20;
 
 
 
     /**
      * MUMPS wants MPI even on one process; a program that was not started by
-     * mpirun has none yet.
+     * mpirun has none yet. Open MPI ends the process where it finds no room.
      */
     void
     start_mpi()
@@ -42,6 +49,13 @@ namespace RollingContact
       MPI_Initialized(&is_running);
       if (is_running)
         return;
+      if (address_space_left() < room_for_mpi)
+        throw MemoryError(
+          "MPI, which MUMPS needs, takes " +
+          human_bytes(static_cast<double>(room_for_mpi)) +
+          " of address space, of which " +
+          human_bytes(static_cast<double>(address_space_left())) +
+          " are left: raise the limit (ulimit -v).");
       MPI_Init(nullptr, nullptr);
       std::atexit([]() {
         int has_ended = 0;
@@ -85,6 +99,7 @@ namespace RollingContact
         solver.sym          = 2;
         solver.comm_fortran = MPI_Comm_c2f(MPI_COMM_SELF);
         call(solver);
+        check();
         for (unsigned int k = 1; k <= output_streams; ++k)
           option(k) = -1;
         option(verbosity)     = 0;
@@ -164,11 +179,12 @@ namespace RollingContact
       void
       check() const
       {
-        if (information(status) == no_memory)
-          throw MemoryError("The factor of a matrix with " +
-                            std::to_string(solver.n) +
-                            " unknowns that is not definite does not fit into "
-                            "the memory: take a coarser mesh.");
+        for (const int code : no_memory)
+          if (information(status) == code)
+            throw MemoryError(
+              "The factor of a matrix with " + std::to_string(solver.n) +
+              " unknowns that is not definite does not fit into "
+              "the memory: take a coarser mesh.");
         if (information(status) < 0)
           throw ConvergenceError(
             "MUMPS could not factorise a matrix with " +

@@ -1,5 +1,6 @@
 #include <rolling_contact/mesh_files/abaqus_file.h>
 #include <rolling_contact/mesh_files/abaqus_text.h>
+#include <rolling_contact/mesh_files/shared_edges.h>
 
 #include <algorithm>
 #include <iomanip>
@@ -108,7 +109,12 @@ namespace RollingContact
   std::string
   checked_abaqus(const std::string &text, const unsigned int dimension)
   {
-    AbaqusFile file = read_abaqus_file(text, dimension);
+    AbaqusFile  file = read_abaqus_file(text, dimension);
+    SharedEdges edges;
+    for (const AbaqusFile::Element &element : file.elements)
+      if (dimension == 2)
+        edges.add(element.corners);
+    edges.check();
     orient(file);
     return written(file);
   }

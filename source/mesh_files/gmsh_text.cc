@@ -1,4 +1,5 @@
 #include <rolling_contact/mesh_files/gmsh_text.h>
+#include <rolling_contact/mesh_files/shared_edges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -8,12 +9,16 @@
 #include <set>
 #include <sstream>
 #include <stdexcept>
+#include <vector>
 
 namespace RollingContact
 {
   namespace
   {
     const long largest_int = std::numeric_limits<int>::max();
+
+    /// Gmsh's number of a type
+    const long quadrilateral = 3;
 
     /**
      * Reads through the sections that deal.II reads, in their order, word by
@@ -22,8 +27,9 @@ namespace RollingContact
     class GmshCheck
     {
     public:
-      explicit GmshCheck(const std::string &text)
+      GmshCheck(const std::string &text, const unsigned int dimension)
         : text(text)
+        , dimension(dimension)
         , stream(text)
       {}
 
@@ -249,6 +255,7 @@ namespace RollingContact
             }
         });
         end("$EndElements");
+        edges.check();
       }
 
       void
@@ -261,13 +268,16 @@ namespace RollingContact
           throw std::runtime_error(
             "it has elements of Gmsh's type " + std::to_string(type) +
             "; only those of first order can be used (Gmsh: -order 1).");
+        std::vector<long> corners;
         for (unsigned int v = 0; v < found->second; ++v)
           {
-            const long node = whole();
-            if (nodes.count(node) == 0)
+            corners.push_back(whole());
+            if (nodes.count(corners.back()) == 0)
               complain("an element has a node that is not there, " +
-                       std::to_string(node));
+                       std::to_string(corners.back()));
           }
+        if (dimension == 2 && type == quadrilateral)
+          edges.add(corners);
       }
 
       /**
@@ -303,18 +313,20 @@ namespace RollingContact
       }
 
       std::string        text;
+      const unsigned int dimension;
       std::istringstream stream;
       std::string        section = "$MeshFormat";
       double             version = 0.;
       std::set<long>     nodes;
+      SharedEdges        edges;
     };
   } // namespace
 
 
 
   std::string
-  checked_gmsh(const std::string &text)
+  checked_gmsh(const std::string &text, const unsigned int dimension)
   {
-    return GmshCheck(text).checked();
+    return GmshCheck(text, dimension).checked();
   }
 } // namespace RollingContact

@@ -94,7 +94,7 @@ namespace RollingContact
                ".inp.");
       read_or_reject(file, dim, [&]() {
         GridIn<dim>        reader(cells);
-        std::istringstream stream(is_gmsh ? checked_gmsh(text)
+        std::istringstream stream(is_gmsh ? checked_gmsh(text, dim)
                                           : checked_abaqus(text, dim));
         is_gmsh ? reader.read_msh(stream) : reader.read_abaqus(stream);
       });

@@ -2,12 +2,12 @@
 
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/files.h>
+#include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/profiles/profile_file.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -54,11 +54,8 @@ namespace RollingContact::Profiles
     std::optional<double>
     number(const std::string &text)
     {
-      char        *end   = nullptr;
-      const double value = std::strtod(text.c_str(), &end);
-      if (text.empty() || *end != '\0' || !std::isfinite(value))
-        return {};
-      return value;
+      const auto value = number_of(text);
+      return value && std::isfinite(*value) ? value : std::nullopt;
     }
 
 

@@ -1,6 +1,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/number_text.h>
 #include <rolling_contact/input/number_list.h>
 #include <rolling_contact/input/prm_declarations.h>
 #include <rolling_contact/scene/limit_cycle_parameters.h>
@@ -89,7 +90,7 @@ namespace RollingContact
     auto numbers = number_list("Limit cycle/Values", values);
     std::sort(numbers.begin(), numbers.end());
     for (double &number : numbers) // without the rounding of a range
-      number = std::stod(text_of(number));
+      number = number_of(text_of(number)).value_or(number);
     if (std::adjacent_find(numbers.begin(), numbers.end()) != numbers.end())
       throw InputError("Limit cycle/Values = " + values +
                        ": a value is there twice; give each once.");

@@ -1,6 +1,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/number_text.h>
 #include <rolling_contact/input/number_list.h>
 #include <rolling_contact/input/prm_declarations.h>
 #include <rolling_contact/scene/table_parameters.h>
@@ -50,8 +51,9 @@ namespace RollingContact
       for (const double value : values)
         largest = std::max(largest, std::abs(value));
       for (double &value : values)
-        value =
-          std::abs(value) < 1e-14 * largest ? 0. : std::stod(text_of(value));
+        value = std::abs(value) < 1e-14 * largest
+                  ? 0.
+                  : number_of(text_of(value)).value_or(value);
     }
 
 

@@ -6,12 +6,12 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/expression_text.h>
 #include <rolling_contact/base/files.h>
+#include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/scene/time_function.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <limits>
 #include <sstream>
@@ -80,9 +80,9 @@ namespace RollingContact
     bool
     is_number(const std::string &text, double &value)
     {
-      char *end = nullptr;
-      value     = std::strtod(text.c_str(), &end);
-      return !text.empty() && *end == '\0';
+      const auto found = number_of(text);
+      value            = found.value_or(0.);
+      return found.has_value();
     }
 
 

@@ -4,12 +4,12 @@
 
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/files.h>
+#include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/surfaces/surface_record.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <numeric>
 #include <optional>
 #include <sstream>
@@ -99,18 +99,6 @@ namespace RollingContact
 
 
 
-    std::optional<double>
-    number(const std::string &text)
-    {
-      char        *end   = nullptr;
-      const double value = std::strtod(text.c_str(), &end);
-      if (text.empty() || *end != '\0')
-        return {};
-      return value;
-    }
-
-
-
     std::vector<std::string>
     cells_of(const std::string &line)
     {
@@ -151,7 +139,7 @@ namespace RollingContact
           if (line.empty())
             continue;
           const auto cells    = cells_of(line);
-          const auto position = number(cells[0]);
+          const auto position = number_of(cells[0]);
           if (!position && positions.empty() && !has_names)
             {
               has_names = true;
@@ -162,7 +150,7 @@ namespace RollingContact
                      "; give the position and the height, or the column of the "
                      "height as in \"table: FILE 3\".",
                    line_number);
-          const auto height = number(cells[column - 1]);
+          const auto height = number_of(cells[column - 1]);
           if (!position || !height || !std::isfinite(*position) ||
               !std::isfinite(*height))
             reject(

@@ -3,15 +3,24 @@
 #include "complaint.h"
 #include "scratch_folder.h"
 
+#include <rolling_contact/analyses/cycle_sweep.h>
 #include <rolling_contact/base/expression_text.h>
+#include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/spelling.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/input/prm_declared.h>
 #include <rolling_contact/input/prm_entries.h>
 #include <rolling_contact/input/prm_text.h>
+#include <rolling_contact/input/rows_file.h>
+#include <rolling_contact/mesh_files/mesh_file.h>
+#include <rolling_contact/profiles/profile_file.h>
 #include <rolling_contact/program/scene_reader.h>
 #include <rolling_contact/run/previous_run.h>
+#include <rolling_contact/scene/table_parameters.h>
 #include <rolling_contact/scene/time_function.h>
+#include <rolling_contact/surfaces/surface_record.h>
+
+#include <cmath>
 
 using namespace RollingContact;
 
@@ -241,6 +250,131 @@ BOOST_AUTO_TEST_CASE(records_of_runs)
                             {"a/b/C", "3"},
                             {"D", "4"}};
   BOOST_TEST((entries == expected));
+}
+
+
+
+BOOST_AUTO_TEST_CASE(texts_that_are_numbers)
+{
+  BOOST_TEST(number_of("1e-3").value() == 1e-3);
+  BOOST_TEST(number_of(" -.5").value() == -0.5);
+  BOOST_TEST(number_of("1e-310").value() == 1e-310);
+  BOOST_TEST(std::isinf(number_of("1e999").value()));
+  const std::string zero(1, '\0');
+  for (const std::string &text : {std::string(),
+                                  std::string(" "),
+                                  zero,
+                                  zero + "1",
+                                  "1" + zero,
+                                  "1 " + zero,
+                                  std::string("1,5"),
+                                  std::string("1x"),
+                                  std::string("x")})
+    BOOST_TEST(!number_of(text), quotable(text));
+}
+
+
+
+/** As a file system leaves the end of a file that was not written in time. */
+BOOST_AUTO_TEST_CASE(bytes_of_zero_are_no_numbers)
+{
+  const ScratchFolder scratch;
+  const std::string   zeros(8, '\0');
+  const auto          said = [&](const std::string                      &text,
+                        const std::function<void(std::string)> &reader) {
+    write(scratch.scratch / "a.csv", text);
+    return complaint([&]() { reader((scratch.scratch / "a.csv").string()); });
+  };
+  BOOST_TEST(contains(said("A,B\n1,2\n1," + zeros + "\n",
+                           [](const std::string &file) {
+                             read_rows("Table/File of rows", file);
+                           }),
+                      "line 3: '\\x00"));
+  BOOST_TEST(contains(said("0,1\n1," + zeros + "\n",
+                           [](const std::string &file) {
+                             TimeFunction("Time/Spin", file, "");
+                           }),
+                      "line 2: not a number"));
+  std::string record, profile;
+  for (unsigned int k = 0; k < 12; ++k)
+    {
+      record += std::to_string(k) + ",0\n";
+      profile += std::to_string(k) + " 0\n";
+    }
+  BOOST_TEST(contains(
+    said(record + "12," + zeros + "\n",
+         [](const std::string &file) {
+           read_surface_record("Surfaces/Rail height", file, "", {1., 1.});
+         }),
+    "line 13"));
+  BOOST_TEST(contains(said(profile + "12 " + zeros + "\n",
+                           [](const std::string &file) {
+                             Profiles::read_points(file, {});
+                           }),
+                      "line 13"));
+}
+
+
+
+BOOST_AUTO_TEST_CASE(axes_of_the_least_numbers)
+{
+  TableParameters table;
+  table.axis_texts[0] = "Contact/Creepage x = 1e-310, 2e-310";
+  BOOST_TEST(table.axes().at(0).values.at(1) == 2e-310);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(states_of_sweeps_that_are_none)
+{
+  const ScratchFolder scratch;
+  const auto          said = [&](const std::string &text) {
+    write(scratch.scratch / "limit_cycle_state.txt", text);
+    return complaint(
+      [&]() { read_sweep_state(RunFolder(scratch.scratch, "", "")); });
+  };
+  const std::string head = "2 1\n1 566.25\n2 0.5 0.25\n";
+  BOOST_TEST(said(head + "2 1 2\n2 1 2\n1 3\n1 4\n") == "");
+  for (const std::string &text : {head + "2 1 2\n3 1 2 3\n1 3\n1 4\n",
+                                  head + "2 1 2\n2 1 2\n1 3\n2 4 4\n",
+                                  head + "2 1 nan\n2 1 2\n1 3\n1 4\n",
+                                  head + "2 1 x\n2 1 2\n1 3\n1 4\n",
+                                  head + "2 1 2\n2 1 2\n1 3\n",
+                                  std::string("x"),
+                                  std::string()})
+    BOOST_TEST(contains(said(text), "is missing or damaged"), text);
+}
+
+
+
+/** deal.II looks without end for an order of such cells. */
+BOOST_AUTO_TEST_CASE(three_cells_at_an_edge)
+{
+  const ScratchFolder scratch;
+  const auto said = [&](const std::string &name, const std::string &text) {
+    MeshFile file;
+    file.section = "Rail";
+    file.name    = name;
+    file.path    = scratch.scratch / name;
+    write(file.path, text);
+    return complaint([&]() { read_mesh_file<2>(file); });
+  };
+  const std::string what = "the edge between its nodes 2 and 5 belongs to "
+                           "three quadrilaterals or more",
+                    gmsh =
+                      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n8\n"
+                      "1 -1 0 0\n2 0 0 0\n3 1 0 0\n4 -1 -1 0\n5 0 -1 0\n"
+                      "6 1 -1 0\n7 .5 0 0\n8 .5 -1 0\n$EndNodes\n$Elements\n3\n"
+                      "1 3 2 3 1 1 4 5 2\n2 3 2 3 1 2 5 6 3\n"
+                      "3 3 2 3 1 2 5 8 7\n$EndElements\n",
+                    abaqus = "*NODE\n1, -1, 0\n2, 0, 0\n3, 1, 0\n4, -1, -1\n"
+                             "5, 0, -1\n6, 1, -1\n7, .5, 0\n8, .5, -1\n"
+                             "*ELEMENT, TYPE=CPE4\n1, 1, 4, 5, 2\n"
+                             "2, 2, 5, 6, 3\n3, 2, 5, 8, 7\n";
+  BOOST_TEST(
+    contains(said("rail.msh", gmsh), "Rail/Mesh file = rail.msh: " + what));
+  BOOST_TEST(
+    contains(said("rail.inp", abaqus), "Rail/Mesh file = rail.inp: " + what));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
