@@ -1,11 +1,12 @@
 """Limit cycles against their histories.
 
 cycle FOLDER: frequency, amplitudes, forces, shares and energies in results.csv, harmonics in cycle.csv
-and the record of the patch, from history.csv by other means.
+the summary, the curves of cycle.svg and the record of the patch, from history.csv by other means.
 sweep FOLDER CYCLE: rows of Analysis = limit cycle up and down; the first is the run in CYCLE."""
 import cmath
 import csv
 import math
+import re
 import sys
 
 failures = []
@@ -106,6 +107,60 @@ def check_cycle(folder):
     steps = sorted(set(patch["time_s"]))
     sticks = {t for t, s in zip(patch["time_s"], patch["state"]) if s == 2}
     near("record: stick", len(sticks) / len(steps), result["cycle_stick_time_share"], 0, 0.03)
+
+
+    check_summary(folder, result)
+    check_portrait(folder, run, period)
+
+
+def check_summary(folder, result):
+    """What the screen tells, to the digits that it has."""
+    with open(f"{folder}/out", encoding="utf-8") as file:
+        said = " ".join(file.read().split())
+    number = r"(-?[\d.]+(?:e[+-]?\d+)?)"
+    found = re.search(
+        f"along x {number} m/s \\(amplitude\\), {number} m/s \\(rms\\); N {number} to {number} N, "
+        f"T_x {number} to {number} N; nodes stick {number} % of the time, {number} % of those that "
+        f"touch; no contact {number} % of the time work in a cycle: drive {number} J, heat {number} J, "
+        f"to the vibration {number} J, of which damping {number} J and the scheme {number} J", said)
+    if not found:
+        failures.append(f"summary: {said}")
+        return
+    names = ["velocity_x_amplitude_m/s", "velocity_x_rms_m/s", "normal_force_least_N",
+             "normal_force_most_N", "force_x_least_N", "force_x_most_N", "stick_time_share",
+             "stick_node_share", "open_time_share", "drive_J", "heat_J", "vibration_J", "damping_J",
+             "numerical_J"]
+    for name, text in zip(names, found.groups()):
+        percent = 100 if name.endswith("_share") else 1
+        near(f"summary: {name}", float(text), percent * result["cycle_" + name], 0.05)
+    if not result["cycle_stick_time_share"] > 1.5 * result["cycle_stick_node_share"]:
+        failures.append("the shares of sticking cannot be told apart")
+
+
+def blocks(path):
+    """Curves of the data of a picture, each with its lines of names."""
+    with open(path, encoding="utf-8") as file:
+        for text in file.read().split("\n\n\n"):
+            lines = text.strip("\n").split("\n")
+            yield ([line for line in lines if line.startswith("#")],
+                   [tuple(map(float, line.split())) for line in lines if line and line[0] not in "#N"])
+
+
+def check_portrait(folder, run, period):
+    """The velocity is the rate of the displacement in um; T in kN is over the sliding velocity."""
+    (names, portrait), (_, loop) = list(blocks(f"{folder}/cycle.dat"))[:2]
+    if "displacement (\u00b5m)" not in names[-1] or "velocity (m/s)" not in names[-1]:
+        failures.append(f"names of the portrait: {names}")
+    step = run["time_s"][0]
+    last = slice(len(run["time_s"]) - len(portrait), None)
+    mean = sum(run["velocity_x_m/s"][last]) / len(portrait)
+    for (x, v), (y, w) in zip(portrait, portrait[1:]):
+        near("portrait", (y - x) * 1e-6 / step, (v + w) / 2 - mean, 0, 5e-3)
+    near("a cycle of the portrait", len(portrait) * step, period, 0, 2.1 * step)
+    for (sliding, force), (_, v), c, t in zip(loop, portrait, run["creepage_x"][last],
+                                              run["force_x_N"][last]):
+        near("loop", sliding, v + 10 * c, 1e-6, 1e-6)
+        near("loop", 1e3 * force, t, 1e-6)
 
 
 def check_sweep(folder, cycle):

@@ -2,12 +2,16 @@
 
 lines FOLDER FREQUENCY GROWTH: densities, levels, lines and the eigenvalue beside the strongest.
 spectrogram FOLDER FREQUENCY COLUMN: the highest line of each window and its level.
-compare FULL REDUCED POINT...: velocities of points in two runs."""
+compare FULL REDUCED POINT...: velocities of points in two runs.
+beside FOLDER STABILITY: phases of forces and shapes that Analysis = stability tells of the vibration
+that a run began in, from its history."""
 import cmath
 import csv
 import math
 import os
 import sys
+
+import vtu
 
 wrong = []
 
@@ -59,6 +63,13 @@ def lines(folder, frequency, growth):
     segment = round(14e-3 / step)
     df = float(spectrum[1]["frequency_Hz"])
     check("distance of the lines", abs(df * segment * step - 1) < 1e-6)
+    (speed,) = set(column(history, "speed_m/s"))
+    for row in spectrum[1:]:
+        check("wavelength of a line", abs(float(row["wavelength_m"]) * float(row["frequency_Hz"]) / speed - 1) < 1e-6, row)
+    for row in bands:
+        centre = float(row["centre_frequency_Hz"])
+        check("a band's centre", abs(float(row["lower_edge_Hz"]) * float(row["upper_edge_Hz"]) / centre**2 - 1) < 1e-6, row)
+        check("a band's wavelength", abs(float(row["centre_wavelength_m"]) * centre / speed - 1) < 1e-6, row)
     references = {"velocity": (1e-9, "dB_re_1nm/s", "(m/s)2/Hz"), "normal_force": (1, "dB_re_1N", "N2/Hz"),
                   "force": (1, "dB_re_1N", "N2/Hz")}
     signals = {row["signal"] for row in found}
@@ -138,7 +149,43 @@ def compare(full, reduced, *points):
         check(name, spread > 1e-7 and off < most * spread, spread, off)
 
 
-if sys.argv[1] == "lines":
+def beside(folder, stability):
+    history = read(folder, "history.csv")
+    (row,) = [row for row in read(stability, "stability.csv") if row["unstable"] == "true"]
+    s = complex(float(row["growth_1/s"]), 2 * math.pi * float(row["frequency_Hz"]))
+    acts = column(history, "force_time_s")
+    n = round(20 * 2 * math.pi / s.imag / (acts[1] - acts[0]))
+
+    def in_time(name):
+        """A of Re(A e^(s t)), by Hann's window over 20 periods."""
+        values = column(history, name)[-n:]
+        mean = sum(values) / n
+        return sum(w * (x - mean) * cmath.exp(-s * t) for w, x, t in zip(hann(n), values, acts[-n:]))
+
+    def turn(a, b):
+        return cmath.phase(a / b)
+
+    phase = float(row["force_phase_rad"])
+    check("phase of T over N", abs(phase - turn(in_time("force_y_N"), in_time("normal_force_N"))) < 2e-3, phase)
+    check("the phase decides", 0.1 < abs(phase) < 3)
+    (pvd,) = [name[:-4] for name in os.listdir(stability) if name.startswith("vibration_") and name.endswith(".pvd")]
+    for body, point, place in (("wheel", "rim", (0.19 * math.sin(math.pi / 3), 0.015, 0.2 - 0.19 / 2)),
+                               ("rail", "end", (0.06, 0, -0.01))):
+        # u(0) = Re U, a quarter of a period later u = -Im U
+        now, later = (vtu.nodes(os.path.join(stability, f"{pvd}_{body}_{k}.vtu"))[0] for k in ("00", "06"))
+        distances = [math.dist(at, place) for at in now["points"]]
+        k = distances.index(min(distances))
+        check(f"{body}: a node is near", distances[k] < 0.04, now["points"][k], place)
+        y, z = (complex(now["displacement"][k][d], -later["displacement"][k][d]) for d in (1, 2))
+        wanted = turn(in_time(f"velocity_{point}_y_m/s"), in_time(f"velocity_{point}_z_m/s"))
+        print(body, now["points"][k], turn(y, z), wanted)
+        check(f"{body}: y before z", abs(turn(y, z) - wanted) < 0.05, turn(y, z), wanted)
+        check(f"{body}: the phase decides", 0.1 < abs(wanted) < 3)
+
+
+if sys.argv[1] == "beside":
+    beside(*sys.argv[2:])
+elif sys.argv[1] == "lines":
     lines(sys.argv[2], float(sys.argv[3]), float(sys.argv[4]))
 elif sys.argv[1] == "spectrogram":
     spectrogram(sys.argv[2], float(sys.argv[3]), sys.argv[4])

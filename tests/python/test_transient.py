@@ -154,9 +154,11 @@ class WrongInputs(Case):
         twin = rc.Transient(CARTER, ROLLING, time_step=STEP)
         for inputs, said in [
             ({"normal_load": 1e5}, "Contact/Approach"),
-            ({"creepage_y": 1e-3}, "3D"),
-            ({"spin_moment": 1.0}, "3D"),
-            ({"speed": -10.0}, "sign"),
+            ({"creepage_y": 1e-3}, "creepage_y = 0.001 1: it exists in 3D only"),
+            ({"spin": 0.5}, "spin = 0.5 1/m: it exists in 3D only"),
+            ({"lateral_force": 2e3}, "lateral_force = 2000 N: it exists in 3D only"),
+            ({"spin_moment": 1.0}, "spin_moment = 1 N m: it exists in 3D only"),
+            ({"speed": -10.0}, "speed = -10 m/s: it must keep the sign"),
             ({"creepage_x": math.nan}, "finite"),
             ({"creepage_x": 0.0, "longitudinal_force": 0.0}, "leave creepage_x out"),
             ({"dt": 0.0}, "above 0"),
@@ -175,8 +177,8 @@ class WrongInputs(Case):
         )
         loaded = rc.Transient(LOADED_2D, ROLLING, time_step=STEP)
         for inputs, said in [
-            ({"approach": 1e-4}, "give normal_load"),
-            ({"normal_load": -1.0}, "pull"),
+            ({"approach": 1e-4}, "approach = 0.0001 m: the scene gives the load"),
+            ({"normal_load": -1.0}, "normal_load = -1 N: contact cannot pull"),
             ({"longitudinal_force": 50e3}, "mu N"),
         ]:
             with self.assertRaises(rc.InputError) as raised:

@@ -146,6 +146,29 @@ BOOST_AUTO_TEST_CASE(a_vibration_that_grows_in_a_cycle_is_no_cycle)
   CHECK_MOTION(judged(-20., 1009.1).motion, Motion::periodic);
 }
 
+/** Two standard errors of a line through eight levels that overlap by half hold
+ * nine tenths of what is estimated, one of them six, four all but a
+ * hundredth. */
+BOOST_AUTO_TEST_CASE(a_rate_is_within_its_uncertainty)
+{
+  std::mt19937                     random(11);
+  std::normal_distribution<double> normal;
+  const unsigned int               n_motions = 400;
+  const double                     growth = 0.3, f = 991.3;
+  unsigned int                     n_inside = 0;
+  for (unsigned int k = 0; k < n_motions; ++k)
+    {
+      const SampledMotion noisy = motion(1000, [&](double t) {
+        return (wave(f, t) + 0.1 * normal(random)) * std::exp(growth * t);
+      });
+      const auto          trend = amplitude_trend(noisy, {1.}, 1 / (f * h));
+      n_inside += std::abs(trend.rate - growth) < trend.uncertainty;
+    }
+  BOOST_TEST_MESSAGE("inside: " << n_inside << " of " << n_motions);
+  BOOST_TEST(n_inside > 0.8 * n_motions);
+  BOOST_TEST(n_inside < 0.96 * n_motions);
+}
+
 BOOST_AUTO_TEST_CASE(what_dies_away_has_decayed)
 {
   const auto dies = [](double t) {

@@ -376,6 +376,32 @@ BOOST_AUTO_TEST_CASE(what_does_not_go_together_is_refused)
 
 
 
+/** By so much creepages change when their forces change by the bound. */
+BOOST_AUTO_TEST_CASE(bounds_of_creepages_are_those_of_the_forces_carried_over)
+{
+  const double part = 0.01, force = -15e3, change = part * 0.3 * 90e3;
+  const auto   asked_for = [](const double force) {
+    return [=](SceneParameters &scene) {
+      scene.contact.approach.reset();
+      scene.contact.normal_load = 90e3;
+      scene.contact.forces.x    = force;
+    };
+  };
+  const auto found = [&](const double force) {
+    return SceneRun<2>(standard<2>, asked_for(force))
+      .steady.problem.loads.creepages.x;
+  };
+  const SceneRun<2> run(standard<2>, asked_for(force));
+  ErrorBounds       bounds;
+  bounds.force       = part;
+  const auto margins = creepage_bounds(run.scene, run.steady, bounds);
+  BOOST_TEST_REQUIRE(margins.size() == 1u);
+  BOOST_TEST(margins[0] == (found(force - change) - found(force + change)) / 2,
+             boost::test_tools::tolerance(0.05));
+}
+
+
+
 BOOST_AUTO_TEST_CASE(a_force_is_held_in_time)
 {
   TimeRun<2>   run([](SceneParameters &scene) {
@@ -400,6 +426,37 @@ BOOST_AUTO_TEST_CASE(a_force_is_held_in_time)
   const double found = run.stepper->current().problem.loads.creepages.x;
   BOOST_TEST(found == steady.steady.problem.loads.creepages.x,
              boost::test_tools::tolerance(2e-3));
+}
+
+
+
+/** With inertia reactions act at t + theta h, and asked forces are theirs. */
+BOOST_AUTO_TEST_CASE(an_asked_force_acts_when_reactions_do)
+{
+  for (const double theta : {0.5, 0.7})
+    {
+      const auto asked = [](const double t) {
+        return -15e3 * (1 + 0.2 * std::sin(1e5 * t));
+      };
+      TimeRun<2>   run([&](SceneParameters &scene) {
+        scene.wheel.material.density = scene.rail.material.density = 7800.;
+        scene.contact.approach.reset();
+        scene.contact.normal_load     = 90e3;
+        scene.contact.creepages.x     = 0.;
+        scene.time.inertia            = true;
+        scene.time.theta              = theta;
+        scene.time.initial_state      = InitialState::steady;
+        scene.time.time_step          = 2e-6;
+        scene.time.longitudinal_force = "-15e3*(1 + 0.2*sin(1e5*t))";
+      });
+      const double h = run.scene.time.time_step;
+      for (unsigned int k = 0; k < 12; ++k)
+        {
+          run.march(1);
+          BOOST_TEST(std::abs(run.stepper->current().result.force_x -
+                              asked((k + theta) * h)) < 1e-8 * 0.3 * 90e3);
+        }
+    }
 }
 
 

@@ -1,5 +1,7 @@
 #include <boost/test/unit_test.hpp>
 
+#include "vibrating_pair.h"
+
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/sound/radiating_surface.h>
 
@@ -120,6 +122,32 @@ BOOST_AUTO_TEST_CASE(surface_of_a_disc)
              boost::test_tools::tolerance(1e-9));
   BOOST_TEST(std::abs(radial(0, 2)) < 1e-3 * radial(0, 0));
   BOOST_TEST(std::abs(axial(0, 0)) < 1e-12);
+}
+
+/** Slowly a beam is a line of dipoles: per length and v^2 it radiates
+ * rho c k^3 (S + pi w^2 / 4)^2 / 8, with its section S and its width w across
+ * the motion. */
+BOOST_AUTO_TEST_CASE(a_rail_radiates_by_its_width_across_the_motion)
+{
+  const double  width = 0.03, depth = 0.08;
+  SceneInMemory run;
+  standard<3>(run.scene);
+  VibratingPair::unstable_pair(run.scene);
+  run.scene.rail.width         = width;
+  run.scene.rail.block_depth   = depth;
+  run.scene.modes.element_size = 0.03;
+  const VibratingBody<3> rail(run.scene, Side::rail, 4000., run.context);
+  const RadiatingBody    radiating = radiating_body(rail, 4000., Air());
+  BOOST_TEST_REQUIRE(radiating.parts.size() == 2u);
+  const double f = 5., k = 2 * pi * f / Air().speed;
+  const auto   dipoles = [&](const double w) {
+    return k * k * k * std::pow(width * depth + pi * w * w / 4, 2) / 8;
+  };
+  // both sides of the block, but not its foot
+  BOOST_TEST(radiating.parts[0].efficiency(f) * 2 * depth == dipoles(depth),
+             boost::test_tools::tolerance(1e-3));
+  BOOST_TEST(radiating.parts[1].efficiency(f) * width == dipoles(width),
+             boost::test_tools::tolerance(1e-3));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

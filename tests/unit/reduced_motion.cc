@@ -122,6 +122,36 @@ BOOST_AUTO_TEST_CASE(given_forces_move_the_contact_with_second_order)
   BOOST_TEST(std::log2(errors[0] / errors[1]) < 2.2);
 }
 
+/** What the modes leave out answers at once: under forces that rise evenly its
+ * velocity is W_res dF/dt, whatever the lengths of the steps. */
+BOOST_AUTO_TEST_CASE(steps_of_any_length_know_the_rate_of_a_force)
+{
+  ReducedPair       pair = random_pair(grid_3d, 4, 8);
+  const std::size_t n    = pair.W_res.n_rows();
+  pair.Phi               = DenseMatrix(n, 4);
+  std::vector<double> rate(n), expected(n, 0.);
+  for (std::size_t i = 0; i < n; ++i)
+    rate[i] = 1e5 * std::sin(2. * i);
+  pair.W_res.multiply_block(0, 0, rate, expected);
+  ReducedMotion motion(pair);
+  double        time = 0.;
+  unsigned int  k    = 0;
+  for (const double h : {4e-6, 4e-6, 2e-6, 1e-6, 3e-6, 3e-6, 8e-6})
+    {
+      motion.set_time_step(h);
+      std::vector<double> forces(n), error(n);
+      for (std::size_t i = 0; i < n; ++i)
+        forces[i] = 100. + rate[i] * (time + h / 2);
+      motion.begin_step();
+      motion.end_step(forces);
+      time += h;
+      for (std::size_t i = 0; i < n; ++i)
+        error[i] = motion.contact_velocity()[i] - expected[i];
+      if (++k > 2)
+        BOOST_TEST(norm(error) < 1e-9 * norm(expected));
+    }
+}
+
 BOOST_AUTO_TEST_CASE(a_steady_state_stays)
 {
   const ReducedPair pair = random_pair(grid_3d, 20, 6, 1e-2);

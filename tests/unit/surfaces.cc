@@ -190,6 +190,20 @@ BOOST_FIXTURE_TEST_CASE(records_are_filtered_for_the_elements, Records)
              boost::test_tools::tolerance(1e-12));
   BOOST_TEST(filtered.value(0.304) == filtered.value(0.296),
              boost::test_tools::tolerance(1e-12));
+  // also of one whose ends differ
+  const FilteredRecord slanted(read_rows(rows(3001,
+                                              1e-4,
+                                              [](const double x) {
+                                                return 1e-6 *
+                                                       std::cos(pi * x / 0.3);
+                                              })),
+                               {2e-3, 1e-3},
+                               0.);
+  for (const double x : {0.004, 0.07, 0.29})
+    for (const double there : {-x, 0.6 - x, 0.6 + x, 1.2 - x})
+      BOOST_TEST(slanted.value(there) == slanted.value(x),
+                 boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(slanted.value(0.29) < -0.9e-6);
   const FilteredRecord unfiltered(record, {4e-4, 2e-4}, 0.);
   BOOST_TEST(unfiltered.removed_rms < 1e-15);
   BOOST_TEST(std::abs(unfiltered.value(0.1234) + record.mean - both(0.1234)) <
