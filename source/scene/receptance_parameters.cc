@@ -70,11 +70,11 @@ namespace RollingContact
     prm.enter_subsection("Receptance");
     prm.add_parameter("Lowest frequency",
                       lowest_frequency,
-                      "Units: Hz.",
+                      "First frequency of the receptances. Units: Hz.",
                       not_negative);
     prm.add_parameter("Highest frequency",
                       highest_frequency,
-                      "Units: Hz.",
+                      "Last frequency of the receptances. Units: Hz.",
                       not_negative);
     prm.add_parameter("Frequencies per octave",
                       per_octave,
