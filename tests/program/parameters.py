@@ -22,6 +22,8 @@ def listing(path):
                 section, help_text = words[11:] + "/", []
             elif words == "end":
                 section = ""
+            elif words in ("# Listing of Parameters", "# ---------------------"):
+                continue
             elif words.startswith("# "):
                 help_text.append(words[2:])
             elif words.startswith("set "):
@@ -40,11 +42,11 @@ def numbers_in(allowed):
 
 
 def complaints(entry, default, meaning):
-    said = entry["meaning"] + (f" Units: {entry['unit']}." if entry["unit"] else "")
+    units = [f" Units: {entry['unit']}."] if entry["unit"] else ["", " Units: 1."]
     if entry["default"] != default:
         yield f"default {entry['default']!r}, not {default!r}"
-    if not meaning.endswith(said) and meaning.removesuffix(" Units: 1.") != said:
-        yield f"meaning {said!r}, not {meaning!r}"
+    if meaning not in [entry["meaning"] + unit for unit in units]:
+        yield f"meaning {entry['meaning']!r} and unit {entry['unit']!r}, not {meaning!r}"
     allowed = entry["allowed"]
     if "[" in allowed or "MAX" in allowed:
         yield f"allowed {allowed!r} are no words"
