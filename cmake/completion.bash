@@ -58,7 +58,7 @@ _rolling_contact() {
       return ;;
   esac
   if [[ $word == -* ]]; then
-    mapfile -t COMPREPLY < <(compgen -W $'--set\n--output\n--resume\n--validate\n--print-parameters\n--version\n--help' -- "$word")
+    mapfile -t COMPREPLY < <(compgen -W $'--set\n--output\n--resume\n--validate\n--print-parameters\n--parameters-as-json\n--version\n--help' -- "$word")
     return
   fi
   compopt -o filenames

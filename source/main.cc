@@ -287,6 +287,8 @@ namespace RollingContact
             " (" ROLLING_CONTACT_GIT_REVISION ")\n");
       else if (command_line.print_parameters)
         say(documented_parameters());
+      else if (command_line.print_json)
+        say(parameters_as_json());
       else
         {
           const SceneInput input = read_scene(command_line);

@@ -38,6 +38,17 @@ namespace RollingContact
 
 
 
+    /** A help text without the "Units: X." that it ends with. */
+    std::string
+    without_unit(const std::string &help)
+    {
+      const std::size_t found   = help.rfind("Units: ");
+      const std::string meaning = help.substr(0, found);
+      return meaning.substr(0, meaning.find_last_not_of(' ') + 1);
+    }
+
+
+
     /** What stands between two texts; empty if they are not there. */
     std::string
     between(const std::string &text,
@@ -123,6 +134,18 @@ namespace RollingContact
 
 
 
+    /** Of one value or a list: "a list separated by commas, each a number". */
+    std::string
+    values_in_words(const std::string &pattern, const std::string &unit)
+    {
+      if (pattern.compare(0, 9, "[List of ") == 0)
+        return "a list separated by commas, each " +
+               in_words(between(pattern, "<", ">"), unit);
+      return in_words(pattern, unit);
+    }
+
+
+
     /** Whether a text looks like a number with a decimal comma. */
     bool
     has_decimal_comma(const std::string &pattern, const std::string &value)
@@ -139,10 +162,38 @@ namespace RollingContact
   std::string
   what_is_allowed(const std::string &pattern, const std::string &unit)
   {
-    if (pattern.compare(0, 9, "[List of ") == 0)
-      return "give a list separated by commas, each " +
-             in_words(between(pattern, "<", ">"), unit);
-    return "give " + in_words(pattern, unit);
+    return "give " + values_in_words(pattern, unit);
+  }
+
+
+
+  std::string
+  entries_as_json(const ParameterHandler &prm)
+  {
+    std::ostringstream text;
+    prm.print_parameters(text, ParameterHandler::JSON);
+    Json                              all      = Json::parse(text.str());
+    const std::function<void(Json &)> describe = [&](Json &section) {
+      for (Json &child : section)
+        if (!child.contains("pattern_description"))
+          describe(child);
+        else
+          {
+            const std::string help    = child["documentation"],
+                              pattern = child["pattern_description"],
+                              unit    = unit_of(help);
+            const bool takes_all =
+              pattern == Patterns::Anything().description();
+            Json entry;
+            entry["default"] = child["default_value"];
+            entry["meaning"] = without_unit(help);
+            entry["unit"]    = unit;
+            entry["allowed"] = takes_all ? "" : values_in_words(pattern, unit);
+            child            = entry;
+          }
+    };
+    describe(all);
+    return all.dump(2) + '\n';
   }
 
 

@@ -35,6 +35,8 @@ namespace RollingContact
         "where they stopped")("validate",
                               "read and check the parameters, write nothing")(
         "print-parameters", "print every parameter with its documentation")(
+        "parameters-as-json",
+        "print them for other programs, with the values that are allowed")(
         "version", "print the version")("help", "print this text");
       return visible;
     }
@@ -106,6 +108,7 @@ namespace RollingContact
     show_version     = values.count("version") > 0;
     validate_only    = values.count("validate") > 0;
     print_parameters = values.count("print-parameters") > 0;
+    print_json       = values.count("parameters-as-json") > 0;
     resume           = values.count("resume") > 0;
     if (values.count("output") > 0)
       {
@@ -127,7 +130,7 @@ namespace RollingContact
                        files[0] + " and " + files[1] + ".");
     if (!files.empty())
       prm_file = files[0];
-    else if (!show_help && !show_version && !print_parameters)
+    else if (!show_help && !show_version && !print_parameters && !print_json)
       throw InputError("Command line: no parameter file. " +
                        std::string(usage) + ", or --help.");
   }

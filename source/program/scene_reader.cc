@@ -214,4 +214,15 @@ namespace RollingContact
     prm.print_parameters(text, ParameterHandler::PRM);
     return text.str();
   }
+
+
+
+  std::string
+  parameters_as_json()
+  {
+    SceneParameters  scene;
+    ParameterHandler prm;
+    declare(scene, prm);
+    return entries_as_json(prm);
+  }
 } // namespace RollingContact

@@ -70,11 +70,11 @@ namespace RollingContact
     prm.enter_subsection("Receptance");
     prm.add_parameter("Lowest frequency",
                       lowest_frequency,
-                      "First frequency of the forces. Units: Hz.",
+                      "First frequency of the receptances. Units: Hz.",
                       not_negative);
     prm.add_parameter("Highest frequency",
                       highest_frequency,
-                      "Last frequency of the forces; modes are found up to "
+                      "Last frequency of the receptances; modes are found up to "
                       "Modes/Cut-off ratio times it. Units: Hz.",
                       not_negative);
     prm.add_parameter("Frequencies per octave",

@@ -41,8 +41,8 @@ namespace RollingContact
 
   /**
    * A text of unknown origin for a message: control characters and bytes that
-   * are not UTF-8 as \xNN, and no more of it than so many characters, with ...
-   * behind them.
+   * are not UTF-8 as hexadecimal escapes, and no more of it than so many
+   * characters, with ... behind them.
    */
   std::string
   quotable(const std::string &text, std::size_t most_characters = 60);

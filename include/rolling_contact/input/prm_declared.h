@@ -79,6 +79,16 @@ namespace RollingContact
    */
   std::string
   what_is_allowed(const std::string &pattern, const std::string &unit);
+
+  /**
+   * All entries that a handler declares as JSON: an object for each section
+   * that has an object for each entry, with the texts `default`, `meaning`,
+   * `unit` (empty for 1 and for what is no number) and `allowed`, the values
+   * that its pattern takes in words (empty where it takes any text). Entries
+   * outside of sections stand beside the sections.
+   */
+  std::string
+  entries_as_json(const dealii::ParameterHandler &prm);
 } // namespace RollingContact
 
 #endif

@@ -35,6 +35,7 @@ namespace RollingContact
     bool                     show_version     = false;
     bool                     validate_only    = false;
     bool                     print_parameters = false;
+    bool                     print_json       = false; ///< of the parameters
     bool                     resume           = false;
   };
 } // namespace RollingContact

@@ -45,6 +45,13 @@ namespace RollingContact
    */
   std::string
   documented_parameters();
+
+  /**
+   * Every parameter with its default, meaning, unit and allowed values, as
+   * entries_as_json() of `input/prm_declared.h` writes them.
+   */
+  std::string
+  parameters_as_json();
 } // namespace RollingContact
 
 #endif
