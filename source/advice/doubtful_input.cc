@@ -7,27 +7,14 @@ namespace RollingContact
 {
   namespace
   {
-    using Mirror = ProfileParameters::Mirror;
-
     void
-    add_doubts(const std::string          &profile,
-               const Mirror                mirror,
-               const Profiles::ProfileKind kind,
-               const SceneParameters      &scene,
-               std::vector<std::string>   &doubts)
+    add_doubts(const std::string           &profile,
+               const Profiles::FileOptions &options,
+               const Profiles::ProfileKind  kind,
+               const SceneParameters       &scene,
+               std::vector<std::string>    &doubts)
     {
-      static const std::set<std::string> nominal{"",
-                                                 "S1002",
-                                                 "60E1",
-                                                 "60E1 Manchester"};
-      if (nominal.count(profile) > 0)
-        return;
       const std::filesystem::path file = scene.prm_folder / profile;
-      const Profiles::FileOptions options{scene.profiles.file_unit,
-                                          mirror == Mirror::y ||
-                                            mirror == Mirror::y_and_z,
-                                          mirror == Mirror::z ||
-                                            mirror == Mirror::y_and_z};
       for (const std::string &doubt : Profiles::doubts_of_points(
              Profiles::read_points(file, options), kind, file.string()))
         doubts.push_back(doubt);
@@ -53,16 +40,18 @@ namespace RollingContact
     const auto              &profiles = scene.profiles;
     if (scene.analysis != "contact table" && !profiles.in_use())
       return doubts;
-    add_doubts(profiles.wheel_profile,
-               profiles.wheel_mirror,
-               Profiles::ProfileKind::wheel,
-               scene,
-               doubts);
-    add_doubts(profiles.rail_profile,
-               profiles.rail_mirror,
-               Profiles::ProfileKind::rail,
-               scene,
-               doubts);
+    if (profiles.wheel_is_file())
+      add_doubts(profiles.wheel_profile,
+                 profiles.file_options(profiles.wheel_mirror),
+                 Profiles::ProfileKind::wheel,
+                 scene,
+                 doubts);
+    if (profiles.rail_is_file())
+      add_doubts(profiles.rail_profile,
+                 profiles.file_options(profiles.rail_mirror),
+                 Profiles::ProfileKind::rail,
+                 scene,
+                 doubts);
     return doubts;
   }
 

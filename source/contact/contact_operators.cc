@@ -7,52 +7,6 @@ namespace RollingContact
   namespace
   {
     /**
-     * Largest singular value of an operator from products with it and its
-     * transpose; to the few digits an augmentation parameter needs.
-     */
-    template <typename Product, typename TransposedProduct>
-    double
-    operator_norm(const std::size_t        n,
-                  const Product           &product,
-                  const TransposedProduct &transposed_product)
-    {
-      std::vector<double> x(n);
-      for (std::size_t i = 0; i < n; ++i)
-        x[i] = 1. + 0.5 * std::cos(1. + 7. * i);
-      double value = 0.;
-      for (unsigned int iteration = 0; iteration < 100; ++iteration)
-        {
-          const double length = norm(x);
-          if (length == 0.)
-            return 0.;
-          for (double &entry : x)
-            entry /= length;
-          x                     = transposed_product(product(x));
-          const double previous = value;
-          value                 = std::sqrt(norm(x));
-          if (std::abs(value - previous) < 1e-3 * value)
-            break;
-        }
-      return value;
-    }
-
-
-
-    std::vector<double>
-    block_product(const DenseMatrix         &W,
-                  const std::size_t          first_row,
-                  const std::size_t          first_column,
-                  const std::size_t          n_rows,
-                  const std::vector<double> &forces)
-    {
-      std::vector<double> result(n_rows, 0.);
-      W.multiply_block(first_row, first_column, forces, result);
-      return result;
-    }
-
-
-
-    /**
      * Correct the diagonal block of W that starts at @p first so that it takes
      * @p forces to @p displacement, unless it does to within @p error.
      */
@@ -64,7 +18,7 @@ namespace RollingContact
                   DenseMatrix               &W)
     {
       const std::size_t   n = forces.size();
-      std::vector<double> d = block_product(W, first, first, n, forces);
+      std::vector<double> d = W.block_product(first, first, n, forces);
       for (std::size_t i = 0; i < n; ++i)
         d[i] = displacement[i] - d[i];
       const double size = norm(d), force = norm(forces), work = dot(forces, d);
@@ -179,11 +133,10 @@ namespace RollingContact
   ContactOperators::normal_displacement(
     const std::vector<double> &pressure) const
   {
-    return block_product(compliance,
-                         first_normal(),
-                         first_normal(),
-                         n_nodes(),
-                         contact_matrix.multiply(pressure));
+    return compliance.block_product(first_normal(),
+                                    first_normal(),
+                                    n_nodes(),
+                                    contact_matrix.multiply(pressure));
   }
 
 
@@ -194,11 +147,10 @@ namespace RollingContact
   {
     if (!normal_tangential.exists || n_tangential() == 0)
       return std::vector<double>(n_nodes(), 0.);
-    return block_product(compliance,
-                         first_normal(),
-                         0,
-                         n_nodes(),
-                         contact_matrix.multiply(traction.values()));
+    return compliance.block_product(first_normal(),
+                                    0,
+                                    n_nodes(),
+                                    contact_matrix.multiply(traction.values()));
   }
 
 
@@ -206,12 +158,10 @@ namespace RollingContact
   NodalField
   ContactOperators::tangential_displacement(const NodalField &traction) const
   {
-    return {n_nodes(),
-            block_product(compliance,
-                          0,
-                          0,
-                          first_normal(),
-                          contact_matrix.multiply(traction.values()))};
+    return {
+      n_nodes(),
+      compliance.block_product(
+        0, 0, first_normal(), contact_matrix.multiply(traction.values()))};
   }
 
 
@@ -223,11 +173,10 @@ namespace RollingContact
     if (!normal_tangential.exists)
       return {n_nodes(), n_tangential()};
     return {n_nodes(),
-            block_product(compliance,
-                          0,
-                          first_normal(),
-                          first_normal(),
-                          contact_matrix.multiply(pressure))};
+            compliance.block_product(0,
+                                     first_normal(),
+                                     first_normal(),
+                                     contact_matrix.multiply(pressure))};
   }
 
 
@@ -251,8 +200,10 @@ namespace RollingContact
                                        const std::vector<double> &field) const
   {
     const std::size_t first = c * n_nodes();
-    return block_product(
-      compliance, first, first, n_nodes(), contact_matrix.multiply(field));
+    return compliance.block_product(first,
+                                    first,
+                                    n_nodes(),
+                                    contact_matrix.multiply(field));
   }
 
 
@@ -355,50 +306,5 @@ namespace RollingContact
         for (std::size_t i = 0; i < n; ++i)
           W_nn_H(i, entry.first) +=
             compliance(first + i, first + k) * entry.second;
-  }
-
-
-
-  void
-  ContactOperators::find_normal_norm()
-  {
-    largest_normal = operator_norm(
-      n_nodes(),
-      [&](const std::vector<double> &p) { return normal_displacement(p); },
-      [&](const std::vector<double> &u) {
-        return contact_matrix.multiply_transposed(block_product(
-          compliance, first_normal(), first_normal(), n_nodes(), u));
-      });
-  }
-
-
-
-  void
-  ContactOperators::find_tangential_norm()
-  {
-    if (n_tangential() == 0)
-      return;
-    // flow convection B1 x + rate y
-    const auto scaled = [&](std::vector<double>        B1_x,
-                            const std::vector<double> &y) {
-      for (std::size_t i = 0; i < B1_x.size(); ++i)
-        B1_x[i] = flow_convection() * B1_x[i] + scaling.rate * y[i];
-      return B1_x;
-    };
-    largest_tangential = operator_norm(
-      first_normal(),
-      [&](const std::vector<double> &q) {
-        const auto w = block_product(
-          compliance, 0, 0, first_normal(), contact_matrix.multiply(q));
-        return scaled(B1.rows().multiply(w), w);
-      },
-      [&](const std::vector<double> &s) {
-        return contact_matrix.multiply_transposed(
-          block_product(compliance,
-                        0,
-                        0,
-                        first_normal(),
-                        scaled(B1.rows().multiply_transposed(s), s)));
-      });
   }
 } // namespace RollingContact

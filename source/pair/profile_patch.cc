@@ -1,5 +1,6 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
+#include <rolling_contact/pair/gap_lines.h>
 #include <rolling_contact/pair/profile_patch.h>
 #include <rolling_contact/references/half_space_pressure.h>
 
@@ -13,116 +14,6 @@ namespace RollingContact
   {
     using References::ContactGrid;
     using References::HalfSpacePressure;
-
-    const double deepest = 1e-3; // m, approach that is looked for
-
-    /// of the approach: steeper surfaces are beside the contact
-    const double least_share = 0.05;
-
-    /**
-     * The gap along a line across the plane: its least value, where that is
-     * and gap = least + curvature (x - place)^2.
-     */
-    struct Line
-    {
-      double y, least, place, curvature;
-    };
-
-
-
-    /** What share of an approach closes the gap at a place. */
-    class ApproachShare
-    {
-    public:
-      ApproachShare(const Profiles::ContactFrame &frame,
-                    const double                  load_angle)
-        : frame(frame)
-        , load_angle(load_angle)
-      {}
-
-      /** Whether approach and load have one direction with all normals. */
-      bool
-      is_one() const
-      {
-        return frame.kind() == Profiles::SurfaceKind::plane;
-      }
-
-      double
-      operator()(const double s) const
-      {
-        return is_one() ? 1. : std::cos(frame.surface(s).angle + load_angle);
-      }
-
-    private:
-      const Profiles::ContactFrame &frame;
-      const double                  load_angle;
-    };
-
-
-
-    /**
-     * Lines over the whole of the profiles, with gaps of up to a millimetre
-     * along the approach.
-     */
-    std::vector<Line>
-    lines_across(const Profiles::ContactFrame &frame,
-                 const ApproachShare          &share)
-    {
-      const double      step = 2.5e-4, reach = 0.07, along = 5e-3;
-      std::vector<Line> lines;
-      for (int k = -reach / step; k <= reach / step; ++k)
-        {
-          Line line{k * step, 0., 0., 0.};
-          if (!frame.covers(line.y) || share(line.y) < least_share)
-            continue;
-          for (unsigned int round = 0; round < 2; ++round)
-            {
-              const auto left   = frame.gap(line.place - along, line.y),
-                         middle = frame.gap(line.place, line.y),
-                         right  = frame.gap(line.place + along, line.y);
-              line.curvature    = 0.;
-              if (!left || !middle || !right)
-                break;
-              line.curvature =
-                (*left - 2 * *middle + *right) / (2 * along * along);
-              if (!(line.curvature > 0.))
-                break;
-              const double shift =
-                (*left - *right) / (4 * along * line.curvature);
-              line.least = *middle - line.curvature * shift * shift;
-              line.place += shift;
-            }
-          line.least /= share(line.y);
-          line.curvature /= share(line.y);
-          if (line.curvature > 0. && line.least < deepest)
-            lines.push_back(line);
-        }
-      return lines;
-    }
-
-
-
-    /**
-     * The rectangle around all places where the gap is below @p depth; lower
-     * above upper if there is none.
-     */
-    ZoneBox
-    overlap(const std::vector<Line> &lines, const double depth)
-    {
-      ZoneBox box{{{1., 1.}}, {{-1., -1.}}};
-      for (const Line &line : lines)
-        if (line.least < depth)
-          {
-            const double half =
-              std::sqrt((depth - line.least) / line.curvature);
-            box.lower[0] = std::min(box.lower[0], line.place - half);
-            box.upper[0] = std::max(box.upper[0], line.place + half);
-            box.lower[1] = std::min(box.lower[1], line.y);
-            box.upper[1] = std::max(box.upper[1], line.y);
-          }
-      const double step = 2.5e-4; // between lines
-      return box.grown(0., step);
-    }
 
 
 
@@ -190,10 +81,10 @@ namespace RollingContact
             if (std::abs(change - 1) < 0.02)
               break;
           }
-        if (depth > deepest)
+        if (depth > deepest_approach)
           throw InputError("Profiles: a load of " + significant(load, 4) +
                            " N presses the surfaces by more than " +
-                           millimetres(deepest) +
+                           millimetres(deepest_approach) +
                            " into each other. Give less of it, in N.");
         const double ample = 1.1;
         return solve(overlap(lines, ample * depth), n_along, load, 0.);
@@ -216,8 +107,9 @@ namespace RollingContact
               const double s = grid.y(j);
               gap.push_back(frame.gap(grid.x(i), s).value_or(beyond));
               if (!share.is_one())
-                shares.push_back(
-                  frame.covers(s) ? std::max(least_share, share(s)) : 1.);
+                shares.push_back(frame.covers(s)
+                                   ? std::max(least_approach_share, share(s))
+                                   : 1.);
             }
         try
           {
@@ -236,7 +128,7 @@ namespace RollingContact
       const Profiles::ContactFrame &frame;
       const ApproachShare           share;
       const double                  modulus;
-      const std::vector<Line>       lines;
+      const std::vector<GapLine>    lines;
     };
 
 

@@ -6,6 +6,7 @@
 #include <rolling_contact/profiles/nominal_profiles.h>
 #include <rolling_contact/scene/profile_parameters.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace RollingContact
@@ -23,11 +24,6 @@ namespace RollingContact
                                                          Mirror::y_and_z}};
 
     const double flange_back_to_tape_circle = 0.07; // m
-
-    const std::vector<std::string> wheel_names{"S1002"},
-      rail_names{"60E1", "60E1 Manchester"};
-
-
 
     void
     check_range(const std::string &entry,
@@ -228,17 +224,6 @@ namespace RollingContact
 
 
 
-  Profiles::FileOptions
-  ProfileParameters::file_options(const Mirror mirror) const
-  {
-    return {file_unit,
-            mirror == Mirror::y || mirror == Mirror::y_and_z,
-            mirror == Mirror::z || mirror == Mirror::y_and_z,
-            smoothing_length};
-  }
-
-
-
   double
   ProfileParameters::slope_of_inclination() const
   {
@@ -264,81 +249,6 @@ namespace RollingContact
   ProfileParameters::tape_circle() const
   {
     return flange_back_distance / 2 + flange_back_to_tape_circle;
-  }
-
-
-
-  bool
-  ProfileParameters::has_files() const
-  {
-    return (!wheel_profile.empty() && wheel_profile != "S1002") ||
-           (!rail_profile.empty() && rail_profile != "60E1" &&
-            rail_profile != "60E1 Manchester");
-  }
-
-
-
-  namespace
-  {
-    /**
-     * The file of a profile that has none of the names. Throws InputError if
-     * there is none, with the names.
-     */
-    std::filesystem::path
-    file_of_profile(const std::string              &entry,
-                    const std::string              &profile,
-                    const std::vector<std::string> &names,
-                    const std::filesystem::path    &prm_folder)
-    {
-      const std::filesystem::path file = prm_folder / profile;
-      std::error_code             failed;
-      if (std::filesystem::exists(file, failed))
-        return file;
-      std::string known;
-      for (const std::string &name : names)
-        known += (known.empty() ? "" : " or ") + name;
-      throw InputError("Profiles/" + entry + " = " + profile + ": give " +
-                       known +
-                       ", or the name of a file; there is no such "
-                       "file as " +
-                       file.string() + ".");
-    }
-  } // namespace
-
-
-
-  Profiles::ProfileCurve
-  ProfileParameters::wheel(const std::filesystem::path &prm_folder) const
-  {
-    return wheel_profile.empty() || wheel_profile == "S1002"
-             ? Profiles::s1002()
-             : Profiles::read_profile(file_of_profile("Wheel profile",
-                                                      wheel_profile,
-                                                      wheel_names,
-                                                      prm_folder),
-                                      Profiles::ProfileKind::wheel,
-                                      file_options(wheel_mirror));
-  }
-
-
-
-  Profiles::ProfileCurve
-  ProfileParameters::rail(const std::filesystem::path &prm_folder) const
-  {
-    const Profiles::ProfileCurve section =
-      rail_profile.empty() || rail_profile == "60E1" ? Profiles::rail_60e1()
-      : rail_profile == "60E1 Manchester"
-        ? Profiles::rail_60e1_manchester()
-        : Profiles::read_profile(file_of_profile("Rail profile",
-                                                 rail_profile,
-                                                 rail_names,
-                                                 prm_folder),
-                                 Profiles::ProfileKind::rail,
-                                 file_options(rail_mirror));
-    return Profiles::placed_rail(section,
-                                 slope_of_inclination(),
-                                 gauge,
-                                 gauge_height);
   }
 
 

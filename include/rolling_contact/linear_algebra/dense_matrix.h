@@ -70,6 +70,20 @@ namespace RollingContact
                    const std::vector<double> &x,
                    std::vector<double>       &result) const;
 
+    /**
+     * Product of the block of @p n_rows that starts there with x.
+     */
+    std::vector<double>
+    block_product(const std::size_t          first_row,
+                  const std::size_t          first_column,
+                  const std::size_t          n_rows,
+                  const std::vector<double> &x) const
+    {
+      std::vector<double> result(n_rows, 0.);
+      multiply_block(first_row, first_column, x, result);
+      return result;
+    }
+
     std::size_t
     memory_consumption() const
     {

@@ -86,11 +86,24 @@ namespace RollingContact
     std::shared_ptr<const PlacedProfile>
     placed_rail() const;
 
+    /** How the file of a profile is read that is mirrored so. */
+    Profiles::FileOptions
+    file_options(const Mirror mirror) const;
+
     /**
-     * Whether a profile is that of a file.
+     * Whether a profile is that of a file, and has no name of its own.
      */
     bool
-    has_files() const;
+    wheel_is_file() const;
+
+    bool
+    rail_is_file() const;
+
+    bool
+    has_files() const
+    {
+      return wheel_is_file() || rail_is_file();
+    }
 
     /**
      * The tape circle's distance from the middle of the wheelset.
@@ -154,9 +167,6 @@ namespace RollingContact
 
     void
     declare_table(dealii::ParameterHandler &prm);
-
-    Profiles::FileOptions
-    file_options(const Mirror mirror) const;
 
     double
     slope_of_inclination() const;
