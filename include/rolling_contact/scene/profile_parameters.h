@@ -86,10 +86,6 @@ namespace RollingContact
     std::shared_ptr<const PlacedProfile>
     placed_rail() const;
 
-    /** How the file of a profile is read that is mirrored so. */
-    Profiles::FileOptions
-    file_options(const Mirror mirror) const;
-
     /**
      * Whether a profile is that of a file, and has no name of its own.
      */
@@ -126,6 +122,10 @@ namespace RollingContact
       z,
       y_and_z
     };
+
+    /** How the file of a profile is read that is mirrored so. */
+    Profiles::FileOptions
+    file_options(const Mirror mirror) const;
 
     std::string wheel_profile, rail_profile; ///< none: the shapes of the bodies
     std::string inclination = "1/40";
