@@ -162,8 +162,10 @@ namespace RollingContact
       else if (analysis_kind(scene.analysis).resumption)
         folder.reopen(analysis_kind(scene.analysis).resumption(scene));
       else
-        throw InputError("--resume with Analysis = " + scene.analysis +
-                         ": only a transient run and a table can be resumed.");
+        throw InputError(
+          "--resume with Analysis = " + scene.analysis +
+          ": this analysis starts anew; those that can be resumed are "
+          "transient, table, stability map and limit cycle.");
     }
 
 
@@ -219,6 +221,7 @@ namespace RollingContact
             ->run();
           if (report.n_ranks > 1)
             report.rank_totals = totals_of_ranks(timer);
+          results.flush();
         }
       catch (...)
         {
@@ -228,7 +231,6 @@ namespace RollingContact
           finish_failed(failure.status);
           throw;
         }
-      results.flush();
       write(RunStatus::done);
       summarise_run(context);
     }
