@@ -162,9 +162,10 @@ namespace RollingContact
       else if (analysis_kind(scene.analysis).resumption)
         folder.reopen(analysis_kind(scene.analysis).resumption(scene));
       else
-        throw InputError("--resume with Analysis = " + scene.analysis +
-                         ": only a transient run, a table, a stability map and "
-                         "limit cycles can be resumed.");
+        throw InputError(
+          "--resume with Analysis = " + scene.analysis +
+          ": this analysis starts anew; those that can be resumed are "
+          "transient, table, stability map and limit cycle.");
     }
 
 
@@ -230,6 +231,7 @@ namespace RollingContact
             ->run();
           if (report.n_ranks > 1)
             report.rank_totals = totals_of_ranks(timer);
+          results.flush();
         }
       catch (...)
         {
@@ -242,7 +244,6 @@ namespace RollingContact
             log.message("The same command with --resume goes on from here.");
           throw;
         }
-      results.flush();
       write(RunStatus::done);
       summarise_run(context);
     }

@@ -56,7 +56,14 @@ namespace RollingContact
           " of address space, of which " +
           human_bytes(static_cast<double>(address_space_left())) +
           " are left: raise the limit (ulimit -v).");
+      // without a helper of its own, which would need room for files as well
+      const char alone[] = "OMPI_MCA_ess_singleton_isolated";
+      const bool is_set  = std::getenv(alone) != nullptr;
+      if (!is_set)
+        setenv(alone, "1", 1);
       MPI_Init(nullptr, nullptr);
+      if (!is_set)
+        unsetenv(alone);
       std::atexit([]() {
         int has_ended = 0;
         MPI_Finalized(&has_ended);

@@ -1,7 +1,7 @@
 #include <hdf5.h>
 #include <hdf5_hl.h>
 
-#include <rolling_contact/base/files.h>
+#include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/run/hdf5_file.h>
 
 #include <type_traits>
@@ -45,6 +45,11 @@ namespace RollingContact
 
 
 
+    /// by which the file grows in memory, bytes
+    const std::size_t memory_step = std::size_t(1) << 20;
+
+
+
     /**
      * A type for texts of any length, which readers take for such.
      */
@@ -65,8 +70,10 @@ namespace RollingContact
     , file(-1)
   {
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); // it is said by exceptions
-    file = succeeded(
-      H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
+    const Handle in_memory(H5Pcreate(H5P_FILE_ACCESS), &H5Pclose);
+    succeeded(H5Pset_fapl_core(in_memory, memory_step, false));
+    file =
+      succeeded(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, in_memory));
   }
 
 
@@ -83,8 +90,9 @@ namespace RollingContact
   Hdf5File::succeeded(const Id result) const
   {
     if (result < 0)
-      throw_write_error(path_of_file,
-                        "HDF5 cannot write it; is the disk full?");
+      throw MemoryError("Cannot make \"" + path_of_file.string() +
+                        "\": HDF5 has not enough memory for it. Take a table "
+                        "of fewer states.");
     return result;
   }
 
@@ -191,11 +199,12 @@ namespace RollingContact
 
 
 
-  void
-  Hdf5File::close()
+  std::string
+  Hdf5File::bytes() const
   {
-    const Id open = file;
-    file          = -1;
-    succeeded(H5Fclose(open));
+    succeeded(H5Fflush(file, H5F_SCOPE_LOCAL));
+    std::string image(succeeded(H5Fget_file_image(file, nullptr, 0)), '\0');
+    succeeded(H5Fget_file_image(file, image.data(), image.size()));
+    return image;
   }
 } // namespace RollingContact

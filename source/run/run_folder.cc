@@ -67,7 +67,8 @@ namespace RollingContact
     : folder(folder)
     , original_prm(original_prm)
     , used_prm(used_prm)
-    , record("\"status\": \"running\"")
+    // until the run itself says more: no scene could be written
+    , record("\"status\": \"failed\"")
     , lock_descriptor(-1)
   {}
 

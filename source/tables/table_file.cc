@@ -242,8 +242,9 @@ namespace RollingContact
                    const SceneParameters &scene,
                    RunContext            &context)
   {
+    const std::string name = "table.h5";
     const TableArrays arrays(plan, context.results);
-    TableFile         table(plan, context.folder.temporary("table.h5"));
+    TableFile         table(plan, context.folder.get_path() / name);
     table.file.set_attribute("/",
                              "program",
                              "rolling-contact " + context.report.version);
@@ -283,7 +284,6 @@ namespace RollingContact
     bound("max_pressure_Pa",
           "bound_max_pressure",
           arrays.column("max_pressure_Pa"));
-    table.file.close();
-    context.folder.publish("table.h5");
+    context.folder.write_atomically(name, table.file.bytes());
   }
 } // namespace RollingContact

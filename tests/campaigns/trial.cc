@@ -29,6 +29,11 @@ namespace
    */
   const double invariant_limit = 1.01e-10;
 
+  /**
+   * The largest residual of a mode, of omega^2.
+   */
+  const double residual_limit = 1e-6;
+
 
 
   std::vector<std::string>
@@ -192,6 +197,8 @@ Trial::complaint() const
     return "exit " + std::to_string(exit_code);
   if (rows.empty())
     return "no results";
+  if (!(largest("residual") <= residual_limit))
+    return "residual " + short_number(largest("residual"));
   const auto worst = worst_invariant();
   if (!(worst.first <= invariant_limit))
     return "invariant " + worst.second + " " + short_number(worst.first);
@@ -227,9 +234,9 @@ run_trial(const std::string              &program,
                 usage.ru_stime.tv_sec + 1e-6 * usage.ru_stime.tv_usec;
   std::ifstream messages(folder + ".err");
   trial.messages.assign(std::istreambuf_iterator<char>(messages), {});
-  const fs::path results = fs::path(folder) / "results.csv",
-                 history = fs::path(folder) / "history.csv";
-  trial.rows             = read_table(fs::exists(history) ? history : results);
+  for (const char *name : {"history.csv", "results.csv", "modes.csv"})
+    if (trial.rows.empty())
+      trial.rows = read_table(fs::path(folder) / name);
   return trial;
 }
 

@@ -324,7 +324,7 @@ BOOST_FIXTURE_TEST_CASE(run_folder_is_created_by_open, ScratchFolder)
   const ptree record = read_json(folder / "run.json");
   BOOST_TEST(record.front().first == "program");
   BOOST_TEST(record.get<std::string>("program") == "rolling-contact");
-  BOOST_TEST(record.get<std::string>("status") == "running");
+  BOOST_TEST(record.get<std::string>("status") == "failed");
   BOOST_TEST(RunFolder::default_path("prm/carter.2d.prm") ==
              fs::path("output/carter.2d"));
 }

@@ -9,11 +9,11 @@
 namespace RollingContact
 {
   /**
-   * An HDF5 file that is written once: groups, arrays of numbers, texts, and
-   * the axes of arrays as dimension scales, which readers of HDF5 and netCDF
-   * know. Every function throws InputError naming the file if it cannot be
-   * written. The same contents make the same bytes. For one process, and one
-   * thread at a time of all that use HDF5.
+   * An HDF5 file that is made once, in memory: groups, arrays of numbers,
+   * texts, and the axes of arrays as dimension scales, which readers of HDF5
+   * and netCDF know. Every function throws MemoryError naming the file if it
+   * does not fit into the memory. The same contents make the same bytes. For
+   * one process, and one thread at a time of all that use HDF5.
    */
   class Hdf5File
   {
@@ -22,9 +22,9 @@ namespace RollingContact
      * fastest. */
     using Shape = std::vector<std::size_t>;
 
+    /** The @p file is for messages; nothing is written to it. */
     explicit Hdf5File(const std::filesystem::path &file);
 
-    /** Closes the file, if that is not done; errors are lost. */
     ~Hdf5File();
 
     Hdf5File(const Hdf5File &) = delete;
@@ -61,8 +61,10 @@ namespace RollingContact
                 const std::size_t  d,
                 const std::string &axis);
 
-    void
-    close();
+    /** What is to stand in the file, with all that was added so far. A library
+     * that writes to a full disk itself crashes when the program ends. */
+    std::string
+    bytes() const;
 
   private:
     using Id = std::int64_t;
@@ -73,7 +75,7 @@ namespace RollingContact
                 const Id           type,
                 const void        *values);
 
-    /** Throws InputError unless it is the result of a success. */
+    /** Throws MemoryError unless it is the result of a success. */
     Id
     succeeded(const Id result) const;
 
