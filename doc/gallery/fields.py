@@ -109,7 +109,7 @@ def bodies(picture, folder):
     view.CameraViewUp = [0, 0, 1]
     view.CameraFocalPoint, view.CameraPosition = [0, 0, 0.33], [1.6, -1.9, 1.0]
     pv.ResetCamera(view)
-    view.GetActiveCamera().Zoom(1.35)
+    view.GetActiveCamera().Zoom(1.2)
     pv.SaveScreenshot(picture, view)
 
 

@@ -21,5 +21,6 @@ html_copy_source = False
 html_show_sphinx = False
 html_show_search_summary = False  # browsers forbid its requests in pages of a disk
 pygments_style = "tango"
+highlight_language = "none"
 myst_heading_anchors = 4
 suppress_warnings = ["myst.header"]  # a page may begin with a lower heading after the contents

@@ -11,6 +11,7 @@ import re
 import xml.etree.ElementTree as Xml
 
 from docutils import nodes
+from sphinx.transforms import SphinxTransform
 from sphinx.transforms.post_transforms import SphinxPostTransform
 from sphinx.util.docutils import SphinxDirective
 
@@ -78,8 +79,28 @@ class CodeLeads(SphinxPostTransform):
                 entry.replace_self(link)
 
 
+def scene_block(text, source):
+    """A block of code with the entries of a scene as nodes that CodeLeads makes links of."""
+    # Sphinx colours a block whose source is its text, and leaves others as they are
+    block, section = nodes.literal_block(source, classes=["scene"]), ""
+    for line in text.rstrip().splitlines():
+        if SECTION.match(line):
+            section = SECTION.match(line)[1] + "/"
+        elif END.match(line):
+            section = ""
+        entry = ENTRY.match(line)
+        code, mark, comment = (entry[3] if entry else line).partition("#")
+        if entry:
+            block += nodes.Text(entry[1])
+            block += nodes.inline("", entry[2], entry=section + entry[2])
+        block += nodes.Text(code)
+        block += nodes.inline("", mark + comment, classes=["comment"])
+        block += nodes.Text("\n")
+    return block
+
+
 class Scene(SphinxDirective):
-    """A .prm file whose entries are links."""
+    """A .prm file."""
 
     required_arguments = 1
     final_argument_whitespace = True
@@ -87,27 +108,24 @@ class Scene(SphinxDirective):
     def run(self):
         path = pathlib.Path(self.arguments[0])
         self.env.note_dependency(str(path))
-        # Sphinx colours a block whose source is its text, and leaves others as they are
-        block, section = nodes.literal_block(str(path), classes=["scene"]), ""
-        text = path.read_text(encoding="utf-8").rstrip()
-        for line in text.splitlines():
-            if SECTION.match(line):
-                section = SECTION.match(line)[1] + "/"
-            elif END.match(line):
-                section = ""
-            entry = ENTRY.match(line)
-            code, mark, comment = (entry[3] if entry else line).partition("#")
-            if entry:
-                block += nodes.Text(entry[1])
-                block += nodes.inline("", entry[2], entry=section + entry[2])
-            block += nodes.Text(code)
-            block += nodes.inline("", mark + comment, classes=["comment"])
-            block += nodes.Text("\n")
-        return [block]
+        return [scene_block(path.read_text(encoding="utf-8"), str(path))]
+
+
+class ScenesInText(SphinxTransform):
+    """Blocks of code without a language that set entries are parts of scenes."""
+
+    default_priority = 200
+
+    def apply(self):
+        for block in list(self.document.findall(nodes.literal_block)):
+            text = block.astext()
+            if block.get("language", "none") in ("none", "default") and re.search(r"^ *(set|subsection) ", text, re.M):
+                block.replace_self(scene_block(text, "a part of a scene"))
 
 
 def setup(app):
     app.add_object_type("entry", "entry", indextemplate="single: %s", objname="entry of a scene")
     app.add_directive("scene", Scene)
+    app.add_transform(ScenesInText)
     app.add_post_transform(CodeLeads)
     return {"parallel_read_safe": True, "parallel_write_safe": False}
