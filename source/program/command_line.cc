@@ -15,7 +15,7 @@ namespace RollingContact
   {
     const char *usage =
       "Usage: rolling-contact FILE.prm [--set \"Section/Entry=value\"]... "
-      "[--output DIR] [--resume]";
+      "[OPTION]...";
 
     options::options_description
     visible_options()
@@ -72,8 +72,7 @@ namespace RollingContact
     text
       << line(usage) << '\n'
       << line(
-           "Rolling contact with friction of wheel and rail, steady and in time, by "
-           "finite elements.")
+           "Rolling contact with friction of wheel and rail by finite elements.")
       << '\n'
       << visible_options() << '\n'
       << line("Exit codes: 0 done and converged, 1 input error, 2 not "
