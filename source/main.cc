@@ -162,10 +162,9 @@ namespace RollingContact
       else if (analysis_kind(scene.analysis).resumption)
         folder.reopen(analysis_kind(scene.analysis).resumption(scene));
       else
-        throw InputError(
-          "--resume with Analysis = " + scene.analysis +
-          ": this analysis starts anew; those that can be resumed are "
-          "transient, table, stability map and limit cycle.");
+        throw InputError("--resume with Analysis = " + scene.analysis +
+                         ": only a transient run, a table, a stability map and "
+                         "limit cycles can be resumed.");
     }
 
 
