@@ -72,11 +72,12 @@ namespace RollingContact
                       lowest_frequency,
                       "First frequency of the receptances. Units: Hz.",
                       not_negative);
-    prm.add_parameter("Highest frequency",
-                      highest_frequency,
-                      "Last frequency of the receptances; modes are found up to "
-                      "Modes/Cut-off ratio times it. Units: Hz.",
-                      not_negative);
+    prm.add_parameter(
+      "Highest frequency",
+      highest_frequency,
+      "Last frequency of the receptances; modes are found up to "
+      "Modes/Cut-off ratio times it. Units: Hz.",
+      not_negative);
     prm.add_parameter("Frequencies per octave",
                       per_octave,
                       "Frequencies in a doubling, with equal ratios; those of "

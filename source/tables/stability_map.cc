@@ -281,8 +281,7 @@ namespace RollingContact
         {"growth of the fastest vibration",
          std::abs(proof->finding.growth() / proof->finding.mode.growth() - 1),
          "itself",
-         "that of the whole bodies, state " +
-           std::to_string(proof->state),
+         "that of the whole bodies, state " + std::to_string(proof->state),
          false,
          ""});
     if (n_contact > 0)
