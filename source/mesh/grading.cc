@@ -29,6 +29,40 @@ namespace RollingContact
 
 
   template <int dim>
+  Grading<dim>
+  Grading<dim>::of_coupled_body() const
+  {
+    const double       share    = 0.8; // beyond check_resolution()'s 1 / 1.2
+    const unsigned int n_around = 2;
+    Grading            grading  = *this;
+    grading.make_even_in_x();
+    grading.element_size_x *= share;
+    grading.element_size_y *= share;
+    grading.deeper = 1.4;
+    grading.enlarge_zone(n_around);
+    return grading;
+  }
+
+
+
+  template <int dim>
+  void
+  Grading<dim>::make_even_in_x()
+  {
+    zone_x   = semi_axis_x() + std::abs(centre_x());
+    upstream = 0;
+    // boxes about the contact point; patches elsewhere stay where they are
+    for (ZoneBox &box : zone_boxes)
+      if (std::abs(box.lower[0] + box.upper[0]) < 1.5 * element_size_x)
+        {
+          box.upper[0] = std::max(box.upper[0], -box.lower[0]);
+          box.lower[0] = -box.upper[0];
+        }
+  }
+
+
+
+  template <int dim>
   bool
   Grading<dim>::in_zone(const Point<dim - 1> &lower,
                         const Point<dim - 1> &upper) const

@@ -8,6 +8,7 @@
 #include <rolling_contact/modes/structural_modes.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -32,39 +33,6 @@ namespace RollingContact
 
 
 
-    /**
-     * Residual of each mode, and how far the modes are from orthonormal.
-     */
-    void
-    examine(const SymmetricSparseMatrix &K,
-            const SymmetricSparseMatrix &M,
-            StructuralModes             &modes)
-    {
-      const std::size_t n = K.size(), m = modes.size();
-      const DenseMatrix KX = times(K, modes.shapes),
-                        MX = times(M, modes.shapes),
-                        G  = transposed_product(modes.shapes, MX);
-      for (std::size_t j = 0; j < m; ++j)
-        {
-          const double lambda = modes.eigenvalue(j),
-                       scale  = modes.frequencies[j] < rigid * modes.cut_off
-                                  ? eigenvalue_of(modes.cut_off)
-                                  : lambda;
-          double rest = 0., inertia = 0.;
-          for (std::size_t i = 0; i < n; ++i)
-            {
-              rest += std::pow(KX(i, j) - lambda * MX(i, j), 2);
-              inertia += std::pow(MX(i, j), 2);
-            }
-          modes.residuals.push_back(std::sqrt(rest / inertia) / scale);
-          for (std::size_t i = 0; i < m; ++i)
-            modes.orthogonality =
-              std::max(modes.orthogonality, std::abs(G(i, j) - (i == j)));
-        }
-    }
-
-
-
     /** How many modes there are below the cut-off, by inertia. */
     std::size_t
     count(const SymmetricSparseMatrix     &K,
@@ -74,6 +42,134 @@ namespace RollingContact
     {
       return n_negative_eigenvalues(
         linear_combination(1., K, -eigenvalue_of(cut_off), M), node_of_unknown);
+    }
+
+
+
+    double
+    orthogonality_of(const DenseMatrix &X, const SymmetricSparseMatrix &M)
+    {
+      const DenseMatrix G      = projected(M, X);
+      double            result = 0.;
+      for (std::size_t j = 0; j < G.n_columns(); ++j)
+        for (std::size_t i = 0; i < G.n_rows(); ++i)
+          result = std::max(result, std::abs(G(i, j) - (i == j)));
+      return result;
+    }
+
+
+
+    /** Count the modes of a space and find them; adds to what the search of
+     * all took. */
+    EigenPairs
+    modes_of_subspace(const SymmetricSparseMatrix     &K,
+                      const SymmetricSparseMatrix     &M,
+                      const Factorisation             *factor,
+                      const double                     shift,
+                      const std::vector<unsigned int> &node_of_unknown,
+                      const ModeControls              &controls,
+                      StructuralModes                 &modes)
+    {
+      const Stopwatch            counting;
+      std::optional<std::size_t> number;
+      if (controls.count)
+        {
+          number        = count(K, M, node_of_unknown, controls.cut_off);
+          modes.counted = modes.counted.value_or(0) + *number;
+        }
+      modes.count_seconds += counting.seconds();
+
+      const Stopwatch              watch;
+      std::optional<Factorisation> own;
+      if (factor == nullptr)
+        {
+          own.emplace(shift > 0. ? linear_combination(1., K, shift, M) : K,
+                      node_of_unknown);
+          own->factorise();
+        }
+      LanczosControls lanczos;
+      lanczos.largest    = eigenvalue_of(controls.cut_off);
+      lanczos.shift      = shift;
+      lanczos.tolerance  = sharper * controls.tolerance;
+      lanczos.block_size = controls.block_size;
+      lanczos.number     = number;
+      lanczos.interrupt  = controls.interrupt;
+      EigenPairs pairs   = block_lanczos(factor ? *factor : *own, M, lanczos);
+      if (number && *number != pairs.values.size())
+        throw ConvergenceError(
+          "Of " + std::to_string(*number) + " modes below " +
+          significant(modes.cut_off, 6) +
+          " Hz, counted by the inertia of K - omega^2 M, " +
+          std::to_string(pairs.values.size()) +
+          " were found. A mode may lie at that frequency: change Modes/Maximum "
+          "frequency or Cut-off ratio a little.");
+      modes.n_solves += pairs.n_solves;
+      modes.n_basis = std::max(modes.n_basis, pairs.n_basis);
+      modes.basis_bytes =
+        std::max(modes.basis_bytes, pairs.n_basis * K.size() * sizeof(double));
+      modes.orthogonality =
+        std::max(modes.orthogonality, orthogonality_of(pairs.vectors, M));
+      modes.lanczos_seconds += watch.seconds();
+      return pairs;
+    }
+
+
+
+    /** Residual of each mode, of K and M of the whole structure. */
+    void
+    examine(const SymmetricSparseMatrix &K,
+            const SymmetricSparseMatrix &M,
+            StructuralModes             &modes)
+    {
+      const std::size_t   n = K.size();
+      std::vector<double> phi(n), Kphi(n), Mphi(n);
+      for (std::size_t j = 0; j < modes.size(); ++j)
+        {
+          std::copy_n(modes.shapes.data() + j * n, n, phi.begin());
+          K.multiply(phi, Kphi);
+          M.multiply(phi, Mphi);
+          const double lambda = modes.eigenvalue(j),
+                       scale  = modes.frequencies[j] < rigid * modes.cut_off
+                                  ? eigenvalue_of(modes.cut_off)
+                                  : lambda;
+          double rest = 0., inertia = 0.;
+          for (std::size_t i = 0; i < n; ++i)
+            {
+              rest += std::pow(Kphi[i] - lambda * Mphi[i], 2);
+              inertia += std::pow(Mphi[i], 2);
+            }
+          modes.residuals.push_back(std::sqrt(rest / inertia) / scale);
+        }
+    }
+
+
+
+    /** Modes of several spaces by ascending frequency, as shapes of the whole.
+     */
+    void
+    merge(const std::vector<InvariantSubspace> &spaces,
+          const std::vector<EigenPairs>        &parts,
+          const std::size_t                     n_unknowns,
+          StructuralModes                      &modes)
+    {
+      std::vector<std::array<std::size_t, 2>> order;
+      for (std::size_t p = 0; p < parts.size(); ++p)
+        for (std::size_t k = 0; k < parts[p].values.size(); ++k)
+          order.push_back({{p, k}});
+      std::stable_sort(order.begin(),
+                       order.end(),
+                       [&](const auto &a, const auto &b) {
+                         return parts[a[0]].values[a[1]] <
+                                parts[b[0]].values[b[1]];
+                       });
+      modes.shapes = DenseMatrix(n_unknowns, order.size());
+      for (std::size_t j = 0; j < order.size(); ++j)
+        {
+          const auto [p, k] = order[j];
+          modes.frequencies.push_back(
+            std::sqrt(std::max(0., parts[p].values[k])) / (2 * pi));
+          spaces[p].extend(parts[p].vectors, k, modes.shapes, j);
+        }
     }
   } // namespace
 
@@ -101,38 +197,27 @@ namespace RollingContact
                    const Factorisation             &factor,
                    const double                     shift,
                    const std::vector<unsigned int> &node_of_unknown,
-                   const ModeControls              &controls)
+                   const ModeControls              &controls,
+                   const std::vector<Reflection>   &reflections)
   {
     StructuralModes modes;
-    const Stopwatch counting;
-    if (controls.count)
-      modes.counted = count(K, M, node_of_unknown, controls.cut_off);
-    modes.count_seconds = counting.seconds();
-
-    const Stopwatch watch;
-    LanczosControls lanczos;
-    lanczos.largest    = eigenvalue_of(controls.cut_off);
-    lanczos.shift      = shift;
-    lanczos.tolerance  = sharper * controls.tolerance;
-    lanczos.block_size = controls.block_size;
-    lanczos.number     = modes.counted;
-    lanczos.interrupt  = controls.interrupt;
-    EigenPairs pairs   = block_lanczos(factor, M, lanczos);
-    for (const double lambda : pairs.values)
-      modes.frequencies.push_back(std::sqrt(std::max(0., lambda)) / (2 * pi));
-    modes.shapes          = std::move(pairs.vectors);
-    modes.cut_off         = controls.cut_off;
-    modes.n_solves        = pairs.n_solves;
-    modes.n_basis         = pairs.n_basis;
-    modes.lanczos_seconds = watch.seconds();
-    if (modes.counted && *modes.counted != modes.size())
-      throw ConvergenceError(
-        "Of " + std::to_string(*modes.counted) + " modes below " +
-        significant(modes.cut_off, 6) +
-        " Hz, counted by the inertia of K - omega^2 M, " +
-        std::to_string(modes.size()) +
-        " were found. A mode may lie at that frequency: change Modes/Maximum "
-        "frequency or Cut-off ratio a little.");
+    modes.cut_off     = controls.cut_off;
+    const auto spaces = invariant_subspaces(reflections, K.size());
+    modes.n_subspaces = spaces.size();
+    std::vector<EigenPairs> parts;
+    for (const InvariantSubspace &space : spaces)
+      parts.push_back(
+        spaces.size() == 1
+          ? modes_of_subspace(
+              K, M, &factor, shift, node_of_unknown, controls, modes)
+          : modes_of_subspace(space.restricted(K),
+                              space.restricted(M),
+                              nullptr,
+                              shift,
+                              space.nodes_of_columns(node_of_unknown),
+                              controls,
+                              modes));
+    merge(spaces, parts, K.size(), modes);
     examine(K, M, modes);
     return modes;
   }

@@ -2,6 +2,7 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/modes/absorber_places.h>
+#include <rolling_contact/modes/body_reflections.h>
 #include <rolling_contact/modes/measuring_point.h>
 #include <rolling_contact/parallel/interrupt.h>
 #include <rolling_contact/vibration/vibrating_body.h>
@@ -163,8 +164,13 @@ namespace RollingContact
                           std::to_string(body->n_unknowns()) +
                           " unknowns up to " + significant(cut_off, 4) +
                           " Hz.");
-    modes = structural_modes(
-      K, M, *factor, shift, body->nodes_of_unknowns(), controls);
+    modes           = structural_modes(K,
+                             M,
+                             *factor,
+                             shift,
+                             body->nodes_of_unknowns(),
+                             controls,
+                             body_reflections(places, K, M));
     const auto axle = parameters.body_shape()->axle();
     characters      = mode_characters(places, axle, modes);
     const MeasuringPoint contact(places, {{0., 0., 0.}}, 0.);
@@ -180,7 +186,10 @@ namespace RollingContact
       (modes.counted ? ", as many as the inertia counts" : ", not counted") +
       "; residuals below " + significant(worst, 2) + ", orthogonal to " +
       significant(modes.orthogonality, 2) + "; " +
-      std::to_string(modes.n_solves) + " solves, " +
+      std::to_string(modes.n_solves) + " solves" +
+      (modes.n_subspaces > 1 ? " in " + std::to_string(modes.n_subspaces) +
+                                 " parts by planes of symmetry, "
+                             : ", ") +
       human_seconds(modes.lanczos_seconds) + ".");
     if (worst > wanted.tolerance)
       context.log.warning(
@@ -198,7 +207,7 @@ namespace RollingContact
       {"modes of the " + name_of(side) + ", a Krylov space of " +
          std::to_string(modes.n_basis),
        true,
-       (modes.n_basis + modes.size()) * K.size() * sizeof(double),
+       modes.basis_bytes + modes.size() * K.size() * sizeof(double),
        modes.lanczos_seconds,
        ""});
     context.report.objects.push_back(

@@ -110,20 +110,12 @@ namespace RollingContact
      * That of a body which is coupled by a mortar to an interface of this
      * grading: elements shorter than the interface's, in a zone larger by some
      * of them, so that none hangs where they are coupled. Its cells are halved
-     * in all directions at once: some more depth saves many.
+     * in all directions at once: some more depth saves many. The zone reaches
+     * as far downstream as upstream, as a body that is its own mirror image has
+     * its modes found in halves.
      */
     Grading
-    of_coupled_body() const
-    {
-      const double       share    = 0.8; // beyond check_resolution()'s 1 / 1.2
-      const unsigned int n_around = 2;
-      Grading            grading  = *this;
-      grading.element_size_x *= share;
-      grading.element_size_y *= share;
-      grading.deeper = 1.4;
-      grading.enlarge_zone(n_around);
-      return grading;
-    }
+    of_coupled_body() const;
 
     /**
      * Elements across the patch that the mesh was made for.
@@ -226,6 +218,12 @@ namespace RollingContact
                  const dealii::Point<dim> &upper) const;
 
   private:
+    /**
+     * The zone longer by an element on its downstream side too.
+     */
+    void
+    make_even_in_x();
+
     /**
      * Distance of the box [lower, upper] of the chart from the zone along the
      * surface, measured in x.

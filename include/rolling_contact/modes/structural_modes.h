@@ -3,6 +3,7 @@
 
 #include <rolling_contact/linear_algebra/dense_matrix.h>
 #include <rolling_contact/linear_algebra/factorisation.h>
+#include <rolling_contact/linear_algebra/reflection.h>
 #include <rolling_contact/linear_algebra/symmetric_sparse_matrix.h>
 
 #include <functional>
@@ -51,7 +52,9 @@ namespace RollingContact
     std::optional<std::size_t> counted;
 
     std::size_t n_solves        = 0; ///< of columns
-    std::size_t n_basis         = 0; ///< dimension of the Krylov space
+    std::size_t n_subspaces     = 1; ///< in which modes were looked for
+    std::size_t n_basis         = 0; ///< of the largest Krylov space, columns
+    std::size_t basis_bytes     = 0; ///< of the largest Krylov space
     double      lanczos_seconds = 0.;
     double      count_seconds   = 0.;
 
@@ -74,7 +77,10 @@ namespace RollingContact
   shift_of_free_body(const double cut_off);
 
   /**
-   * All modes up to the cut-off, from the factor of K + shift M. Throws
+   * All modes up to the cut-off, from the factor of K + shift M. With
+   * @p reflections that change neither K nor M, modes are even or odd under
+   * each: they are found in one invariant subspace after the other, with a
+   * factor of its own for each and without the one given. Throws
    * ConvergenceError if the inertia counts others than were found.
    */
   StructuralModes
@@ -83,7 +89,8 @@ namespace RollingContact
                    const Factorisation             &factor,
                    const double                     shift,
                    const std::vector<unsigned int> &node_of_unknown,
-                   const ModeControls              &controls);
+                   const ModeControls              &controls,
+                   const std::vector<Reflection>   &reflections = {});
 } // namespace RollingContact
 
 #endif
