@@ -58,6 +58,26 @@ namespace RollingContact
       };
       return {trim(text.substr(0, equals)), trim(text.substr(equals + 1))};
     }
+
+
+
+    /** Boost fills these into its messages, and for ever so if a word on the
+     * command line contains them. */
+    void
+    check_placeholders(const std::vector<std::string> &words)
+    {
+      for (const std::string &word : words)
+        for (const std::string placeholder : {"%canonical_option%",
+                                              "%option%",
+                                              "%original_token%",
+                                              "%prefix%",
+                                              "%value%"})
+          if (word.find(placeholder) != std::string::npos)
+            throw InputError("Command line: " + word + " contains " +
+                             placeholder +
+                             ", which no file, folder or entry is named; " +
+                             usage + ", or --help.");
+    }
   } // namespace
 
 
@@ -85,6 +105,7 @@ namespace RollingContact
   CommandLine::CommandLine(const int argc, const char *const *argv)
     : words(argv, argv + argc)
   {
+    check_placeholders(words);
     options::options_description all = visible_options();
     all.add_options()("file", options::value<std::vector<std::string>>());
     options::positional_options_description positional;

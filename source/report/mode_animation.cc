@@ -134,6 +134,20 @@ namespace RollingContact
           }
       return largest;
     }
+
+
+
+    /** Of the box round a body. */
+    template <int dim>
+    double
+    largest_side(const Triangulation<dim> &cells)
+    {
+      const auto box     = GridTools::compute_bounding_box(cells);
+      double     largest = 0.;
+      for (unsigned int d = 0; d < dim; ++d)
+        largest = std::max(largest, box.side_length(d));
+      return largest;
+    }
   } // namespace
 
 
@@ -153,8 +167,7 @@ namespace RollingContact
         for (const auto &cell : handler.active_cell_iterators())
           add_patches(cell, moving, motions.back());
         largest = std::max(largest, largest_motion(motions.back()));
-        extent =
-          std::min(extent, GridTools::diameter(handler.get_triangulation()));
+        extent  = std::min(extent, largest_side(handler.get_triangulation()));
       }
     const double          scale = largest > 0. ? shown * extent / largest : 0.;
     std::vector<PvdBlock> blocks;
