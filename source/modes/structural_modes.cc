@@ -108,6 +108,8 @@ namespace RollingContact
     if (controls.count)
       modes.counted = count(K, M, node_of_unknown, controls.cut_off);
     modes.count_seconds = counting.seconds();
+    if (modes.counted)
+      controls.counted(*modes.counted);
 
     const Stopwatch watch;
     LanczosControls lanczos;
