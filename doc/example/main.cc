@@ -1,3 +1,4 @@
+#include <rolling_contact/sessions/quiet_context.h>
 #include <rolling_contact/state/steady_state.h>
 
 #include <cstdio>
@@ -14,15 +15,10 @@ main()
   scene.mesh.elements_across_patch = 48;
   scene.check();
 
-  RunFolder    folder("nothing_is_written", "", "");
-  ResultsTable results(folder);
-  RunReport    report;
-  PhaseTimer   timer;
-  Log          log(Verbosity::normal);
-  RunContext   context{folder, results, report, timer, log};
+  QuietContext context;
 
   const SteadyState<2> steady =
-    solve_steady_state<2>(scene, StateDemands(), context);
+    solve_steady_state<2>(scene, StateDemands(), context.run);
   const Resultants &result = steady.result;
   std::printf("N = %.1f N, T = %.1f N, half-width %.4f mm, converged %d\n",
               result.normal_force,

@@ -1,3 +1,4 @@
+#include <rolling_contact/sessions/quiet_context.h>
 #include <rolling_contact/solvers/falling_friction.h>
 #include <rolling_contact/solvers/normal_active_set.h>
 #include <rolling_contact/state/steady_state.h>
@@ -173,14 +174,10 @@ main()
   scene.mesh.elements_across_patch = 24;
   scene.check();
 
-  RunFolder    folder("nothing_is_written", "", "");
-  ResultsTable results(folder);
-  RunReport    report;
-  PhaseTimer   timer;
-  Log          log(Verbosity::normal);
-  RunContext   context{folder, results, report, timer, log};
+  QuietContext context;
 
-  SteadyState<2> steady = solve_steady_state<2>(scene, StateDemands(), context);
+  SteadyState<2> steady =
+    solve_steady_state<2>(scene, StateDemands(), context.run);
   ContactProblem      &problem = steady.problem;
   const SolverControls controls;
   const auto           library = make_contact_solver("automatic", controls);

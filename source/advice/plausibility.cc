@@ -46,6 +46,8 @@ namespace RollingContact
       void
       check_material(const BodyParameters &body);
       void
+      check_modal_damping(const BodyParameters &body);
+      void
       check_model(const BodyParameters &body);
       void
       check_approach();
@@ -67,6 +69,21 @@ namespace RollingContact
                scene.analysis == "limit cycle" ||
                (scene.analysis == "accuracy study" &&
                 scene.study.varies_time_step);
+      }
+
+      /** Whether the masses of the bodies matter. */
+      bool
+      has_inertia() const
+      {
+        return (is_transient() && scene.time.inertia) || vibrates();
+      }
+
+      /** Whether the analysis is one of modes. */
+      bool
+      vibrates() const
+      {
+        return scene.is_of_structures() || scene.analysis == "stability" ||
+               scene.analysis == "stability map";
       }
 
       const SceneParameters   &scene;
@@ -133,13 +150,32 @@ namespace RollingContact
               E < 2e3       ? significant(E, 6) + "e9 (GPa)"
               : E < softest ? significant(E, 6) + "e6 (MPa)"
                             : "");
-      if (is_transient() && scene.time.inertia &&
+      if (has_inertia() &&
           (density < 100. || density > 3e4)) // foams; osmium has 22.6e3
         doubt(body.section + "/Density",
               density,
               "kg/m^3",
               "steel has 7800 kg/m^3",
               density < 30. ? significant(density, 6) + "e3 (g/cm^3)" : "");
+    }
+
+
+
+    void
+    Doubts::check_modal_damping(const BodyParameters &body)
+    {
+      const std::vector<double> &ratios = body.model.damping.modal;
+      if (body.rigid || ratios.empty() || !(vibrates() || is_transient()))
+        return;
+      const double largest = *std::max_element(ratios.begin(), ratios.end()),
+                   most    = 0.1;
+      if (largest >= most)
+        doubt(body.section + "/Modal damping",
+              largest,
+              "",
+              "damping ratios of steel wheels are 1e-4 to 1e-2",
+              significant(largest, 6) + "e-2 (" + significant(largest, 6) +
+                " %)");
     }
 
 
@@ -328,6 +364,7 @@ namespace RollingContact
         {
           check_sizes(*body);
           check_material(*body);
+          check_modal_damping(*body);
           check_model(*body);
         }
       check_approach();

@@ -33,15 +33,44 @@ namespace RollingContact
 
 
 
-    /** How many modes there are below the cut-off, by inertia. */
-    std::size_t
-    count(const SymmetricSparseMatrix     &K,
-          const SymmetricSparseMatrix     &M,
-          const std::vector<unsigned int> &node_of_unknown,
-          const double                     cut_off)
+    /** K and M of one invariant subspace. */
+    struct Restricted
     {
-      return n_negative_eigenvalues(
-        linear_combination(1., K, -eigenvalue_of(cut_off), M), node_of_unknown);
+      SymmetricSparseMatrix     K, M;
+      std::vector<unsigned int> node_of_unknown;
+    };
+
+
+
+    /**
+     * Where modes are looked for, the whole structure or one of its parts; a
+     * factor of K + shift M if there is one, and their number if it is known.
+     */
+    struct Problem
+    {
+      const SymmetricSparseMatrix     &K, &M;
+      const std::vector<unsigned int> &node_of_unknown;
+      const Factorisation             *factor;
+      std::optional<std::size_t>       number;
+    };
+
+
+
+    /** How many modes there are below the cut-off, by inertia. */
+    void
+    count(std::vector<Problem> &problems, StructuralModes &modes)
+    {
+      const Stopwatch watch;
+      modes.counted = 0;
+      for (Problem &problem : problems)
+        {
+          problem.number = n_negative_eigenvalues(
+            linear_combination(
+              1., problem.K, -eigenvalue_of(modes.cut_off), problem.M),
+            problem.node_of_unknown);
+          *modes.counted += *problem.number;
+        }
+      modes.count_seconds = watch.seconds();
     }
 
 
@@ -59,33 +88,24 @@ namespace RollingContact
 
 
 
-    /** Count the modes of a space and find them; adds to what the search of
-     * all took. */
+    /** Find them; adds to what the search of all took. */
     EigenPairs
-    modes_of_subspace(const SymmetricSparseMatrix     &K,
-                      const SymmetricSparseMatrix     &M,
-                      const Factorisation             *factor,
-                      const double                     shift,
-                      const std::vector<unsigned int> &node_of_unknown,
-                      const ModeControls              &controls,
-                      StructuralModes                 &modes)
+    modes_of(const Problem      &problem,
+             const double        shift,
+             const ModeControls &controls,
+             StructuralModes    &modes)
     {
-      const Stopwatch            counting;
-      std::optional<std::size_t> number;
-      if (controls.count)
-        {
-          number        = count(K, M, node_of_unknown, controls.cut_off);
-          modes.counted = modes.counted.value_or(0) + *number;
-        }
-      modes.count_seconds += counting.seconds();
-
       const Stopwatch              watch;
+      const auto                  &K = problem.K, &M = problem.M;
+      const Factorisation         *factor = problem.factor;
+      const auto                  &number = problem.number;
       std::optional<Factorisation> own;
       if (factor == nullptr)
         {
           own.emplace(shift > 0. ? linear_combination(1., K, shift, M) : K,
-                      node_of_unknown);
+                      problem.node_of_unknown);
           own->factorise();
+          factor = &*own;
         }
       LanczosControls lanczos;
       lanczos.largest    = eigenvalue_of(controls.cut_off);
@@ -94,7 +114,7 @@ namespace RollingContact
       lanczos.block_size = controls.block_size;
       lanczos.number     = number;
       lanczos.interrupt  = controls.interrupt;
-      EigenPairs pairs   = block_lanczos(factor ? *factor : *own, M, lanczos);
+      EigenPairs pairs   = block_lanczos(*factor, M, lanczos);
       if (number && *number != pairs.values.size())
         throw ConvergenceError(
           "Of " + std::to_string(*number) + " modes below " +
@@ -204,19 +224,25 @@ namespace RollingContact
     modes.cut_off     = controls.cut_off;
     const auto spaces = invariant_subspaces(reflections, K.size());
     modes.n_subspaces = spaces.size();
-    std::vector<EigenPairs> parts;
-    for (const InvariantSubspace &space : spaces)
-      parts.push_back(
-        spaces.size() == 1
-          ? modes_of_subspace(
-              K, M, &factor, shift, node_of_unknown, controls, modes)
-          : modes_of_subspace(space.restricted(K),
+    std::vector<Restricted> restricted;
+    std::vector<Problem>    problems;
+    if (spaces.size() == 1)
+      problems.push_back({K, M, node_of_unknown, &factor, {}});
+    else
+      for (const InvariantSubspace &space : spaces)
+        restricted.push_back({space.restricted(K),
                               space.restricted(M),
-                              nullptr,
-                              shift,
-                              space.nodes_of_columns(node_of_unknown),
-                              controls,
-                              modes));
+                              space.nodes_of_columns(node_of_unknown)});
+    for (const Restricted &part : restricted)
+      problems.push_back({part.K, part.M, part.node_of_unknown, nullptr, {}});
+    if (controls.count)
+      {
+        count(problems, modes);
+        controls.counted(*modes.counted);
+      }
+    std::vector<EigenPairs> parts;
+    for (const Problem &problem : problems)
+      parts.push_back(modes_of(problem, shift, controls, modes));
     merge(spaces, parts, K.size(), modes);
     examine(K, M, modes);
     return modes;

@@ -136,6 +136,24 @@ namespace RollingContact
       };
       return demands.factors || needs(scene.wheel) || needs(scene.rail);
     }
+
+
+
+    /**
+     * What speaks against spreading bodies of so many unknowns over the ranks,
+     * whose factors would need @p bytes; empty if nothing does.
+     */
+    std::string
+    reason_of_ranks(const std::size_t n_unknowns, const double bytes)
+    {
+      const std::size_t as_fast = 600000; // measured: doc/distributed.md
+      if (n_unknowns > as_fast || bytes > 0.7 * available_memory())
+        return "";
+      return std::to_string(Ranks::count()) +
+             " ranks were started. One has room for the factors, about " +
+             human_bytes(bytes) + ", and without mpirun takes less time for " +
+             std::to_string(n_unknowns) + " unknowns";
+    }
   } // namespace
 
 
@@ -154,6 +172,8 @@ namespace RollingContact
         if (solver == BodySolver::automatic)
           solver = open ? BodySolver::distributed : BodySolver::direct;
         build(scene, grading, demands, statics);
+        if (open)
+          reason = reason_of_ranks(total_unknowns, factor_memory(false));
         return;
       }
     try

@@ -114,6 +114,8 @@ set palette defined (0 "#440154", 1 "#472D7B", 2 "#3B528B", 3 "#2C728E", \
           text += panel_layout(k);
         text += all[k]->axis('x', shows_x_axis(k) ? all[k]->x_label : "") +
                 all[k]->axis('y', all[k]->y_label);
+        if (!shows_x_axis(k) && all[k]->x_scale == AxisScale::logarithmic)
+          text += "set xtics autofreq\nset format x \"\"\n";
         if (all[k]->equal_scales)
           text += all[k]->equal_ranges();
         for (std::size_t i = 0; i < all[k]->bands.size(); ++i)
@@ -280,8 +282,9 @@ set palette defined (0 "#440154", 1 "#472D7B", 2 "#3B528B", 3 "#2C728E", \
     std::string  text;
     if (index > 0)
       text +=
-        fmt::format("unset title\nunset object\nunset logscale\nset autoscale\n"
-                    "set autoscale noextend\nset bmargin at screen {}./{}\n"
+        fmt::format("unset title\nunset object\nunset logscale\nunset mxtics\n"
+                    "unset mytics\nset autoscale\nset autoscale noextend\n"
+                    "set bmargin at screen {}./{}\n"
                     "set tmargin at screen {}./{}\n",
                     bottom_of(index),
                     height,
@@ -318,7 +321,7 @@ set palette defined (0 "#440154", 1 "#472D7B", 2 "#3B528B", 3 "#2C728E", \
     if (scale == AxisScale::linear)
       return text;
     text += fmt::format("set logscale {0}\nset m{0}tics 10\n", axis);
-    const bool        is_plain = lower > 3e-3 && upper < 3e3;
+    const bool        is_plain = lower > 3e-3 && upper < 3e4;
     const std::string decade   = is_plain ? "%g" : "10^{%T}",
                       other    = is_plain ? "%g" : "%.0t\u00D710^{%T}";
     text += fmt::format("set format {} \"{}\"\n", axis, decade);

@@ -18,6 +18,9 @@ namespace RollingContact::Profiles
     // m and over the median distance: a stretch without points
     const double long_gap = 4e-3, unusual_gap = 5.;
 
+    // m, standard deviation: profiles are measured to some um
+    const double much_scatter = 12e-6;
+
 
 
     std::string
@@ -28,32 +31,84 @@ namespace RollingContact::Profiles
 
 
 
+    /** From the least to the largest y or z. */
     double
-    width_of(const std::vector<MeasuredPoint> &points)
+    extent(const std::vector<MeasuredPoint> &points,
+           double MeasuredPoint::*const coordinate)
     {
       const auto [first, last] =
         std::minmax_element(points.begin(),
                             points.end(),
-                            [](const auto &a, const auto &b) {
-                              return a.y < b.y;
+                            [&](const auto &a, const auto &b) {
+                              return a.*coordinate < b.*coordinate;
                             });
-      return last->y - first->y;
+      return (*last).*coordinate - (*first).*coordinate;
     }
 
 
 
     std::string
-    doubt_of_width(const double       width,
-                   const ProfileKind  kind,
-                   const std::string &name)
+    doubt_of_width(const std::vector<MeasuredPoint> &points,
+                   const ProfileKind                 kind,
+                   const std::string                &name)
     {
-      const bool is_wheel = kind == ProfileKind::wheel;
-      if (width > (is_wheel ? narrow_wheel : narrow_rail))
+      const bool   is_wheel = kind == ProfileKind::wheel;
+      const double width    = extent(points, &MeasuredPoint::y),
+                   height   = extent(points, &MeasuredPoint::z),
+                   narrow   = is_wheel ? narrow_wheel : narrow_rail;
+      if (width > narrow)
         return "";
       return name + ": the profile is " + in_mm(width) + " mm wide, " +
              (is_wheel ? "wheels have 100 to 150 mm"
                        : "heads of rails have 40 to 80 mm") +
-             "; is Profiles/File unit right (0.0254 for inches)?";
+             (height > narrow
+                ? ", and " + in_mm(height) +
+                    " mm high; is the first column y, across, and the second z?"
+                : "; is Profiles/File unit right (0.0254 for inches)?");
+    }
+
+
+
+    /**
+     * Standard deviation of points about a smooth curve, from the median of
+     * their third differences across it, e = (p_0 - 3 p_1 + 3 p_2 - p_3) / 2,
+     * whose deviation is sqrt(5) times that of equally long steps. Units: m.
+     */
+    double
+    scatter(const std::vector<MeasuredPoint> &points)
+    {
+      std::vector<double> across;
+      for (std::size_t k = 3; k < points.size(); ++k)
+        {
+          const MeasuredPoint &a = points[k - 3], &b = points[k - 2],
+                              &c = points[k - 1], &d = points[k];
+          const double y = d.y - a.y, z = d.z - a.z, length = std::hypot(y, z);
+          if (length > 0.)
+            across.push_back(std::abs(y * (a.z - 3 * b.z + 3 * c.z - d.z) -
+                                      z * (a.y - 3 * b.y + 3 * c.y - d.y)) /
+                             (2 * length));
+        }
+      if (across.empty())
+        return 0.;
+      const auto middle = across.begin() + across.size() / 2;
+      std::nth_element(across.begin(), middle, across.end());
+      const double median_of_normal = 0.6745; // over the standard deviation
+      return *middle / median_of_normal / std::sqrt(5.);
+    }
+
+
+
+    std::string
+    doubt_of_scatter(const std::vector<MeasuredPoint> &points,
+                     const std::string                &name)
+    {
+      const double found = scatter(points);
+      if (found < much_scatter)
+        return "";
+      return name + ": the points scatter by about " +
+             significant(1e6 * found, 2) +
+             " um about a smooth line; 5 um move the contact of profiles that "
+             "lie close by about 0.5 mm.";
     }
 
 
@@ -108,13 +163,14 @@ namespace RollingContact::Profiles
                    const ProfileKind                 kind,
                    const std::string                &name)
   {
-    const std::string of_width = doubt_of_width(width_of(points), kind, name);
+    const std::string of_width = doubt_of_width(points, kind, name);
     if (!of_width.empty())
       return {of_width};
     std::vector<std::string> doubts;
     for (const std::string &doubt :
          {kind == ProfileKind::wheel ? doubt_of_origin(points, name) : "",
-          doubt_of_gaps(points, name)})
+          doubt_of_gaps(points, name),
+          doubt_of_scatter(points, name)})
       if (!doubt.empty())
         doubts.push_back(doubt);
     return doubts;

@@ -42,19 +42,39 @@ namespace RollingContact::Profiles
 
 
 
+    /** Throws InputError if the points are too long a way for their places. */
+    void
+    check_order(const Points      &points,
+                const double       length,
+                const std::string &name)
+    {
+      double farthest = 0.;
+      for (const MeasuredPoint &point : points)
+        farthest = std::max(farthest, distance(points.front(), point));
+      if (length > longest && farthest < longest)
+        throw InputError(name + ": from point to point the profile is " +
+                         significant(length, 3) + " m long, though none is " +
+                         "farther than " + significant(farthest, 3) +
+                         " m from the first: they must follow each other "
+                         "along the section.");
+    }
+
+
+
     void
     check_length(const Points &points, const std::string &name)
     {
       double length = 0.;
       for (std::size_t k = 1; k < points.size(); ++k)
         length += distance(points[k - 1], points[k]);
+      check_order(points, length, name);
       if (!(length > shortest && length < longest))
         throw InputError(name + ": the profile is " + significant(length, 3) +
                          " m long; profiles are " + significant(shortest, 2) +
                          " to " + significant(longest, 2) +
                          " m. Check Profiles/File unit (m for one unit of the "
-                         "file), or units.len.f in the file, and that points "
-                         "follow each other along the section.");
+                         "file: 1 for m, 1e-3 for mm), or units.len.f in the "
+                         "file.");
     }
 
 

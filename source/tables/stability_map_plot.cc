@@ -152,7 +152,11 @@ namespace RollingContact
         figure.draw(context, name);
       };
       draw("Growth of the vibration that grows fastest",
-           "1/s",
+           std::any_of(growth.begin(),
+                       growth.end(),
+                       [](const double v) { return v > 0.; })
+             ? "1/s"
+             : "1/s; none grows",
            growth,
            "stability_map");
       draw("Frequency of the vibration that grows fastest",

@@ -187,4 +187,37 @@ BOOST_FIXTURE_TEST_CASE(equal_scales_and_separate_panels, DrawingRun)
   BOOST_CHECK_THROW(figure.add_separate_panel(with_map), std::invalid_argument);
 }
 
+
+
+/** Panels over one logarithmic x have its numbers once, up to 20000 in full,
+ * and the lower one, linear in y, no marks of tenths. */
+BOOST_FIXTURE_TEST_CASE(panels_over_one_frequency, DrawingRun)
+{
+  Figure figure("", "frequency (Hz)", "receptance (m/N)");
+  figure.set_scales(AxisScale::logarithmic, AxisScale::logarithmic);
+  figure.add_curve("a", {150., 1200., 5000.}, {1e-9, 1e-7, 1e-8});
+  Figure phase("", "frequency (Hz)", "phase");
+  phase.set_scales(AxisScale::logarithmic, AxisScale::linear);
+  phase.add_curve("a", {150., 1200., 5000.}, {-10., -90., -170.});
+  figure.add_panel(phase);
+  figure.draw(drawing, "a");
+  BOOST_TEST(is_drawn("a"));
+  const std::string svg   = read(files.folder / "a.svg");
+  const auto        times = [&](std::string text) {
+    // gnuplot puts a blank before some
+    unsigned int n = 0;
+    for (const char *blank : {">", "> "})
+      for (std::size_t at = 0;
+           (at = svg.find(blank + text + "<", at)) != std::string::npos;
+           ++at)
+        ++n;
+    return n;
+  };
+  BOOST_TEST(times("200") == 1);
+  BOOST_TEST(times("5000") == 1);
+  const std::string gnuplot = script("a");
+  BOOST_TEST(gnuplot.rfind("unset mytics") != std::string::npos);
+  BOOST_TEST(gnuplot.rfind("unset mytics") > gnuplot.rfind("set mytics 10"));
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -6,6 +6,7 @@
 #include <rolling_contact/linear_algebra/reflection.h>
 #include <rolling_contact/linear_algebra/symmetric_sparse_matrix.h>
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -28,6 +29,9 @@ namespace RollingContact
     /** Count the eigenvalues below the cut-off by the inertia of a second
      * factor. */
     bool count = true;
+
+    /** Called with that number before any mode is computed; throws to stop. */
+    std::function<void(std::size_t)> counted = [](std::size_t) {};
 
     std::function<void()> interrupt = []() {};
   };
