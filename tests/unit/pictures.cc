@@ -8,6 +8,7 @@
 #include <rolling_contact/analyses/transient.h>
 #include <rolling_contact/assessment/reference_2d.h>
 #include <rolling_contact/base/text.h>
+#include <rolling_contact/histories/cycle_recording.h>
 #include <rolling_contact/report/state_report.h>
 #include <rolling_contact/studies/error_cost_report.h>
 
@@ -291,6 +292,56 @@ BOOST_FIXTURE_TEST_CASE(load_in_time, DrawingRun)
   const auto loads = block("history", "load N");
   check_equal(loads[0], column("history.csv", "time_s"), 1e3);
   check_equal(loads[1], column("history.csv", "normal_force_N"), 1e-3);
+}
+
+
+
+/**
+ * A patch that slides sideways, in a period of two steps: no traction along x
+ * on the line through its middle.
+ */
+BOOST_FIXTURE_TEST_CASE(record_of_a_patch_that_slides_sideways, DrawingRun)
+{
+  standard<3>(scene);
+  scene.analysis            = "transient";
+  scene.contact.creepages.y = 0.02;
+  scene.check();
+  ContactStepper<3> stepper(scene, PairDemands(), drawing);
+  record_cycle(scene, 0., 1e-4, 2e-4, stepper, drawing);
+  const char  *file = "cycle_patch.csv";
+  const Values time = column(file, "time_s"), phase = column(file, "phase"),
+               place    = column(file, "x_m"),
+               pressure = column(file, "pressure_Pa"),
+               along    = column(file, "traction_x_Pa"),
+               across = column(file, "traction_y_Pa"), y = column(file, "y_m");
+  const double peak  = *std::max_element(pressure.begin(), pressure.end()),
+               bound = scene.contact.friction_coefficient * peak;
+  BOOST_TEST(peak > 0.);
+  check_equal(phase, time, 1 / 2e-4);
+  BOOST_TEST(phase.back() == 1.);
+  for (std::size_t k = 0; k < time.size(); ++k)
+    {
+      BOOST_TEST(y[k] == y[0]);
+      BOOST_TEST(std::abs(along[k]) < 0.02 * bound);
+      BOOST_TEST(across[k] <= 0.);
+    }
+  BOOST_TEST(*std::min_element(across.begin(), across.end()) < -0.5 * bound);
+  // the end of the period, node by node
+  const ContactState &state   = stepper.current().state;
+  const auto         &at      = stepper.current().problem.operators.positions();
+  unsigned int        n_found = 0;
+  for (std::size_t k = 0; k < time.size(); ++k)
+    for (unsigned int i = 0; i < at.size() && phase[k] == 1.; ++i)
+      if (std::hypot(at[i][0] - place[k], at[i][1] - y[k]) < 1e-9)
+        {
+          ++n_found;
+          BOOST_TEST(std::abs(pressure[k] - state.pressure[i]) <= 1e-8 * peak);
+          BOOST_TEST(std::abs(across[k] - state.traction(1, i)) <=
+                     1e-8 * bound);
+        }
+  BOOST_TEST(3 * n_found == time.size());
+  BOOST_TEST(n_found > 4u);
+  BOOST_TEST(is_drawn("cycle_patch"));
 }
 
 
