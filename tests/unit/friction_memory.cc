@@ -134,7 +134,7 @@ BOOST_AUTO_TEST_CASE(one_number_for_the_patch_is_of_second_order_in_the_step)
                    d = rate(t + fine, exact + fine * c);
       exact += fine / 6 * (a + 2 * b + 2 * c + d);
     }
-  BOOST_TEST(std::abs(exact - start) > 0.01);
+  BOOST_TEST(std::abs(exact - start) > 0.005);
   std::vector<double> errors;
   for (const unsigned int n : {20, 40})
     {

@@ -354,10 +354,12 @@ BOOST_FIXTURE_TEST_CASE(record_of_a_patch_that_slides_sideways, DrawingRun)
 BOOST_FIXTURE_TEST_CASE(sections_of_a_table, DrawingRun)
 {
   standard<3>(scene);
-  scene.analysis         = "table";
-  scene.table.axis_texts = {"Contact/Normal load = 800, 20e3, 45e3",
-                            "Contact/Creepage x = 0.001, 0.002",
-                            "Contact/Spin = 0, 0.5"};
+  scene.analysis            = "table";
+  scene.contact.approach    = {};
+  scene.contact.normal_load = 20e3;
+  scene.table.axis_texts    = {"Contact/Normal load = 800, 20e3, 45e3",
+                               "Contact/Creepage x = 0.001, 0.002",
+                               "Contact/Spin = 0, 0.5"};
   const auto force =
     [](const double N, const double creepage, const double spin) {
       return N * (100 * creepage + 0.01 * spin);
