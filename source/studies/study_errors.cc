@@ -188,10 +188,14 @@ namespace RollingContact
 
   namespace
   {
+    /** The largest of all; the mean of sizes of means. */
     void
     widen(MeanAndLargest &worst, const MeanAndLargest &error)
     {
       worst.largest = std::max(worst.largest, error.largest);
+      if (error.n > 0)
+        worst.mean = (worst.n * worst.mean + error.n * std::abs(error.mean)) /
+                     (worst.n + error.n);
       worst.n += error.n;
     }
   } // namespace
@@ -205,7 +209,6 @@ namespace RollingContact
     for (const StudyErrors &errors : cases)
       {
         const double share = 1. / cases.size();
-        worst.force.mean += share * std::abs(errors.force.mean);
         widen(worst.force, errors.force);
         widen(worst.load, errors.load);
         widen(worst.pressure, errors.pressure);

@@ -286,11 +286,12 @@ namespace RollingContact
          ""});
     if (n_contact > 0)
       context.log.warning(
-        "In " + std::to_string(n_contact) +
-        " states are unstable without any vibration (column "
-        "n_contact_unstable of results.csv), which is no squeal: bodies jam or "
-        "part, or friction falls faster with the speed than its memory allows "
-        "(Contact/Friction memory).");
+        std::to_string(n_contact) +
+        (n_contact == 1 ? " state is" : " states are") +
+        " unstable without any vibration (column n_contact_unstable of "
+        "results.csv), which is no squeal: bodies jam or part, or friction "
+        "falls faster with the speed than its memory allows (Contact/Friction "
+        "memory).");
   }
 
 

@@ -173,6 +173,9 @@ def check_sweep(folder, cycle):
     # the same start as the run by itself
     for name in ("cycle_frequency_Hz", "cycle_velocity_x_amplitude_m/s"):
         near(name, float(rows[0][name]), float(run[name]), 5e-3)
+    # the start is the vibration that grows without more damping, as the run by itself began in
+    for row in rows:
+        near("start", float(row["start_Hz"]), float(run["excited_frequency_Hz"]), 1e-3)
     # at 0.08 the steady state is stable, but so is the cycle
     growths = [float(row["largest_growth_1/s"]) for row in rows]
     if not growths[0] > 0 > growths[1] > growths[2]:

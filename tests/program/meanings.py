@@ -13,10 +13,11 @@ import vtu
 
 MU, STEEL, NU, RADIUS, CROWN, WIDTH = 0.3, 210e9, 0.3, 0.46, 0.3, 0.02
 MODULUS, SHEAR = STEEL / 2 / (1 - NU**2), STEEL / 2 / (1 + NU)
+CONDUCTIVITY, DENSITY, HEAT_CAPACITY = 50.0, 7800.0, 460.0
 UNITS = {"traction": "Pa", "pressure": "Pa", "traction_size": "Pa", "traction_bound": "Pa", "recovered_traction": "Pa",
          "recovered_pressure": "Pa",
          "slip": None, "gap": "m", "area": "m^2", "state": None,
-         "friction_coefficient": None, "sliding_speed": "m/s"}
+         "friction_coefficient": None, "sliding_speed": "m/s", "flash_temperature": "K"}
 OPEN, STICK = 0, 2
 known, looked_at, failures = set(), set(), []
 
@@ -249,7 +250,13 @@ def state_2d(folder):
     # of one of the twins; nodes of the hub have none
     near(f"{folder}: unknowns", row["dofs"], 2 * len(points), 0.07)
     check_summary(folder, row, False)
-    check_fields(os.path.join(folder, "interface.vtu"), row)
+    field = check_fields(os.path.join(folder, "interface.vtu"), row)
+    near(f"{folder}: hottest place", row["flash_temperature_K"], max(field["flash_temperature"]), 1e-6)
+    # a band of even heat, a half of it for each body, at 20 m/s: 2 q sqrt(l / (pi k rho c V))
+    slips = 2 * row["half_width_x_m"] * (1 - row["stick_area_m2"] / row["contact_area_m2"])
+    heat = row["dissipation_J/m"] * 20 / (2 * slips * WIDTH)
+    near(f"{folder}: flash temperature", row["flash_temperature_K"],
+         2 * heat * math.sqrt(slips / (math.pi * CONDUCTIVITY * DENSITY * HEAT_CAPACITY * 20)), 0.15)
 
 
 def levels_2d(folder):

@@ -7,6 +7,7 @@
 
 #include <rolling_contact/assessment/error_bounds.h>
 #include <rolling_contact/contact/friction_memory.h>
+#include <rolling_contact/state/patch_friction.h>
 
 #include <algorithm>
 #include <cmath>
@@ -101,6 +102,63 @@ BOOST_AUTO_TEST_CASE(mu_follows_its_equation_along_the_flow)
         }
       BOOST_TEST(n_checked > 180u);
     }
+}
+
+
+
+/** m of a patch that slides at a given speed v(t), against
+ * tau m' = 1 - drop(v) - m by Runge and Kutta. */
+BOOST_AUTO_TEST_CASE(one_number_for_the_patch_is_of_second_order_in_the_step)
+{
+  ContactProblem     problem = remembering(upstream(48), 0.);
+  const ContactState state   = solve(problem).state;
+  const double       tau = 0.3, end = 2.;
+  const auto         target = [&](const double time) {
+    problem.loads.creepages.x =
+      HalfPlane::mu * (1.6 + 0.5 * std::sin(4 * time));
+    return 1 -
+           problem.loads.friction_law->drop(mean_sliding_speed(problem, state));
+  };
+  const double start = target(0.);
+  double       exact = start;
+  const auto   rate  = [&](const double time, const double m) {
+    return (target(time) - m) / tau;
+  };
+  const unsigned int n_fine = 400;
+  const double       fine   = end / n_fine;
+  for (unsigned int k = 0; k < n_fine; ++k)
+    {
+      const double t = k * fine, a = rate(t, exact),
+                   b = rate(t + fine / 2, exact + fine / 2 * a),
+                   c = rate(t + fine / 2, exact + fine / 2 * b),
+                   d = rate(t + fine, exact + fine * c);
+      exact += fine / 6 * (a + 2 * b + 2 * c + d);
+    }
+  BOOST_TEST(std::abs(exact - start) > 0.005);
+  std::vector<double> errors;
+  for (const unsigned int n : {20, 40})
+    {
+      target(0.);
+      PatchFriction friction(problem, state, tau);
+      const auto    before = friction.coefficients_now();
+      for (unsigned int k = 1; k <= n; ++k)
+        {
+          target(k * end / n);
+          friction.begin_step(end / n);
+          while (!friction.agrees(problem, state))
+            {}
+          BOOST_TEST(!friction.failed());
+          friction.end_step();
+        }
+      const double m = friction.memory().share;
+      errors.push_back(m - exact);
+      const auto after = friction.coefficients_now();
+      for (std::size_t i = 0; i < after.size(); ++i)
+        BOOST_TEST(
+          std::abs(after[i] - before[i] - HalfPlane::mu * (m - start)) < 1e-12);
+    }
+  BOOST_TEST(std::abs(errors[1]) < 1e-3);
+  BOOST_TEST(errors[0] / errors[1] == 4., boost::test_tools::tolerance(0.1));
 }
 
 

@@ -264,6 +264,53 @@ BOOST_AUTO_TEST_CASE(what_modes_leave_out_is_of_fourth_order)
 
 
 
+/** The compliance that modes leave out loses energy as they do: that of each
+ * mode left out, 1 / (lambda + i (eta lambda + omega c) - omega^2). */
+BOOST_AUTO_TEST_CASE(what_modes_leave_out_loses_energy_too)
+{
+  const Springs       springs(60, 1, true);
+  const auto          factor = springs.factor(0.);
+  std::vector<double> load(springs.K.size(), 0.);
+  load[7]        = 1.;
+  const auto all = modes_of(springs, 9., 0.), kept = modes_of(springs, 1., 0.);
+  const double f = frequency(0.05), omega = 2 * pi * f;
+  BOOST_TEST_REQUIRE(all.size() == springs.K.size());
+  BOOST_TEST_REQUIRE(kept.size() < all.size() / 2);
+  for (const auto &[eta, c] : {std::pair(0.02, 0.), std::pair(0., 0.1)})
+    {
+      VibratingStructure structure{
+        springs.K, springs.M, springs.K, springs.M, springs.nodes};
+      for (double &value : structure.H.values)
+        value *= eta;
+      for (double &value : structure.C.values)
+        value *= c;
+      Complex rest = FrequencyResponse(structure,
+                                       factor,
+                                       0.,
+                                       kept,
+                                       std::vector<double>(kept.size(), 0.),
+                                       {load})
+                       .receptances(f)[0],
+              expected = 0.;
+      for (std::size_t j = 0; j < all.size(); ++j)
+        {
+          const double  lambda = all.eigenvalue(j), phi = all.shapes(7, j);
+          const Complex part =
+            phi * phi /
+            Complex(lambda - omega * omega, eta * lambda + omega * c);
+          (j < kept.size() ? rest : expected) +=
+            (j < kept.size() ? -1. : 1.) * part;
+        }
+      BOOST_TEST(expected.imag() < 0.);
+      BOOST_TEST(rest.real() == expected.real(),
+                 boost::test_tools::tolerance(0.01));
+      BOOST_TEST(rest.imag() == expected.imag(),
+                 boost::test_tools::tolerance(0.15));
+    }
+}
+
+
+
 BOOST_AUTO_TEST_CASE(losses_become_damping_ratios)
 {
   const Springs springs(20, 1, true);

@@ -8,8 +8,10 @@
 #include <rolling_contact/analyses/transient.h>
 #include <rolling_contact/assessment/reference_2d.h>
 #include <rolling_contact/base/text.h>
+#include <rolling_contact/histories/cycle_recording.h>
 #include <rolling_contact/report/state_report.h>
 #include <rolling_contact/studies/error_cost_report.h>
+#include <rolling_contact/tables/table_output.h>
 
 #include <algorithm>
 #include <cmath>
@@ -291,6 +293,120 @@ BOOST_FIXTURE_TEST_CASE(load_in_time, DrawingRun)
   const auto loads = block("history", "load N");
   check_equal(loads[0], column("history.csv", "time_s"), 1e3);
   check_equal(loads[1], column("history.csv", "normal_force_N"), 1e-3);
+}
+
+
+
+/**
+ * A patch that slides sideways, in a period of two steps: no traction along x
+ * on the line through its middle.
+ */
+BOOST_FIXTURE_TEST_CASE(record_of_a_patch_that_slides_sideways, DrawingRun)
+{
+  standard<3>(scene);
+  scene.analysis            = "transient";
+  scene.contact.creepages.y = 0.02;
+  scene.check();
+  ContactStepper<3> stepper(scene, PairDemands(), drawing);
+  record_cycle(scene, 0., 1e-4, 2e-4, stepper, drawing);
+  const char  *file = "cycle_patch.csv";
+  const Values time = column(file, "time_s"), phase = column(file, "phase"),
+               place    = column(file, "x_m"),
+               pressure = column(file, "pressure_Pa"),
+               along    = column(file, "traction_x_Pa"),
+               across = column(file, "traction_y_Pa"), y = column(file, "y_m");
+  const double peak  = *std::max_element(pressure.begin(), pressure.end()),
+               bound = scene.contact.friction_coefficient * peak;
+  BOOST_TEST(peak > 0.);
+  check_equal(phase, time, 1 / 2e-4);
+  BOOST_TEST(phase.back() == 1.);
+  for (std::size_t k = 0; k < time.size(); ++k)
+    {
+      BOOST_TEST(y[k] == y[0]);
+      BOOST_TEST(std::abs(along[k]) < 0.02 * bound);
+      BOOST_TEST(across[k] <= 0.);
+    }
+  BOOST_TEST(*std::min_element(across.begin(), across.end()) < -0.5 * bound);
+  // the end of the period, node by node
+  const ContactState &state   = stepper.current().state;
+  const auto         &at      = stepper.current().problem.operators.positions();
+  unsigned int        n_found = 0;
+  for (std::size_t k = 0; k < time.size(); ++k)
+    for (unsigned int i = 0; i < at.size() && phase[k] == 1.; ++i)
+      if (std::hypot(at[i][0] - place[k], at[i][1] - y[k]) < 1e-9)
+        {
+          ++n_found;
+          BOOST_TEST(std::abs(pressure[k] - state.pressure[i]) <= 1e-8 * peak);
+          BOOST_TEST(std::abs(across[k] - state.traction(1, i)) <=
+                     1e-8 * bound);
+        }
+  BOOST_TEST(3 * n_found == time.size());
+  BOOST_TEST(n_found > 4u);
+  BOOST_TEST(is_drawn("cycle_patch"));
+}
+
+
+
+/**
+ * Made-up forces over load, creepage and spin: each line is named by its value
+ * and holds the states it is named by.
+ */
+BOOST_FIXTURE_TEST_CASE(sections_of_a_table, DrawingRun)
+{
+  standard<3>(scene);
+  scene.analysis            = "table";
+  scene.contact.approach    = {};
+  scene.contact.normal_load = 20e3;
+  scene.table.axis_texts    = {"Contact/Normal load = 800, 20e3, 45e3",
+                               "Contact/Creepage x = 0.001, 0.002",
+                               "Contact/Spin = 0, 0.5"};
+  const auto force =
+    [](const double N, const double creepage, const double spin) {
+      return N * (100 * creepage + 0.01 * spin);
+    };
+  const TablePlan plan = plan_table(scene);
+  BOOST_REQUIRE_EQUAL(plan.values.size(), 12u);
+  for (std::size_t state = 0; state < 12; ++state)
+    {
+      const auto &at = plan.values[state];
+      table.set("state", state);
+      table.set("status", std::string("solved"));
+      table.set("force_x_N", force(at[0], at[1], at[2]));
+      table.set("force_y_N", 0.);
+      table.set("spin_moment_Nm", at[0] * at[2]);
+      table.end_row();
+    }
+  plot_sections(plan, drawing);
+  BOOST_TEST(contains(script("table_1"), "Table at Spin 0.5 1/m"));
+  BOOST_TEST(contains(script("table_1"), "set xlabel 'Normal load (N)'"));
+  BOOST_TEST(contains(script("table_2"), "set xlabel 'Creepage x'"));
+  BOOST_TEST(contains(script("table_3"), "set xlabel 'Spin (1/m)'"));
+  BOOST_TEST(contains(script("table_3"), "Table at Creepage x 0.002"));
+  BOOST_TEST(!contains(script("table_1"), "F_y"));
+  for (const auto &[label, N] : {std::pair("Normal load 800 N", 800.),
+                                 std::pair("Normal load 20 kN", 20e3),
+                                 std::pair("Normal load 45 kN", 45e3)})
+    {
+      const auto over_creepage = block("table_2", label, "F_x (kN)"),
+                 over_spin     = block("table_3", label, "F_x (kN)"),
+                 moment        = block("table_3", label, "M_z (Nm)");
+      check_equal(over_creepage[0], {0.001, 0.002}, 1.);
+      check_equal(over_creepage[1],
+                  {force(N, 0.001, 0.5), force(N, 0.002, 0.5)},
+                  1e-3);
+      check_equal(over_spin[0], {0., 0.5}, 1.);
+      check_equal(over_spin[1],
+                  {force(N, 0.002, 0.), force(N, 0.002, 0.5)},
+                  1e-3);
+      check_equal(moment[1], {0., N * 0.5}, 1.);
+    }
+  const auto over_load = block("table_1", "Creepage x 0.001", "F_x (kN)");
+  check_equal(over_load[0], {800., 20e3, 45e3}, 1.);
+  check_equal(over_load[1],
+              {force(800., 0.001, 0.5),
+               force(20e3, 0.001, 0.5),
+               force(45e3, 0.001, 0.5)},
+              1e-3);
 }
 
 

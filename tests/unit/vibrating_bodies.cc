@@ -340,6 +340,18 @@ BOOST_AUTO_TEST_CASE(a_measuring_point_spreads_a_force_as_it_takes_a_mean)
       BOOST_TEST(point.motion(axis, motion.data()) == dot(force, motion),
                  boost::test_tools::tolerance(1e-12));
     }
+  // masses 1, 2 and 4 at 0, 1/2 and 4/5 of the radius: 1 - (d / r)^2
+  BodyPlaces made    = plate.places;
+  made.nodes         = {{{{0., 0., 0.}}, {{0, 1, 2}}, 1.},
+                        {{{0., 0., 0.025}}, {{3, 4, 5}}, 2.},
+                        {{{0.04, 0., 0.}}, {{6, 7, 8}}, 4.},
+                        {{{0., 0.0501, 0.}}, {{9, 10, 11}}, 8.}};
+  const auto   force = MeasuringPoint(made, {{0., 0., 0.}}, 0.05).load(1, 12);
+  const double sum   = 1. + 2 * 0.75 + 4 * 0.36;
+  BOOST_TEST(force[1] == 1. / sum, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(force[4] == 1.5 / sum, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(force[7] == 1.44 / sum, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(force[10] == 0.);
 }
 
 

@@ -106,7 +106,8 @@ namespace RollingContact
                const std::vector<StudySample> &samples);
 
   /**
-   * The worst of all cases: largest errors and memory, mean seconds.
+   * The worst of all cases: largest errors and memory, mean seconds, and over
+   * the cases the mean of the size of their mean errors.
    */
   StudyErrors
   worst_case(const std::vector<StudyErrors> &cases);
