@@ -1,4 +1,5 @@
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <rolling_contact/base/exceptions.h>
@@ -110,6 +111,26 @@ namespace RollingContact
         throw_write_error(file, std::strerror(reason));
       }
     rename_file(temporary, file);
+  }
+
+
+
+  bool
+  overwrite_file(const fs::path &file, const std::string &text)
+  {
+    const std::size_t block      = 512; // of st_blocks, whatever the disk's
+    const int         descriptor = ::open(file.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor < 0)
+      return false;
+    struct stat status;
+    const bool  done =
+      fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) &&
+      text.size() <= block * static_cast<std::size_t>(status.st_blocks) &&
+      pwrite(descriptor, text.data(), text.size(), 0) ==
+        static_cast<ssize_t>(text.size()) &&
+      ftruncate(descriptor, static_cast<off_t>(text.size())) == 0;
+    close(descriptor);
+    return done;
   }
 
 

@@ -102,6 +102,14 @@ namespace RollingContact
 
 
 
+  ResultsTable::ResultsTable(RunFolder &folder)
+    : folder(&folder)
+    , row_by_row(true)
+    , file_name("results.csv")
+  {}
+
+
+
   ResultsTable::ResultsTable(RunFolder &folder, const std::string &file_name)
     : folder(&folder)
     , file_name(file_name)
@@ -113,7 +121,8 @@ namespace RollingContact
   {
     try
       {
-        flush();
+        if (row_by_row)
+          flush();
       }
     catch (const std::exception &)
       {
@@ -251,7 +260,8 @@ namespace RollingContact
   ResultsTable::write_now_and_then()
   {
     const auto since_last_write = std::chrono::steady_clock::now() - last_write;
-    if (rows.size() <= 1000 || since_last_write > std::chrono::seconds(1))
+    if (row_by_row &&
+        (rows.size() <= 1000 || since_last_write > std::chrono::seconds(1)))
       flush();
   }
 

@@ -369,8 +369,16 @@ namespace RollingContact
                   record_if_stopped.empty()
                     ? ""
                     : record_text(record_if_stopped, claimed_files));
-    write_file(final_path(record_name),
-               record_text(record, claimed_files),
-               temporary_path(record_name));
+    const std::string text = record_text(record, claimed_files);
+    try
+      {
+        write_file(final_path(record_name), text, temporary_path(record_name));
+      }
+    catch (const InputError &)
+      {
+        // on a full disk the record says at least how the run ended
+        if (!overwrite_file(final_path(record_name), text))
+          throw;
+      }
   }
 } // namespace RollingContact

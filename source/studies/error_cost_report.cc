@@ -97,6 +97,7 @@ namespace RollingContact
                           point.method,
                           point.resolution});
         }
+    table.flush();
     context.log.message(rows.size() > 1
                           ? aligned_table(rows)
                           : "No method reaches an error of " +

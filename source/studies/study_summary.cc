@@ -83,6 +83,7 @@ namespace RollingContact
     ResultsTable table(context.folder, "summary.csv");
     for (const auto &[key, errors] : all_errors)
       add_case_row(key, errors, table);
+    table.flush();
   }
 
 
@@ -210,6 +211,7 @@ namespace RollingContact
           set_cost(rows.back(), table);
           table.end_row();
         }
+    table.flush();
     say_methods(rows);
     report_points();
   }

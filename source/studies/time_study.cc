@@ -217,6 +217,7 @@ namespace RollingContact
                         significant(run.steps_s, 2)});
         coarser = run.step;
       }
+    table.flush();
     context.log.message(aligned_table(rows));
     const bool friction = scene.contact.friction_coefficient > 0.;
     report_errors_and_costs({{"all", points}},

@@ -24,6 +24,7 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <limits>
 #include <sstream>
 #include <thread>
@@ -490,15 +491,53 @@ BOOST_FIXTURE_TEST_CASE(long_results_are_complete_at_the_end, ScratchFolder)
   RunFolder run(folder, "", "");
   run.open();
   {
-    ResultsTable table(run, "history.csv");
+    ResultsTable table(run);
     for (int i = 0; i < 1500; ++i)
       {
         table.set("time_s", 0.1 * i);
         table.end_row();
       }
-    BOOST_TEST(count(read(folder / "history.csv"), "\n") >= 1001u);
+    BOOST_TEST(count(read(folder / "results.csv"), "\n") >= 1001u);
   }
-  BOOST_TEST(count(read(folder / "history.csv"), "\n") == 1501u);
+  BOOST_TEST(count(read(folder / "results.csv"), "\n") == 1501u);
+}
+
+
+
+BOOST_FIXTURE_TEST_CASE(other_tables_are_complete_or_not_there, ScratchFolder)
+{
+  RunFolder run(folder, "", "");
+  run.open();
+  {
+    ResultsTable table(run, "modes.csv"), stopped(run, "lines.csv");
+    for (ResultsTable *it : {&table, &stopped})
+      for (int i = 0; i < 3; ++i)
+        {
+          it->set("mode", i);
+          it->end_row();
+        }
+    BOOST_TEST(!std::filesystem::exists(folder / "modes.csv"));
+    table.flush();
+    BOOST_TEST(read(folder / "modes.csv") == "mode\n0\n1\n2\n");
+  }
+  BOOST_TEST(!std::filesystem::exists(folder / "lines.csv"));
+}
+
+
+
+BOOST_FIXTURE_TEST_CASE(files_are_overwritten_where_they_are, ScratchFolder)
+{
+  const auto file = folder / "small";
+  std::filesystem::create_directories(folder);
+  BOOST_TEST(!overwrite_file(file, "text")); // there is none
+  std::ofstream(file) << "some text";
+  BOOST_TEST(overwrite_file(file, "other"));
+  BOOST_TEST(read(file) == "other");
+  BOOST_TEST(overwrite_file(file, std::string(400, 'x')));
+  BOOST_TEST(read(file) == std::string(400, 'x'));
+  // more than a file of a few bytes has blocks for
+  BOOST_TEST(!overwrite_file(file, std::string(1 << 20, 'y')));
+  BOOST_TEST(read(file) == std::string(400, 'x'));
 }
 
 

@@ -54,6 +54,14 @@ namespace RollingContact
              const std::string           &text,
              const std::filesystem::path &temporary);
 
+  /**
+   * Writes a text over a small file in place, without a temporary one, if it
+   * fits in the blocks that the file has: there may be none left. False if it
+   * does not fit or is not possible. A crash within leaves a mixture.
+   */
+  bool
+  overwrite_file(const std::filesystem::path &file, const std::string &text);
+
   /** Removes a file or a link; leaves folders alone. Throws InputError. */
   void
   remove_file(const std::filesystem::path &file);

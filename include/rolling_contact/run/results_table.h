@@ -14,21 +14,26 @@
 namespace RollingContact
 {
   /**
-   * One row per computed state, columns in the order of first use, names with
-   * their unit. The CSV file in the run folder is rewritten whole after every
-   * row, so an interrupt keeps the rows; beyond a thousand rows at most once a
-   * second, the rest at the end. Does not own the folder. All MPI ranks have
-   * the rows, the root writes them. A table without a folder writes nothing.
+   * Rows of a CSV file, columns in the order of first use, names with their
+   * unit. results.csv has a row for each computed state and is rewritten whole
+   * after every row, so an interrupt keeps the rows; beyond a thousand rows at
+   * most once a second, the rest at the end. Other files are written by flush()
+   * alone, all rows or none. Does not own the folder. All MPI ranks have the
+   * rows, the root writes them. A table without a folder writes nothing.
    */
   class ResultsTable
   {
   public:
-    explicit ResultsTable(RunFolder         &folder,
-                          const std::string &file_name = "results.csv");
+    /** results.csv, row by row. */
+    explicit ResultsTable(RunFolder &folder);
+
+    /** Another file, when flush() is called. */
+    ResultsTable(RunFolder &folder, const std::string &file_name);
 
     ResultsTable() = default;
 
-    /** Writes rows not yet in the file; unfinished rows are dropped. */
+    /** Writes rows of results.csv not yet in the file; unfinished rows are
+     * dropped. */
     ~ResultsTable();
 
     ResultsTable(const ResultsTable &) = delete;
@@ -120,7 +125,8 @@ namespace RollingContact
     void
     update_csv() const;
 
-    RunFolder                         *folder = nullptr;
+    RunFolder                         *folder     = nullptr;
+    bool                               row_by_row = false;
     std::string                        file_name;
     std::vector<std::string>           column_names;
     std::map<std::string, std::size_t> column_numbers;
