@@ -5,6 +5,7 @@
 #include <rolling_contact/modes/body_reflections.h>
 #include <rolling_contact/modes/measuring_point.h>
 #include <rolling_contact/parallel/interrupt.h>
+#include <rolling_contact/vibration/mode_controls.h>
 #include <rolling_contact/vibration/vibrating_body.h>
 
 #include <algorithm>
@@ -146,56 +147,15 @@ namespace RollingContact
 
 
 
-  namespace
-  {
-    /**
-     * Throws InputError if there are more modes than the unknowns can tell
-     * apart, and tells of numbers that take minutes.
-     */
-    void
-    examine_count(const std::size_t  n_modes,
-                  const std::size_t  n_unknowns,
-                  const double       cut_off,
-                  const std::string &section,
-                  Log               &log)
-    {
-      const std::size_t few = 1000, unknowns_of_a_mode = 6;
-      const std::string counted = section + ": " + std::to_string(n_modes) +
-                                  " modes lie below " +
-                                  significant(cut_off, 4) + " Hz";
-      if (n_modes > few && unknowns_of_a_mode * n_modes > n_unknowns)
-        throw InputError(
-          counted + ", by inertia, too many for a mesh of " +
-          std::to_string(n_unknowns) +
-          " unknowns. Lower the highest frequency (Modes/Maximum frequency or "
-          "Receptance/Highest frequency, in Hz, or Modes/Cut-off ratio), or "
-          "check what makes the body so large, soft or heavy: " +
-          section + "/Radius, Mesh unit, Young modulus, Density.");
-      if (n_modes > few)
-        log.message(counted +
-                    ", by inertia: the time to find them grows with the "
-                    "square of their number.");
-    }
-  } // namespace
-
-
-
   template <int dim>
   void
   VibratingBody<dim>::find_modes(const ModesParameters &wanted,
                                  const double           cut_off,
                                  RunContext            &context)
   {
-    PhaseTimer::Scope phase(context.timer, Phase::modes);
-    ModeControls      controls;
-    controls.cut_off   = cut_off;
-    controls.tolerance = wanted.tolerance;
-    controls.count     = wanted.count;
-    controls.interrupt = []() { throw_if_interrupted(); };
-    controls.counted   = [&](const std::size_t n_modes) {
-      examine_count(
-        n_modes, body->n_unknowns(), cut_off, parameters.section, context.log);
-    };
+    PhaseTimer::Scope  phase(context.timer, Phase::modes);
+    const ModeControls controls = mode_controls(
+      wanted, cut_off, body->n_unknowns(), parameters.section, context.log);
     const unsigned int many = 30000; // unknowns: seconds and more
     if (body->n_unknowns() > many)
       context.log.message(parameters.section + ": looking for the modes of " +
