@@ -174,13 +174,23 @@ namespace RollingContact
     const MeasuringPoint contact(places, {{0., 0., 0.}}, 0.);
     align_pairs(characters, contact.nearest_unknowns(), same_frequency, modes);
 
+    report_modes(wanted, context);
+  }
+
+
+
+  template <int dim>
+  void
+  VibratingBody<dim>::report_modes(const ModesParameters &wanted,
+                                   RunContext            &context) const
+  {
     double worst = 0.;
     for (const double residual : modes.residuals)
       worst = std::max(worst, residual);
     context.log.message(
       parameters.section + ": " + std::to_string(body->n_unknowns()) +
       " unknowns, " + std::to_string(modes.size()) + " modes up to " +
-      significant(cut_off, 4) + " Hz" +
+      significant(modes.cut_off, 4) + " Hz" +
       (modes.counted ? ", as many as the inertia counts" : ", not counted") +
       "; residuals below " + significant(worst, 2) + ", orthogonal to " +
       significant(modes.orthogonality, 2) + "; " +

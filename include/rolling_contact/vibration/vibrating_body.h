@@ -85,6 +85,9 @@ namespace RollingContact
                const double           cut_off,
                RunContext            &context);
 
+    void
+    report_modes(const ModesParameters &wanted, RunContext &context) const;
+
     std::vector<double>
     damping_of_single_modes() const;
 
