@@ -43,5 +43,5 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "paraview, openmpi-bin")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME librolling-contact-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-  "libdeal.ii-dev, libsuitesparse-dev, libmetis-dev, libmumps-dev, libopenblas-dev, libfftw3-dev, libboost-program-options-dev, libboost-serialization-dev, libfmt-dev, libhdf5-mpi-dev")
+  "libdeal.ii-dev, libsuitesparse-dev, libmetis-dev, libmumps-dev, libopenblas-dev, liblapacke-dev, libeigen3-dev, libfftw3-dev, libboost-program-options-dev, libboost-serialization-dev, libfmt-dev, libhdf5-mpi-dev")
 include(CPack)

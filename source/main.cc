@@ -1,14 +1,16 @@
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/multithread_info.h>
 
+#include <rolling_contact_revision.h>
+
+#include <rolling_contact/algebra/factorisation.h>
+#include <rolling_contact/base/collective_failure.h>
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/base/memory.h>
 #include <rolling_contact/base/platform.h>
+#include <rolling_contact/base/ranks.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/linear_algebra/factorisation.h>
-#include <rolling_contact/parallel/collective_failure.h>
-#include <rolling_contact/parallel/interrupt.h>
-#include <rolling_contact/parallel/ranks.h>
 #include <rolling_contact/program/analysis_table.h>
 #include <rolling_contact/program/command_line.h>
 #include <rolling_contact/program/scene_reader.h>
@@ -23,8 +25,7 @@ namespace RollingContact
 {
   namespace
   {
-    RunReport
-    describe_program(const CommandLine &command_line)
+    RunReport describe_program(const CommandLine &command_line)
     {
       RunReport report;
       report.version      = ROLLING_CONTACT_VERSION;
@@ -36,13 +37,10 @@ namespace RollingContact
       return report;
     }
 
-
-
     /**
      * "1 factorisations, 146 columns condensed, 2 static solves".
      */
-    BuiltItem
-    work_done()
+    BuiltItem work_done()
     {
       const Factorisation::Work work = Factorisation::work_done();
       BuiltItem                 object;
@@ -53,10 +51,7 @@ namespace RollingContact
       return object;
     }
 
-
-
-    void
-    warn_about_blas(Log &log)
+    void warn_about_blas(Log &log)
     {
       const BlasLibrary blas = loaded_blas();
       if (blas.is_reference)
@@ -65,10 +60,7 @@ namespace RollingContact
                     "times faster.");
     }
 
-
-
-    void
-    summarise_run(RunContext &context)
+    void summarise_run(RunContext &context)
     {
       context.log.detail(context.report.objects_summary());
       context.log.detail(context.timer.summary());
@@ -76,8 +68,6 @@ namespace RollingContact
         context.report.summary(context.timer,
                                context.folder.get_path().string()));
     }
-
-
 
     /** How a run ends with an exception. */
     struct Failure
@@ -87,13 +77,8 @@ namespace RollingContact
       std::string message;
     };
 
-
-
-    /**
-     * Of the exception that is being handled.
-     */
-    Failure
-    current_failure()
+    /** Exit code and message for the exception that is being handled. */
+    Failure current_failure()
     {
       const auto internal = [](const std::string &reason) {
         return Failure{ExitCode::internal_error,
@@ -147,46 +132,40 @@ namespace RollingContact
         }
     }
 
-
-
     /**
      * Start anew, or continue what a run left.
      */
-    void
-    open_folder(const SceneParameters &scene,
-                const CommandLine     &command_line,
-                RunFolder             &folder)
+    void open_folder(const Situation   &scene,
+                     const CommandLine &command_line,
+                     RunFolder         &folder)
     {
       if (!command_line.resume)
         folder.open();
-      else if (analysis_kind(scene.analysis).resumption)
-        folder.reopen(analysis_kind(scene.analysis).resumption(scene));
+      else if (analysis_kind(scene.inputs->analysis.name).resumption)
+        folder.reopen(
+          analysis_kind(scene.inputs->analysis.name).resumption(scene));
       else
-        throw InputError("--resume with Analysis = " + scene.analysis +
-                         ": only a transient run, a table, a stability map and "
-                         "limit cycles can be resumed.");
+        throw InputError(
+          "--resume with Analysis = " + scene.inputs->analysis.name +
+          ": only a transient run, a table, a stability map and "
+          "limit cycles can be resumed.");
     }
 
-
-
-    bool
-    can_be_resumed(const SceneParameters &scene, const RunFolder &folder)
+    bool can_be_resumed(const Situation &scene, const RunFolder &folder)
     {
-      const auto &resumption = analysis_kind(scene.analysis).resumption;
+      const auto &resumption =
+        analysis_kind(scene.inputs->analysis.name).resumption;
       return resumption && std::filesystem::is_regular_file(
                              folder.get_path() / resumption(scene).checkpoint);
     }
 
-
-
     /**
      * Run a scene in its folder; run.json tells how it ended, however it ends.
      */
-    void
-    run_scene(const SceneInput &input, const CommandLine &command_line)
+    void run_scene(const SceneInput &input, const CommandLine &command_line)
     {
-      const SceneParameters &scene = input.scene;
-      PhaseTimer             timer;
+      const Situation &scene = input.scene;
+      PhaseTimer       timer;
       timer.charge_start();
       RunFolder folder(command_line.output_folder.empty()
                          ? RunFolder::default_path(command_line.prm_file)
@@ -194,7 +173,7 @@ namespace RollingContact
                        input.original,
                        input.used);
       open_folder(scene, command_line, folder);
-      Log          log(scene.output.verbosity);
+      Log          log(scene.inputs->output.verbosity);
       ResultsTable results(folder);
       RunReport    report = describe_program(command_line);
       RunContext   context{
@@ -225,7 +204,7 @@ namespace RollingContact
       try
         {
           reserve_blas_memory(scene.body_threads);
-          const AnalysisKind &kind = analysis_kind(scene.analysis);
+          const AnalysisKind &kind = analysis_kind(scene.inputs->analysis.name);
           (scene.dimension == 2 ? kind.in_2d : kind.in_3d)(scene, context)
             ->run();
           if (report.n_ranks > 1)
@@ -247,14 +226,11 @@ namespace RollingContact
       summarise_run(context);
     }
 
-
-
     /**
      * Throws InputError, on all ranks, if their parameters differ or the
      * analysis is for one rank.
      */
-    void
-    check_for_ranks(const SceneInput &input)
+    void check_for_ranks(const SceneInput &input)
     {
       if (Ranks::count() == 1)
         return;
@@ -263,17 +239,14 @@ namespace RollingContact
       if (Ranks::maximum(of_root != input.used) > 0.)
         throw InputError("The ranks read different parameters: start them with "
                          "one command line and a file that all of them see.");
-      const std::string &analysis = input.scene.analysis;
-      if (!analysis_kind(analysis).on_ranks)
+      const AnalysisTraits &analysis = input.scene.inputs->analysis;
+      if (!analysis.on_ranks)
         throw InputError(
-          "Analysis = " + analysis + " runs on one rank, not on " +
+          "Analysis = " + analysis.name + " runs on one rank, not on " +
           std::to_string(Ranks::count()) + ": start it without mpirun.");
     }
 
-
-
-    void
-    run(const int argc, const char *const *argv)
+    void run(const int argc, const char *const *argv)
     {
       const CommandLine command_line(argc, argv);
       const auto        say = [](const std::string &text) {
@@ -307,10 +280,7 @@ namespace RollingContact
   } // namespace
 } // namespace RollingContact
 
-
-
-int
-main(int argc, char *argv[])
+int main(int argc, char *argv[])
 {
   using namespace RollingContact;
   int code = static_cast<int>(ExitCode::converged);

@@ -1,12 +1,12 @@
-#include <rolling_contact/sessions/quiet_context.h>
-#include <rolling_contact/state/steady_state.h>
+#include <rolling_contact/scene/situation.h>
+#include <rolling_contact/state/state_finder.h>
+#include <rolling_contact/tables/quiet_context.h>
 
 #include <cstdio>
 
 // Two cylinders of steel, radius 0.46 m, pressed together by 0.22 mm and
 // rolling at a creepage of 0.17 %.
-int
-main()
+int main()
 {
   using namespace RollingContact;
   SceneParameters scene;
@@ -18,7 +18,7 @@ main()
   QuietContext context;
 
   const SteadyState<2> steady =
-    solve_steady_state<2>(scene, StateDemands(), context.run);
+    solve_steady_state<2>(Situation(scene), StateDemands(), context.run);
   const Resultants &result = steady.result;
   std::printf("N = %.1f N, T = %.1f N, half-width %.4f mm, converged %d\n",
               result.normal_force,

@@ -1,7 +1,8 @@
-#include <rolling_contact/sessions/quiet_context.h>
+#include <rolling_contact/scene/situation.h>
 #include <rolling_contact/solvers/falling_friction.h>
 #include <rolling_contact/solvers/normal_active_set.h>
-#include <rolling_contact/state/steady_state.h>
+#include <rolling_contact/state/state_finder.h>
+#include <rolling_contact/tables/quiet_context.h>
 
 #include <cmath>
 #include <cstdio>
@@ -21,27 +22,22 @@ namespace
   class TwoRanges : public FrictionLaw
   {
   public:
-    double
-    drop(const double v) const override
+    double drop(const double v) const override
     {
       return 0.15 * (1 - std::exp(-v / 0.02)) + 0.35 * (1 - std::exp(-v / 0.5));
     }
 
-    double
-    slope(const double v) const override
+    double slope(const double v) const override
     {
       return 0.15 / 0.02 * std::exp(-v / 0.02) +
              0.35 / 0.5 * std::exp(-v / 0.5);
     }
 
-    double
-    decay_speed() const override
+    double decay_speed() const override
     {
       return 0.02;
     }
   };
-
-
 
   /**
    * Pressure by the library's active set, then traction by guessing which nodes
@@ -56,8 +52,8 @@ namespace
       : controls(controls)
     {}
 
-    SolverReport
-    solve(const ContactProblem &problem, ContactState &state) const override
+    SolverReport solve(const ContactProblem &problem,
+                       ContactState         &state) const override
     {
       complete(problem, state);
       SolverReport report = NormalActiveSet(controls).solve(problem, state);
@@ -86,12 +82,11 @@ namespace
 
   private:
     /** Tractions of the nodes that stick, those of the others being given. */
-    static void
-    stick(const TangentialProblem       &friction,
-          const std::vector<NodalIndex> &nodes,
-          const DenseMatrix             &S,
-          const std::vector<bool>       &sticks,
-          NodalField                    &traction)
+    static void stick(const TangentialProblem       &friction,
+                      const std::vector<NodalIndex> &nodes,
+                      const DenseMatrix             &S,
+                      const std::vector<bool>       &sticks,
+                      NodalField                    &traction)
     {
       std::vector<std::size_t> unknowns;
       for (std::size_t k = 0; k < nodes.size(); ++k)
@@ -116,11 +111,10 @@ namespace
     }
 
     /** Cut tractions to mu p, and tell whether any node changed. */
-    static bool
-    guess_again(const TangentialProblem       &friction,
-                const std::vector<NodalIndex> &nodes,
-                NodalField                    &traction,
-                std::vector<bool>             &sticks)
+    static bool guess_again(const TangentialProblem       &friction,
+                            const std::vector<NodalIndex> &nodes,
+                            NodalField                    &traction,
+                            std::vector<bool>             &sticks)
     {
       bool             changed = false;
       const NodalField slip    = friction.slip(traction);
@@ -143,13 +137,10 @@ namespace
     SolverControls controls;
   };
 
-
-
-  void
-  print(const char           *name,
-        const ContactProblem &problem,
-        ContactState         &state,
-        const ContactSolver  &solver)
+  void print(const char           *name,
+             const ContactProblem &problem,
+             ContactState         &state,
+             const ContactSolver  &solver)
   {
     const SolverReport report = solver.solve(problem, state);
     const Resultants   result = resultants(problem, state);
@@ -161,10 +152,7 @@ namespace
   }
 } // namespace
 
-
-
-int
-main()
+int main()
 {
   SceneParameters scene;
   scene.contact.approach           = 0.22e-3;
@@ -177,7 +165,7 @@ main()
   QuietContext context;
 
   SteadyState<2> steady =
-    solve_steady_state<2>(scene, StateDemands(), context.run);
+    solve_steady_state<2>(Situation(scene), StateDemands(), context.run);
   ContactProblem      &problem = steady.problem;
   const SolverControls controls;
   const auto           library = make_contact_solver("automatic", controls);

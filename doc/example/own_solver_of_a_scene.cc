@@ -1,9 +1,9 @@
 #include <rolling_contact/program/scene_reader.h>
-#include <rolling_contact/sessions/quiet_context.h>
 #include <rolling_contact/solvers/falling_friction.h>
 #include <rolling_contact/solvers/normal_active_set.h>
 #include <rolling_contact/solvers/normal_tangential_split.h>
-#include <rolling_contact/state/steady_state.h>
+#include <rolling_contact/state/state_finder.h>
+#include <rolling_contact/tables/quiet_context.h>
 
 #include <cmath>
 #include <cstdio>
@@ -26,20 +26,17 @@ namespace
       , v_c(v_c)
     {}
 
-    double
-    drop(const double v) const override
+    double drop(const double v) const override
     {
       return A * 2 / M_PI * std::atan(v / v_c);
     }
 
-    double
-    slope(const double v) const override
+    double slope(const double v) const override
     {
       return A * 2 / M_PI * v_c / (v_c * v_c + v * v);
     }
 
-    double
-    decay_speed() const override
+    double decay_speed() const override
     {
       return v_c;
     }
@@ -47,8 +44,6 @@ namespace
   private:
     const double A, v_c;
   };
-
-
 
   /**
    * Traction at a given pressure by the splitting of Douglas and Rachford, for
@@ -63,8 +58,8 @@ namespace
   public:
     using TangentialSolver::TangentialSolver;
 
-    SolverReport
-    solve(const TangentialProblem &friction, ContactState &state) const override
+    SolverReport solve(const TangentialProblem &friction,
+                       ContactState            &state) const override
     {
       SolverReport report;
       report.solver                 = "splitting";
@@ -104,8 +99,8 @@ namespace
 
   private:
     /** The tractions that are not zero by their bound. */
-    static std::vector<NodalIndex>
-    carrying(const TangentialProblem &friction, const unsigned int components)
+    static std::vector<NodalIndex> carrying(const TangentialProblem &friction,
+                                            const unsigned int       components)
     {
       std::vector<NodalIndex> nodes;
       for (unsigned int i = 0; i < friction.bound.size(); ++i)
@@ -116,8 +111,7 @@ namespace
     }
 
     /** (I + r S)^-1. */
-    static DenseMatrix
-    resolvent(DenseMatrix S, const double r)
+    static DenseMatrix resolvent(DenseMatrix S, const double r)
     {
       const std::size_t n = S.n_rows();
       DenseMatrix       inverse(n, n);
@@ -133,11 +127,8 @@ namespace
     }
   };
 
-
-
   /** Pressure by the library, traction by the splitting, edges settled. */
-  std::unique_ptr<ContactSolver>
-  own_solver(const SolverControls &controls)
+  std::unique_ptr<ContactSolver> own_solver(const SolverControls &controls)
   {
     std::vector<std::unique_ptr<TangentialSolver>> tangential;
     tangential.push_back(std::make_unique<Splitting>(controls));
@@ -149,12 +140,9 @@ namespace
       controls);
   }
 
-
-
-  void
-  print(const char           *name,
-        const ContactProblem &problem,
-        const ContactSolver  &solver)
+  void print(const char           *name,
+             const ContactProblem &problem,
+             const ContactSolver  &solver)
   {
     ContactState       state  = open_state(problem);
     const SolverReport report = solver.solve(problem, state);
@@ -168,11 +156,8 @@ namespace
                 report.iterations);
   }
 
-
-
   template <int dim>
-  void
-  compare(const SceneParameters &scene)
+  void compare(const Situation &scene)
   {
     QuietContext   context(&std::cerr);
     ContactProblem problem =
@@ -189,10 +174,7 @@ namespace
   }
 } // namespace
 
-
-
-int
-main(const int argc, const char *const *argv)
+int main(const int argc, const char *const *argv)
 {
   try
     {

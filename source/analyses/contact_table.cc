@@ -1,7 +1,7 @@
 #include <rolling_contact/analyses/contact_table.h>
+#include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/parallel/interrupt.h>
-#include <rolling_contact/plot/figure.h>
+#include <rolling_contact/run/figure.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,30 +11,24 @@ namespace RollingContact
 {
   namespace
   {
-    const char table_file[] = "contact_table.csv";
+    const char contact_table_file[] = "contact_table.csv";
 
     const double jump = 1e-3; // m, of a contact point from shift to shift
 
     const double widest_gap = 1e-3; // m, that the picture of gaps shows
 
-
-
     /**
      * 1 / curvature, 0 where it is flat. Units: m.
      */
-    double
-    radius_of(const double curvature)
+    double radius_of(const double curvature)
     {
       return std::abs(curvature) < 1e-6 ? 0. : 1 / curvature;
     }
 
-
-
-    void
-    set_contact(const std::string            &side,
-                const Profiles::RigidContact &contact,
-                const double                  sign,
-                ResultsTable                 &table)
+    void set_contact(const std::string            &side,
+                     const Profiles::RigidContact &contact,
+                     const double                  sign,
+                     ResultsTable                 &table)
     {
       table.set(side + "_x_m", contact.x);
       table.set(side + "_y_track_m", sign * contact.y);
@@ -51,10 +45,7 @@ namespace RollingContact
                 -sign * std::sin(contact.angle) / contact.rolling_radius);
     }
 
-
-
-    std::vector<double>
-    scaled(std::vector<double> values, const double factor)
+    std::vector<double> scaled(std::vector<double> values, const double factor)
     {
       for (double &value : values)
         value *= factor;
@@ -62,21 +53,16 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  ContactTable::ContactTable(const SceneParameters &scene, RunContext &context)
+  ContactTable::ContactTable(const Situation &scene, RunContext &context)
     : scene(scene)
     , context(context)
-    , side(scene.profiles.wheel(scene.prm_folder),
-           scene.profiles.rail(scene.prm_folder),
+    , side(scene.profiles.wheel(scene.inputs->prm_folder),
+           scene.profiles.rail(scene.inputs->prm_folder),
            scene.wheel.radius,
            scene.profiles.tape_circle())
   {}
 
-
-
-  ContactTable::Row
-  ContactTable::find(const double shift) const
+  ContactTable::Row ContactTable::find(const double shift) const
   {
     const double yaw  = scene.profiles.yaw;
     const double roll = Profiles::resting_roll(side, shift, yaw);
@@ -86,10 +72,7 @@ namespace RollingContact
             side.first_contact(Profiles::mirrored({shift, roll, yaw}))};
   }
 
-
-
-  void
-  ContactTable::run()
+  void ContactTable::run()
   {
     {
       PhaseTimer::Scope phase(context.timer, Phase::contact_solve);
@@ -105,7 +88,7 @@ namespace RollingContact
     find_conicities();
     write_rows();
     summarise();
-    if (!scene.output.plot)
+    if (!scene.inputs->output.plot)
       return;
     PhaseTimer::Scope phase(context.timer, Phase::fields);
     plot_sections();
@@ -116,10 +99,7 @@ namespace RollingContact
       }
   }
 
-
-
-  void
-  ContactTable::find_conicities()
+  void ContactTable::find_conicities()
   {
     PhaseTimer::Scope phase(context.timer, Phase::contact_solve);
     for (const double amplitude : radius_difference.shift)
@@ -135,12 +115,9 @@ namespace RollingContact
       }
   }
 
-
-
-  void
-  ContactTable::write_rows()
+  void ContactTable::write_rows()
   {
-    ResultsTable table(context.folder, table_file);
+    ResultsTable table(context.folder, contact_table_file);
     for (std::size_t k = 0; k < rows.size(); ++k)
       {
         const Row &row = rows[k];
@@ -154,10 +131,7 @@ namespace RollingContact
         for (const auto &[column, conicity] :
              {std::pair("conicity_harmonic", harmonic[k]),
               std::pair("conicity_en_15302", equivalent[k])})
-          if (std::isnan(conicity))
-            table.leave_empty(column);
-          else
-            table.set(column, conicity);
+          table.set_if(!std::isnan(conicity), column, conicity);
         table.end_row();
       }
     table.flush();
@@ -169,10 +143,7 @@ namespace RollingContact
                                             "rolling_radius_difference_m"}));
   }
 
-
-
-  void
-  ContactTable::summarise() const
+  void ContactTable::summarise() const
   {
     std::string jumps;
     for (std::size_t k = 1; k < rows.size(); ++k)
@@ -223,14 +194,11 @@ namespace RollingContact
         " at an amplitude of " + millimetres(amplitude));
   }
 
-
-
   /**
    * Both sections of the right-hand side in the first position of the wheelset
    * without shift or the nearest to it, and where they touch at every shift.
    */
-  void
-  ContactTable::plot_sections() const
+  void ContactTable::plot_sections() const
   {
     const Profiles::ProfileCurve &rail  = side.rail_profile(),
                                  &wheel = side.wheel_profile();
@@ -277,13 +245,10 @@ namespace RollingContact
     figure.draw(context, "contact_points");
   }
 
-
-
   /**
    * The gap between wheel and rail over the place on the wheel and the shift.
    */
-  void
-  ContactTable::plot_gaps() const
+  void ContactTable::plot_gaps() const
   {
     const unsigned int  n      = 400;
     const double        length = side.wheel_profile().length();
@@ -309,13 +274,10 @@ namespace RollingContact
     figure.draw(context, "gaps");
   }
 
-
-
   /**
    * The difference of the rolling radii and the conicities.
    */
-  void
-  ContactTable::plot_steering() const
+  void ContactTable::plot_steering() const
   {
     Figure figure("Steering of the wheelset",
                   "lateral shift, amplitude (mm)",
@@ -329,5 +291,30 @@ namespace RollingContact
     conicity.add_curve("EN 15302", amplitude, equivalent, CurveStyle::dashed);
     figure.add_panel(conicity);
     figure.draw(context, "steering");
+  }
+
+  namespace
+  {
+    std::unique_ptr<Analysis> make_contact_table(const Situation &scene,
+                                                 RunContext      &context)
+    {
+      return std::make_unique<ContactTable>(scene, context);
+    }
+  } // namespace
+
+  AnalysisKind contact_table_kind()
+  {
+    AnalysisKind kind;
+    kind.name = "contact table";
+    kind.help =
+      "where rigid wheel and rail profiles touch, see section Profiles";
+    kind.in_2d = kind.in_3d = &make_contact_table;
+    kind.sections           = {"Contact table"};
+    kind.has_bodies = kind.has_contact = false;
+    kind.on_ranks                      = false;
+    kind.check                         = [](const SceneParameters &scene) {
+      scene.profiles.check(scene.wheel.radius, scene.prm_folder);
+    };
+    return kind;
   }
 } // namespace RollingContact

@@ -1,18 +1,18 @@
 #include <rolling_contact/analyses/creep_curve.h>
 #include <rolling_contact/analyses/solve_to_target.h>
-#include <rolling_contact/assessment/reference_2d.h>
-#include <rolling_contact/assessment/reference_3d.h>
-#include <rolling_contact/assessment/uniqueness_warning.h>
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/base/stopwatch.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/parallel/interrupt.h>
-#include <rolling_contact/report/bodies_report.h>
-#include <rolling_contact/report/profile_columns.h>
-#include <rolling_contact/report/result_row.h>
-#include <rolling_contact/report/state_report.h>
+#include <rolling_contact/results/bodies_report.h>
+#include <rolling_contact/results/profile_columns.h>
+#include <rolling_contact/results/reference_2d.h>
+#include <rolling_contact/results/reference_3d.h>
+#include <rolling_contact/results/result_row.h>
+#include <rolling_contact/results/state_report.h>
+#include <rolling_contact/results/uniqueness_warning.h>
 #include <rolling_contact/run/progress.h>
-#include <rolling_contact/state/enlarged_zone.h>
+#include <rolling_contact/state/state_finder.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,32 +21,24 @@ namespace RollingContact
 {
   namespace
   {
-    const char needs_contact[] =
+    const char curve_needs_contact[] =
       "Analysis = creep curve needs contact and friction: check "
       "Contact/Approach, Contact/Normal load and "
       "Contact/Friction coefficient.";
 
-
-
-    bool
-    varies(const std::vector<double> &values)
+    bool varies(const std::vector<double> &values)
     {
       return std::any_of(values.begin(), values.end(), [&](const double value) {
         return value != values[0];
       });
     }
 
-
-
-    bool
-    any(const std::vector<double> &values)
+    bool any(const std::vector<double> &values)
     {
       return std::any_of(values.begin(), values.end(), [](const double value) {
         return value != 0.;
       });
     }
-
-
 
     /**
      * The points of the path by component.
@@ -66,15 +58,12 @@ namespace RollingContact
       std::vector<double> x, y, spin;
     };
 
-
-
     /**
      * What the points are drawn over: a creepage that is found for the same
      * force at all of them is none of it.
      */
-    std::vector<Creepages>
-    abscissae(const std::vector<CreepCurvePoint> &points,
-              std::vector<Creepages>              found)
+    std::vector<Creepages> abscissae(const std::vector<CreepCurvePoint> &points,
+                                     std::vector<Creepages>              found)
     {
       const AskedForces &first    = points[0].forces;
       const auto         constant = [&](std::optional<double> AskedForces::*c) {
@@ -95,13 +84,11 @@ namespace RollingContact
       return found;
     }
 
-
-
     /**
      * For the screen: the creepages that vary, then forces.
      */
-    std::vector<std::string>
-    columns_of(const std::vector<Creepages> &points, const bool any_force)
+    std::vector<std::string> columns_of(const std::vector<Creepages> &points,
+                                        const bool                    any_force)
     {
       const Path               path(points);
       std::vector<std::string> columns;
@@ -121,17 +108,14 @@ namespace RollingContact
     }
   } // namespace
 
-
-
   template <int dim>
-  void
-  CreepCurve<dim>::run()
+  void CreepCurve<dim>::run()
   {
-    const auto points = scene.creep_curve.points();
+    const auto points = scene.inputs->own<CreepCurveParameters>().points();
     if (scene.contact.friction_coefficient <= 0. || !bodies_touch(scene))
-      throw InputError(needs_contact);
+      throw InputError(curve_needs_contact);
     // section Contact has creepages for levels only, which refine for them
-    SceneParameters start = scene;
+    Situation start = scene;
     if (scene.mesh.adaptive_levels == 0)
       start.contact.creepages = Creepages();
     start.contact.forces = AskedForces();
@@ -145,7 +129,7 @@ namespace RollingContact
     scene.mesh = start.mesh;
     require_solved(scene, steady, "Creep curve, the state to start from");
     if (steady.result.normal_force <= 0.)
-      throw InputError(needs_contact);
+      throw InputError(curve_needs_contact);
     describe_bodies(steady, context);
     const Stopwatch watch;
     march(points, steady);
@@ -166,19 +150,16 @@ namespace RollingContact
         significant(*std::max_element(curve.force_ratio.begin(),
                                       curve.force_ratio.end()),
                     5));
-    if (scene.output.plot)
+    if (scene.inputs->output.plot)
       plot_creep_curve(abscissae(points, curve.found),
                        curve,
-                       scale_of_friction(scene),
+                       scale_of_friction(scene.contact),
                        context);
   }
 
-
-
   template <int dim>
-  void
-  CreepCurve<dim>::march(const std::vector<CreepCurvePoint> &points,
-                         SteadyState<dim>                   &steady)
+  void CreepCurve<dim>::march(const std::vector<CreepCurvePoint> &points,
+                              SteadyState<dim>                   &steady)
   {
     Progress         progress(context.log, "point", points.size());
     StateReview<dim> review(scene, context);
@@ -200,25 +181,15 @@ namespace RollingContact
     warn_of_missed_target(scene, context);
   }
 
-
-
   template <int dim>
-  void
-  CreepCurve<dim>::solve_point(const CreepCurvePoint &point,
-                               SteadyState<dim>      &steady)
+  void CreepCurve<dim>::solve_point(const CreepCurvePoint &point,
+                                    SteadyState<dim>      &steady)
   {
     ContactLoads &loads = steady.problem.loads;
-    // those that are found start from the point before
-    Creepages creepages = point.creepages;
-    if (point.forces.x)
-      creepages.x = loads.creepages.x;
-    if (point.forces.y)
-      creepages.y = loads.creepages.y;
-    if (point.forces.moment)
-      creepages.spin = loads.creepages.spin;
-    loads.creepages = creepages;
-    loads.forces    = point.forces;
-    solve_enlarging_zone(scene, StateDemands(), context, steady);
+    loads.forces        = point.forces;
+    loads.creepages =
+      start_of_search(point.forces, loads.creepages, point.creepages);
+    StateFinder<dim>(scene, StateDemands(), context).solve_enclosed(steady);
     curve.found.push_back(steady.problem.loads.creepages);
 
     const Resultants &result         = steady.result;
@@ -252,8 +223,52 @@ namespace RollingContact
       }
   }
 
-
-
   template class CreepCurve<2>;
   template class CreepCurve<3>;
+
+  namespace
+  {
+    std::vector<TableAxis> creepages_of_curve(const SceneParameters &scene)
+    {
+      const auto &curve = scene.own<CreepCurveParameters>();
+      return {
+        {"Creep curve/Creepage x", "Contact/Creepage x", curve.creepage_x},
+        {"Creep curve/Creepage y", "Contact/Creepage y", curve.creepage_y},
+        {"Creep curve/Spin", "Contact/Spin", curve.spin}};
+    }
+
+    void check_creep_curve(const SceneParameters &scene)
+    {
+      const CreepCurveParameters &curve = scene.own<CreepCurveParameters>();
+      curve.check();
+      if (scene.dimension == 2)
+        curve.check_in_2d();
+      bool has_forces = false;
+      for (const CreepCurvePoint &point : curve.points())
+        has_forces = has_forces || point.forces.any();
+      if (!has_forces)
+        return;
+      const std::string asked =
+        "Creep curve/Longitudinal force, Lateral force or Spin moment";
+      scene.check_forces(asked,
+                         !curve.lateral_force.empty() ||
+                           !curve.spin_moment.empty());
+      if (scene.contact.friction_coefficient == 0.)
+        throw InputError(asked +
+                         " and Contact/Friction coefficient = 0: without "
+                         "friction there is no such force.");
+    }
+  } // namespace
+
+  AnalysisKind creep_curve_kind()
+  {
+    AnalysisKind kind =
+      kind_of<CreepCurve>("creep curve",
+                          "many creepages, see section Creep curve");
+    kind.sections      = {"Creep curve"};
+    kind.add_section   = &add_section<CreepCurveParameters>;
+    kind.own_creepages = &creepages_of_curve;
+    kind.check         = &check_creep_curve;
+    return kind;
+  }
 } // namespace RollingContact

@@ -1,6 +1,6 @@
 #include <rolling_contact/analyses/creep_curve_plot.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/plot/figure.h>
+#include <rolling_contact/run/figure.h>
 
 #include <algorithm>
 #include <array>
@@ -21,10 +21,7 @@ namespace RollingContact
       double             factor;
     };
 
-
-
-    const std::array<Component, 3> &
-    components()
+    const std::array<Component, 3> &components()
     {
       static const std::array<Component, 3> all{
         {{&Creepages::y, "lateral creepage (%)", "lateral creepage", "%", 100.},
@@ -37,10 +34,8 @@ namespace RollingContact
       return all;
     }
 
-
-
-    bool
-    varies(const std::vector<Creepages> &points, const Component &component)
+    bool varies(const std::vector<Creepages> &points,
+                const Component              &component)
     {
       return std::any_of(points.begin(),
                          points.end(),
@@ -50,13 +45,10 @@ namespace RollingContact
                          });
     }
 
-
-
     /** "spin 0.5 1/m" of what varies besides the abscissa. */
-    std::string
-    label_of(const std::vector<Creepages> &points,
-             const std::size_t             k,
-             const Component              &abscissa)
+    std::string label_of(const std::vector<Creepages> &points,
+                         const std::size_t             k,
+                         const Component              &abscissa)
     {
       std::string label;
       for (const Component &component : components())
@@ -68,11 +60,9 @@ namespace RollingContact
       return label;
     }
 
-
-
     /** The points by what the other components are. */
-    std::vector<CreepLine>
-    lines_over(const std::vector<Creepages> &points, const Component &abscissa)
+    std::vector<CreepLine> lines_over(const std::vector<Creepages> &points,
+                                      const Component              &abscissa)
     {
       std::vector<CreepLine> lines;
       for (std::size_t k = 0; k < points.size(); ++k)
@@ -92,23 +82,17 @@ namespace RollingContact
       return lines;
     }
 
-
-
     /** Whether values are more than rounding of what they are measured by. */
-    bool
-    is_noticeable(const std::vector<double> &values, const double scale)
+    bool is_noticeable(const std::vector<double> &values, const double scale)
     {
       return std::any_of(values.begin(), values.end(), [&](const double value) {
         return std::abs(value) > 1e-6 * scale;
       });
     }
 
-
-
-    std::vector<double>
-    part_of(const std::vector<double>      &values,
-            const std::vector<std::size_t> &indices,
-            const double                    factor)
+    std::vector<double> part_of(const std::vector<double>      &values,
+                                const std::vector<std::size_t> &indices,
+                                const double                    factor)
     {
       std::vector<double> part;
       for (const std::size_t k : indices)
@@ -116,12 +100,9 @@ namespace RollingContact
       return part;
     }
 
-
-
-    void
-    add_references(const std::vector<ReferenceCurve> &references,
-                   const std::vector<double>         &abscissa,
-                   Figure                            &figure)
+    void add_references(const std::vector<ReferenceCurve> &references,
+                        const std::vector<double>         &abscissa,
+                        Figure                            &figure)
     {
       CurveStyle style = CurveStyle::reference;
       for (const ReferenceCurve &reference : references)
@@ -150,8 +131,6 @@ namespace RollingContact
     }
   } // namespace
 
-
-
   CreepLines::CreepLines(const std::vector<Creepages> &points)
   {
     const Component *chosen = &components()[1];
@@ -177,13 +156,10 @@ namespace RollingContact
       abscissa.push_back(chosen->factor * (point.*chosen->value));
   }
 
-
-
-  void
-  plot_creep_curve(const std::vector<Creepages> &points,
-                   const CreepCurveForces       &curve,
-                   const std::string            &scale,
-                   RunContext                   &context)
+  void plot_creep_curve(const std::vector<Creepages> &points,
+                        const CreepCurveForces       &curve,
+                        const std::string            &scale,
+                        RunContext                   &context)
   {
     const CreepLines lines(points);
     const auto       panel_of = [&](const std::string         &y_label,

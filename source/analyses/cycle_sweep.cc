@@ -3,7 +3,6 @@
 #include <rolling_contact/base/files.h>
 #include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/scene/limit_cycle_parameters.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +14,7 @@ namespace RollingContact
   {
     const char state_file[] = "limit_cycle_state.txt";
 
-    void
-    write_numbers(const std::vector<double> &numbers, std::ostream &stream)
+    void write_numbers(const std::vector<double> &numbers, std::ostream &stream)
     {
       stream << numbers.size();
       for (const double number : numbers)
@@ -24,11 +22,8 @@ namespace RollingContact
       stream << '\n';
     }
 
-
-
     /** False if there are not as many as it says, or one is not finite. */
-    bool
-    read_numbers(std::istream &stream, std::vector<double> &numbers)
+    bool read_numbers(std::istream &stream, std::vector<double> &numbers)
     {
       std::string line, number;
       if (!std::getline(stream, line))
@@ -48,10 +43,31 @@ namespace RollingContact
     }
   } // namespace
 
+  std::string name_of(const RunEnd &end)
+  {
+    return end ? Cycles::name_of(*end) : "not converged";
+  }
 
+  RunEnd end_named(const std::string &name)
+  {
+    for (const auto motion : {Cycles::Motion::too_short,
+                              Cycles::Motion::changing,
+                              Cycles::Motion::periodic,
+                              Cycles::Motion::stationary,
+                              Cycles::Motion::decayed})
+      if (name == Cycles::name_of(motion))
+        return motion;
+    return {};
+  }
 
-  std::vector<SweepRun>
-  sweep_runs(const LimitCycleParameters &parameters, const std::size_t n_starts)
+  RunEnd end_of_row(const ResultsTable &results, const std::size_t row)
+  {
+    const auto *end = results.value<RunEnd>(row, "cycle");
+    return end ? *end : RunEnd();
+  }
+
+  std::vector<SweepRun> sweep_runs(const LimitCycleParameters &parameters,
+                                   const std::size_t           n_starts)
   {
     std::vector<double>   values = parameters.axis_values();
     std::vector<SweepRun> runs;
@@ -73,18 +89,16 @@ namespace RollingContact
     return runs;
   }
 
-
-
-  void
-  write_sweep_state(const SweepState &state, RunFolder &folder)
+  void write_sweep_state(const SweepState &state, RunFolder &folder)
   {
     std::ostringstream stream;
     stream << state.n_rows << ' ' << (state.carried ? 1 : 0) << '\n';
     write_numbers(state.starts, stream);
     if (state.carried)
       {
-        const ReducedState &motion = state.carried->motion;
-        write_numbers({state.carried->share, state.carried->target}, stream);
+        const ReducedState &motion   = state.carried->motion;
+        const PatchMemory  &friction = state.carried->friction;
+        write_numbers({friction.share, friction.target}, stream);
         for (const auto *numbers :
              {&motion.eta, &motion.rate, &motion.forces, &motion.forces_before})
           write_numbers(*numbers, stream);
@@ -92,10 +106,7 @@ namespace RollingContact
     folder.write_atomically(state_file, stream.str());
   }
 
-
-
-  SweepState
-  read_sweep_state(const RunFolder &folder)
+  SweepState read_sweep_state(const RunFolder &folder)
   {
     const auto         file = folder.get_path() / state_file;
     std::istringstream stream(read_bytes(file));
@@ -119,10 +130,7 @@ namespace RollingContact
           good && carried.motion.eta.size() == carried.motion.rate.size() &&
           carried.motion.forces.size() == carried.motion.forces_before.size();
         if (good)
-          {
-            carried.share  = friction[0];
-            carried.target = friction[1];
-          }
+          carried.friction = {friction[0], friction[1]};
       }
     if (!good)
       throw InputError("Cannot resume: \"" + file.string() +

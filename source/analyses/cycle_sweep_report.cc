@@ -1,7 +1,6 @@
 #include <rolling_contact/analyses/cycle_sweep.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/plot/figure.h>
-#include <rolling_contact/scene/limit_cycle_parameters.h>
+#include <rolling_contact/run/figure.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,52 +13,40 @@ namespace RollingContact
     /// two cycles are the same within this
     const double same_frequency = 1e-3, same_amplitude = 0.02;
 
-    double
-    number(const ResultsTable &results,
-           const std::size_t   row,
-           const std::string  &column)
+    /**
+     * The larger of the amplitudes along x and y; 0 for a motion that has
+     * decayed.
+     */
+    double amplitude(const ResultsTable &results, const std::size_t row)
     {
-      const std::string text = results.text(row, column);
-      return text.empty() ? std::nan("") : std::stod(text);
-    }
-
-
-
-    /** Of the larger of the two along x and y; 0 for what has decayed. */
-    double
-    amplitude(const ResultsTable &results, const std::size_t row)
-    {
-      if (results.text(row, "cycle") == "decayed")
+      if (end_of_row(results, row) == Cycles::Motion::decayed)
         return 0.;
-      return std::fmax(number(results, row, "cycle_velocity_x_amplitude_m/s"),
-                       number(results, row, "cycle_velocity_y_amplitude_m/s"));
+      const double unknown = std::nan("");
+      return std::fmax(
+        results.number(row, "cycle_velocity_x_amplitude_m/s").value_or(unknown),
+        results.number(row, "cycle_velocity_y_amplitude_m/s")
+          .value_or(unknown));
     }
 
-
-
-    bool
-    are_alike(const ResultsTable &results,
-              const std::size_t   a,
-              const std::size_t   b)
+    bool are_alike(const ResultsTable &results,
+                   const std::size_t   a,
+                   const std::size_t   b)
     {
-      const double f = number(results, a, "cycle_frequency_Hz"),
-                   v = amplitude(results, a), w = amplitude(results, b);
-      const bool same_kind =
-        results.text(a, "cycle") == results.text(b, "cycle");
-      if (!same_kind || results.text(a, "cycle") != "periodic")
-        return same_kind &&
-               (v == w || std::abs(v - w) <= same_amplitude * std::fmax(v, w));
-      return std::abs(number(results, b, "cycle_frequency_Hz") - f) <=
-               same_frequency * f &&
-             std::abs(v - w) <= same_amplitude * std::fmax(v, w);
+      const double v = amplitude(results, a), w = amplitude(results, b);
+      const RunEnd end = end_of_row(results, a);
+      if (end != end_of_row(results, b) ||
+          !(v == w || std::abs(v - w) <= same_amplitude * std::fmax(v, w)))
+        return false;
+      if (end != Cycles::Motion::periodic)
+        return true;
+      const double f = results.number(a, "cycle_frequency_Hz").value(),
+                   g = results.number(b, "cycle_frequency_Hz").value();
+      return std::abs(g - f) <= same_frequency * f;
     }
 
-
-
-    std::string
-    what_starts_say(const std::vector<SweepRun> &runs,
-                    const std::vector<double>   &starts,
-                    const ResultsTable          &results)
+    std::string what_starts_say(const std::vector<SweepRun> &runs,
+                                const std::vector<double>   &starts,
+                                const ResultsTable          &results)
     {
       std::vector<std::size_t> different;
       for (std::size_t row = 0; row < results.n_rows(); ++row)
@@ -75,11 +62,8 @@ namespace RollingContact
                    std::to_string(different.size()) + " different motions";
     }
 
-
-
-    std::string
-    what_directions_say(const std::vector<SweepRun> &runs,
-                        const ResultsTable          &results)
+    std::string what_directions_say(const std::vector<SweepRun> &runs,
+                                    const ResultsTable          &results)
     {
       std::string differing;
       for (std::size_t down = 0; down < results.n_rows(); ++down)
@@ -97,12 +81,9 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  void
-  plot_sweep(const LimitCycleParameters  &parameters,
-             const std::vector<SweepRun> &runs,
-             RunContext                  &context)
+  void plot_sweep(const LimitCycleParameters  &parameters,
+                  const std::vector<SweepRun> &runs,
+                  RunContext                  &context)
   {
     if (parameters.axis_entry().empty())
       return;
@@ -118,7 +99,7 @@ namespace RollingContact
         Branch &branch = branches[{runs[row].start, !runs[row].up}];
         branch.x.push_back(*runs[row].value);
         branch.y.push_back(amplitude(results, row));
-        growths[*runs[row].value] = number(results, row, "largest_growth_1/s");
+        growths[*runs[row].value] = *results.number(row, "largest_growth_1/s");
       }
     Figure amplitudes("Limit cycles", parameters.axis, "amplitude (m/s)");
     for (const auto &[key, branch] : branches)
@@ -142,18 +123,19 @@ namespace RollingContact
     amplitudes.draw(context, "limit_cycles");
   }
 
-
-
-  void
-  note_sweep(const LimitCycleParameters  &parameters,
-             const std::vector<SweepRun> &runs,
-             const std::vector<double>   &starts,
-             RunContext                  &context)
+  void note_sweep(const LimitCycleParameters  &parameters,
+                  const std::vector<SweepRun> &runs,
+                  const std::vector<double>   &starts,
+                  RunContext                  &context)
   {
     const ResultsTable                &results = context.results;
     std::map<std::string, std::size_t> kinds;
+    std::size_t                        n_changing = 0;
     for (std::size_t row = 0; row < results.n_rows(); ++row)
-      ++kinds[results.text(row, "cycle")];
+      {
+        ++kinds[name_of(end_of_row(results, row))];
+        n_changing += end_of_row(results, row) == Cycles::Motion::changing;
+      }
     std::string text;
     for (const auto &[kind, n] : kinds)
       text += (text.empty() ? "" : ", ") + std::to_string(n) + " " + kind;
@@ -166,9 +148,9 @@ namespace RollingContact
     if (parameters.direction == SweepDirection::both &&
         !parameters.axis_entry().empty())
       context.report.set_finding("sweep", what_directions_say(runs, results));
-    if (kinds.count("changing") > 0)
+    if (n_changing > 0)
       context.log.warning(
-        std::to_string(kinds["changing"]) +
+        std::to_string(n_changing) +
         " of the runs still change at their end (column cycle of results.csv): "
         "take a later Time/End time.");
   }

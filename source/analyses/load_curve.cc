@@ -1,15 +1,17 @@
 #include <rolling_contact/analyses/load_curve.h>
 #include <rolling_contact/analyses/solve_to_target.h>
-#include <rolling_contact/assessment/reference_3d.h>
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/base/stopwatch.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/parallel/interrupt.h>
-#include <rolling_contact/plot/figure.h>
-#include <rolling_contact/report/bodies_report.h>
-#include <rolling_contact/report/profile_columns.h>
-#include <rolling_contact/report/result_row.h>
-#include <rolling_contact/report/state_report.h>
+#include <rolling_contact/input/number_list.h>
+#include <rolling_contact/results/bodies_report.h>
+#include <rolling_contact/results/profile_columns.h>
+#include <rolling_contact/results/reference_3d.h>
+#include <rolling_contact/results/result_row.h>
+#include <rolling_contact/results/state_report.h>
+#include <rolling_contact/run/figure.h>
+#include <rolling_contact/scene/entries.h>
 
 #include <cmath>
 
@@ -17,34 +19,29 @@ namespace RollingContact
 {
   namespace
   {
-    const char needs_contact[] =
+    const char loads_need_contact[] =
       "Analysis = load curve needs contact: check Contact/Approach and "
       "Contact/Normal load.";
   } // namespace
-
-
 
   namespace
   {
     /**
      * The stiffness is found with 10 % more than the largest load.
      */
-    StateDemands
-    demands()
+    StateDemands load_curve_demands()
     {
       StateDemands demands;
       demands.growth = 1.05;
       return demands;
     }
 
-
-
     /**
      * By Hertz, half-widths go with the root of the load in 2D, with its third
      * root in 3D.
      */
-    TargetDemands
-    targets(const std::vector<double> &load_fractions, const int dim)
+    TargetDemands targets(const std::vector<double> &load_fractions,
+                          const int                  dim)
     {
       TargetDemands targets;
       targets.patches.clear();
@@ -54,29 +51,27 @@ namespace RollingContact
     }
   } // namespace
 
-
-
   template <int dim>
-  void
-  LoadCurve<dim>::run()
+  void LoadCurve<dim>::run()
   {
     if (!bodies_touch(scene))
-      throw InputError(needs_contact);
-    SteadyState<dim> steady =
-      solve_to_target<dim>(scene,
-                           demands(),
-                           targets(scene.load_curve.load_fractions, dim),
-                           context,
-                           [](const auto &) {});
+      throw InputError(loads_need_contact);
+    SteadyState<dim> steady = solve_to_target<dim>(
+      scene,
+      load_curve_demands(),
+      targets(scene.inputs->own<LoadCurveParameters>().load_fractions, dim),
+      context,
+      [](const auto &) {});
     require_solved(scene, steady, "Load curve, the largest load");
     if (steady.result.normal_force <= 0.)
-      throw InputError(needs_contact);
+      throw InputError(loads_need_contact);
     describe_bodies(steady, context);
     if (steady.problem.operators.frames().is_plane())
       steady.problem.loads.inclined_load.reset();
     const double     largest = steady.result.normal_force;
     StateReview<dim> review(scene, context);
-    for (const double share : scene.load_curve.load_fractions)
+    for (const double share :
+         scene.inputs->own<LoadCurveParameters>().load_fractions)
       {
         throw_if_interrupted();
         const Stopwatch   watch;
@@ -105,29 +100,24 @@ namespace RollingContact
                                "k = " +
                                  significant(*steady.contact_stiffness, 5) +
                                  " N/m under the last load");
-    if (scene.output.plot)
+    if (scene.inputs->output.plot)
       plot();
   }
 
-
-
   template <int dim>
-  void
-  LoadCurve<dim>::solve_at(const double load, SteadyState<dim> &steady) const
+  void LoadCurve<dim>::solve_at(const double      load,
+                                SteadyState<dim> &steady) const
   {
     steady.problem.loads.normal_load = load;
     if (steady.problem.loads.inclined_load)
       steady.problem.loads.inclined_load = {load, 0.};
-    solve_contact(scene, demands(), steady);
+    solve_contact(scene, load_curve_demands(), steady);
     steady.result = resultants(steady.problem, steady.state);
     require_solved(scene, steady, "Load curve, " + significant(load, 6) + " N");
   }
 
-
-
   template <int dim>
-  double
-  LoadCurve<dim>::stiffness(SteadyState<dim> &steady) const
+  double LoadCurve<dim>::stiffness(SteadyState<dim> &steady) const
   {
     const double load = steady.result.normal_force, change = 0.1;
     const auto   given  = steady.problem.loads;
@@ -144,11 +134,8 @@ namespace RollingContact
     return 2 * change * load / (above - below);
   }
 
-
-
   template <int dim>
-  void
-  LoadCurve<dim>::plot() const
+  void LoadCurve<dim>::plot() const
   {
     const auto scaled = [](std::vector<double> values, const double factor) {
       for (double &value : values)
@@ -168,8 +155,38 @@ namespace RollingContact
     figure.draw(context, "load_curve");
   }
 
-
-
   template class LoadCurve<2>;
   template class LoadCurve<3>;
+
+  void LoadCurveParameters::declare(Entries &entries)
+  {
+    entries.section("Load curve").read_by_analyses("load curve");
+    entries.list("Shares of load", load_fractions, "0.1 : 1 : 10", "1").help =
+      "Loads over the one of section Contact, for which the mesh is "
+      "made: " +
+      std::string(number_list_form) + ".";
+  }
+
+  void LoadCurveParameters::check() const
+  {
+    for (const double fraction : load_fractions)
+      if (!(fraction > 0. && fraction <= 1.))
+        throw InputError("Load curve/Shares of load contains " +
+                         significant(fraction, 15) +
+                         ", which is not above 0 and at most 1.");
+  }
+
+  AnalysisKind load_curve_kind()
+  {
+    AnalysisKind kind = kind_of<LoadCurve>(
+      "load curve",
+      "approach and contact stiffness under many loads, see section Load "
+      "curve");
+    kind.sections    = {"Load curve"};
+    kind.add_section = &add_section<LoadCurveParameters>;
+    kind.check       = [](const SceneParameters &scene) {
+      scene.own<LoadCurveParameters>().check();
+    };
+    return kind;
+  }
 } // namespace RollingContact

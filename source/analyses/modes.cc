@@ -1,12 +1,12 @@
 #include <rolling_contact/analyses/modes.h>
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/modes/measuring_point.h>
 #include <rolling_contact/modes/modal_damping.h>
-#include <rolling_contact/parallel/interrupt.h>
-#include <rolling_contact/plot/figure.h>
-#include <rolling_contact/report/mode_animation.h>
-#include <rolling_contact/report/mode_sections.h>
+#include <rolling_contact/results/mode_animation.h>
+#include <rolling_contact/results/mode_sections.h>
+#include <rolling_contact/run/figure.h>
 
 #include <map>
 
@@ -14,44 +14,24 @@ namespace RollingContact
 {
   namespace
   {
-    const char table_file[] = "modes.csv";
-
-
-
-    template <typename Value>
-    void
-    set_if_known(ResultsTable               &table,
-                 const std::string          &column,
-                 const std::optional<Value> &value)
-    {
-      if (value)
-        table.set(column, *value);
-      else
-        table.leave_empty(column);
-    }
-
-
+    const char modes_file[] = "modes.csv";
 
     /** "mostly axial" and the like: what a mode moves along. */
-    std::string
-    family(const ModeCharacter &character)
+    std::string family(const ModeCharacter &character)
     {
       if (character.axial_share > 0.5)
         return "axial";
       return character.radial_share > 0.5 ? "radial" : "circumferential";
     }
 
-
-
     /**
      * Eigenfrequencies over the nodal diameters, by the direction in which most
      * of the energy is.
      */
-    void
-    plot_diameters(const std::string                &section,
-                   const StructuralModes            &modes,
-                   const std::vector<ModeCharacter> &characters,
-                   RunContext                       &context)
+    void plot_diameters(const std::string                &section,
+                        const StructuralModes            &modes,
+                        const std::vector<ModeCharacter> &characters,
+                        RunContext                       &context)
     {
       std::map<std::string, std::array<std::vector<double>, 2>> families;
       for (std::size_t j = 0; j < modes.size(); ++j)
@@ -75,13 +55,10 @@ namespace RollingContact
     }
   } // namespace
 
-
-
   namespace
   {
     /** The first shapes, of pairs one, in the section at the contact. */
-    void
-    plot_shapes(const VibratingBody<3> &body, RunContext &context)
+    void plot_shapes(const VibratingBody<3> &body, RunContext &context)
     {
       const unsigned int     most = 8;
       std::vector<ShownMode> shown;
@@ -91,13 +68,12 @@ namespace RollingContact
           const ModeCharacter &character = body.characters[j];
           if (character.partner && *character.partner < j)
             continue;
-          const double *shape = shapes.data() + j * shapes.n_rows();
           shown.push_back(
             {significant(body.modes.frequencies[j], 4) + " Hz" +
                (character.nodal_diameters
                   ? ", n = " + std::to_string(*character.nodal_diameters)
                   : ""),
-             body.body->field({shape, shape + shapes.n_rows()})});
+             body.body->field(column_of(shapes, j))});
         }
       plot_mode_sections(*body.body,
                          shown,
@@ -109,13 +85,10 @@ namespace RollingContact
     }
   } // namespace
 
-
-
   template <int dim>
-  void
-  Modes<dim>::run()
+  void Modes<dim>::run()
   {
-    ResultsTable table(context.folder, table_file);
+    ResultsTable table(context.folder, modes_file);
     for (const Side side : both_sides)
       {
         if (scene.body(side).rigid)
@@ -123,12 +96,13 @@ namespace RollingContact
         throw_if_interrupted();
         const VibratingBody<dim> body(scene,
                                       side,
-                                      scene.modes.maximum_frequency,
+                                      scene.inputs->modes,
+                                      scene.inputs->modes.maximum_frequency,
                                       context);
         add_rows(body, table);
         summarise(body);
         PhaseTimer::Scope phase(context.timer, Phase::fields);
-        if (scene.output.plot)
+        if (scene.inputs->output.plot)
           {
             plot_diameters(name_of(side), body.modes, body.characters, context);
             if constexpr (dim == 3)
@@ -146,16 +120,13 @@ namespace RollingContact
                                             "damping_ratio"}));
     if (table.n_rows() == 0)
       throw InputError("Modes/Maximum frequency = " +
-                       significant(scene.modes.maximum_frequency, 6) +
+                       significant(scene.inputs->modes.maximum_frequency, 6) +
                        " Hz: no body has a mode below; raise it.");
   }
 
-
-
   template <int dim>
-  void
-  Modes<dim>::add_rows(const VibratingBody<dim> &body,
-                       ResultsTable             &table) const
+  void Modes<dim>::add_rows(const VibratingBody<dim> &body,
+                            ResultsTable             &table) const
   {
     const StructuralModes &modes = body.modes;
     const auto             damping =
@@ -168,26 +139,18 @@ namespace RollingContact
         table.set("body", name_of(body.side));
         table.set("mode", j + 1);
         table.set("frequency_Hz", modes.frequencies[j]);
-        set_if_known(table, "nodal_diameters", character.nodal_diameters);
-        if (character.nodal_diameters)
-          table.set("diameter_share", character.diameter_share);
-        else
-          table.leave_empty("diameter_share");
+        table.set("nodal_diameters", character.nodal_diameters);
+        table.set_if(character.nodal_diameters.has_value(),
+                     "diameter_share",
+                     character.diameter_share);
         table.set("axial_share", character.axial_share);
         table.set("radial_share", character.radial_share);
         table.set("circumferential_share", character.circumferential_share);
         table.set("damping_ratio", damping[j]);
-        if (character.partner)
-          {
-            table.set("pair_mode", *character.partner + 1);
-            table.set("pair_split", character.split);
-          }
-        else
-          {
-            table.leave_empty("pair_mode");
-            table.leave_empty("pair_split");
-          }
-        const double *shape = modes.shapes.data() + j * modes.shapes.n_rows();
+        const bool paired = character.partner.has_value();
+        table.set_if(paired, "pair_mode", character.partner.value_or(0) + 1);
+        table.set_if(paired, "pair_split", character.split);
+        const double *shape = modes.shapes.col(j).data();
         table.set("contact_x_1/sqrt(kg)", contact.motion(0, shape));
         table.set("contact_y_1/sqrt(kg)", contact.motion(1, shape));
         table.set("contact_z_1/sqrt(kg)", up * contact.motion(2, shape));
@@ -196,21 +159,16 @@ namespace RollingContact
       }
   }
 
-
-
   template <int dim>
-  void
-  Modes<dim>::animate(const VibratingBody<dim> &body) const
+  void Modes<dim>::animate(const VibratingBody<dim> &body) const
   {
     const std::size_t n =
-      std::min<std::size_t>(scene.modes.animated, body.modes.size());
+      std::min<std::size_t>(scene.inputs->modes.animated, body.modes.size());
     for (std::size_t j = 0; j < n; ++j)
       {
-        const double *shape =
-          body.modes.shapes.data() + j * body.modes.shapes.n_rows();
         write_mode_animation<dim>(
           {{body.body,
-            body.body->field({shape, shape + body.modes.shapes.n_rows()}),
+            body.body->field(column_of(body.modes.shapes, j)),
             {},
             body.side == Side::wheel,
             ""}},
@@ -219,11 +177,8 @@ namespace RollingContact
       }
   }
 
-
-
   template <int dim>
-  void
-  Modes<dim>::summarise(const VibratingBody<dim> &body) const
+  void Modes<dim>::summarise(const VibratingBody<dim> &body) const
   {
     const StructuralModes &modes = body.modes;
     double                 worst = 0.;
@@ -246,8 +201,34 @@ namespace RollingContact
        ""});
   }
 
-
-
   template class Modes<2>;
   template class Modes<3>;
+
+  void check_lone_bodies(const SceneParameters &scene)
+  {
+    scene.modes.check();
+    const std::string &name = scene.analysis.name;
+    if (scene.wheel.rigid && scene.rail.rigid)
+      throw InputError("Wheel/Rigid = true and Rail/Rigid = true: Analysis = " +
+                       name + " needs an elastic body.");
+    if (scene.body_solver == BodySolver::distributed)
+      throw InputError("Body solver = distributed: Analysis = " + name +
+                       " needs the factor of the stiffness, which blocks of "
+                       "vectors are solved with; take direct or automatic, on "
+                       "one rank.");
+    if (scene.profiles.in_use())
+      scene.profiles.check(scene.wheel.radius, scene.prm_folder);
+  }
+
+  AnalysisKind modes_kind()
+  {
+    AnalysisKind kind = kind_of<Modes>(
+      "modes",
+      "eigenfrequencies and mode shapes of each body, see section Modes");
+    kind.sections    = {"Modes"};
+    kind.has_contact = false;
+    kind.on_ranks    = false;
+    kind.check       = &check_lone_bodies;
+    return kind;
+  }
 } // namespace RollingContact

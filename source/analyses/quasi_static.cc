@@ -2,21 +2,21 @@
 #include <rolling_contact/analyses/solve_to_target.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/report/bodies_report.h>
-#include <rolling_contact/report/body_fields.h>
-#include <rolling_contact/report/interface_fields.h>
-#include <rolling_contact/report/lines_across.h>
-#include <rolling_contact/report/profile_columns.h>
-#include <rolling_contact/report/profile_plot.h>
-#include <rolling_contact/report/result_row.h>
-#include <rolling_contact/report/state_report.h>
+#include <rolling_contact/contact/contact_problem_file.h>
+#include <rolling_contact/results/bodies_report.h>
+#include <rolling_contact/results/body_fields.h>
+#include <rolling_contact/results/interface_fields.h>
+#include <rolling_contact/results/lines_across.h>
+#include <rolling_contact/results/profile_columns.h>
+#include <rolling_contact/results/profile_plot.h>
+#include <rolling_contact/results/result_row.h>
+#include <rolling_contact/results/state_report.h>
 #include <rolling_contact/run/pvd.h>
 
 namespace RollingContact
 {
   template <int dim>
-  void
-  QuasiStatic<dim>::run()
+  void QuasiStatic<dim>::run()
   {
     if (!bodies_touch(scene))
       {
@@ -24,7 +24,7 @@ namespace RollingContact
         return;
       }
     StateDemands demands;
-    demands.pair.displacements = scene.output.body_fields;
+    demands.pair.displacements = scene.inputs->output.body_fields;
     const SteadyState<dim> steady =
       solve_to_target<dim>(scene,
                            demands,
@@ -36,10 +36,10 @@ namespace RollingContact
     describe_bodies(steady, context);
     context.report.objects.push_back(
       {"body fields (one backward solve each)",
-       scene.output.body_fields,
+       scene.inputs->output.body_fields,
        0,
        0.,
-       scene.output.body_fields ? "" : "Output/Body fields"});
+       scene.inputs->output.body_fields ? "" : "Output/Body fields"});
     write_fields(steady);
     summarise(steady);
     if (!steady.solver.converged)
@@ -52,21 +52,15 @@ namespace RollingContact
            : " Try Contact/Solver = automatic."));
   }
 
-
-
   template <int dim>
-  void
-  QuasiStatic<dim>::report_no_contact()
+  void QuasiStatic<dim>::report_no_contact()
   {
     add_open_row(scene, context.results);
     context.log.message("The bodies do not touch: all forces are zero.");
   }
 
-
-
   template <int dim>
-  void
-  QuasiStatic<dim>::write_residuals(const SteadyState<dim> &steady) const
+  void QuasiStatic<dim>::write_residuals(const SteadyState<dim> &steady) const
   {
     std::string history = "iteration,residual_normal,residual_tangential\n";
     for (std::size_t k = 0; k < steady.solver.history.size(); ++k)
@@ -76,24 +70,30 @@ namespace RollingContact
     context.folder.write_atomically("residuals.csv", history);
   }
 
-
-
   template <int dim>
-  void
-  QuasiStatic<dim>::write_fields(const SteadyState<dim> &steady)
+  void QuasiStatic<dim>::write_fields(const SteadyState<dim> &steady)
   {
     PhaseTimer::Scope phase(context.timer, Phase::fields);
     RunFolder        &folder = context.folder;
     if (!steady.solver.converged)
       write_residuals(steady);
-    if (scene.output.interface_fields)
+    if (scene.inputs->output.interface_fields)
       {
         write_interface(scene, steady, folder, "interface.vtu");
         write_pvd({{0., 0, "interface", "interface.vtu"}},
                   folder,
                   "interface.pvd");
       }
-    if (scene.output.body_fields)
+    if (scene.inputs->output.contact_problem &&
+        !steady.problem.loads.friction_law)
+      folder.write_atomically(
+        "contact_problem.h5",
+        contact_problem_bytes(steady.pair->trace(),
+                              scene.contact.contact_matrices,
+                              steady.problem,
+                              steady.state,
+                              folder.get_path() / "contact_problem.h5"));
+    if (scene.inputs->output.body_fields)
       write_pvd(write_bodies<dim>(
                   steady,
                   [&](const Side side) {
@@ -107,21 +107,18 @@ namespace RollingContact
                 folder,
                 "bodies.pvd");
     if constexpr (dim == 2)
-      if (scene.output.plot && steady.result.normal_force > 0.)
+      if (scene.inputs->output.plot && steady.result.normal_force > 0.)
         plot_line_tractions(scene, steady, context);
     if constexpr (dim == 3)
       {
         write_lines_across(scene, steady, context);
-        if (scene.output.plot)
+        if (scene.inputs->output.plot)
           plot_profiles(scene, steady, context);
       }
   }
 
-
-
   template <int dim>
-  void
-  QuasiStatic<dim>::summarise(const SteadyState<dim> &steady)
+  void QuasiStatic<dim>::summarise(const SteadyState<dim> &steady)
   {
     const std::string work = "Solver: " + work_of_solver(steady.solver) + ".";
     steady.solver.used_fallback ? context.log.message(work)
@@ -134,8 +131,14 @@ namespace RollingContact
     warn_of_missed_target(scene, context);
   }
 
-
-
   template class QuasiStatic<2>;
   template class QuasiStatic<3>;
+
+  AnalysisKind quasi_static_kind()
+  {
+    AnalysisKind kind =
+      kind_of<QuasiStatic>("quasi-static", "one steady rolling state");
+    kind.has_one_state = true;
+    return kind;
+  }
 } // namespace RollingContact

@@ -1,12 +1,13 @@
+#include <rolling_contact/analyses/modes.h>
 #include <rolling_contact/analyses/receptance.h>
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/input/rows_file.h>
 #include <rolling_contact/modes/measuring_point.h>
 #include <rolling_contact/modes/modal_damping.h>
-#include <rolling_contact/parallel/interrupt.h>
-#include <rolling_contact/plot/figure.h>
+#include <rolling_contact/run/figure.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +18,7 @@ namespace RollingContact
   {
     using Complex = std::complex<double>;
 
-    const char table_file[] = "receptances.csv";
+    const char receptances_file[] = "receptances.csv";
 
     /// of the half-width of a resonance: frequencies added around it
     const std::array<double, 7> around{{-10., -3., -1., 0., 1., 3., 10.}};
@@ -29,8 +30,6 @@ namespace RollingContact
 
     /// over the largest receptance: what is not drawn
     const double nothing = 1e-6;
-
-
 
     /**
      * The wanted frequencies and those that sharp resonances need.
@@ -55,23 +54,9 @@ namespace RollingContact
       return frequencies;
     }
 
-
-
-    double
-    largest_of(const std::vector<Complex> &values)
-    {
-      double largest = 0.;
-      for (const Complex &value : values)
-        largest = std::max(largest, std::abs(value));
-      return largest;
-    }
-
-
-
-    std::vector<double>
-    column(const NamedRows   &table,
-           const std::string &name,
-           const std::string &entry)
+    std::vector<double> column(const NamedRows   &table,
+                               const std::string &name,
+                               const std::string &entry)
     {
       const auto found =
         std::find(table.names.begin(), table.names.end(), name);
@@ -85,34 +70,27 @@ namespace RollingContact
     }
   } // namespace
 
-
-
   template <int dim>
-  void
-  Receptance<dim>::read_measured(const Side side)
+  void Receptance<dim>::read_measured(const Side side)
   {
-    const std::string &file = side == Side::wheel
-                                ? scene.receptance.measured_wheel
-                                : scene.receptance.measured_rail;
+    const std::string &file =
+      side == Side::wheel ? section.measured_wheel : section.measured_rail;
     if (file.empty())
       return;
     const std::string entry =
       std::string("Receptance/Measured ") + name_of(side) + " = " + file;
-    const NamedRows rows = read_rows(entry, scene.prm_folder / file);
+    const NamedRows rows = read_rows(entry, scene.inputs->prm_folder / file);
     measured[side]       = Curve{"measured: " + file,
                            column(rows, "frequency_Hz", entry),
                            column(rows, "receptance_m/N", entry)};
   }
 
-
-
   template <int dim>
-  void
-  Receptance<dim>::run()
+  void Receptance<dim>::run()
   {
     for (const Side side : both_sides)
       read_measured(side);
-    ResultsTable table(context.folder, table_file);
+    ResultsTable table(context.folder, receptances_file);
     for (const Side side : both_sides)
       {
         if (scene.body(side).rigid)
@@ -120,15 +98,14 @@ namespace RollingContact
         throw_if_interrupted();
         const VibratingBody<dim> body(scene,
                                       side,
-                                      scene.modes.cut_off_ratio *
-                                        scene.receptance.highest_frequency,
+                                      scene.inputs->modes,
+                                      scene.inputs->modes.cut_off_ratio *
+                                        section.highest_frequency,
                                       context);
         sweep(body, table);
       }
     table.flush();
   }
-
-
 
   template <int dim>
   std::vector<std::vector<double>>
@@ -137,15 +114,15 @@ namespace RollingContact
   {
     const double                     up = body.side == Side::wheel ? -1. : 1.;
     std::vector<std::vector<double>> forces;
-    for (const auto &place : scene.receptance.places(body.side))
+    for (const auto &place : section.places(body.side))
       {
         const MeasuringPoint point(
           body.places,
           {{place.point[0], place.point[1], up * place.point[2]}},
-          scene.receptance.load_radius);
+          section.load_radius);
         const std::string where = "Receptance: the place " + place.name +
                                   " of the " + name_of(body.side);
-        if (point.distance() > scene.receptance.load_radius)
+        if (point.distance() > section.load_radius)
           context.log.warning(
             where + " is " + millimetres(point.distance()) +
             " away from the nearest node, which stands for it: raise "
@@ -153,7 +130,7 @@ namespace RollingContact
         else
           context.log.detail(where + " is the mean of " +
                              std::to_string(point.n_nodes()) + " nodes.");
-        for (const unsigned int axis : scene.receptance.axes())
+        for (const unsigned int axis : section.axes())
           {
             stations.push_back({place.name, axis, axis == 2 ? up : 1.});
             forces.push_back(point.load(axis, body.K.size()));
@@ -164,18 +141,16 @@ namespace RollingContact
     return forces;
   }
 
-
-
   template <int dim>
-  void
-  Receptance<dim>::sweep(const VibratingBody<dim> &body, ResultsTable &table)
+  void Receptance<dim>::sweep(const VibratingBody<dim> &body,
+                              ResultsTable             &table)
   {
     std::vector<Station> stations;
     auto                 forces = loads(body, stations);
     const auto           ratios = body.given_damping();
     const auto           rings  = body.parameters.absorbers();
     const AbsorberPlaces hanging =
-      body.absorbers(scene.receptance.highest_frequency, context);
+      body.absorbers(section.highest_frequency, context);
     for (std::size_t k = 0; k < hanging.n_coordinates(); ++k)
       {
         const double *load = hanging.loads.data() + k * body.K.size();
@@ -187,10 +162,10 @@ namespace RollingContact
     const FrequencyResponse response(
       structure, *body.factor, body.shift, body.modes, ratios, forces);
     const std::vector<double> frequencies =
-      frequencies_with_peaks(scene.receptance.frequencies(),
+      frequencies_with_peaks(section.frequencies(),
                              body.modes,
                              total_damping(body.modes, ratios, body.H, body.C));
-    std::vector<std::vector<Complex>> alpha;
+    std::vector<ComplexMatrix> alpha;
     for (const double frequency : frequencies)
       {
         throw_if_interrupted();
@@ -205,34 +180,31 @@ namespace RollingContact
       }
     std::size_t peak = 0;
     for (std::size_t k = 0; k < alpha.size(); ++k)
-      if (std::abs(alpha[k][0]) > std::abs(alpha[peak][0]))
+      if (std::abs(alpha[k](0, 0)) > std::abs(alpha[peak](0, 0)))
         peak = k;
     context.report.set_finding(
       name_of(body.side),
       std::to_string(body.modes.size()) + " modes; " + stations[0].place + " " +
         axis_names[stations[0].axis] + ": " +
-        significant(std::abs(alpha[peak][0]), 4) + " m/N at " +
+        significant(std::abs(alpha[peak](0, 0)), 4) + " m/N at " +
         significant(frequencies[peak], 5) + " Hz, the largest");
     check(body, structure, response, forces);
-    if (scene.output.plot)
+    if (scene.inputs->output.plot)
       plot(body.side, stations, frequencies, alpha);
   }
 
-
-
   template <int dim>
-  void
-  Receptance<dim>::add_rows(const Side                  side,
-                            const std::vector<Station> &stations,
-                            const double                frequency,
-                            const std::vector<Complex> &alpha,
-                            ResultsTable               &table) const
+  void Receptance<dim>::add_rows(const Side                  side,
+                                 const std::vector<Station> &stations,
+                                 const double                frequency,
+                                 const ComplexMatrix        &alpha,
+                                 ResultsTable               &table) const
   {
     const std::size_t n = stations.size();
     for (std::size_t q = 0; q < n; ++q)
       for (std::size_t p = 0; p < n; ++p)
         {
-          const Complex value = alpha[p + q * n];
+          const Complex value = alpha(p, q);
           table.set("body", name_of(side));
           table.set("frequency_Hz", frequency);
           table.set("force_at", stations[q].place);
@@ -249,8 +221,6 @@ namespace RollingContact
         }
   }
 
-
-
   template <int dim>
   void
   Receptance<dim>::check(const VibratingBody<dim>               &body,
@@ -259,15 +229,13 @@ namespace RollingContact
                          const std::vector<std::vector<double>> &forces) const
   {
     double worst = 0., at = 0.;
-    for (const double frequency : scene.receptance.check_frequencies)
+    for (const double frequency : section.check_frequencies)
       {
         throw_if_interrupted();
         const auto direct = direct_receptances(structure, forces, frequency),
                    modal  = response.receptances(frequency, false);
-        double error      = 0.;
-        for (std::size_t k = 0; k < direct.size(); ++k)
-          error = std::max(error, std::abs(direct[k] - modal[k]));
-        error /= largest_of(direct);
+        const double error =
+          (direct - modal).cwiseAbs().maxCoeff() / direct.cwiseAbs().maxCoeff();
         context.log.detail("The " + name_of(body.side) + " solved whole at " +
                            significant(frequency, 5) + " Hz: modes differ by " +
                            significant(error, 2) +
@@ -278,32 +246,30 @@ namespace RollingContact
             at    = frequency;
           }
       }
-    const bool known = !scene.receptance.check_frequencies.empty();
+    const bool known = !section.check_frequencies.empty();
     context.report.errors.push_back(
       {"receptance of the " + name_of(body.side),
        known ? worst : std::nan(""),
        "the largest at that frequency",
-       known ? "the whole structure solved at " + significant(at, 5) + " Hz"
-             : "modes up to " + significant(scene.modes.cut_off_ratio, 3) +
-                 " times the highest frequency and the compliance of the rest; "
-                 "Receptance/Check frequencies tells it",
+       known
+         ? "the whole structure solved at " + significant(at, 5) + " Hz"
+         : "modes up to " + significant(scene.inputs->modes.cut_off_ratio, 3) +
+             " times the highest frequency and the compliance of the rest; "
+             "Receptance/Check frequencies tells it",
        !known,
        ""});
   }
 
-
-
   template <int dim>
-  void
-  Receptance<dim>::plot(const Side                               side,
-                        const std::vector<Station>              &stations,
-                        const std::vector<double>               &frequencies,
-                        const std::vector<std::vector<Complex>> &alpha) const
+  void Receptance<dim>::plot(const Side                        side,
+                             const std::vector<Station>       &stations,
+                             const std::vector<double>        &frequencies,
+                             const std::vector<ComplexMatrix> &alpha) const
   {
     const std::size_t n       = stations.size();
     double            largest = 0.;
     for (const auto &matrix : alpha)
-      largest = std::max(largest, largest_of(matrix));
+      largest = std::max(largest, matrix.cwiseAbs().maxCoeff());
     Figure figure("Receptances of the " + name_of(side),
                   "frequency (Hz)",
                   "receptance (m/N)"),
@@ -321,8 +287,8 @@ namespace RollingContact
           std::vector<double> size, angle;
           for (const auto &matrix : alpha)
             {
-              size.push_back(std::abs(matrix[p + q * n]));
-              angle.push_back(180 / pi * std::arg(matrix[p + q * n]));
+              size.push_back(std::abs(matrix(p, q)));
+              angle.push_back(180 / pi * std::arg(matrix(p, q)));
             }
           // none, but for rounding, by symmetry
           if (*std::max_element(size.begin(), size.end()) < nothing * largest)
@@ -342,8 +308,23 @@ namespace RollingContact
     figure.draw(context, "receptances_" + name_of(side));
   }
 
-
-
   template class Receptance<2>;
   template class Receptance<3>;
+
+  AnalysisKind receptance_kind()
+  {
+    AnalysisKind kind = kind_of<Receptance>(
+      "receptance",
+      "how each body moves under harmonic forces, see section Receptance");
+    kind.sections    = {"Modes", "Receptance"};
+    kind.add_section = &add_section<ReceptanceParameters>;
+    kind.has_contact = false;
+    kind.has_dampers = true;
+    kind.on_ranks    = false;
+    kind.check       = [](const SceneParameters &scene) {
+      scene.own<ReceptanceParameters>().check(scene.dimension);
+      check_lone_bodies(scene);
+    };
+    return kind;
+  }
 } // namespace RollingContact

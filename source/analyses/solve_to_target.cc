@@ -12,19 +12,15 @@ namespace RollingContact
     /**
      * "Mesh/Target error = 0.005".
      */
-    std::string
-    entry_of(const SceneParameters &scene)
+    std::string entry_of(const Situation &scene)
     {
       return "Mesh/Target error = " + significant(*scene.mesh.target_error, 6);
     }
 
-
-
     /**
      * What entries of the scene left to choose from, if that decided.
      */
-    std::string
-    limits_of(const MeshParameters &given, const TargetMesh &mesh)
+    std::string limits_of(const MeshParameters &given, const TargetMesh &mesh)
     {
       const MeshParameters standard;
       std::string          limits;
@@ -39,16 +35,13 @@ namespace RollingContact
       return limits;
     }
 
-
-
     /**
      * Gives the scene the mesh, says so and notes it for run.json.
      */
-    void
-    take(const TargetMesh     &mesh,
-         const MeshParameters &given,
-         SceneParameters      &scene,
-         RunContext           &context)
+    void take(const TargetMesh     &mesh,
+              const MeshParameters &given,
+              Situation            &scene,
+              RunContext           &context)
     {
       scene.mesh.elements_across_patch = mesh.elements;
       scene.mesh.growth                = mesh.growth;
@@ -69,43 +62,19 @@ namespace RollingContact
                           why + ".");
     }
 
-
-
-    template <int dim>
-    SteadyState<dim>
-    solve_on_taken(
-      const SceneParameters                               &scene,
-      const StateDemands                                  &demands,
-      RunContext                                          &context,
-      const std::function<void(const SteadyState<dim> &)> &on_level)
-    {
-      try
-        {
-          return AdaptiveLevels<dim>(scene, demands, context).run(on_level);
-        }
-      catch (const MemoryError &error)
-        {
-          throw MemoryError(entry_of(scene) + " takes " +
-                            std::to_string(scene.mesh.elements_across_patch) +
-                            " elements across the patch and a growth of " +
-                            significant(scene.mesh.growth, 3) +
-                            ", give a larger one. " + error.what());
-        }
-    }
   } // namespace
-
-
 
   template <int dim>
   SteadyState<dim>
-  solve_to_target(SceneParameters                                     &scene,
+  solve_to_target(Situation                                           &scene,
                   const StateDemands                                  &demands,
                   const TargetDemands                                 &targets,
                   RunContext                                          &context,
                   const std::function<void(const SteadyState<dim> &)> &on_level)
   {
+    AdaptiveLevels<dim> levels(scene, demands, context);
     if (!scene.mesh.target_error)
-      return AdaptiveLevels<dim>(scene, demands, context).run(on_level);
+      return levels.run(on_level);
     const MeshParameters given    = scene.mesh;
     const double         target   = *given.target_error;
     const unsigned int   n_meshes = 3;
@@ -114,8 +83,19 @@ namespace RollingContact
       {
         const TargetMesh mesh = chooser.cheapest_mesh();
         take(mesh, given, scene, context);
-        SteadyState<dim> steady =
-          solve_on_taken<dim>(scene, demands, context, [](const auto &) {});
+        SteadyState<dim> steady;
+        try
+          {
+            steady = levels.run([](const auto &) {});
+          }
+        catch (const MemoryError &error)
+          {
+            throw MemoryError(entry_of(scene) + " takes " +
+                              std::to_string(scene.mesh.elements_across_patch) +
+                              " elements across the patch and a growth of " +
+                              significant(scene.mesh.growth, 3) +
+                              ", give a larger one. " + error.what());
+          }
         const ErrorBounds bounds = chooser.bounds_on(mesh, steady);
         if (k == n_meshes || !steady.solver.converged ||
             steady.result.n_touching == 0 ||
@@ -133,10 +113,7 @@ namespace RollingContact
       }
   }
 
-
-
-  void
-  warn_of_missed_target(const SceneParameters &scene, RunContext &context)
+  void warn_of_missed_target(const Situation &scene, RunContext &context)
   {
     if (!scene.mesh.target_error)
       return;
@@ -148,16 +125,14 @@ namespace RollingContact
           ". Give a smaller target, or more Mesh/Elements across patch.");
   }
 
-
-
   template SteadyState<2>
-  solve_to_target(SceneParameters &,
+  solve_to_target(Situation &,
                   const StateDemands &,
                   const TargetDemands &,
                   RunContext &,
                   const std::function<void(const SteadyState<2> &)> &);
   template SteadyState<3>
-  solve_to_target(SceneParameters &,
+  solve_to_target(Situation &,
                   const StateDemands &,
                   const TargetDemands &,
                   RunContext &,

@@ -3,12 +3,14 @@
 #include <rolling_contact/analyses/stability_report.h>
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/interrupt.h>
+#include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/parallel/interrupt.h>
-#include <rolling_contact/report/bodies_report.h>
-#include <rolling_contact/report/mode_animation.h>
-#include <rolling_contact/report/result_row.h>
-#include <rolling_contact/report/state_report.h>
+#include <rolling_contact/results/bodies_report.h>
+#include <rolling_contact/results/mode_animation.h>
+#include <rolling_contact/results/result_row.h>
+#include <rolling_contact/results/state_report.h>
+#include <rolling_contact/scene/disturbed_state.h>
 #include <rolling_contact/stability/unstable_count.h>
 #include <rolling_contact/vibration/rolling_modes.h>
 
@@ -19,7 +21,7 @@ namespace RollingContact
 {
   namespace
   {
-    const char table_file[] = "stability.csv";
+    const char stability_file[] = "stability.csv";
 
     /// stable vibrations that are listed as well, the least damped ones
     const std::size_t n_stable_listed = 5;
@@ -28,10 +30,7 @@ namespace RollingContact
     /// vibration counts: without damping many have none but by rounding
     const double neutral = 1e-7;
 
-
-
-    StateDemands
-    demands()
+    StateDemands stability_demands()
     {
       StateDemands demands;
       demands.pair.displacements = true; // keeps the factors
@@ -39,34 +38,28 @@ namespace RollingContact
       return demands;
     }
 
-
-
     /** The vibrations that are listed, by frequency, corrected by the whole
      * bodies if that is wanted. */
     template <int dim>
-    std::vector<Finding>
-    find_vibrations(const Vibrations       &vibrations,
-                    const WholeBodies<dim> *bodies)
+    std::vector<Finding> find_vibrations(const Vibrations       &vibrations,
+                                         const WholeBodies<dim> *bodies)
     {
-      ComplexVector listed = vibrations.least_damped(n_stable_listed);
+      ComplexValues listed = vibrations.least_damped(n_stable_listed);
       std::sort(listed.begin(), listed.end(), [](const auto &a, const auto &b) {
         return a.imag() < b.imag();
       });
       return vibrations.find(listed, bodies);
     }
 
-
-
     /** The motion of both bodies in those vibrations that grow fastest, up to
      * so many, named by their rows. */
     template <int dim>
-    void
-    animate(const std::vector<Finding> &findings,
-            const std::size_t           n,
-            const LinearContact        &contact,
-            const RollingModes<dim>    &rolling,
-            const WholeBodies<dim>     &bodies,
-            RunFolder                  &folder)
+    void animate(const std::vector<Finding> &findings,
+                 const std::size_t           n,
+                 const LinearContact        &contact,
+                 const RollingModes<dim>    &rolling,
+                 const WholeBodies<dim>     &bodies,
+                 RunFolder                  &folder)
     {
       std::vector<std::size_t> rows;
       for (std::size_t k = 0; k < findings.size(); ++k)
@@ -108,8 +101,6 @@ namespace RollingContact
         }
     }
 
-
-
     /** Warns of a contact that is unstable by itself. */
     void
     warn_of_contact(const Vibrations &vibrations, const bool falls, Log &log)
@@ -132,21 +123,18 @@ namespace RollingContact
                  "of the creepage or stiffer supports change that."));
     }
 
-
-
     /** Counts the unstable vibrations a second time; a part of the verdict if
      * they are as many. */
-    std::string
-    counted_again(const SceneParameters      &scene,
-                  const Vibrations           &vibrations,
-                  const std::vector<Finding> &findings,
-                  Log                        &log)
+    std::string counted_again(const Situation            &scene,
+                              const Vibrations           &vibrations,
+                              const std::vector<Finding> &findings,
+                              Log                        &log)
     {
-      if (!scene.stability.count)
+      if (!scene.inputs->stability.count)
         return "";
       CountOptions options;
-      options.lowest_frequency  = scene.stability.lowest_frequency;
-      options.highest_frequency = scene.modes.maximum_frequency;
+      options.lowest_frequency  = scene.inputs->stability.lowest_frequency;
+      options.highest_frequency = scene.inputs->modes.maximum_frequency;
       options.least_growth      = neutral * 2 * pi * options.highest_frequency;
       const int           n     = vibrations.n_unstable(options.least_growth);
       const UnstableCount found = UnstableCounter(vibrations.bodies(), options)
@@ -172,19 +160,16 @@ namespace RollingContact
     }
   } // namespace
 
-
-
   template <int dim>
-  SteadyState<dim>
-  Stability<dim>::steady_state()
+  SteadyState<dim> Stability<dim>::steady_state()
   {
     if (!bodies_touch(scene))
       throw InputError("Analysis = stability needs contact: check "
                        "Contact/Approach and Contact/Normal load.");
-    SceneParameters  used = scene;
+    Situation        used = scene;
     SteadyState<dim> steady =
       solve_to_target<dim>(used,
-                           demands(),
+                           stability_demands(),
                            TargetDemands(),
                            context,
                            [&](const SteadyState<dim> &level) {
@@ -199,35 +184,33 @@ namespace RollingContact
     return steady;
   }
 
-
-
   template <int dim>
-  void
-  Stability<dim>::run()
+  void Stability<dim>::run()
   {
     const SteadyState<dim>  steady = steady_state();
     const ModalBodies<dim>  bodies(scene,
+                                  scene.inputs->modes,
                                   steady.pair->bodies(),
-                                  scene.modes.cut_off_ratio *
-                                    scene.modes.maximum_frequency,
+                                  scene.inputs->modes.cut_off_ratio *
+                                    scene.inputs->modes.maximum_frequency,
                                   context);
     const RollingModes<dim> rolling(bodies,
                                     *steady.pair,
                                     steady.problem.operators.W());
     PhaseTimer::Scope       phase(context.timer, Phase::eigenvalues);
-    const RollingConditions conditions(scene);
+    const RollingConditions conditions(scene, scene.inputs->stability);
     const Vibrations        vibrations(scene,
                                 rolling.reduced(conditions),
                                 steady.problem,
                                 steady.state);
     throw_if_interrupted();
     std::optional<WholeBodies<dim>> whole;
-    if (scene.stability.correct)
+    if (scene.inputs->stability.correct)
       whole.emplace(rolling, conditions);
     const auto findings =
       find_vibrations(vibrations, whole ? &*whole : nullptr);
 
-    ResultsTable table(context.folder, table_file);
+    ResultsTable table(context.folder, stability_file);
     for (const Finding &finding : findings)
       add_row(finding, vibrations.contact(), rolling, table);
     table.flush();
@@ -239,7 +222,8 @@ namespace RollingContact
                                             "unstable"}));
     warn_of_contact(vibrations,
                     steady.problem.loads.friction_law != nullptr &&
-                      scene.friction_response() != FrictionResponse::constant,
+                      scene.inputs->friction_response() !=
+                        FrictionResponse::constant,
                     context.log);
     if (vibrations.contact().n_border() > 0)
       context.log.detail(
@@ -262,27 +246,68 @@ namespace RollingContact
            std::to_string(whole->n_iterations()) + " solves",
          false,
          ""});
-    if (scene.modes.animated > 0)
+    if (scene.inputs->modes.animated > 0)
       {
         if (!whole)
           whole.emplace(rolling, conditions);
         animate(findings,
-                scene.modes.animated,
+                scene.inputs->modes.animated,
                 vibrations.contact(),
                 rolling,
                 *whole,
                 context.folder);
       }
-    if (scene.output.plot)
+    if (scene.inputs->output.plot)
       plot_eigenvalues(vibrations.eigenvalues(),
                        findings,
-                       scene.stability.lowest_frequency,
-                       scene.modes.maximum_frequency,
+                       scene.inputs->stability.lowest_frequency,
+                       scene.inputs->modes.maximum_frequency,
                        context);
   }
 
-
-
   template class Stability<2>;
   template class Stability<3>;
+
+  void check_linearised_state(const SceneParameters &scene)
+  {
+    const ContactParameters &contact = scene.contact;
+    scene.modes.check();
+    scene.stability.check();
+    const std::string why = "Analysis = " + scene.analysis.name + ": ";
+    if (!contact.speed)
+      throw InputError(why + "Contact/Speed is empty; give the rolling speed V "
+                             "in m/s, which the slip's rate is compared with.");
+    if (contact.friction_coefficient > 0. &&
+        contact.slip_operator != SlipOperatorKind::upwind_2 &&
+        contact.slip_operator != SlipOperatorKind::upwind_1)
+      throw InputError(why + "Contact/Slip operator must be `upwind 2` or "
+                             "`upwind 1`: the linearised laws hold without an "
+                             "edge law.");
+    if (contact.friction_memory_length > 0.)
+      throw InputError(why + "Contact/Friction memory length = " +
+                       text_of(contact.friction_memory_length) +
+                       ": a sliding distance is not among the linearised laws; "
+                       "set it to 0.");
+    check_disturbed_state(scene, why);
+    if (scene.body_solver == BodySolver::distributed)
+      throw InputError("Body solver = distributed: " + why +
+                       "modes are found with a factor; take direct or "
+                       "automatic, on one rank.");
+    if (scene.mesh.adaptive_levels > 0 || scene.mesh.target_error)
+      throw InputError(why + "Mesh/Adaptive levels and Target error are not "
+                             "for it; give Mesh/Elements across patch.");
+  }
+
+  AnalysisKind stability_kind()
+  {
+    AnalysisKind kind = kind_of<Stability>(
+      "stability",
+      "whether the steady rolling state squeals, see section Stability");
+    kind.sections    = {"Modes", "Stability"};
+    kind.linearises  = true;
+    kind.has_dampers = true;
+    kind.on_ranks    = false;
+    kind.check       = &check_linearised_state;
+    return kind;
+  }
 } // namespace RollingContact

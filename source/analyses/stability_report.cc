@@ -1,7 +1,7 @@
 #include <rolling_contact/analyses/stability_report.h>
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/plot/figure.h>
+#include <rolling_contact/run/figure.h>
 
 #include <cmath>
 
@@ -11,8 +11,6 @@ namespace RollingContact
   {
     /// largest damping ratio that the picture shows (%)
     const double shown_damping = 1.;
-
-
 
     /** The column with the largest share among those of a body. */
     std::pair<std::size_t, double>
@@ -27,32 +25,22 @@ namespace RollingContact
       return {largest, begin < end ? shares[largest] : 0.};
     }
 
-
-
     /** By how much the lateral force leads the normal one: the phase of their
      * sums over the patch. */
-    double
-    phase_of_forces(const LinearContact &contact, const ComplexVector &unknowns)
+    double phase_of_forces(const LinearContact &contact,
+                           const ComplexVector &unknowns)
     {
-      const unsigned int   N = contact.n_nodes, T = contact.n_tangential;
-      std::complex<double> tangential = 0., normal = 0.;
-      for (std::size_t k = 0; k < unknowns.size(); ++k)
-        for (unsigned int i = 0; i < N; ++i)
-          {
-            normal += contact.forces(T * N + i, k) * unknowns[k];
-            tangential += contact.forces((T - 1) * N + i, k) * unknowns[k];
-          }
-      return std::arg(tangential / normal);
+      const unsigned int  N = contact.n_nodes, T = contact.n_tangential;
+      const ComplexVector forces = contact.forces * unknowns;
+      return std::arg(forces.segment((T - 1) * N, N).sum() /
+                      forces.segment(T * N, N).sum());
     }
 
-
-
     template <int dim>
-    void
-    set_nearest(const Side                 side,
-                const RollingModes<dim>   &rolling,
-                const std::vector<double> &shares,
-                ResultsTable              &table)
+    void set_nearest(const Side                 side,
+                     const RollingModes<dim>   &rolling,
+                     const std::vector<double> &shares,
+                     ResultsTable              &table)
     {
       const ModalBodies<dim> &bodies = rolling.bodies();
       const std::size_t       first  = rolling.first_column(side);
@@ -72,14 +60,11 @@ namespace RollingContact
     }
   } // namespace
 
-
-
   template <int dim>
-  void
-  add_row(const Finding           &finding,
-          const LinearContact     &contact,
-          const RollingModes<dim> &rolling,
-          ResultsTable            &table)
+  void add_row(const Finding           &finding,
+               const LinearContact     &contact,
+               const RollingModes<dim> &rolling,
+               ResultsTable            &table)
   {
     const StabilityMode &mode = finding.mode;
     table.set("frequency_Hz", mode.frequency());
@@ -115,12 +100,9 @@ namespace RollingContact
     table.end_row();
   }
 
-
-
-  std::string
-  verdict(const SceneParameters      &scene,
-          const std::vector<Finding> &findings,
-          const std::string          &counted)
+  std::string verdict(const Situation            &scene,
+                      const std::vector<Finding> &findings,
+                      const std::string          &counted)
   {
     const Finding *fastest = nullptr;
     std::size_t    n       = 0;
@@ -133,8 +115,9 @@ namespace RollingContact
         }
     if (fastest == nullptr)
       return "no vibration grows between " +
-             significant(scene.stability.lowest_frequency, 4) + " and " +
-             significant(scene.modes.maximum_frequency, 5) + " Hz" + counted;
+             significant(scene.inputs->stability.lowest_frequency, 4) +
+             " and " + significant(scene.inputs->modes.maximum_frequency, 5) +
+             " Hz" + counted;
     return std::to_string(n) + (n == 1 ? " mode grows" : " modes grow") +
            counted + "; the fastest at " +
            significant(fastest->mode.frequency(), 5) + " Hz by " +
@@ -145,14 +128,11 @@ namespace RollingContact
               : "");
   }
 
-
-
-  void
-  plot_eigenvalues(const ComplexVector        &eigenvalues,
-                   const std::vector<Finding> &findings,
-                   const double                lowest,
-                   const double                highest,
-                   RunContext                 &context)
+  void plot_eigenvalues(const ComplexValues        &eigenvalues,
+                        const std::vector<Finding> &findings,
+                        const double                lowest,
+                        const double                highest,
+                        RunContext                 &context)
   {
     std::vector<double> f, zeta, unstable_f, unstable_zeta;
     for (const auto &s : eigenvalues)
@@ -182,16 +162,12 @@ namespace RollingContact
     figure.draw(context, "stability");
   }
 
-
-
-  template void
-  add_row(const Finding &,
-          const LinearContact &,
-          const RollingModes<2> &,
-          ResultsTable &);
-  template void
-  add_row(const Finding &,
-          const LinearContact &,
-          const RollingModes<3> &,
-          ResultsTable &);
+  template void add_row(const Finding &,
+                        const LinearContact &,
+                        const RollingModes<2> &,
+                        ResultsTable &);
+  template void add_row(const Finding &,
+                        const LinearContact &,
+                        const RollingModes<3> &,
+                        ResultsTable &);
 } // namespace RollingContact

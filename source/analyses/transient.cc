@@ -1,25 +1,25 @@
 #include <rolling_contact/analyses/transient.h>
-#include <rolling_contact/assessment/result_error.h>
+#include <rolling_contact/base/collective_failure.h>
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/interrupt.h>
+#include <rolling_contact/base/ranks.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/histories/cycle_recording.h>
 #include <rolling_contact/input/prm_entries.h>
-#include <rolling_contact/parallel/collective_failure.h>
-#include <rolling_contact/parallel/interrupt.h>
-#include <rolling_contact/parallel/ranks.h>
-#include <rolling_contact/report/bodies_report.h>
-#include <rolling_contact/report/state_report.h>
+#include <rolling_contact/results/bodies_report.h>
+#include <rolling_contact/results/result_error.h>
+#include <rolling_contact/results/state_report.h>
 #include <rolling_contact/run/progress.h>
-#include <rolling_contact/state/checkpoint_schedule.h>
+#include <rolling_contact/time/checkpoint_schedule.h>
+#include <rolling_contact/time/cycle_recording.h>
+#include <rolling_contact/time/march.h>
 
 #include <cmath>
 
 namespace RollingContact
 {
   template <int dim>
-  void
-  Transient<dim>::run()
+  void Transient<dim>::run()
   {
     if (!bodies_touch(scene))
       throw InputError("Analysis = transient needs a patch to make the mesh "
@@ -29,9 +29,9 @@ namespace RollingContact
     if (context.resume)
       start = read_checkpoint(context.folder);
     PairDemands demands;
-    demands.displacements = scene.output.body_fields;
+    demands.displacements = scene.inputs->output.body_fields;
     ContactStepper<dim> stepper(scene, demands, context);
-    const TimeSteps     steps = scene.time.steps(stepper.drive().speed);
+    const TimeSteps     steps = scene.inputs->time.steps(stepper.drive().speed);
     stepper.set_time_step(steps.length);
     falling.emplace(scene, stepper.current().grading.element_size_x);
     files = files_of(scene);
@@ -51,7 +51,7 @@ namespace RollingContact
     TransientOutput<dim> output(scene, context, start, stepper);
     try
       {
-        march(steps, stepper, output);
+        take_steps(steps, stepper, output);
       }
     catch (const Interrupted &)
       {
@@ -78,28 +78,27 @@ namespace RollingContact
         scene, progress.time, steps.length, output.period(), stepper, context);
   }
 
-
-
   template <int dim>
-  void
-  Transient<dim>::describe(const ContactStepper<dim> &stepper,
-                           const TimeSteps           &steps) const
+  void Transient<dim>::describe(const ContactStepper<dim> &stepper,
+                                const TimeSteps           &steps) const
   {
     context.log.message(
       std::to_string(steps.number) + " steps of " +
       significant(steps.length, 4) + " s, " +
-      (scene.time.inertia ? "theta = " + significant(scene.time.theta, 4)
-                          : std::string("without inertia")) +
+      (scene.inputs->time.inertia
+         ? "theta = " + significant(scene.inputs->time.theta, 4)
+         : std::string("without inertia")) +
       ", " + std::to_string(stepper.current().problem.n_nodes()) +
       " contact nodes.");
-    if (scene.time.inertia && scene.time.damping_frequency > 0.)
+    if (scene.inputs->time.inertia && scene.inputs->time.damping_frequency > 0.)
       context.log.message(
-        "Numerical damping at " + significant(scene.time.damping_frequency, 4) +
-        " Hz: zeta = " +
-        scientific(scene.time.numerical_damping(steps.length), 3) + ".");
-    if (scene.has_reduced_bodies())
+        "Numerical damping at " +
+        significant(scene.inputs->time.damping_frequency, 4) + " Hz: zeta = " +
+        scientific(scene.inputs->time.numerical_damping(steps.length), 3) +
+        ".");
+    if (scene.inputs->has_reduced_bodies())
       {
-        const double f = scene.modes.maximum_frequency,
+        const double f = scene.inputs->modes.maximum_frequency,
                      x = pi * f * steps.length; // trapezoidal rule: atan(x) / x
         context.log.message(
           "Bodies by their modes: steps of this length lower "
@@ -109,7 +108,7 @@ namespace RollingContact
       }
     describe_surfaces(*stepper.current().pair, context);
     warn_of_long_steps(stepper, steps);
-    if (!scene.time.inertia)
+    if (!scene.inputs->time.inertia)
       describe_factors(stepper.current(), context);
     auto      &objects = context.report.objects;
     const auto memory  = stepper.bodies().memory_consumption();
@@ -119,24 +118,21 @@ namespace RollingContact
                          const std::string &reason) {
       objects.push_back({object, built, bytes, 0., built ? "" : reason});
     };
-    const bool inertia = scene.time.inertia,
+    const bool inertia = scene.inputs->time.inertia,
                slips   = stepper.current().problem.n_tangential() > 0;
     add("K, M", inertia, memory.matrices, "Time/Inertia = false");
     add("factor of the step", inertia, memory.solver, "Time/Inertia = false");
     add("columns Y", inertia, memory.columns, "Time/Inertia = false");
     add("compliance W",
         true,
-        stepper.current().problem.operators.W().memory_consumption(),
+        memory_consumption(stepper.current().problem.operators.W()),
         "");
     add("tangential compliance, B1, B2", slips, 0, "frictionless");
   }
 
-
-
   template <int dim>
-  void
-  Transient<dim>::warn_of_long_steps(const ContactStepper<dim> &stepper,
-                                     const TimeSteps           &steps) const
+  void Transient<dim>::warn_of_long_steps(const ContactStepper<dim> &stepper,
+                                          const TimeSteps &steps) const
   {
     const double rolled =
                    std::abs(stepper.drive().speed.value(0.)) * steps.length,
@@ -152,62 +148,55 @@ namespace RollingContact
         "length).");
   }
 
-
-
   template <int dim>
-  void
-  Transient<dim>::march(const TimeSteps      &steps,
-                        ContactStepper<dim>  &stepper,
-                        TransientOutput<dim> &output)
+  void Transient<dim>::take_steps(const TimeSteps      &steps,
+                                  ContactStepper<dim>  &stepper,
+                                  TransientOutput<dim> &output)
   {
-    Progress    display(context.log, "step", steps.number, progress.step);
-    const auto &time = scene.time;
-    CheckpointSchedule schedule(time.checkpoint_interval,
-                                time.checkpoint_seconds);
+    const auto review = [&](const StepOutcome &outcome) {
+      const SteadyState<dim> &contact = stepper.current();
+      worst.add(outcome.several,
+                contact.problem,
+                "t = " + significant(progress.time, 6) + " s");
+      if (scene.inputs->time.inertia)
+        falling->add(contact.problem, contact.state);
+    };
+    const auto write = [&](const StepOutcome &outcome) {
+      output.add_row(stepper, outcome, progress);
+      output.write_fields(stepper, progress, false);
+    };
+    Progress   display(context.log, "step", steps.number, progress.step);
+    const auto show = [&](const StepOutcome &) {
+      display.report(progress.step);
+    };
+    CheckpointSchedule schedule(scene.inputs->time.checkpoint_interval,
+                                scene.inputs->time.checkpoint_seconds);
     const Stopwatch    watch;
-    const auto         now = [&]() { return Ranks::maximum(watch.seconds()); };
-    while (progress.step < steps.number && !output.settled())
-      {
-        throw_if_interrupted();
-        take_step(steps, stepper, output);
-        display.report(progress.step);
-        const double begin = now();
-        if (!schedule.is_due(progress.step, begin))
-          continue;
-        output.write_checkpoint(stepper, progress, files);
-        schedule.written(begin, now());
-      }
+    const auto         now  = [&]() { return Ranks::maximum(watch.seconds()); };
+    const auto         keep = [&](const StepOutcome &) {
+      const double begin = now();
+      if (!schedule.is_due(progress.step, begin))
+        return;
+      output.write_checkpoint(stepper, progress, files);
+      schedule.written(begin, now());
+    };
+    march<dim>({steps, 0., progress.step, [&]() { return output.settled(); }},
+               stepper,
+               progress,
+               {review, write, show, keep});
   }
 
-
-
   template <int dim>
-  void
-  Transient<dim>::take_step(const TimeSteps      &steps,
-                            ContactStepper<dim>  &stepper,
-                            TransientOutput<dim> &output)
-  {
-    const double      h       = steps.length;
-    const StepOutcome outcome = stepper.advance(progress.time, h);
-    worst.add(outcome.several,
-              stepper.current().problem,
-              "t = " + significant(progress.time + h, 6) + " s");
-    falling->add(stepper.current().problem, stepper.current().state);
-    add_step(progress, outcome, h);
-    progress.time = progress.step * h;
-    output.add_row(stepper, outcome, progress);
-    output.write_fields(stepper, progress, false);
-  }
-
-
-
-  template <int dim>
-  void
-  Transient<dim>::summarise(const ContactStepper<dim> &stepper) const
+  void Transient<dim>::summarise(const ContactStepper<dim> &stepper) const
   {
     if (!stepper.bodies().description().empty())
       context.log.message(stepper.bodies().description() + ".");
-    warn_of_non_uniqueness(scene, true, worst, context.log);
+    warn_of_non_uniqueness(scene.dimension,
+                           scene.inputs->time.inertia
+                             ? SolutionsOf::steps_with_inertia
+                             : SolutionsOf::steps_without_inertia,
+                           worst,
+                           context.log);
     if (const std::string complaint = falling->complaint(); !complaint.empty())
       {
         context.log.warning(complaint);
@@ -227,7 +216,8 @@ namespace RollingContact
         "wheel",
         "its centre of mass moves along z at " + significant(*velocity, 6) +
           " m/s" + (*velocity > 0. ? ", away from the rail; " : "; ") +
-          significant(scene.time.initial_velocity, 6) + " m/s at the start");
+          significant(scene.inputs->time.initial_velocity, 6) +
+          " m/s at the start");
     context.report.set_finding(
       "energy",
       "stored " + significant(stepper.bodies().stored_energy(), 5) +
@@ -237,8 +227,6 @@ namespace RollingContact
         " J, numerical " + significant(progress.numerical_energy, 5) +
         " J; balance error " + scientific(progress.energy_error, 2) + " J");
   }
-
-
 
   template class Transient<2>;
   template class Transient<3>;

@@ -1,6 +1,6 @@
 #include <rolling_contact/analyses/vibrations.h>
 #include <rolling_contact/base/constants.h>
-#include <rolling_contact/parallel/interrupt.h>
+#include <rolling_contact/base/interrupt.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,63 +9,49 @@ namespace RollingContact
 {
   namespace
   {
-    LinearContactOptions
-    options_of(const SceneParameters &scene)
+    LinearContactOptions options_of(const Situation &scene)
     {
       LinearContactOptions options;
       options.speed    = std::abs(scene.contact.rolling_speed());
-      options.friction = scene.friction_response();
-      options.memory   = scene.contact.friction_delay;
+      options.friction = scene.inputs->friction_response();
+      options.memory   = scene.contact.friction_memory;
       return options;
     }
-
-
 
     /// vibrations that the whole bodies answer side by side: more gain little,
     /// and each keeps matrices of its own
     const std::size_t at_once = 8;
   } // namespace
 
-
-
-  Vibrations::Vibrations(const SceneParameters &scene,
-                         ReducedPair            reduced,
-                         const ContactProblem  &problem,
-                         const ContactState    &state)
-    : lowest(2 * pi * scene.stability.lowest_frequency)
-    , highest(2 * pi * scene.modes.maximum_frequency)
+  Vibrations::Vibrations(const Situation      &scene,
+                         ReducedPair           reduced,
+                         const ContactProblem &problem,
+                         const ContactState   &state)
+    : lowest(2 * pi * scene.inputs->stability.lowest_frequency)
+    , highest(2 * pi * scene.inputs->modes.maximum_frequency)
     , pair(std::move(reduced))
     , linear(linear_contact(problem, state, options_of(scene)))
     , pencil(pair, linear)
     , all(pencil.eigenvalues())
   {
-    options.damping_margin = scene.stability.damping_margin;
+    options.damping_margin = scene.inputs->stability.damping_margin;
   }
 
-
-
-  bool
-  Vibrations::is_looked_at(const std::complex<double> s) const
+  bool Vibrations::is_looked_at(const std::complex<double> s) const
   {
     return s.imag() >= lowest && s.imag() <= highest;
   }
 
-
-
-  std::size_t
-  Vibrations::n_unstable(const double least_growth) const
+  std::size_t Vibrations::n_unstable(const double least_growth) const
   {
     return std::count_if(all.begin(), all.end(), [&](const auto &s) {
       return is_looked_at(s) && s.real() > least_growth;
     });
   }
 
-
-
-  ComplexVector
-  Vibrations::least_damped(const std::size_t n_stable) const
+  ComplexValues Vibrations::least_damped(const std::size_t n_stable) const
   {
-    ComplexVector found;
+    ComplexValues found;
     std::copy_if(all.begin(),
                  all.end(),
                  std::back_inserter(found),
@@ -77,10 +63,7 @@ namespace RollingContact
     return found;
   }
 
-
-
-  std::vector<double>
-  Vibrations::real_growth() const
+  std::vector<double> Vibrations::real_growth() const
   {
     std::vector<double> growth;
     for (const auto &s : all)
@@ -89,12 +72,9 @@ namespace RollingContact
     return growth;
   }
 
-
-
   template <int dim>
-  std::vector<Finding>
-  Vibrations::find(const ComplexVector    &eigenvalues,
-                   const WholeBodies<dim> *bodies) const
+  std::vector<Finding> Vibrations::find(const ComplexValues    &eigenvalues,
+                                        const WholeBodies<dim> *bodies) const
   {
     std::vector<Finding> findings;
     for (std::size_t first = 0; first < eigenvalues.size(); first += at_once)
@@ -125,10 +105,8 @@ namespace RollingContact
     return findings;
   }
 
-
-
-  template std::vector<Finding>
-  Vibrations::find(const ComplexVector &, const WholeBodies<2> *) const;
-  template std::vector<Finding>
-  Vibrations::find(const ComplexVector &, const WholeBodies<3> *) const;
+  template std::vector<Finding> Vibrations::find(const ComplexValues &,
+                                                 const WholeBodies<2> *) const;
+  template std::vector<Finding> Vibrations::find(const ComplexValues &,
+                                                 const WholeBodies<3> *) const;
 } // namespace RollingContact

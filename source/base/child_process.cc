@@ -17,8 +17,7 @@ namespace RollingContact
 {
   namespace fs = std::filesystem;
 
-  fs::path
-  find_program(const std::string &name)
+  fs::path find_program(const std::string &name)
   {
     const char        *variable = std::getenv("PATH");
     std::istringstream folders(variable != nullptr ? variable : "");
@@ -33,13 +32,10 @@ namespace RollingContact
     return {};
   }
 
-
-
-  bool
-  run_program(const fs::path                 &program,
-              const std::vector<std::string> &arguments,
-              const fs::path                 &folder,
-              const double                    max_seconds)
+  bool run_program(const fs::path                 &program,
+                   const std::vector<std::string> &arguments,
+                   const fs::path                 &folder,
+                   const double                    max_seconds)
   {
     std::vector<char *> words{const_cast<char *>(program.c_str())};
     for (const std::string &argument : arguments)

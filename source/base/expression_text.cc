@@ -9,24 +9,17 @@ namespace RollingContact
 {
   namespace
   {
-    bool
-    is_letter(const char c)
+    bool is_letter(const char c)
     {
       return std::isalpha(static_cast<unsigned char>(c)) || c == '_';
     }
 
-
-
-    bool
-    is_digit(const char c)
+    bool is_digit(const char c)
     {
       return std::isdigit(static_cast<unsigned char>(c)) || c == '.';
     }
 
-
-
-    bool
-    has_bare_comma(const std::string &text)
+    bool has_bare_comma(const std::string &text)
     {
       int depth = 0;
       for (const char character : text)
@@ -38,11 +31,8 @@ namespace RollingContact
       return false;
     }
 
-
-
     /** Whether there is a '=' that is no part of ==, !=, <= and >=. */
-    bool
-    has_assignment(const std::string &text)
+    bool has_assignment(const std::string &text)
     {
       for (std::size_t i = 0; i < text.size(); ++i)
         if (text[i] == '=')
@@ -57,10 +47,7 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  std::vector<ExpressionName>
-  names_in_expression(const std::string &text)
+  std::vector<ExpressionName> names_in_expression(const std::string &text)
   {
     std::vector<ExpressionName> names;
     for (std::size_t i = 0; i < text.size();)
@@ -86,10 +73,7 @@ namespace RollingContact
     return names;
   }
 
-
-
-  std::string
-  trap_in_expression(const std::string &text)
+  std::string trap_in_expression(const std::string &text)
   {
     if (has_bare_comma(text))
       return "decimals take a point, and it is one expression.";
@@ -103,8 +87,6 @@ namespace RollingContact
         return "what is random cannot be repeated.";
     return "";
   }
-
-
 
   std::string
   unknown_name_in_expression(const std::string              &text,

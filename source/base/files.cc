@@ -14,18 +14,14 @@ namespace RollingContact
 {
   namespace fs = std::filesystem;
 
-  void
-  throw_write_error(const fs::path &file, const std::string &reason)
+  void throw_write_error(const fs::path &file, const std::string &reason)
   {
     throw InputError("Cannot write \"" + file.string() + "\": " + reason +
                      ". Free some space or mend the permissions, or name "
                      "another folder with --output.");
   }
 
-
-
-  std::string
-  read_bytes(const fs::path &file)
+  std::string read_bytes(const fs::path &file)
   {
     std::ifstream      stream(file, std::ios::binary);
     std::ostringstream text;
@@ -33,10 +29,7 @@ namespace RollingContact
     return text.str();
   }
 
-
-
-  std::string
-  why_unreadable(const fs::path &file)
+  std::string why_unreadable(const fs::path &file)
   {
     std::error_code       error;
     const fs::file_status status = fs::status(file, error);
@@ -55,20 +48,14 @@ namespace RollingContact
     return "";
   }
 
-
-
-  std::uintmax_t
-  size_of(const fs::path &file)
+  std::uintmax_t size_of(const fs::path &file)
   {
     std::error_code      error;
     const std::uintmax_t size = fs::file_size(file, error);
     return error ? 0 : size;
   }
 
-
-
-  void
-  synchronise(const fs::path &file_or_folder)
+  void synchronise(const fs::path &file_or_folder)
   {
     const int descriptor = ::open(file_or_folder.c_str(), O_RDONLY | O_CLOEXEC);
     // File systems that cannot do it for this kind of file say EINVAL.
@@ -81,10 +68,7 @@ namespace RollingContact
       throw_write_error(file_or_folder, std::strerror(reason));
   }
 
-
-
-  void
-  rename_file(const fs::path &file, const fs::path &new_name)
+  void rename_file(const fs::path &file, const fs::path &new_name)
   {
     std::error_code error;
     fs::rename(file, new_name, error);
@@ -92,12 +76,9 @@ namespace RollingContact
       throw_write_error(new_name, error.message());
   }
 
-
-
-  void
-  write_file(const fs::path    &file,
-             const std::string &text,
-             const fs::path    &temporary)
+  void write_file(const fs::path    &file,
+                  const std::string &text,
+                  const fs::path    &temporary)
   {
     errno = 0;
     std::ofstream stream(temporary, std::ios::binary);
@@ -113,10 +94,7 @@ namespace RollingContact
     rename_file(temporary, file);
   }
 
-
-
-  bool
-  overwrite_file(const fs::path &file, const std::string &text)
+  bool overwrite_file(const fs::path &file, const std::string &text)
   {
     const std::size_t block      = 512; // of st_blocks, whatever the disk's
     const int         descriptor = ::open(file.c_str(), O_WRONLY | O_CLOEXEC);
@@ -133,10 +111,7 @@ namespace RollingContact
     return done;
   }
 
-
-
-  void
-  remove_file(const fs::path &file)
+  void remove_file(const fs::path &file)
   {
     std::error_code     error;
     const fs::file_type type = fs::symlink_status(file, error).type();
@@ -145,10 +120,7 @@ namespace RollingContact
         throw_write_error(file, error.message());
   }
 
-
-
-  fs::path
-  nearest_existing(fs::path path)
+  fs::path nearest_existing(fs::path path)
   {
     std::error_code error;
     while (!fs::exists(path, error) && path != path.parent_path())

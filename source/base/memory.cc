@@ -16,8 +16,7 @@ namespace RollingContact
   namespace
   {
     /** The entry "key: 123 kB" of a file of /proc, in bytes. */
-    std::size_t
-    proc_entry(const std::string &file_name, const std::string &key)
+    std::size_t proc_entry(const std::string &file_name, const std::string &key)
     {
       std::ifstream file(file_name);
       for (std::string word; file >> word;)
@@ -30,23 +29,15 @@ namespace RollingContact
       return 0;
     }
 
-
-
     std::size_t peak_before_reset = 0;
   } // namespace
 
-
-
-  std::size_t
-  peak_memory()
+  std::size_t peak_memory()
   {
     return std::max(peak_before_reset, peak_memory_since_reset());
   }
 
-
-
-  bool
-  reset_peak_memory()
+  bool reset_peak_memory()
   {
     const std::size_t peak = peak_memory();
     std::ofstream     file("/proc/self/clear_refs");
@@ -57,40 +48,28 @@ namespace RollingContact
     return true;
   }
 
-
-
-  std::size_t
-  peak_memory_since_reset()
+  std::size_t peak_memory_since_reset()
   {
     return proc_entry("/proc/self/status", "VmHWM:");
   }
 
-
-
-  std::size_t
-  resident_memory()
+  std::size_t resident_memory()
   {
     return proc_entry("/proc/self/status", "VmRSS:");
   }
-
-
 
   namespace
   {
     constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
 
-    std::size_t
-    left_of(const std::size_t limit, const std::size_t used)
+    std::size_t left_of(const std::size_t limit, const std::size_t used)
     {
       if (limit == unlimited)
         return unlimited;
       return limit > used ? limit - used : 0;
     }
 
-
-
-    std::size_t
-    limit_of(const __rlimit_resource resource)
+    std::size_t limit_of(const __rlimit_resource resource)
     {
       rlimit limit{};
       return getrlimit(resource, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY
@@ -98,24 +77,19 @@ namespace RollingContact
                : unlimited;
     }
 
-
-
     /** The number a file begins with; the other value if it begins with a word
      * or cannot be read. */
-    std::size_t
-    number_in(const std::string &file_name, const std::size_t otherwise)
+    std::size_t number_in(const std::string &file_name,
+                          const std::size_t  otherwise)
     {
       std::ifstream file(file_name);
       std::size_t   number = 0;
       return file >> number ? number : otherwise;
     }
 
-
-
     /** What the control group in this folder can still get, files that are only
      * kept in memory not counted (cgroup v2). */
-    std::size_t
-    left_of_group(const std::string &folder)
+    std::size_t left_of_group(const std::string &folder)
     {
       const std::size_t limit = number_in(folder + "/memory.max", unlimited);
       if (limit == unlimited)
@@ -129,11 +103,8 @@ namespace RollingContact
       return left_of(limit, used - std::min(used, kept));
     }
 
-
-
     /** As left_of_group(), of this process's group and those it is in. */
-    std::size_t
-    left_of_groups()
+    std::size_t left_of_groups()
     {
       std::size_t   left = unlimited;
       std::ifstream file("/proc/self/cgroup");
@@ -150,10 +121,7 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  std::size_t
-  address_space_left()
+  std::size_t address_space_left()
   {
     return std::min(left_of(limit_of(RLIMIT_AS),
                             proc_entry("/proc/self/status", "VmSize:")),
@@ -161,10 +129,7 @@ namespace RollingContact
                             proc_entry("/proc/self/status", "VmData:")));
   }
 
-
-
-  std::size_t
-  available_memory()
+  std::size_t available_memory()
   {
     const std::size_t free = proc_entry("/proc/meminfo", "MemAvailable:");
     if (free == 0)
@@ -173,10 +138,7 @@ namespace RollingContact
       1, std::min({free, address_space_left(), left_of_groups()}));
   }
 
-
-
-  void
-  release_free_memory()
+  void release_free_memory()
   {
 #ifdef __GLIBC__
     malloc_trim(0);

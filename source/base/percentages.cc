@@ -6,8 +6,7 @@
 
 namespace RollingContact
 {
-  std::vector<int>
-  percentages(const std::vector<double> &values)
+  std::vector<int> percentages(const std::vector<double> &values)
   {
     const double     sum = std::accumulate(values.begin(), values.end(), 0.);
     std::vector<int> shares(values.size(), 0);

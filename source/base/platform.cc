@@ -23,17 +23,13 @@ namespace RollingContact
   {
     /** A function of whatever libraries are loaded, or null. */
     template <typename Function>
-    Function *
-    loaded_function(const char *name)
+    Function *loaded_function(const char *name)
     {
       return reinterpret_cast<Function *>(dlsym(RTLD_DEFAULT, name));
     }
 
-
-
     /** The library that holds a symbol, links resolved; empty if none does. */
-    std::string
-    file_of_symbol(const char *name)
+    std::string file_of_symbol(const char *name)
     {
       const void *address = dlsym(RTLD_DEFAULT, name);
       Dl_info     info    = {};
@@ -45,19 +41,13 @@ namespace RollingContact
       return error ? info.dli_fname : file.string();
     }
 
-
-
-    bool
-    contains(const std::string &text, const std::string &part)
+    bool contains(const std::string &text, const std::string &part)
     {
       return text.find(part) != std::string::npos;
     }
   } // namespace
 
-
-
-  BlasLibrary
-  loaded_blas()
+  BlasLibrary loaded_blas()
   {
     const std::string file      = file_of_symbol("dgemm_");
     const std::string file_name = std::filesystem::path(file).filename();
@@ -76,10 +66,7 @@ namespace RollingContact
     return {file_name, file, false};
   }
 
-
-
-  void
-  use_one_solver_thread()
+  void use_one_solver_thread()
   {
     static std::once_flag once; // OpenBLAS starts threads when told again
     std::call_once(once, []() {
@@ -97,10 +84,7 @@ namespace RollingContact
       set_levels(0);
   }
 
-
-
-  void
-  reserve_blas_memory(const unsigned int n_threads)
+  void reserve_blas_memory(const unsigned int n_threads)
   {
     // of one thread: at most 128 MB in OpenBLAS 0.3 on x86-64
     constexpr std::size_t buffer_size = std::size_t(128) << 20;
@@ -123,10 +107,7 @@ namespace RollingContact
       give(buffer);
   }
 
-
-
-  std::vector<std::pair<std::string, std::string>>
-  library_versions()
+  std::vector<std::pair<std::string, std::string>> library_versions()
   {
     std::string boost_version = BOOST_LIB_VERSION;
     std::replace(boost_version.begin(), boost_version.end(), '_', '.');
@@ -148,19 +129,13 @@ namespace RollingContact
     return versions;
   }
 
-
-
-  unsigned int
-  n_host_cpus()
+  unsigned int n_host_cpus()
   {
     return static_cast<unsigned int>(
       std::max(1L, sysconf(_SC_NPROCESSORS_ONLN)));
   }
 
-
-
-  std::size_t
-  screen_width()
+  std::size_t screen_width()
   {
     const unsigned long most = 80, least = 20;
     unsigned long       width    = 0;

@@ -7,47 +7,34 @@ namespace RollingContact
 {
   namespace
   {
-    std::string
-    small(std::string text)
+    std::string small(std::string text)
     {
       for (char &letter : text)
         letter = std::tolower(static_cast<unsigned char>(letter));
       return text;
     }
 
-
-
-    std::string
-    section_of(const std::string &path)
+    std::string section_of(const std::string &path)
     {
       const std::size_t slash = path.rfind('/');
       return slash == std::string::npos ? "" : path.substr(0, slash);
     }
 
-
-
-    std::string
-    entry_of(const std::string &path)
+    std::string entry_of(const std::string &path)
     {
       return path.substr(path.rfind('/') + 1);
     }
 
-
-
     /** Whether the words of one are in the other. */
-    bool
-    holds(const std::string &longer, const std::string &shorter)
+    bool holds(const std::string &longer, const std::string &shorter)
     {
       return shorter.size() > 2 &&
              (' ' + small(longer) + ' ').find(' ' + small(shorter) + ' ') !=
                std::string::npos;
     }
 
-
-
     /** How far apart two names are; 100 if they have nothing in common. */
-    std::size_t
-    difference(const std::string &given, const std::string &known)
+    std::size_t difference(const std::string &given, const std::string &known)
     {
       const std::size_t letters = edit_distance(given, known);
       if (letters <= 1 + given.size() / 4 && letters < given.size())
@@ -56,10 +43,7 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  std::size_t
-  edit_distance(const std::string &first, const std::string &second)
+  std::size_t edit_distance(const std::string &first, const std::string &second)
   {
     const std::string                     a = small(first), b = small(second);
     std::vector<std::vector<std::size_t>> d(a.size() + 1,
@@ -80,10 +64,8 @@ namespace RollingContact
     return d[a.size()][b.size()];
   }
 
-
-
-  std::vector<std::string>
-  likely_meant(const std::string &path, const std::vector<std::string> &known)
+  std::vector<std::string> likely_meant(const std::string              &path,
+                                        const std::vector<std::string> &known)
   {
     // a name right in another section is nearer than a wrong one in this
     std::vector<std::string> nearest;
@@ -106,10 +88,7 @@ namespace RollingContact
     return nearest;
   }
 
-
-
-  std::string
-  did_you_mean(const std::vector<std::string> &meant)
+  std::string did_you_mean(const std::vector<std::string> &meant)
   {
     std::string text;
     for (std::size_t k = 0; k < meant.size(); ++k)

@@ -12,8 +12,8 @@ namespace RollingContact
   namespace
   {
     /** Number of bytes of the UTF-8 character at `position`; 0 if malformed. */
-    std::size_t
-    character_length(const std::string &text, const std::size_t position)
+    std::size_t character_length(const std::string &text,
+                                 const std::size_t  position)
     {
       const auto byte = [&](const std::size_t i) -> unsigned int {
         return position + i < text.size()
@@ -41,10 +41,9 @@ namespace RollingContact
       return in_range && continues(1) && continues(2) && continues(3) ? 4 : 0;
     }
 
-    std::string
-    wrapped_line(const std::string &line,
-                 const std::size_t  width,
-                 const std::size_t  hanging_indentation)
+    std::string wrapped_line(const std::string &line,
+                             const std::size_t  width,
+                             const std::size_t  hanging_indentation)
     {
       if (n_characters(line) <= width)
         return line;
@@ -72,10 +71,7 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  std::string
-  significant(const double value, const unsigned int digits)
+  std::string significant(const double value, const unsigned int digits)
   {
     const double without_negative_zero = value + 0.;
     return fmt::format("{:.{}g}",
@@ -83,10 +79,7 @@ namespace RollingContact
                        std::clamp(digits, 1u, 17u));
   }
 
-
-
-  std::string
-  scientific(const double value, const unsigned int digits)
+  std::string scientific(const double value, const unsigned int digits)
   {
     const double without_negative_zero = value + 0.;
     return fmt::format("{:.{}e}",
@@ -94,18 +87,12 @@ namespace RollingContact
                        std::clamp(digits, 1u, 17u) - 1);
   }
 
-
-
-  std::string
-  millimetres(const double length, const unsigned int digits)
+  std::string millimetres(const double length, const unsigned int digits)
   {
     return significant(1e3 * length, digits) + " mm";
   }
 
-
-
-  std::string
-  human_bytes(const double bytes)
+  std::string human_bytes(const double bytes)
   {
     const std::array<const char *, 6> units{"B", "kB", "MB", "GB", "TB", "PB"};
 
@@ -119,10 +106,7 @@ namespace RollingContact
     return significant(value, 3) + ' ' + units[unit];
   }
 
-
-
-  std::string
-  human_seconds(const double seconds)
+  std::string human_seconds(const double seconds)
   {
     if (seconds > 0. && seconds < 0.9995)
       return significant(1000. * seconds, seconds < 0.0995 ? 2 : 3) + " ms";
@@ -136,10 +120,15 @@ namespace RollingContact
     return fmt::format("{} h {:02} min", minutes / 60, minutes % 60);
   }
 
+  std::string trimmed(const std::string &text, const char *blanks)
+  {
+    const std::size_t begin = text.find_first_not_of(blanks),
+                      end   = text.find_last_not_of(blanks);
+    return begin == std::string::npos ? ""
+                                      : text.substr(begin, end - begin + 1);
+  }
 
-
-  std::string
-  valid_utf8(const std::string &text)
+  std::string valid_utf8(const std::string &text)
   {
     std::string result;
     for (std::size_t i = 0; i < text.size();)
@@ -151,10 +140,8 @@ namespace RollingContact
     return result;
   }
 
-
-
-  std::string
-  quotable(const std::string &text, const std::size_t most_characters)
+  std::string quotable(const std::string &text,
+                       const std::size_t  most_characters)
   {
     std::string result;
     std::size_t n_shown = 0;
@@ -175,46 +162,31 @@ namespace RollingContact
     return result;
   }
 
-
-
-  std::string
-  zero_padded(const std::size_t number, const unsigned int digits)
+  std::string zero_padded(const std::size_t number, const unsigned int digits)
   {
     return fmt::format("{:0{}}", number, digits);
   }
 
-
-
-  std::size_t
-  n_characters(const std::string &text)
+  std::size_t n_characters(const std::string &text)
   {
     return std::count_if(text.begin(), text.end(), [](const char byte) {
       return (static_cast<unsigned char>(byte) & 0xC0) != 0x80;
     });
   }
 
-
-
-  std::string
-  left_aligned(const std::string &text, const std::size_t width)
+  std::string left_aligned(const std::string &text, const std::size_t width)
   {
     return text + std::string(width - std::min(width, n_characters(text)), ' ');
   }
 
-
-
-  std::string
-  right_aligned(const std::string &text, const std::size_t width)
+  std::string right_aligned(const std::string &text, const std::size_t width)
   {
     return std::string(width - std::min(width, n_characters(text)), ' ') + text;
   }
 
-
-
-  std::string
-  wrapped(const std::string &text,
-          const std::size_t  width,
-          const std::size_t  hanging_indentation)
+  std::string wrapped(const std::string &text,
+                      const std::size_t  width,
+                      const std::size_t  hanging_indentation)
   {
     std::string        result;
     std::istringstream lines(text);

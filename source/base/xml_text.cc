@@ -3,8 +3,7 @@
 
 namespace RollingContact
 {
-  std::string
-  xml_escaped(const std::string &text)
+  std::string xml_escaped(const std::string &text)
   {
     std::string result;
     for (const char character : valid_utf8(text))

@@ -11,10 +11,9 @@ namespace RollingContact
      * transpose; to the few digits an augmentation parameter needs.
      */
     template <typename Product, typename TransposedProduct>
-    double
-    operator_norm(const std::size_t        n,
-                  const Product           &product,
-                  const TransposedProduct &transposed_product)
+    double operator_norm(const std::size_t        n,
+                         const Product           &product,
+                         const TransposedProduct &transposed_product)
     {
       std::vector<double> x(n);
       for (std::size_t i = 0; i < n; ++i)
@@ -37,24 +36,18 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  void
-  ContactOperators::find_normal_norm()
+  void ContactOperators::find_normal_norm()
   {
     largest_normal = operator_norm(
       n_nodes(),
       [&](const std::vector<double> &p) { return normal_displacement(p); },
       [&](const std::vector<double> &u) {
-        return contact_matrix.multiply_transposed(compliance.block_product(
-          first_normal(), first_normal(), n_nodes(), u));
+        return contact_matrix.multiply_transposed(block_product(
+          compliance, first_normal(), first_normal(), n_nodes(), u));
       });
   }
 
-
-
-  void
-  ContactOperators::find_tangential_norm()
+  void ContactOperators::find_tangential_norm()
   {
     if (n_tangential() == 0)
       return;
@@ -68,15 +61,17 @@ namespace RollingContact
     largest_tangential = operator_norm(
       first_normal(),
       [&](const std::vector<double> &q) {
-        const auto w = compliance.block_product(0,
-                                                0,
-                                                first_normal(),
-                                                contact_matrix.multiply(q));
+        const auto w = block_product(
+          compliance, 0, 0, first_normal(), contact_matrix.multiply(q));
         return scaled(B1.rows().multiply(w), w);
       },
       [&](const std::vector<double> &s) {
-        return contact_matrix.multiply_transposed(compliance.block_product(
-          0, 0, first_normal(), scaled(B1.rows().multiply_transposed(s), s)));
+        return contact_matrix.multiply_transposed(
+          block_product(compliance,
+                        0,
+                        0,
+                        first_normal(),
+                        scaled(B1.rows().multiply_transposed(s), s)));
       });
   }
 } // namespace RollingContact

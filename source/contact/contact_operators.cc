@@ -10,15 +10,14 @@ namespace RollingContact
      * Correct the diagonal block of W that starts at @p first so that it takes
      * @p forces to @p displacement, unless it does to within @p error.
      */
-    void
-    correct_block(const std::size_t          first,
-                  const std::vector<double> &forces,
-                  const std::vector<double> &displacement,
-                  const double               error,
-                  DenseMatrix               &W)
+    void correct_block(const std::size_t          first,
+                       const std::vector<double> &forces,
+                       const std::vector<double> &displacement,
+                       const double               error,
+                       DenseMatrix               &W)
     {
       const std::size_t   n = forces.size();
-      std::vector<double> d = W.block_product(first, first, n, forces);
+      std::vector<double> d = block_product(W, first, first, n, forces);
       for (std::size_t i = 0; i < n; ++i)
         d[i] = displacement[i] - d[i];
       const double size = norm(d), force = norm(forces), work = dot(forces, d);
@@ -36,15 +35,13 @@ namespace RollingContact
     }
   } // namespace
 
-
-
   ContactOperators::ContactOperators(Positions    positions,
                                      SparseRows   H,
                                      DenseMatrix  W,
                                      SlipOperator slip_operator,
                                      const NormalTangentialCoupling &coupling,
                                      SurfaceFrames                   frames)
-    : n_tangential_components(W.n_rows() / H.size() - 1)
+    : n_tangential_components(W.rows() / H.size() - 1)
     , node_positions(std::move(positions))
     , contact_matrix(std::move(H))
     , H_columns(contact_matrix.transposed())
@@ -60,28 +57,19 @@ namespace RollingContact
     set_compliance(std::move(W));
   }
 
-
-
-  std::array<double, 2>
-  ContactOperators::place(const unsigned int i) const
+  std::array<double, 2> ContactOperators::place(const unsigned int i) const
   {
     return {{node_positions[i][0],
              surface_frames.is_plane() ? node_positions[i][1]
                                        : surface_frames.nodes[i].y}};
   }
 
-
-
-  double
-  ContactOperators::load(const std::vector<double> &pressure) const
+  double ContactOperators::load(const std::vector<double> &pressure) const
   {
     return dot(load_areas(), pressure);
   }
 
-
-
-  void
-  ContactOperators::set_compliance(DenseMatrix W)
+  void ContactOperators::set_compliance(DenseMatrix W)
   {
     compliance = std::move(W);
     corrected  = false;
@@ -90,10 +78,7 @@ namespace RollingContact
     find_tangential_norm();
   }
 
-
-
-  void
-  ContactOperators::set_time_scaling(const TimeScaling &new_scaling)
+  void ContactOperators::set_time_scaling(const TimeScaling &new_scaling)
   {
     if (scaling == new_scaling)
       return;
@@ -101,11 +86,8 @@ namespace RollingContact
     find_tangential_norm();
   }
 
-
-
-  void
-  ContactOperators::correct(const std::vector<double> &forces,
-                            const std::vector<double> &displacement)
+  void ContactOperators::correct(const std::vector<double> &forces,
+                                 const std::vector<double> &displacement)
   {
     const double error = 1e-11 * norm(displacement);
     if (normal_tangential.exists)
@@ -127,62 +109,53 @@ namespace RollingContact
     find_pressure_compliance();
   }
 
-
-
-  std::vector<double>
-  ContactOperators::normal_displacement(
+  std::vector<double> ContactOperators::normal_displacement(
     const std::vector<double> &pressure) const
   {
-    return compliance.block_product(first_normal(),
-                                    first_normal(),
-                                    n_nodes(),
-                                    contact_matrix.multiply(pressure));
+    return block_product(compliance,
+                         first_normal(),
+                         first_normal(),
+                         n_nodes(),
+                         contact_matrix.multiply(pressure));
   }
 
-
-
-  std::vector<double>
-  ContactOperators::normal_displacement_of_traction(
+  std::vector<double> ContactOperators::normal_displacement_of_traction(
     const NodalField &traction) const
   {
     if (!normal_tangential.exists || n_tangential() == 0)
       return std::vector<double>(n_nodes(), 0.);
-    return compliance.block_product(first_normal(),
-                                    0,
-                                    n_nodes(),
-                                    contact_matrix.multiply(traction.values()));
+    return block_product(compliance,
+                         first_normal(),
+                         0,
+                         n_nodes(),
+                         contact_matrix.multiply(traction.values()));
   }
-
-
 
   NodalField
   ContactOperators::tangential_displacement(const NodalField &traction) const
   {
-    return {
-      n_nodes(),
-      compliance.block_product(
-        0, 0, first_normal(), contact_matrix.multiply(traction.values()))};
+    return {n_nodes(),
+            block_product(compliance,
+                          0,
+                          0,
+                          first_normal(),
+                          contact_matrix.multiply(traction.values()))};
   }
 
-
-
-  NodalField
-  ContactOperators::tangential_displacement_of_pressure(
+  NodalField ContactOperators::tangential_displacement_of_pressure(
     const std::vector<double> &pressure) const
   {
     if (!normal_tangential.exists)
       return {n_nodes(), n_tangential()};
     return {n_nodes(),
-            compliance.block_product(0,
-                                     first_normal(),
-                                     first_normal(),
-                                     contact_matrix.multiply(pressure))};
+            block_product(compliance,
+                          0,
+                          first_normal(),
+                          first_normal(),
+                          contact_matrix.multiply(pressure))};
   }
 
-
-
-  NodalField
-  ContactOperators::tangential_displacement(
+  NodalField ContactOperators::tangential_displacement(
     const NodalField          &traction,
     const std::vector<double> &pressure) const
   {
@@ -193,20 +166,14 @@ namespace RollingContact
     return w;
   }
 
-
-
   std::vector<double>
   ContactOperators::displacement_along(const unsigned int         c,
                                        const std::vector<double> &field) const
   {
     const std::size_t first = c * n_nodes();
-    return compliance.block_product(first,
-                                    first,
-                                    n_nodes(),
-                                    contact_matrix.multiply(field));
+    return block_product(
+      compliance, first, first, n_nodes(), contact_matrix.multiply(field));
   }
-
-
 
   NodalField
   ContactOperators::distortion(const std::size_t          first_column,
@@ -229,7 +196,7 @@ namespace RollingContact
               const bool exists = k + m < columns.size();
               const auto j      = columns[exists ? k + m : k];
               W[m]              = compliance.data() +
-                     (first_column + j) * compliance.n_rows() + c * n;
+                     (first_column + j) * compliance.rows() + c * n;
               common[m] = W[m][n / 2];
               force[m]  = exists ? forces[j] : 0.;
             }
@@ -243,8 +210,6 @@ namespace RollingContact
     return result;
   }
 
-
-
   NodalField
   ContactOperators::distortion_of_traction(const NodalField &traction) const
   {
@@ -253,10 +218,7 @@ namespace RollingContact
              : distortion(0, contact_matrix.multiply(traction.values()));
   }
 
-
-
-  NodalField
-  ContactOperators::distortion_of_pressure(
+  NodalField ContactOperators::distortion_of_pressure(
     const std::vector<double> &pressure) const
   {
     if (scaling.rate != 0. || !normal_tangential.exists)
@@ -264,10 +226,7 @@ namespace RollingContact
     return distortion(first_normal(), contact_matrix.multiply(pressure));
   }
 
-
-
-  NodalField
-  ContactOperators::distortion_of_unit(const NodalIndex &unit) const
+  NodalField ContactOperators::distortion_of_unit(const NodalIndex &unit) const
   {
     NodalField result(n_nodes(), n_tangential());
     for (const auto &entry : H_columns[unit.node])
@@ -286,25 +245,17 @@ namespace RollingContact
     return result;
   }
 
-
-
-  double
-  ContactOperators::resultant(const std::vector<double> &field) const
+  double ContactOperators::resultant(const std::vector<double> &field) const
   {
     return dot(node_areas, field);
   }
 
-
-
-  void
-  ContactOperators::find_pressure_compliance()
+  void ContactOperators::find_pressure_compliance()
   {
     const std::size_t first = first_normal(), n = n_nodes();
-    W_nn_H = DenseMatrix(n, n);
+    W_nn_H = DenseMatrix::Zero(n, n);
     for (std::size_t k = 0; k < n; ++k)
-      for (const auto &entry : contact_matrix[k])
-        for (std::size_t i = 0; i < n; ++i)
-          W_nn_H(i, entry.first) +=
-            compliance(first + i, first + k) * entry.second;
+      for (const auto &[j, value] : contact_matrix[k])
+        W_nn_H.col(j) += compliance.col(first + k).segment(first, n) * value;
   }
 } // namespace RollingContact

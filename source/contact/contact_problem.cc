@@ -4,8 +4,8 @@
 
 namespace RollingContact
 {
-  NodalField
-  rigid_slip(const ContactOperators &operators, const Creepages &creepages)
+  NodalField rigid_slip(const ContactOperators &operators,
+                        const Creepages        &creepages)
   {
     const unsigned int n_tangential = operators.n_tangential();
     NodalField         slip(operators.n_nodes(), n_tangential);
@@ -20,10 +20,7 @@ namespace RollingContact
     return slip;
   }
 
-
-
-  NodalField
-  ContactProblem::rigid_slip() const
+  NodalField ContactProblem::rigid_slip() const
   {
     NodalField slip = RollingContact::rigid_slip(operators, loads.creepages);
     if (!loads.slip_of_profile.empty())
@@ -31,10 +28,7 @@ namespace RollingContact
     return slip;
   }
 
-
-
-  ContactState
-  open_state(const ContactProblem &problem)
+  ContactState open_state(const ContactProblem &problem)
   {
     ContactState state;
     state.pressure.assign(problem.n_nodes(), 0.);
@@ -42,10 +36,7 @@ namespace RollingContact
     return state;
   }
 
-
-
-  void
-  complete(const ContactProblem &problem, ContactState &state)
+  void complete(const ContactProblem &problem, ContactState &state)
   {
     state.pressure.resize(problem.n_nodes(), 0.);
     if (state.traction.n_nodes() != problem.n_nodes())
@@ -54,10 +45,8 @@ namespace RollingContact
       state.approach = problem.loads.approach;
   }
 
-
-
-  std::vector<double>
-  nodal_forces(const ContactProblem &contact, const ContactState &state)
+  std::vector<double> nodal_forces(const ContactProblem &contact,
+                                   const ContactState   &state)
   {
     const SparseRows         &H      = contact.operators.H();
     std::vector<double>       forces = H.multiply(state.traction.values());
@@ -66,11 +55,8 @@ namespace RollingContact
     return forces;
   }
 
-
-
-  std::vector<NodalForce>
-  forces_in_plane(const ContactProblem      &contact,
-                  const std::vector<double> &forces)
+  std::vector<NodalForce> forces_in_plane(const ContactProblem      &contact,
+                                          const std::vector<double> &forces)
   {
     const unsigned int n            = contact.n_nodes(),
                        n_tangential = contact.n_tangential();
@@ -91,10 +77,8 @@ namespace RollingContact
     return result;
   }
 
-
-
-  std::vector<double>
-  normal_gap(const ContactProblem &contact, const ContactState &state)
+  std::vector<double> normal_gap(const ContactProblem &contact,
+                                 const ContactState   &state)
   {
     std::vector<double> u_n =
       contact.operators.normal_displacement(state.pressure);

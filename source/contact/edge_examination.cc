@@ -14,13 +14,10 @@ namespace RollingContact
     const double largest_change = 0.5, largest_irregularity = 0.06;
   } // namespace
 
-
-
-  EdgeExamination
-  examine_edge(const ContactProblem                   &contact,
-               const TouchingRun                      &run,
-               const std::vector<double>              &pressure,
-               const std::vector<std::vector<double>> &surplus)
+  EdgeExamination examine_edge(const ContactProblem                   &contact,
+                               const TouchingRun                      &run,
+                               const std::vector<double>              &pressure,
+                               const std::vector<std::vector<double>> &surplus)
   {
     EdgeExamination found;
     found.resolved = change_of_curvature(run,

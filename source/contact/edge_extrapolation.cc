@@ -16,10 +16,9 @@ namespace RollingContact
      * The first node of the line that carries the full traction bound; the
      * length of the line if there is none.
      */
-    std::size_t
-    first_slipping(const ContactEdge       &edge,
-                   const TangentialProblem &problem,
-                   const NodalField        &traction)
+    std::size_t first_slipping(const ContactEdge       &edge,
+                               const TangentialProblem &problem,
+                               const NodalField        &traction)
     {
       const auto found = std::find_if(edge.nodes.begin(),
                                       edge.nodes.end(),
@@ -30,15 +29,12 @@ namespace RollingContact
       return found - edge.nodes.begin();
     }
 
-
-
     /**
      * g = (q - q_n) / p at the node @p k of the edge.
      */
-    Vector2
-    scaled_traction(const ContactEdge &edge,
-                    const NodalField  &traction,
-                    const std::size_t  k)
+    Vector2 scaled_traction(const ContactEdge &edge,
+                            const NodalField  &traction,
+                            const std::size_t  k)
     {
       Vector2 g{{0., 0.}};
       for (unsigned int c = 0; c < traction.n_components(); ++c)
@@ -47,19 +43,16 @@ namespace RollingContact
       return g;
     }
 
-
-
     /**
      * Make @p law that of a square rho = |g - e|^2 on a line through the second
      * and third node, e the value at the transition to slip. False if there is
      * none.
      */
-    bool
-    square_law(const double       r,
-               const Vector2     &g2,
-               const Vector2     &g3,
-               const Vector2     &e,
-               EdgeExtrapolation &law)
+    bool square_law(const double       r,
+                    const Vector2     &g2,
+                    const Vector2     &g3,
+                    const Vector2     &e,
+                    EdgeExtrapolation &law)
     {
       const Vector2 drop2{{g2[0] - e[0], g2[1] - e[1]}},
         drop3{{g3[0] - e[0], g3[1] - e[1]}};
@@ -81,11 +74,8 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  EdgeExtrapolations
-  extrapolate_edges(const TangentialProblem &problem,
-                    const NodalField        &traction)
+  EdgeExtrapolations extrapolate_edges(const TangentialProblem &problem,
+                                       const NodalField        &traction)
   {
     EdgeExtrapolations result;
     for (const ContactEdge &edge : problem.rows.edges)
@@ -115,10 +105,8 @@ namespace RollingContact
     return result;
   }
 
-
-
-  const EdgeExtrapolation *
-  find_edge(const EdgeExtrapolations &extrapolations, const unsigned int first)
+  const EdgeExtrapolation *find_edge(const EdgeExtrapolations &extrapolations,
+                                     const unsigned int        first)
   {
     const auto found =
       std::find_if(extrapolations.begin(),
@@ -127,10 +115,8 @@ namespace RollingContact
     return found == extrapolations.end() ? nullptr : &*found;
   }
 
-
-
-  SlipScheme
-  slip_scheme(const TangentialProblem &problem, const NodalField &traction)
+  SlipScheme slip_scheme(const TangentialProblem &problem,
+                         const NodalField        &traction)
   {
     SlipScheme scheme;
     scheme.edges = extrapolate_edges(problem, traction);
@@ -146,10 +132,7 @@ namespace RollingContact
     return scheme;
   }
 
-
-
-  double
-  difference(const SlipScheme &first, const SlipScheme &second)
+  double difference(const SlipScheme &first, const SlipScheme &second)
   {
     const double infinite = std::numeric_limits<double>::infinity();
     const auto  &a = first.edges, &b = second.edges;
@@ -166,13 +149,10 @@ namespace RollingContact
     return largest;
   }
 
-
-
   namespace
   {
-    std::vector<unsigned int>
-    in_both(const std::vector<unsigned int> &first,
-            const std::vector<unsigned int> &second)
+    std::vector<unsigned int> in_both(const std::vector<unsigned int> &first,
+                                      const std::vector<unsigned int> &second)
     {
       std::vector<unsigned int> nodes;
       std::set_intersection(first.begin(),
@@ -184,18 +164,12 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  SlipScheme
-  without_new_sliding(const SlipScheme &now, const SlipScheme &next)
+  SlipScheme without_new_sliding(const SlipScheme &now, const SlipScheme &next)
   {
     return {next.edges, in_both(now.sliding, next.sliding)};
   }
 
-
-
-  SlipScheme
-  without_new_edges(const SlipScheme &now, const SlipScheme &next)
+  SlipScheme without_new_edges(const SlipScheme &now, const SlipScheme &next)
   {
     SlipScheme result{{}, next.sliding};
     for (const EdgeExtrapolation &edge : next.edges)
@@ -203,8 +177,6 @@ namespace RollingContact
         result.edges.push_back(edge);
     return result;
   }
-
-
 
   SlipScheme
   moved(const SlipScheme &now, const SlipScheme &next, const double part)
@@ -221,10 +193,7 @@ namespace RollingContact
     return result;
   }
 
-
-
-  SlipScheme
-  common(const SlipScheme &now, const SlipScheme &next)
+  SlipScheme common(const SlipScheme &now, const SlipScheme &next)
   {
     SlipScheme result{{}, in_both(now.sliding, next.sliding)};
     for (const EdgeExtrapolation &edge : now.edges)

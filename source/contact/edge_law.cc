@@ -1,7 +1,7 @@
+#include <rolling_contact/algebra/polynomial_fit.h>
 #include <rolling_contact/contact/edge_examination.h>
 #include <rolling_contact/contact/edge_law.h>
 #include <rolling_contact/contact/edge_pressure.h>
-#include <rolling_contact/linear_algebra/polynomial_fit.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,16 +10,13 @@ namespace RollingContact
 {
   namespace
   {
-    SparseRows
-    identity(const unsigned int n)
+    SparseRows identity(const unsigned int n)
     {
       SparseRows rows(n);
       for (unsigned int i = 0; i < n; ++i)
         rows.add(i, i, 1.);
       return rows;
     }
-
-
 
     /**
      * Replaces rows of the slip operators by those of the edge law, one run of
@@ -33,42 +30,31 @@ namespace RollingContact
               const SlipScheme          &scheme,
               SlipRows                  &rows);
 
-      void
-      apply_to_all_runs();
+      void apply_to_all_runs();
 
     private:
-      void
-      examine_runs();
+      void examine_runs();
 
-      void
-      leave_out_first_node(TouchingRun &run);
+      void leave_out_first_node(TouchingRun &run);
 
-      void
-      replace_slip_rows(const TouchingRun &run);
+      void replace_slip_rows(const TouchingRun &run);
 
-      void
-      take_cubics(const TouchingRun &run);
+      void take_cubics(const TouchingRun &run);
 
-      void
-      take_one_element(const unsigned int node);
+      void take_one_element(const unsigned int node);
 
-      void
-      take_inside_derivative(const TouchingRun &run);
+      void take_inside_derivative(const TouchingRun &run);
 
-      void
-      follow_next_node(const TouchingRun &run);
+      void follow_next_node(const TouchingRun &run);
 
-      void
-      add_edge(const TouchingRun &run);
+      void add_edge(const TouchingRun &run);
 
-      void
-      add_law(const EdgePressure        &line,
-              const std::vector<double> &p,
-              const std::vector<double> &q_n,
-              const EdgeExtrapolation   &extrapolation);
+      void add_law(const EdgePressure        &line,
+                   const std::vector<double> &p,
+                   const std::vector<double> &q_n,
+                   const EdgeExtrapolation   &extrapolation);
 
-      void
-      find_surplus();
+      void find_surplus();
 
       const ContactProblem    &contact;
       const SlipOperator      &slip_operator;
@@ -84,8 +70,6 @@ namespace RollingContact
       /// moves the surface beyond what the pressure moves it along the normal.
       std::vector<std::vector<double>> surplus;
     };
-
-
 
     EdgeLaw::EdgeLaw(const ContactProblem      &contact,
                      const std::vector<double> &pressure,
@@ -105,10 +89,7 @@ namespace RollingContact
       find_surplus();
     }
 
-
-
-    void
-    EdgeLaw::find_surplus()
+    void EdgeLaw::find_surplus()
     {
       surplus.clear();
       for (unsigned int c = 0; c < contact.n_tangential(); ++c)
@@ -123,14 +104,11 @@ namespace RollingContact
         }
     }
 
-
-
     /**
      * Leave runs that are not resolved to upwind 2, and first nodes that barely
      * touch out of theirs.
      */
-    void
-    EdgeLaw::examine_runs()
+    void EdgeLaw::examine_runs()
     {
       const std::size_t least = 6; // nodes that a window of EdgePressure needs
       std::vector<TouchingRun> resolved;
@@ -153,13 +131,10 @@ namespace RollingContact
         find_surplus();
     }
 
-
-
     /**
      * Let the second node be the first of a run.
      */
-    void
-    EdgeLaw::leave_out_first_node(TouchingRun &run)
+    void EdgeLaw::leave_out_first_node(TouchingRun &run)
     {
       const unsigned int first = run.nodes[0];
       if (find_edge(scheme.edges, run.nodes[1]))
@@ -173,10 +148,7 @@ namespace RollingContact
       run.nodes.erase(run.nodes.begin());
     }
 
-
-
-    void
-    EdgeLaw::apply_to_all_runs()
+    void EdgeLaw::apply_to_all_runs()
     {
       examine_runs();
       for (const TouchingRun &run : runs)
@@ -188,14 +160,11 @@ namespace RollingContact
         }
     }
 
-
-
     /**
      * One-element differences where the second upstream point lies outside the
      * contact; the first does not, except at a leading edge.
      */
-    void
-    EdgeLaw::replace_slip_rows(const TouchingRun &run)
+    void EdgeLaw::replace_slip_rows(const TouchingRun &run)
     {
       for (std::size_t k = run.leading ? 1 : 0; k < run.nodes.size(); ++k)
         {
@@ -207,14 +176,11 @@ namespace RollingContact
         }
     }
 
-
-
     /**
      * The derivative of the cubic through its neighbours at inner nodes that
      * slide.
      */
-    void
-    EdgeLaw::take_cubics(const TouchingRun &run)
+    void EdgeLaw::take_cubics(const TouchingRun &run)
     {
       const auto               &nodes = run.nodes;
       const std::vector<double> x     = places(run, contact.operators);
@@ -235,13 +201,10 @@ namespace RollingContact
         }
     }
 
-
-
     /**
      * d/dx and everything else half an element upstream of a node.
      */
-    void
-    EdgeLaw::take_one_element(const unsigned int node)
+    void EdgeLaw::take_one_element(const unsigned int node)
     {
       const auto &positions = contact.operators.positions();
       const auto &upstream  = slip_operator.one_upstream()[node];
@@ -257,13 +220,10 @@ namespace RollingContact
         }
     }
 
-
-
     /**
      * d/dx at node 1 from nodes 1, 2 and 3.
      */
-    void
-    EdgeLaw::take_inside_derivative(const TouchingRun &run)
+    void EdgeLaw::take_inside_derivative(const TouchingRun &run)
     {
       const EdgePressure line(contact, run, 0);
       const int          flow = slip_operator.flow_direction();
@@ -277,14 +237,11 @@ namespace RollingContact
                                  {nodes[2], third}};
     }
 
-
-
     /**
      * A first node that barely touches carries friction in the proportion of
      * the next node: g1 = g2.
      */
-    void
-    EdgeLaw::follow_next_node(const TouchingRun &run)
+    void EdgeLaw::follow_next_node(const TouchingRun &run)
     {
       take_inside_derivative(run);
       for (unsigned int c = 0; c < contact.n_tangential(); ++c)
@@ -297,13 +254,10 @@ namespace RollingContact
         }
     }
 
-
-
     /**
      * The row of node 1 and what extrapolate_edges() needs.
      */
-    void
-    EdgeLaw::add_edge(const TouchingRun &run)
+    void EdgeLaw::add_edge(const TouchingRun &run)
     {
       take_inside_derivative(run);
       const EdgeExtrapolation *given = find_edge(scheme.edges, run.nodes[0]);
@@ -325,16 +279,13 @@ namespace RollingContact
       rows.edges.push_back(std::move(edge));
     }
 
-
-
     /**
      * kappa [q1 - p1 (a g2 - b g3 + c)] of one component at node 1.
      */
-    void
-    EdgeLaw::add_law(const EdgePressure        &line,
-                     const std::vector<double> &p,
-                     const std::vector<double> &q_n,
-                     const EdgeExtrapolation   &extrapolation)
+    void EdgeLaw::add_law(const EdgePressure        &line,
+                          const std::vector<double> &p,
+                          const std::vector<double> &q_n,
+                          const EdgeExtrapolation   &extrapolation)
     {
       const auto  &nodes = line.nodes();
       const double h     = line.along(1) - line.along(0);
@@ -356,13 +307,10 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  SlipRows
-  slip_rows(const ContactProblem      &problem,
-            const std::vector<double> &pressure,
-            const SlipScheme          &scheme,
-            const bool                 edge_law)
+  SlipRows slip_rows(const ContactProblem      &problem,
+                     const std::vector<double> &pressure,
+                     const SlipScheme          &scheme,
+                     const bool                 edge_law)
   {
     const unsigned int n            = problem.n_nodes(),
                        n_components = problem.n_tangential();

@@ -1,7 +1,8 @@
+#include <rolling_contact/algebra/lapack.h>
+#include <rolling_contact/algebra/polynomial_fit.h>
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/contact/edge_pressure.h>
-#include <rolling_contact/interface/patch_edge.h>
-#include <rolling_contact/linear_algebra/polynomial_fit.h>
+#include <rolling_contact/contact/patch_edge.h>
 
 #include <algorithm>
 #include <cmath>
@@ -53,14 +54,11 @@ namespace RollingContact
      */
     const std::size_t n_disturbed = 4;
 
-
-
     /**
      * Where the element size changes, corrections are needed far from the edge,
      * and a polynomial would take them for a smooth displacement.
      */
-    bool
-    has_equal_spacing(const std::vector<double> &x)
+    bool has_equal_spacing(const std::vector<double> &x)
     {
       for (std::size_t k = 2; k < x.size(); ++k)
         if (std::abs(x[k] - 2 * x[k - 1] + x[k - 2]) > 1e-6 * (x[1] - x[0]))
@@ -68,8 +66,6 @@ namespace RollingContact
       return true;
     }
   } // namespace
-
-
 
   EdgePressure::EdgePressure(const ContactProblem &contact,
                              const TouchingRun    &run,
@@ -81,10 +77,8 @@ namespace RollingContact
     , x(places(run, operators))
   {}
 
-
-
-  double
-  EdgePressure::compliance(const std::size_t k, const std::size_t j) const
+  double EdgePressure::compliance(const std::size_t k,
+                                  const std::size_t j) const
   {
     const std::size_t first = direction * operators.n_nodes();
     double            sum   = 0.;
@@ -94,10 +88,7 @@ namespace RollingContact
     return sum;
   }
 
-
-
-  std::vector<unsigned int>
-  EdgePressure::across_first() const
+  std::vector<unsigned int> EdgePressure::across_first() const
   {
     const auto               &positions = operators.positions();
     const unsigned int        first     = run.nodes[0];
@@ -111,10 +102,7 @@ namespace RollingContact
     return nodes;
   }
 
-
-
-  double
-  EdgePressure::fall_of_compliance() const
+  double EdgePressure::fall_of_compliance() const
   {
     const std::size_t offset = direction * operators.n_nodes();
     double            sum    = 0.;
@@ -126,8 +114,6 @@ namespace RollingContact
     return sum;
   }
 
-
-
   std::vector<double>
   EdgePressure::on_run(const std::vector<double> &nodal) const
   {
@@ -137,10 +123,7 @@ namespace RollingContact
     return values;
   }
 
-
-
-  std::size_t
-  EdgePressure::window() const
+  std::size_t EdgePressure::window() const
   {
     // two thirds of the line, at most 32 of its largest elements
     const std::size_t n_run = run.nodes.size(), n_least = run.cut ? 4 : 6;
@@ -157,8 +140,6 @@ namespace RollingContact
       ++n;
     return std::max(n, n_least);
   }
-
-
 
   std::vector<double>
   EdgePressure::correction_scales(const std::size_t          n_window,
@@ -187,19 +168,16 @@ namespace RollingContact
     return scales;
   }
 
-
-
-  void
-  EdgePressure::smooth(const std::vector<double> &displacement,
-                       const std::vector<double> &pressure,
-                       std::vector<double>       &field) const
+  void EdgePressure::smooth(const std::vector<double> &displacement,
+                            const std::vector<double> &pressure,
+                            std::vector<double>       &field) const
   {
     const std::size_t n = window();
     if (n == 0)
       return;
     // corrections that take the displacement away, and that give 1, x and x^2
     const double length = along(n - 1) - along(0);
-    DenseMatrix  matrix(n, n), corrections(n, 4), powers(n, 3);
+    DenseMatrix  matrix(n, n), corrections(n, 4);
     for (std::size_t k = 0; k < n; ++k)
       {
         for (std::size_t j = 0; j < n; ++j)
@@ -212,24 +190,15 @@ namespace RollingContact
     if (!solve_general(matrix, corrections))
       return;
     const std::vector<double> scales = correction_scales(n, pressure);
-    std::vector<double>       coefficients(n);
-    for (std::size_t k = 0; k < n; ++k)
-      {
-        for (unsigned int power = 0; power < 3; ++power)
-          powers(k, power) = -corrections(k, 1 + power) / scales[k];
-        coefficients[k] = corrections(k, 0) / scales[k];
-      }
-    if (!solve_least_squares(powers, coefficients))
-      return;
-    for (std::size_t k = 0; k < n; ++k)
-      {
-        field[k] += corrections(k, 0);
-        for (unsigned int power = 0; power < 3; ++power)
-          field[k] += coefficients[power] * corrections(k, 1 + power);
-      }
+    const auto          weight = as_vector(scales).cwiseInverse().asDiagonal();
+    DenseMatrix         powers = weight * -corrections.rightCols<3>();
+    std::vector<double> coefficients(n);
+    as_vector(coefficients) = weight * corrections.col(0);
+    if (solve_least_squares(powers, coefficients))
+      as_vector(field).head(n) +=
+        corrections.col(0) +
+        corrections.rightCols<3>() * as_vector(coefficients);
   }
-
-
 
   std::vector<double>
   EdgePressure::without_smooth_part(std::vector<double> displacement,
@@ -261,8 +230,6 @@ namespace RollingContact
     return rest(degree);
   }
 
-
-
   std::vector<double>
   EdgePressure::equivalent(const std::vector<double> &pressure,
                            const std::vector<double> &surplus) const
@@ -273,11 +240,8 @@ namespace RollingContact
     return field;
   }
 
-
-
-  double
-  EdgePressure::irregularity(const std::vector<double> &equivalent,
-                             const std::vector<double> &pressure) const
+  double EdgePressure::irregularity(const std::vector<double> &equivalent,
+                                    const std::vector<double> &pressure) const
   {
     double largest = 0.;
     for (std::size_t k = n_disturbed; k < window(); ++k)
@@ -285,8 +249,6 @@ namespace RollingContact
         std::max(largest, std::abs(equivalent[k] / pressure[run.nodes[k]] - 1));
     return largest;
   }
-
-
 
   std::vector<double>
   EdgePressure::coupling_traction(const std::vector<double> &pressure) const

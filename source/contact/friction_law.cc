@@ -7,8 +7,8 @@
 
 namespace RollingContact
 {
-  double
-  FrictionLaw::steepest_fall(const double carried, const double speed) const
+  double FrictionLaw::steepest_fall(const double carried,
+                                    const double speed) const
   {
     if (speed > 0.) // the drop is concave: steepest to rest
       return drop(speed) / speed;
@@ -22,8 +22,6 @@ namespace RollingContact
               .second;
   }
 
-
-
   namespace
   {
     class ExponentialFriction : public FrictionLaw
@@ -35,20 +33,17 @@ namespace RollingContact
         , v_c(decay_speed)
       {}
 
-      double
-      drop(const double speed) const override
+      double drop(const double speed) const override
       {
         return -range * std::expm1(-speed / v_c);
       }
 
-      double
-      slope(const double speed) const override
+      double slope(const double speed) const override
       {
         return range / v_c * std::exp(-speed / v_c);
       }
 
-      double
-      decay_speed() const override
+      double decay_speed() const override
       {
         return v_c;
       }
@@ -56,8 +51,6 @@ namespace RollingContact
     private:
       const double range, v_c;
     };
-
-
 
     class RationalFriction : public FrictionLaw
     {
@@ -68,20 +61,17 @@ namespace RollingContact
         , v_c(decay_speed)
       {}
 
-      double
-      drop(const double speed) const override
+      double drop(const double speed) const override
       {
         return range * speed / (v_c + speed);
       }
 
-      double
-      slope(const double speed) const override
+      double slope(const double speed) const override
       {
         return range * v_c / ((v_c + speed) * (v_c + speed));
       }
 
-      double
-      decay_speed() const override
+      double decay_speed() const override
       {
         return v_c;
       }
@@ -90,20 +80,15 @@ namespace RollingContact
       const double range, v_c;
     };
 
-
-
     template <typename Law>
-    std::unique_ptr<const FrictionLaw>
-    make(const double kinetic_over_static, const double decay_speed)
+    std::unique_ptr<const FrictionLaw> make(const double kinetic_over_static,
+                                            const double decay_speed)
     {
       return std::make_unique<Law>(kinetic_over_static, decay_speed);
     }
   } // namespace
 
-
-
-  const std::vector<FrictionLawKind> &
-  friction_law_kinds()
+  const std::vector<FrictionLawKind> &friction_law_kinds()
   {
     static const std::vector<FrictionLawKind> kinds{
       {"constant", "it does not fall", nullptr},
@@ -116,8 +101,6 @@ namespace RollingContact
        &make<RationalFriction>}};
     return kinds;
   }
-
-
 
   std::unique_ptr<const FrictionLaw>
   make_friction_law(const std::string &name,

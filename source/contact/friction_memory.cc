@@ -29,10 +29,7 @@ namespace RollingContact
       }
   }
 
-
-
-  void
-  FrictionMemory::find_lines()
+  void FrictionMemory::find_lines()
   {
     const ContactOperators &operators = contact.operators;
     const ContactLoads     &loads     = contact.loads;
@@ -56,13 +53,10 @@ namespace RollingContact
       }
   }
 
-
-
-  std::vector<double>
-  moved_with_flow(const ContactOperators    &operators,
-                  const std::vector<double> &values,
-                  const std::vector<double> &entering,
-                  const double               distance)
+  std::vector<double> moved_with_flow(const ContactOperators    &operators,
+                                      const std::vector<double> &values,
+                                      const std::vector<double> &entering,
+                                      const double               distance)
   {
     const int           flow   = operators.slip_operator().flow_direction();
     std::vector<double> result = entering;
@@ -87,15 +81,13 @@ namespace RollingContact
     return result;
   }
 
-
-
   DenseMatrix
   FrictionMemory::derivative(const std::vector<unsigned int> &nodes) const
   {
-    const ContactLoads      &loads   = contact.loads;
-    const bool               in_time = !loads.friction_arriving.empty();
-    const std::size_t        none    = nodes.size();
-    DenseMatrix              result(nodes.size(), nodes.size());
+    const ContactLoads &loads   = contact.loads;
+    const bool          in_time = !loads.friction_arriving.empty();
+    const std::size_t   none    = nodes.size();
+    DenseMatrix         result  = DenseMatrix::Zero(nodes.size(), nodes.size());
     std::vector<std::size_t> number(contact.n_nodes(), none);
     for (std::size_t k = 0; k < nodes.size(); ++k)
       number[nodes[k]] = k;

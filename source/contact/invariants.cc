@@ -13,26 +13,19 @@ namespace RollingContact
     /**
      * max(0, x) that keeps what is not a number.
      */
-    double
-    excess(const double x)
+    double excess(const double x)
     {
       return x <= 0. ? 0. : x;
     }
 
-
-
-    double
-    ratio(const double value, const double scale)
+    double ratio(const double value, const double scale)
     {
       return value == 0. ? 0. : value / scale;
     }
 
-
-
-    void
-    add_normal(const ContactProblem &problem,
-               const ContactState   &state,
-               Invariants           &result)
+    void add_normal(const ContactProblem &problem,
+                    const ContactState   &state,
+                    Invariants           &result)
     {
       const std::vector<double> u_n  = normal_gap(problem, state);
       const double              rho  = problem.operators.normal_norm() > 0.
@@ -57,12 +50,9 @@ namespace RollingContact
         result.load = ratio(std::abs(load - scale), scale);
     }
 
-
-
-    void
-    add_friction(const ContactProblem &problem,
-                 const ContactState   &state,
-                 Invariants           &result)
+    void add_friction(const ContactProblem &problem,
+                      const ContactState   &state,
+                      Invariants           &result)
     {
       const TangentialProblem friction = tangential_problem(problem, state);
       const double            norm     = problem.operators.tangential_norm();
@@ -85,19 +75,16 @@ namespace RollingContact
       result.friction_power = ratio(result.friction_power, scale * largest);
     }
 
-
-
     /**
      * r . W r of the nodal forces r = H (q, p), negative share over the sum of
      * the sizes of its terms.
      */
-    double
-    negative_energy(const ContactProblem &problem, const ContactState &state)
+    double negative_energy(const ContactProblem &problem,
+                           const ContactState   &state)
     {
-      const std::vector<double> forces = nodal_forces(problem, state);
-      std::vector<double>       displacements(forces.size(), 0.);
-      problem.operators.W().multiply_block(0, 0, forces, displacements);
-      double energy = 0., size = 0.;
+      const std::vector<double> forces        = nodal_forces(problem, state);
+      const std::vector<double> displacements = problem.operators.W() * forces;
+      double                    energy = 0., size = 0.;
       for (std::size_t i = 0; i < forces.size(); ++i)
         {
           energy += forces[i] * displacements[i];
@@ -107,10 +94,7 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  std::vector<std::pair<std::string, double>>
-  Invariants::named() const
+  std::vector<std::pair<std::string, double>> Invariants::named() const
   {
     return {{"pull", pull},
             {"overlap", overlap},
@@ -121,10 +105,7 @@ namespace RollingContact
             {"elastic_energy", elastic_energy}};
   }
 
-
-
-  std::pair<std::string, double>
-  Invariants::worst() const
+  std::pair<std::string, double> Invariants::worst() const
   {
     std::pair<std::string, double> result{"none", 0.};
     for (const auto &invariant : named())
@@ -137,10 +118,8 @@ namespace RollingContact
     return result;
   }
 
-
-
-  Invariants
-  invariants(const ContactProblem &problem, const ContactState &state)
+  Invariants invariants(const ContactProblem &problem,
+                        const ContactState   &state)
   {
     Invariants result;
     add_normal(problem, state, result);
@@ -150,21 +129,15 @@ namespace RollingContact
     return result;
   }
 
-
-
-  double
-  invariant_limit(const double tolerance)
+  double invariant_limit(const double tolerance)
   {
     const double rounding = 1e-12;
     return tolerance + rounding;
   }
 
-
-
-  void
-  check_invariants(const Invariants  &found,
-                   const double       tolerance,
-                   const std::string &where)
+  void check_invariants(const Invariants  &found,
+                        const double       tolerance,
+                        const std::string &where)
   {
     const auto   worst = found.worst();
     const double limit = invariant_limit(tolerance);

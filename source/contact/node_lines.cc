@@ -13,8 +13,6 @@ namespace RollingContact
     const double equal = 1e-3; // of the smallest element, across a line
   }                            // namespace
 
-
-
   std::vector<std::vector<unsigned int>>
   node_lines(const ContactOperators &operators, const unsigned int axis)
   {

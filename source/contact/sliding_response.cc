@@ -1,3 +1,4 @@
+#include <rolling_contact/algebra/lapack.h>
 #include <rolling_contact/contact/sliding_response.h>
 
 #include <array>
@@ -10,8 +11,8 @@ namespace RollingContact
     /**
      * Unit vector along which a node slides, or would: against its traction.
      */
-    std::array<double, 2>
-    direction(const NodalField &traction, const unsigned int node)
+    std::array<double, 2> direction(const NodalField  &traction,
+                                    const unsigned int node)
     {
       const double          size = traction.norm_at(node);
       std::array<double, 2> e{{1., 0.}};
@@ -20,77 +21,42 @@ namespace RollingContact
       return e;
     }
 
-
-
     /**
      * Turn components x, y of rows and columns 2k, 2k + 1 into those along and
      * across the directions.
      */
-    void
-    rotate(const std::vector<std::array<double, 2>> &directions, DenseMatrix &A)
+    void rotate(const std::vector<std::array<double, 2>> &directions,
+                DenseMatrix                              &A)
     {
-      const auto turn =
-        [](const std::array<double, 2> &e, double &first, double &second) {
-          const double along = e[0] * first + e[1] * second;
-          second             = -e[1] * first + e[0] * second;
-          first              = along;
-        };
       for (std::size_t k = 0; k < directions.size(); ++k)
         {
-          for (std::size_t i = 0; i < A.n_rows(); ++i)
-            turn(directions[k], A(i, 2 * k), A(i, 2 * k + 1));
-          for (std::size_t j = 0; j < A.n_columns(); ++j)
-            turn(directions[k], A(2 * k, j), A(2 * k + 1, j));
+          Eigen::Matrix2d turn;
+          turn << directions[k][0], directions[k][1], -directions[k][1],
+            directions[k][0];
+          A.middleCols<2>(2 * k) = A.middleCols<2>(2 * k) * turn.transpose();
+          A.middleRows<2>(2 * k) = turn * A.middleRows<2>(2 * k);
         }
     }
 
-
-
     using Places = std::vector<std::size_t>;
-
-    DenseMatrix
-    block(const DenseMatrix &A, const Places &rows, const Places &columns)
-    {
-      DenseMatrix result(rows.size(), columns.size());
-      for (std::size_t j = 0; j < columns.size(); ++j)
-        for (std::size_t i = 0; i < rows.size(); ++i)
-          result(i, j) = A(rows[i], columns[j]);
-      return result;
-    }
-
-
 
     /**
      * A_ee - A_eo (A_oo + C)^-1 A_oe.
      */
-    DenseMatrix
-    condensed(const DenseMatrix         &A,
-              const Places              &e,
-              const Places              &o,
-              const std::vector<double> &C)
+    DenseMatrix condensed(const DenseMatrix         &A,
+                          const Places              &e,
+                          const Places              &o,
+                          const std::vector<double> &C)
     {
-      DenseMatrix result = block(A, e, e);
       if (o.empty() || e.empty())
-        return result;
-      DenseMatrix A_oo = block(A, o, o), X = block(A, o, e);
-      for (std::size_t k = 0; k < o.size(); ++k)
-        A_oo(k, k) += C[k];
+        return A(e, e);
+      DenseMatrix A_oo = A(o, o), X = A(o, e);
+      A_oo.diagonal() += as_vector(C);
       if (!solve_general(A_oo, X))
         return {};
-      const DenseMatrix   A_eo = block(A, e, o);
-      std::vector<double> x(o.size()), y(e.size());
-      for (std::size_t j = 0; j < e.size(); ++j)
-        {
-          x.assign(X.data() + j * o.size(), X.data() + (j + 1) * o.size());
-          A_eo.multiply_block(0, 0, x, y);
-          for (std::size_t i = 0; i < e.size(); ++i)
-            result(i, j) -= y[i];
-        }
-      return result;
+      return A(e, e) - DenseMatrix(A(e, o)) * X;
     }
   } // namespace
-
-
 
   namespace
   {
@@ -109,8 +75,6 @@ namespace RollingContact
       Places                             e, o;
       std::vector<double>                C; ///< of the others, 1/Pa
     };
-
-
 
     Unknowns::Unknowns(const TangentialProblem         &problem,
                        const NodalField                &traction,
@@ -147,12 +111,9 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  DenseMatrix
-  sliding_response(const TangentialProblem         &problem,
-                   const NodalField                &traction,
-                   const std::vector<unsigned int> &nodes)
+  DenseMatrix sliding_response(const TangentialProblem         &problem,
+                               const NodalField                &traction,
+                               const std::vector<unsigned int> &nodes)
   {
     const Unknowns unknowns(problem, traction, nodes);
     DenseMatrix    A = problem.slip_compliance(unknowns.all);
@@ -160,17 +121,16 @@ namespace RollingContact
       rotate(unknowns.directions, A);
     DenseMatrix R = condensed(A, unknowns.e, unknowns.o, unknowns.C);
     if (problem.contact.n_tangential() == 1) // directions are signs
-      for (std::size_t j = 0; j < R.n_columns(); ++j)
-        for (std::size_t i = 0; i < R.n_rows(); ++i)
-          R(i, j) *= unknowns.directions[unknowns.e[i]][0] *
-                     unknowns.directions[unknowns.e[j]][0];
+      for (Eigen::Index k = 0; k < R.rows(); ++k)
+        {
+          R.row(k) *= unknowns.directions[unknowns.e[k]][0];
+          R.col(k) *= unknowns.directions[unknowns.e[k]][0];
+        }
     return R;
   }
 
-
-
-  std::vector<unsigned int>
-  slipping_nodes(const TangentialProblem &problem, const NodalField &traction)
+  std::vector<unsigned int> slipping_nodes(const TangentialProblem &problem,
+                                           const NodalField        &traction)
   {
     const NodalField trial = problem.trial(traction, problem.slip(traction));
     std::vector<unsigned int> nodes;

@@ -41,10 +41,7 @@ namespace RollingContact
       slip_at_zero += loads.slip_before;
   }
 
-
-
-  NodalField
-  TangentialProblem::slip_of(const NodalField &w) const
+  NodalField TangentialProblem::slip_of(const NodalField &w) const
   {
     NodalField s = rows.B1 * w;
     s *= contact.operators.flow_convection();
@@ -52,10 +49,8 @@ namespace RollingContact
     return rate == 0. ? s : s.add(rate, rows.B2 * w);
   }
 
-
-
-  double
-  TangentialProblem::slip_of(const NodalField &w, const NodalIndex &at) const
+  double TangentialProblem::slip_of(const NodalField &w,
+                                    const NodalIndex &at) const
   {
     const double s = contact.operators.flow_convection() *
                      apply(rows.B1[at.node], w, at.component),
@@ -63,20 +58,14 @@ namespace RollingContact
     return rate == 0. ? s : s + rate * apply(rows.B2[at.node], w, at.component);
   }
 
-
-
-  NodalField
-  TangentialProblem::material_slip(const NodalField &traction) const
+  NodalField TangentialProblem::material_slip(const NodalField &traction) const
   {
     NodalField s = slip_of(contact.operators.distortion_of_traction(traction));
     s += slip_at_zero;
     return s;
   }
 
-
-
-  NodalField
-  TangentialProblem::mean_slip(const ContactState &state) const
+  NodalField TangentialProblem::mean_slip(const ContactState &state) const
   {
     const ContactOperators &operators = contact.operators;
     const ContactLoads     &loads     = contact.loads;
@@ -95,10 +84,7 @@ namespace RollingContact
     return s;
   }
 
-
-
-  NodalField
-  TangentialProblem::slip(const NodalField &traction) const
+  NodalField TangentialProblem::slip(const NodalField &traction) const
   {
     NodalField s = material_slip(traction);
     for (unsigned int c = 0; c < rows.edge_rows.size(); ++c)
@@ -108,14 +94,11 @@ namespace RollingContact
     return s;
   }
 
-
-
-  DenseMatrix
-  TangentialProblem::slip_compliance(
+  DenseMatrix TangentialProblem::slip_compliance(
     const std::vector<NodalIndex> &unknowns) const
   {
     const std::size_t n = unknowns.size();
-    DenseMatrix       A(n, n);
+    DenseMatrix       A = DenseMatrix::Zero(n, n);
     for (std::size_t j = 0; j < n; ++j)
       {
         const NodalField w = contact.operators.distortion_of_unit(unknowns[j]);
@@ -136,8 +119,6 @@ namespace RollingContact
     return A;
   }
 
-
-
   std::vector<double>
   TangentialProblem::sliding_speeds(const NodalField &slip) const
   {
@@ -147,8 +128,6 @@ namespace RollingContact
         speeds[i] = slip.norm_at(i) * contact.loads.speed;
     return speeds;
   }
-
-
 
   std::vector<double>
   TangentialProblem::friction_at(const NodalField &slip) const
@@ -165,10 +144,7 @@ namespace RollingContact
     return coefficients;
   }
 
-
-
-  void
-  TangentialProblem::set_friction(const std::vector<double> &coefficients)
+  void TangentialProblem::set_friction(const std::vector<double> &coefficients)
   {
     for (unsigned int i = 0; i < contact.n_nodes(); ++i)
       if (friction[i] > 0.)
@@ -176,10 +152,7 @@ namespace RollingContact
     friction = coefficients;
   }
 
-
-
-  void
-  TangentialProblem::project(NodalField &traction) const
+  void TangentialProblem::project(NodalField &traction) const
   {
     for (unsigned int i = 0; i < contact.n_nodes(); ++i)
       {
@@ -190,11 +163,8 @@ namespace RollingContact
       }
   }
 
-
-
-  NodalField
-  TangentialProblem::trial(const NodalField &traction,
-                           const NodalField &slip) const
+  NodalField TangentialProblem::trial(const NodalField &traction,
+                                      const NodalField &slip) const
   {
     const double norm   = contact.operators.tangential_norm();
     NodalField   result = traction;
@@ -208,11 +178,8 @@ namespace RollingContact
     return result;
   }
 
-
-
-  double
-  TangentialProblem::residual(const NodalField &traction,
-                              const NodalField &slip) const
+  double TangentialProblem::residual(const NodalField &traction,
+                                     const NodalField &slip) const
   {
     const double friction_force = contact.operators.resultant(bound);
     if (friction_force <= 0. || contact.operators.tangential_norm() <= 0.)
@@ -227,10 +194,8 @@ namespace RollingContact
     return sum / friction_force;
   }
 
-
-
-  TangentialProblem
-  tangential_problem(const ContactProblem &contact, const ContactState &state)
+  TangentialProblem tangential_problem(const ContactProblem &contact,
+                                       const ContactState   &state)
   {
     TangentialProblem problem(contact,
                               state.pressure,
@@ -244,10 +209,7 @@ namespace RollingContact
     return problem;
   }
 
-
-
-  double
-  NaturalResidual::worst() const
+  double NaturalResidual::worst() const
   {
     // a comparison with NaN must not pass for convergence
     return std::isfinite(normal) && std::isfinite(tangential)
@@ -255,12 +217,10 @@ namespace RollingContact
              : std::numeric_limits<double>::infinity();
   }
 
-
-
   namespace
   {
-    double
-    normal_residual(const ContactProblem &contact, const ContactState &state)
+    double normal_residual(const ContactProblem &contact,
+                           const ContactState   &state)
     {
       const ContactOperators   &operators = contact.operators;
       const std::vector<double> u_n       = normal_gap(contact, state);
@@ -281,12 +241,9 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  NaturalResidual
-  natural_residual(const ContactProblem    &contact,
-                   const TangentialProblem &tangential,
-                   const ContactState      &state)
+  NaturalResidual natural_residual(const ContactProblem    &contact,
+                                   const TangentialProblem &tangential,
+                                   const ContactState      &state)
   {
     return {normal_residual(contact, state),
             contact.n_tangential() == 0

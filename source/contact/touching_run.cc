@@ -10,8 +10,8 @@ namespace RollingContact
     /**
      * True if the point with these weights is in contact.
      */
-    bool
-    touches(const SparseRows::Row &weights, const std::vector<double> &pressure)
+    bool touches(const SparseRows::Row     &weights,
+                 const std::vector<double> &pressure)
     {
       return !weights.empty() &&
              std::all_of(weights.begin(),
@@ -22,11 +22,8 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  std::vector<TouchingRun>
-  touching_runs(const SlipOperator        &slip_operator,
-                const std::vector<double> &pressure)
+  std::vector<TouchingRun> touching_runs(const SlipOperator &slip_operator,
+                                         const std::vector<double> &pressure)
   {
     std::vector<TouchingRun> runs;
     for (const auto &line : slip_operator.lines())
@@ -50,10 +47,8 @@ namespace RollingContact
     return runs;
   }
 
-
-
-  std::vector<double>
-  places(const TouchingRun &run, const ContactOperators &operators)
+  std::vector<double> places(const TouchingRun      &run,
+                             const ContactOperators &operators)
   {
     std::vector<double> x;
     for (const unsigned int node : run.nodes)
@@ -62,12 +57,9 @@ namespace RollingContact
     return x;
   }
 
-
-
-  double
-  change_of_curvature(const TouchingRun         &run,
-                      const std::vector<double> &x,
-                      const std::vector<double> &gap)
+  double change_of_curvature(const TouchingRun         &run,
+                             const std::vector<double> &x,
+                             const std::vector<double> &gap)
   {
     const std::size_t n = run.nodes.size();
     if (n < 4)

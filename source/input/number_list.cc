@@ -9,26 +9,20 @@ namespace RollingContact
   const char *const number_list_form =
     "numbers separated by commas, or `first : last : number of points`";
 
-
-
   namespace
   {
-    [[noreturn]] void
-    reject(const std::string &entry,
-           const std::string &text,
-           const std::string &reason)
+    [[noreturn]] void reject(const std::string &entry,
+                             const std::string &text,
+                             const std::string &reason)
     {
       throw InputError(entry + " = " + text + ": " + reason +
                        " Give numbers separated by commas, or first : last : "
                        "number of points.");
     }
 
-
-
-    double
-    number(const std::string &entry,
-           const std::string &text,
-           const std::string &part)
+    double number(const std::string &entry,
+                  const std::string &text,
+                  const std::string &part)
     {
       std::istringstream input(part);
       double             value = 0.;
@@ -38,12 +32,9 @@ namespace RollingContact
       return value;
     }
 
-
-
-    std::vector<double>
-    split(const std::string &entry,
-          const std::string &text,
-          const char         separator)
+    std::vector<double> split(const std::string &entry,
+                              const std::string &text,
+                              const char         separator)
     {
       std::vector<double> values;
       std::istringstream  input(text);
@@ -53,10 +44,8 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  std::vector<double>
-  number_list(const std::string &entry, const std::string &text)
+  std::vector<double> number_list(const std::string &entry,
+                                  const std::string &text)
   {
     if (text.find(':') == std::string::npos)
       {

@@ -1,5 +1,6 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/number_text.h>
+#include <rolling_contact/base/text.h>
 #include <rolling_contact/input/prm_entries.h>
 
 #include <sstream>
@@ -9,19 +10,7 @@ namespace RollingContact
 {
   namespace
   {
-    std::string
-    trimmed(const std::string &text)
-    {
-      const std::size_t begin = text.find_first_not_of(" \t\r"),
-                        end   = text.find_last_not_of(" \t\r");
-      return begin == std::string::npos ? ""
-                                        : text.substr(begin, end - begin + 1);
-    }
-
-
-
-    bool
-    same_value(const std::string &first, const std::string &second)
+    bool same_value(const std::string &first, const std::string &second)
     {
       if (first == second)
         return true;
@@ -29,30 +18,22 @@ namespace RollingContact
       return a && b && *a == *b;
     }
 
-
-
-    bool
-    is_excepted(const std::string           &entry,
-                const std::set<std::string> &may_differ)
+    bool is_excepted(const std::string           &entry,
+                     const std::set<std::string> &may_differ)
     {
       return may_differ.count(entry) > 0 ||
              may_differ.count(entry.substr(0, entry.find('/') + 1)) > 0;
     }
 
-
-
-    std::string
-    value_or_none(const PrmEntries &entries, const std::string &entry)
+    std::string value_or_none(const PrmEntries  &entries,
+                              const std::string &entry)
     {
       const auto found = entries.find(entry);
       return found == entries.end() ? "missing" : '"' + found->second + '"';
     }
   } // namespace
 
-
-
-  PrmEntries
-  prm_entries(const std::string &text)
+  PrmEntries prm_entries(const std::string &text)
   {
     PrmEntries               entries;
     std::vector<std::string> paths{""}; // of the open sections
@@ -76,12 +57,9 @@ namespace RollingContact
     return entries;
   }
 
-
-
-  void
-  refuse_changed_entries(const PrmEntries            &old_entries,
-                         const PrmEntries            &new_entries,
-                         const std::set<std::string> &may_differ)
+  void refuse_changed_entries(const PrmEntries            &old_entries,
+                              const PrmEntries            &new_entries,
+                              const std::set<std::string> &may_differ)
   {
     PrmEntries all = old_entries;
     all.insert(new_entries.begin(), new_entries.end());

@@ -16,35 +16,16 @@ namespace RollingContact
     const std::size_t  max_bytes      = 1 << 24;
     const unsigned int max_inclusions = 100;
 
-
-
-    std::string
-    trimmed(const std::string &text)
-    {
-      const std::string blanks = " \t\r\n\v\f";
-      const std::size_t begin  = text.find_first_not_of(blanks),
-                        end    = text.find_last_not_of(blanks);
-      return begin == std::string::npos ? ""
-                                        : text.substr(begin, end - begin + 1);
-    }
-
-
-
-    [[noreturn]] void
-    reject(const std::string &place, const std::string &reason)
+    [[noreturn]] void reject(const std::string &place,
+                             const std::string &reason)
     {
       throw InputError(place + reason);
     }
 
-
-
     const std::string wanted = "give the path of a .prm file.";
 
-
-
     /** Throws unless all bytes are those of a text. */
-    void
-    require_text(const std::string &place, const std::string &text)
+    void require_text(const std::string &place, const std::string &text)
     {
       if (text.size() > max_bytes)
         reject(place,
@@ -64,11 +45,8 @@ namespace RollingContact
         }
     }
 
-
-
     /** Bytes of a file, all of them of a text. */
-    std::string
-    read_bounded(const fs::path &file)
+    std::string read_bounded(const fs::path &file)
     {
       const std::string place   = file.string() + ": ",
                         problem = why_unreadable(file);
@@ -82,12 +60,9 @@ namespace RollingContact
       return text;
     }
 
-
-
     /** The next line without comment and blanks around it, continued where it
      * ends with a backslash. False at the end. */
-    bool
-    next_line(std::istream &lines, std::string &line, unsigned int &number)
+    bool next_line(std::istream &lines, std::string &line, unsigned int &number)
     {
       line.clear();
       bool        found = false;
@@ -107,14 +82,11 @@ namespace RollingContact
       return found;
     }
 
-
-
     /** Whether a line is a statement of this word; then what follows it. */
-    bool
-    is_statement(const std::string &line,
-                 const std::string &lower,
-                 const std::string &upper,
-                 std::string       &rest)
+    bool is_statement(const std::string &line,
+                      const std::string &lower,
+                      const std::string &upper,
+                      std::string       &rest)
     {
       const std::string word = line.substr(0, line.find(' '));
       if (word != lower && word != upper)
@@ -122,8 +94,6 @@ namespace RollingContact
       rest = trimmed(line.substr(word.size()));
       return true;
     }
-
-
 
     /**
      * Collects the entries of a file and of those it includes.
@@ -135,31 +105,26 @@ namespace RollingContact
         : found(found)
       {}
 
-      void
-      read(const fs::path    &file,
-           const std::string &text,
-           const std::string &section);
+      void read(const fs::path    &file,
+                const std::string &text,
+                const std::string &section);
 
     private:
-      void
-      add_entry(const std::string                   &path,
-                const std::string                   &rest,
-                const std::string                   &place,
-                const unsigned int                   line,
-                std::map<std::string, unsigned int> &lines);
+      void add_entry(const std::string                   &path,
+                     const std::string                   &rest,
+                     const std::string                   &place,
+                     const unsigned int                   line,
+                     std::map<std::string, unsigned int> &lines);
 
       PrmText     &found;
       unsigned int n_inclusions = 0;
     };
 
-
-
-    void
-    Scan::add_entry(const std::string                   &path,
-                    const std::string                   &rest,
-                    const std::string                   &place,
-                    const unsigned int                   line,
-                    std::map<std::string, unsigned int> &lines)
+    void Scan::add_entry(const std::string                   &path,
+                         const std::string                   &rest,
+                         const std::string                   &place,
+                         const unsigned int                   line,
+                         std::map<std::string, unsigned int> &lines)
     {
       const std::size_t equals = rest.find('=');
       if (equals == std::string::npos)
@@ -178,12 +143,9 @@ namespace RollingContact
       found.entries.push_back({entry, value, place});
     }
 
-
-
-    void
-    Scan::read(const fs::path    &file,
-               const std::string &text,
-               const std::string &section)
+    void Scan::read(const fs::path    &file,
+                    const std::string &text,
+                    const std::string &section)
     {
       std::istringstream                  stream(text);
       std::vector<std::string>            open{section};
@@ -232,18 +194,12 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  PrmText
-  read_prm(const fs::path &file)
+  PrmText read_prm(const fs::path &file)
   {
     return read_prm_text(read_bounded(file), file.string());
   }
 
-
-
-  PrmText
-  read_prm_text(const std::string &text, const std::string &name)
+  PrmText read_prm_text(const std::string &text, const std::string &name)
   {
     require_text(name + ": ", text);
     const std::string byte_order_mark = "\xEF\xBB\xBF";
@@ -255,10 +211,7 @@ namespace RollingContact
     return found;
   }
 
-
-
-  std::string
-  problem_of_value(const std::string &value)
+  std::string problem_of_value(const std::string &value)
   {
     for (const char character : value)
       if (character == '#' || character == '{' ||

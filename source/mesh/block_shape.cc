@@ -16,24 +16,21 @@ namespace RollingContact
         , cells(cells)
       {}
 
-      Point
-      to_body(const Point &chart_point) const override
+      Point to_body(const Point &chart_point) const override
       {
         const auto [x, y, w]       = chart_point;
         const double below_surface = w / block.thickness_below();
         return {{x, y, block.surface_height(x, y) * (1 + below_surface) + w}};
       }
 
-      Point
-      to_chart(const Point &body_point) const override
+      Point to_chart(const Point &body_point) const override
       {
         const auto [x, y, z] = body_point;
         const double height  = block.surface_height(x, y);
         return {{x, y, (z - height) / (1 + height / block.thickness_below())}};
       }
 
-      std::vector<double>
-      edges_x() const override
+      std::vector<double> edges_x() const override
       {
         return break_points(-block.reach_x(), block.reach_x(), cells);
       }
@@ -44,10 +41,7 @@ namespace RollingContact
     };
   } // namespace
 
-
-
-  void
-  BlockShape::check(const unsigned int dimension, const bool rigid) const
+  void BlockShape::check(const unsigned int dimension, const bool rigid) const
   {
     if (rigid)
       return;
@@ -59,23 +53,15 @@ namespace RollingContact
     check_extent(dimension, reach_x());
   }
 
-
-
-  double
-  BlockShape::thickness_below() const
+  double BlockShape::thickness_below() const
   {
     return parameters.block_depth;
   }
 
-
-
-  double
-  BlockShape::reach_x() const
+  double BlockShape::reach_x() const
   {
     return parameters.block_length / 2;
   }
-
-
 
   std::unique_ptr<SurfaceChart>
   BlockShape::chart(const CoarseCells &cells) const
@@ -83,10 +69,7 @@ namespace RollingContact
     return std::make_unique<BlockChart>(*this, cells);
   }
 
-
-
-  std::vector<double>
-  BlockShape::dimensions() const
+  std::vector<double> BlockShape::dimensions() const
   {
     return {parameters.radius,
             parameters.lateral_radius,

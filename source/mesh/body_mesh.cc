@@ -4,6 +4,7 @@
 #include <p8est.h>
 
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/ranks.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/mesh/body_mesh.h>
 #include <rolling_contact/mesh/cell_count.h>
@@ -11,12 +12,12 @@
 #include <rolling_contact/mesh/file_body_mesh.h>
 #include <rolling_contact/mesh/mesh_memory.h>
 #include <rolling_contact/mesh/swept_cells.h>
-#include <rolling_contact/parallel/ranks.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <mutex>
 
 namespace RollingContact
 {
@@ -33,16 +34,13 @@ namespace RollingContact
       "take a coarser Mesh file or fewer Cells along, or, with a contact zone, "
       "fewer Mesh/Elements across patch.";
 
-
-
     /**
      * Number the vertices of the boxes and glue the seam of a closed surface.
      */
     template <int dim>
-    void
-    create_coarse_mesh(const std::array<std::vector<double>, dim> &breaks,
-                       const BodyChart<dim>                       &chart,
-                       Triangulation<dim> &triangulation)
+    void create_coarse_mesh(const std::array<std::vector<double>, dim> &breaks,
+                            const BodyChart<dim>                       &chart,
+                            Triangulation<dim> &triangulation)
     {
       const bool           closed = chart.period() > 0.;
       std::array<int, dim> n_cells, n_points;
@@ -93,13 +91,10 @@ namespace RollingContact
       triangulation.create_triangulation(vertices, cells, SubCellData());
     }
 
-
-
     template <int dim>
-    void
-    set_boundary_ids(const double          thickness,
-                     const BodyChart<dim> &chart,
-                     Triangulation<dim>   &triangulation)
+    void set_boundary_ids(const double          thickness,
+                          const BodyChart<dim> &chart,
+                          Triangulation<dim>   &triangulation)
     {
       const double tolerance = on_boundary * thickness;
       for (const auto &cell : triangulation.active_cell_iterators())
@@ -121,12 +116,9 @@ namespace RollingContact
     }
   } // namespace
 
-
-
   template <int dim>
-  Point<dim>
-  BodyMesh<dim>::chart_point(const CellIterator &cell,
-                             const unsigned int  vertex) const
+  Point<dim> BodyMesh<dim>::chart_point(const CellIterator &cell,
+                                        const unsigned int  vertex) const
   {
     if constexpr (dim == 3)
       if (swept)
@@ -135,8 +127,6 @@ namespace RollingContact
     point[0]         = chart->centred_x(point[0]);
     return point;
   }
-
-
 
   template <int dim>
   std::pair<Point<dim>, Point<dim>>
@@ -172,30 +162,23 @@ namespace RollingContact
     return {lower, upper};
   }
 
-
-
   namespace
   {
     /**
      * p4est says nothing unless it is told before its first use.
      */
-    void
-    start_p4est()
+    void start_p4est()
     {
-      static bool started = false;
-      if (started)
-        return;
-      started = true;
-      Ranks::start();
-      sc_init(Ranks::communicator(), 0, 0, nullptr, SC_LP_SILENT);
-      p4est_init(nullptr, SC_LP_SILENT);
+      static std::once_flag once;
+      std::call_once(once, []() {
+        Ranks::start();
+        sc_init(Ranks::communicator(), 0, 0, nullptr, SC_LP_SILENT);
+        p4est_init(nullptr, SC_LP_SILENT);
+      });
     }
 
-
-
     template <int dim>
-    std::unique_ptr<Triangulation<dim>>
-    make_triangulation(const MeshKind kind)
+    std::unique_ptr<Triangulation<dim>> make_triangulation(const MeshKind kind)
     {
       const auto smoothing =
         Triangulation<dim>::limit_level_difference_at_vertices;
@@ -206,16 +189,13 @@ namespace RollingContact
         Ranks::communicator(), smoothing);
     }
 
-
-
     /**
      * Refine until no cell is larger than @p grading allows.
      */
     template <int dim>
-    void
-    refine(const Grading<dim> &grading,
-           const std::string  &remedy,
-           BodyMesh<dim>      &mesh)
+    void refine(const Grading<dim> &grading,
+                const std::string  &remedy,
+                BodyMesh<dim>      &mesh)
     {
       Triangulation<dim> &cells     = *mesh.triangulation;
       double              n_flagged = 1.;
@@ -244,8 +224,6 @@ namespace RollingContact
     }
   } // namespace
 
-
-
   namespace
   {
     /**
@@ -253,8 +231,7 @@ namespace RollingContact
      * enough.
      */
     template <int dim>
-    void
-    check_levels(const double size, const double element_size)
+    void check_levels(const double size, const double element_size)
     {
       const int possible = dim == 2 ? P4EST_QMAXLEVEL : P8EST_QMAXLEVEL,
                 needed   = std::lround(std::log2(size / element_size));
@@ -269,12 +246,9 @@ namespace RollingContact
     }
   } // namespace
 
-
-
   template <int dim>
-  double
-  least_cells(const std::shared_ptr<const BodyShape> &shape,
-              const Grading<dim>                     &grading)
+  double least_cells(const std::shared_ptr<const BodyShape> &shape,
+                     const Grading<dim>                     &grading)
   {
     if constexpr (dim == 3)
       if (shape->is_swept())
@@ -288,14 +262,11 @@ namespace RollingContact
       .second;
   }
 
-
-
   namespace
   {
-    BodyMesh<3>
-    swept_body_mesh(const std::shared_ptr<const BodyShape> &shape,
-                    const Grading<3>                       &grading,
-                    const MeshKind                          kind)
+    BodyMesh<3> swept_body_mesh(const std::shared_ptr<const BodyShape> &shape,
+                                const Grading<3>                       &grading,
+                                const MeshKind                          kind)
     {
       const auto [coarse, n_cells] =
         fewest_swept_cells(shape, grading, largest_mesh<3>(kind));
@@ -315,13 +286,10 @@ namespace RollingContact
     }
   } // namespace
 
-
-
   template <int dim>
-  BodyMesh<dim>
-  make_body_mesh(const std::shared_ptr<const BodyShape> &shape,
-                 const Grading<dim>                     &grading,
-                 const MeshKind                          kind)
+  BodyMesh<dim> make_body_mesh(const std::shared_ptr<const BodyShape> &shape,
+                               const Grading<dim>                     &grading,
+                               const MeshKind                          kind)
   {
     if (shape->mesh())
       return file_body_mesh<dim>(*shape->mesh());
@@ -348,20 +316,16 @@ namespace RollingContact
     return mesh;
   }
 
-
-
-  template double
-  least_cells<2>(const std::shared_ptr<const BodyShape> &, const Grading<2> &);
-  template double
-  least_cells<3>(const std::shared_ptr<const BodyShape> &, const Grading<3> &);
+  template double least_cells<2>(const std::shared_ptr<const BodyShape> &,
+                                 const Grading<2> &);
+  template double least_cells<3>(const std::shared_ptr<const BodyShape> &,
+                                 const Grading<3> &);
   template struct BodyMesh<2>;
   template struct BodyMesh<3>;
-  template BodyMesh<2>
-  make_body_mesh(const std::shared_ptr<const BodyShape> &,
-                 const Grading<2> &,
-                 const MeshKind);
-  template BodyMesh<3>
-  make_body_mesh(const std::shared_ptr<const BodyShape> &,
-                 const Grading<3> &,
-                 const MeshKind);
+  template BodyMesh<2> make_body_mesh(const std::shared_ptr<const BodyShape> &,
+                                      const Grading<2> &,
+                                      const MeshKind);
+  template BodyMesh<3> make_body_mesh(const std::shared_ptr<const BodyShape> &,
+                                      const Grading<3> &,
+                                      const MeshKind);
 } // namespace RollingContact

@@ -14,17 +14,13 @@ namespace RollingContact
   namespace
   {
     template <class Shape>
-    std::shared_ptr<const BodyShape>
-    make(const ShapeParameters &parameters)
+    std::shared_ptr<const BodyShape> make(const ShapeSpec &parameters)
     {
       return std::make_shared<Shape>(parameters);
     }
   } // namespace
 
-
-
-  const std::vector<BodyShapeKind> &
-  body_shape_kinds()
+  const std::vector<BodyShapeKind> &body_shape_kinds()
   {
     static const std::vector<BodyShapeKind> kinds{
       {"disc", "held at its inner circle", &make<DiscShape>},
@@ -42,10 +38,7 @@ namespace RollingContact
     return kinds;
   }
 
-
-
-  std::string
-  body_shape_help()
+  std::string body_shape_help()
   {
     std::string help;
     for (const BodyShapeKind &kind : body_shape_kinds())
@@ -56,29 +49,22 @@ namespace RollingContact
     return help + ".";
   }
 
-
-
-  std::shared_ptr<const BodyShape>
-  make_body_shape(const std::string &name, const ShapeParameters &parameters)
+  std::shared_ptr<const BodyShape> make_body_shape(const std::string &name,
+                                                   const ShapeSpec &parameters)
   {
     return choice(body_shape_kinds(), name, parameters.section + "/Shape")
       .make(parameters);
   }
 
-
-
-  void
-  ShapeParameters::require(const bool         condition,
-                           const std::string &entry,
-                           const double       value,
-                           const std::string &allowed) const
+  void ShapeParameters::require(const bool         condition,
+                                const std::string &entry,
+                                const double       value,
+                                const std::string &allowed) const
   {
     if (!condition)
       throw InputError(section + "/" + entry + " = " + significant(value, 6) +
                        ": " + allowed);
   }
-
-
 
   namespace
   {
@@ -86,43 +72,29 @@ namespace RollingContact
     constexpr double largest_fall = 0.9;
   } // namespace
 
-
-
-  BodyShape::BodyShape(const ShapeParameters &parameters)
+  BodyShape::BodyShape(const ShapeSpec &parameters)
     : parameters(parameters)
   {}
 
-
-
-  double
-  BodyShape::surface_height(const double x, const double y) const
+  double BodyShape::surface_height(const double x, const double y) const
   {
     return -crown_depth(parameters.radius, x) -
            crown_depth(parameters.lateral_radius, y);
   }
 
-
-
-  double
-  BodyShape::reach_y() const
+  double BodyShape::reach_y() const
   {
     return parameters.width / 2;
   }
 
-
-
-  double
-  BodyShape::largest_half_width() const
+  double BodyShape::largest_half_width() const
   {
     return std::min(reach_x(), thickness_below());
   }
 
-
-
-  double
-  BodyShape::line_compression(const References::HertzLine &contact,
-                              const double                 young_modulus,
-                              const double                 poisson_ratio) const
+  double BodyShape::line_compression(const References::HertzLine &contact,
+                                     const double                 young_modulus,
+                                     const double poisson_ratio) const
   {
     return References::compression_of_layer(thickness_below(),
                                             young_modulus,
@@ -130,73 +102,48 @@ namespace RollingContact
                                             contact);
   }
 
-
-
   std::optional<References::Annulus>
   BodyShape::clamped_annulus(const double, const double) const
   {
     return {};
   }
 
-
-
-  std::optional<Axle>
-  BodyShape::axle() const
+  std::optional<Axle> BodyShape::axle() const
   {
     return std::nullopt;
   }
 
-
-
-  double
-  BodyShape::largest_coarse_size() const
+  double BodyShape::largest_coarse_size() const
   {
     return 2 * reach_x() / 3;
   }
 
-
-
-  std::unique_ptr<SurfaceChart>
-  BodyShape::chart(const CoarseCells &) const
+  std::unique_ptr<SurfaceChart> BodyShape::chart(const CoarseCells &) const
   {
     return nullptr;
   }
 
-
-
-  std::array<double, 2>
-  BodyShape::room_across() const
+  std::array<double, 2> BodyShape::room_across() const
   {
     return {{-reach_y(), reach_y()}};
   }
 
-
-
-  bool
-  BodyShape::is_swept() const
+  bool BodyShape::is_swept() const
   {
     return false;
   }
 
-
-
-  std::shared_ptr<const SweptMesh>
-  BodyShape::swept_mesh(const CoarseCells &,
-                        const CoarseCells &,
-                        const double) const
+  std::shared_ptr<const SweptMesh> BodyShape::swept_mesh(const CoarseCells &,
+                                                         const CoarseCells &,
+                                                         const double) const
   {
     return nullptr;
   }
 
-
-
-  bool
-  BodyShape::has_own_cells() const
+  bool BodyShape::has_own_cells() const
   {
     return false;
   }
-
-
 
   std::vector<ZoneBox>
   BodyShape::on_surface(const std::vector<ZoneBox> &boxes) const
@@ -204,36 +151,25 @@ namespace RollingContact
     return boxes;
   }
 
-
-
-  std::shared_ptr<const SweptMesh>
-  BodyShape::equal_cells(const double, const double) const
+  std::shared_ptr<const SweptMesh> BodyShape::equal_cells(const double,
+                                                          const double) const
   {
     return nullptr;
   }
 
-
-
-  std::shared_ptr<const FileMesh>
-  BodyShape::mesh() const
+  std::shared_ptr<const FileMesh> BodyShape::mesh() const
   {
     return nullptr;
   }
 
-
-
-  bool
-  BodyShape::is_twin_of(const BodyShape &other) const
+  bool BodyShape::is_twin_of(const BodyShape &other) const
   {
     return typeid(*this) == typeid(other) && !mesh() && !is_swept() &&
            hub() == other.hub() && dimensions() == other.dimensions();
   }
 
-
-
-  void
-  BodyShape::check_extent(const unsigned int dimension,
-                          const double       end_x) const
+  void BodyShape::check_extent(const unsigned int dimension,
+                               const double       end_x) const
   {
     if (dimension == 3)
       parameters.require(parameters.width > 0.,

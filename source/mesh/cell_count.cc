@@ -20,8 +20,7 @@ namespace RollingContact
         , enough(enough)
       {}
 
-      void
-      divide(const Point<dim> &lower, const Point<dim> &upper)
+      void divide(const Point<dim> &lower, const Point<dim> &upper)
       {
         if (n_cells > enough)
           return;
@@ -47,14 +46,11 @@ namespace RollingContact
     };
   } // namespace
 
-
-
   template <int dim>
-  double
-  count_cells(const std::array<std::vector<double>, dim> &breaks,
-              const BodyChart<dim>                       &chart,
-              const Grading<dim>                         &grading,
-              const double                                enough)
+  double count_cells(const std::array<std::vector<double>, dim> &breaks,
+                     const BodyChart<dim>                       &chart,
+                     const Grading<dim>                         &grading,
+                     const double                                enough)
   {
     Divider<dim> divider(grading, enough);
     std::size_t  total = 1;
@@ -79,13 +75,10 @@ namespace RollingContact
     return divider.n_cells;
   }
 
-
-
-  std::pair<Point<3>, Point<3>>
-  chart_box(const SweptMesh             &mesh,
-            const unsigned int           cell,
-            const std::array<double, 3> &lower,
-            const double                 size)
+  std::pair<Point<3>, Point<3>> chart_box(const SweptMesh             &mesh,
+                                          const unsigned int           cell,
+                                          const std::array<double, 3> &lower,
+                                          const double                 size)
   {
     Point<3> least, largest;
     for (unsigned int v = 0; v < 8; ++v)
@@ -103,12 +96,9 @@ namespace RollingContact
     return {least, largest};
   }
 
-
-
-  double
-  count_cells(const SweptMesh  &mesh,
-              const Grading<3> &grading,
-              const double      enough)
+  double count_cells(const SweptMesh  &mesh,
+                     const Grading<3> &grading,
+                     const double      enough)
   {
     double                                             n_cells = 0.;
     std::vector<std::pair<std::array<double, 3>, int>> parts;
@@ -140,16 +130,12 @@ namespace RollingContact
     return n_cells;
   }
 
-
-
-  template double
-  count_cells<2>(const std::array<std::vector<double>, 2> &,
-                 const BodyChart<2> &,
-                 const Grading<2> &,
-                 const double);
-  template double
-  count_cells<3>(const std::array<std::vector<double>, 3> &,
-                 const BodyChart<3> &,
-                 const Grading<3> &,
-                 const double);
+  template double count_cells<2>(const std::array<std::vector<double>, 2> &,
+                                 const BodyChart<2> &,
+                                 const Grading<2> &,
+                                 const double);
+  template double count_cells<3>(const std::array<std::vector<double>, 3> &,
+                                 const BodyChart<3> &,
+                                 const Grading<3> &,
+                                 const double);
 } // namespace RollingContact

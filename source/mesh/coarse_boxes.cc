@@ -30,15 +30,13 @@ namespace RollingContact
     /// cells of a section under its running surface, across: m
     const double least_section_cell = 9e-3, largest_section_cell = 18e-3;
 
-
-
     /**
      * Longest coarse cell that resolves the shape in all directions, as long
      * as @p grading's elements are over their width.
      */
     template <int dim>
-    double
-    largest_coarse_size(const BodyShape &shape, const Grading<dim> &grading)
+    double largest_coarse_size(const BodyShape    &shape,
+                               const Grading<dim> &grading)
     {
       const double limit =
         std::min(shape.largest_coarse_size(), shape.thickness_below());
@@ -49,9 +47,7 @@ namespace RollingContact
                             grading.element_size_x / grading.element_size_y);
     }
 
-
-
-    /** Of coarse cells in one direction of the chart. */
+    /** Division into coarse cells along one direction of the chart. */
     struct Direction
     {
       unsigned int index;
@@ -61,18 +57,15 @@ namespace RollingContact
       double       growth; ///< over that of the elements
     };
 
-
-
     /**
      * Coarse cells of this @p size in the direction's core, and elsewhere
      * unless they grow away from it.
      */
     template <int dim>
-    CoarseCells
-    cells_along(const Direction    &direction,
-                const double        size,
-                const bool          grows,
-                const Grading<dim> &grading)
+    CoarseCells cells_along(const Direction    &direction,
+                            const double        size,
+                            const bool          grows,
+                            const Grading<dim> &grading)
     {
       const double scale = direction.element_size / grading.element_size_x;
       CoarseCells  cells;
@@ -98,18 +91,15 @@ namespace RollingContact
       return cells;
     }
 
-
-
     /**
      * With cells of this @p size under the contact, and elsewhere unless they
      * grow away from it.
      */
     template <int dim>
-    CoarseBoxes<dim>
-    coarse_boxes(const std::shared_ptr<const BodyShape> &shape,
-                 const Grading<dim>                     &grading,
-                 const double                            size,
-                 const bool                              grows)
+    CoarseBoxes<dim> coarse_boxes(const std::shared_ptr<const BodyShape> &shape,
+                                  const Grading<dim> &grading,
+                                  const double        size,
+                                  const bool          grows)
     {
       const double depth = shape->thickness_below(), width = shape->reach_y(),
                    element = grading.element_size_x;
@@ -154,17 +144,14 @@ namespace RollingContact
       return boxes;
     }
 
-
-
     /**
      * Whether halving the coarse cells gives the elements of the zone of
      * contact nodes right across it, as it does but for the last cells at the
      * edges of a body, which are longer or shorter.
      */
     template <int dim>
-    bool
-    has_elements_of_zone(const CoarseBoxes<dim> &boxes,
-                         const Grading<dim>     &grading)
+    bool has_elements_of_zone(const CoarseBoxes<dim> &boxes,
+                              const Grading<dim>     &grading)
     {
       if (dim == 2)
         return true;
@@ -179,8 +166,6 @@ namespace RollingContact
           return false;
       return true;
     }
-
-
 
     /**
      * All alike, none longer than a uniform grading allows; and their number.
@@ -213,8 +198,6 @@ namespace RollingContact
       return {std::move(boxes), n_cells};
     }
   } // namespace
-
-
 
   template <int dim>
   std::pair<CoarseBoxes<dim>, double>
@@ -259,16 +242,13 @@ namespace RollingContact
     return {std::move(best), fewest};
   }
 
-
-
   namespace
   {
     /**
      * Whether halving the cells of the strip gives the elements of the zone of
      * contact nodes right across it, as it does but for cells at its ends.
      */
-    bool
-    has_elements_of_zone(const SweptMesh &mesh, const Grading<3> &grading)
+    bool has_elements_of_zone(const SweptMesh &mesh, const Grading<3> &grading)
     {
       const double across   = grading.element_size_y,
                    size     = mesh.size() * across / grading.element_size_x,
@@ -289,8 +269,6 @@ namespace RollingContact
       return true;
     }
   } // namespace
-
-
 
   std::pair<std::shared_ptr<const SweptMesh>, double>
   fewest_swept_cells(const std::shared_ptr<const BodyShape> &shape,
@@ -357,10 +335,7 @@ namespace RollingContact
     return {best, fewest};
   }
 
-
-
-  Grading<3>
-  grading_of_body(const BodyShape &shape, const Grading<3> &grading)
+  Grading<3> grading_of_body(const BodyShape &shape, const Grading<3> &grading)
   {
     if (!shape.has_own_cells() || grading.is_uniform)
       return grading;
@@ -370,8 +345,6 @@ namespace RollingContact
     own.zone_boxes = strip.empty() ? shape.on_surface(own.zone_boxes) : strip;
     return own;
   }
-
-
 
   template std::pair<CoarseBoxes<2>, double>
   fewest_cells(const std::shared_ptr<const BodyShape> &,

@@ -1,6 +1,6 @@
 #include <rolling_contact/mesh/disc_shape.h>
+#include <rolling_contact/mesh/rim_coordinate.h>
 #include <rolling_contact/references/line_contact_approach.h>
-#include <rolling_contact/sections/rim_coordinate.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,12 +9,8 @@ namespace RollingContact
 {
   namespace
   {
-    /// over the radius: the profile leaves its circle at 0.5
-    constexpr double usable_rim = 0.55;
 
     constexpr double largest_coarse_rim = 0.4; ///< cell over radius
-
-
 
     /**
      * Chart of a disc: x around its rim, w stretched between rim and hub.
@@ -29,33 +25,27 @@ namespace RollingContact
         , hub_radius(disc.hub_radius)
       {}
 
-      Point
-      to_body(const Point &chart_point) const override;
+      Point to_body(const Point &chart_point) const override;
 
-      Point
-      to_chart(const Point &body_point) const override;
+      Point to_chart(const Point &body_point) const override;
 
-      std::vector<double>
-      edges_x() const override
+      std::vector<double> edges_x() const override
       {
         return around.edges();
       }
 
-      double
-      period() const override
+      double period() const override
       {
         return around.length();
       }
 
-      double
-      contact_x() const override
+      double contact_x() const override
       {
         return around.contact();
       }
 
     private:
-      double
-      rim(const double y) const
+      double rim(const double y) const
       {
         return radius - crown_depth(lateral_radius, y);
       }
@@ -64,10 +54,7 @@ namespace RollingContact
       const double        radius, lateral_radius, hub_radius;
     };
 
-
-
-    SurfaceChart::Point
-    DiscChart::to_body(const Point &chart_point) const
+    SurfaceChart::Point DiscChart::to_body(const Point &chart_point) const
     {
       const auto [x, y, w]       = chart_point;
       const double below_surface = w / (radius - hub_radius);
@@ -76,10 +63,7 @@ namespace RollingContact
       return {{r * std::sin(theta), y, r * std::cos(theta) - radius}};
     }
 
-
-
-    SurfaceChart::Point
-    DiscChart::to_chart(const Point &body_point) const
+    SurfaceChart::Point DiscChart::to_chart(const Point &body_point) const
     {
       const auto [x, y, z]   = body_point;
       const double thickness = radius - hub_radius, crown = rim(y),
@@ -90,10 +74,7 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  void
-  DiscShape::check(const unsigned int dimension, const bool rigid) const
+  void DiscShape::check(const unsigned int dimension, const bool rigid) const
   {
     parameters.require(parameters.radius > 0.,
                        "Radius",
@@ -110,52 +91,35 @@ namespace RollingContact
     check_extent(dimension, 0.);
   }
 
-
-
-  double
-  DiscShape::thickness_below() const
+  double DiscShape::thickness_below() const
   {
     return parameters.radius - parameters.hub_radius;
   }
 
-
-
-  std::optional<Axle>
-  DiscShape::axle() const
+  std::optional<Axle> DiscShape::axle() const
   {
     return Axle{{{0., 0., -parameters.radius}}, {{0., 1., 0.}}};
   }
 
-
-
-  double
-  DiscShape::reach_x() const
+  double DiscShape::reach_x() const
   {
     return usable_rim * parameters.radius;
   }
 
-
-
-  double
-  DiscShape::largest_half_width() const
+  double DiscShape::largest_half_width() const
   {
     return parameters.radius;
   }
 
-
-
-  double
-  DiscShape::line_compression(const References::HertzLine &contact,
-                              const double                 young_modulus,
-                              const double                 poisson_ratio) const
+  double DiscShape::line_compression(const References::HertzLine &contact,
+                                     const double                 young_modulus,
+                                     const double poisson_ratio) const
   {
     return References::compression_of_disc(parameters.radius,
                                            young_modulus,
                                            poisson_ratio,
                                            contact);
   }
-
-
 
   std::optional<References::Annulus>
   DiscShape::clamped_annulus(const double young_modulus,
@@ -171,26 +135,17 @@ namespace RollingContact
                                poisson_ratio};
   }
 
-
-
-  double
-  DiscShape::largest_coarse_size() const
+  double DiscShape::largest_coarse_size() const
   {
     return largest_coarse_rim * parameters.radius;
   }
 
-
-
-  std::unique_ptr<SurfaceChart>
-  DiscShape::chart(const CoarseCells &cells) const
+  std::unique_ptr<SurfaceChart> DiscShape::chart(const CoarseCells &cells) const
   {
     return std::make_unique<DiscChart>(parameters, cells);
   }
 
-
-
-  std::vector<double>
-  DiscShape::dimensions() const
+  std::vector<double> DiscShape::dimensions() const
   {
     return {parameters.radius,
             parameters.lateral_radius,

@@ -1,6 +1,6 @@
 #include <rolling_contact/mesh/file_body_mesh.h>
+#include <rolling_contact/mesh/mesh_file_checks.h>
 #include <rolling_contact/mesh/mesh_memory.h>
-#include <rolling_contact/mesh_files/mesh_file_checks.h>
 
 #include <algorithm>
 #include <map>
@@ -31,11 +31,9 @@ namespace RollingContact
       return result;
     }
 
-
-
     template <int dim>
-    void
-    set_boundary_ids(const FileMesh &mesh, Triangulation<dim> &triangulation)
+    void set_boundary_ids(const FileMesh     &mesh,
+                          Triangulation<dim> &triangulation)
     {
       const auto boundary = boundary_of_corners(mesh);
       for (const auto &cell : triangulation.active_cell_iterators())
@@ -53,11 +51,8 @@ namespace RollingContact
     }
   } // namespace
 
-
-
   template <int dim>
-  BodyMesh<dim>
-  file_body_mesh(const FileMesh &mesh)
+  BodyMesh<dim> file_body_mesh(const FileMesh &mesh)
   {
     check_mesh_memory<dim>(mesh.cells.size(),
                            MeshKind::serial,
@@ -83,16 +78,13 @@ namespace RollingContact
     return result;
   }
 
-
-
   namespace
   {
     /**
      * The outward unit normal of a face.
      */
-    Tensor<1, 3>
-    normal_of(const Triangulation<3>::active_cell_iterator &cell,
-              const unsigned int                            f)
+    Tensor<1, 3> normal_of(const Triangulation<3>::active_cell_iterator &cell,
+                           const unsigned int                            f)
     {
       const auto   face   = cell->face(f);
       Tensor<1, 3> normal = cross_product_3d(face->vertex(3) - face->vertex(0),
@@ -103,10 +95,8 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  FileMesh
-  as_file_mesh(const BodyMesh<3> &mesh, const Tensor<1, 3> towards_other)
+  FileMesh as_file_mesh(const BodyMesh<3> &mesh,
+                        const Tensor<1, 3> towards_other)
   {
     FileMesh result;
     result.dimension = 3;
@@ -134,10 +124,6 @@ namespace RollingContact
     return result;
   }
 
-
-
-  template BodyMesh<2>
-  file_body_mesh(const FileMesh &);
-  template BodyMesh<3>
-  file_body_mesh(const FileMesh &);
+  template BodyMesh<2> file_body_mesh(const FileMesh &);
+  template BodyMesh<3> file_body_mesh(const FileMesh &);
 } // namespace RollingContact

@@ -16,21 +16,17 @@ namespace RollingContact
     /**
      * Distance of the interval [lower, upper] from [begin, end].
      */
-    double
-    interval_distance(const double lower,
-                      const double upper,
-                      const double begin,
-                      const double end)
+    double interval_distance(const double lower,
+                             const double upper,
+                             const double begin,
+                             const double end)
     {
       return std::max({0., begin - upper, lower - end});
     }
   } // namespace
 
-
-
   template <int dim>
-  Grading<dim>
-  Grading<dim>::of_coupled_body() const
+  Grading<dim> Grading<dim>::of_coupled_body() const
   {
     const double       share    = 0.8; // beyond check_resolution()'s 1 / 1.2
     const unsigned int n_around = 2;
@@ -43,11 +39,8 @@ namespace RollingContact
     return grading;
   }
 
-
-
   template <int dim>
-  void
-  Grading<dim>::make_even_in_x()
+  void Grading<dim>::make_even_in_x()
   {
     zone_x   = semi_axis_x() + std::abs(centre_x());
     upstream = 0;
@@ -60,12 +53,9 @@ namespace RollingContact
         }
   }
 
-
-
   template <int dim>
-  bool
-  Grading<dim>::in_zone(const Point<dim - 1> &lower,
-                        const Point<dim - 1> &upper) const
+  bool Grading<dim>::in_zone(const Point<dim - 1> &lower,
+                             const Point<dim - 1> &upper) const
   {
     if (!zone_boxes.empty())
       {
@@ -91,12 +81,9 @@ namespace RollingContact
     return sum <= 1.;
   }
 
-
-
   template <int dim>
-  double
-  Grading<dim>::size_in_x(const Point<dim> &lower,
-                          const Point<dim> &upper) const
+  double Grading<dim>::size_in_x(const Point<dim> &lower,
+                                 const Point<dim> &upper) const
   {
     double size = std::max(upper[0] - lower[0],
                            (upper[dim - 1] - lower[dim - 1]) * element_size_x /
@@ -107,12 +94,9 @@ namespace RollingContact
     return size;
   }
 
-
-
   template <int dim>
-  double
-  Grading<dim>::outside_zone(const Point<dim> &lower,
-                             const Point<dim> &upper) const
+  double Grading<dim>::outside_zone(const Point<dim> &lower,
+                                    const Point<dim> &upper) const
   {
     if (!zone_boxes.empty())
       {
@@ -146,12 +130,9 @@ namespace RollingContact
            fine_x;
   }
 
-
-
   template <int dim>
-  double
-  Grading<dim>::allowed_size(const Point<dim> &lower,
-                             const Point<dim> &upper) const
+  double Grading<dim>::allowed_size(const Point<dim> &lower,
+                                    const Point<dim> &upper) const
   {
     const double distance = std::hypot(
       outside_zone(lower, upper),
@@ -161,13 +142,10 @@ namespace RollingContact
            far_growth * std::max(0., distance - far_distance);
   }
 
-
-
   template <int dim>
-  bool
-  Grading<dim>::exceeds_rim(const double      size,
-                            const Point<dim> &lower,
-                            const Point<dim> &upper) const
+  bool Grading<dim>::exceeds_rim(const double      size,
+                                 const Point<dim> &lower,
+                                 const Point<dim> &upper) const
   {
     // in 3D the band across the zone, not across the body
     const double beside =
@@ -188,13 +166,10 @@ namespace RollingContact
             (!leading_edge_only && too_large_at(trailing_edge_x)));
   }
 
-
-
   template <int dim>
-  bool
-  Grading<dim>::exceeds_boxes(const double      size,
-                              const Point<dim> &lower,
-                              const Point<dim> &upper) const
+  bool Grading<dim>::exceeds_boxes(const double      size,
+                                   const Point<dim> &lower,
+                                   const Point<dim> &upper) const
   {
     // a cell at the surface counts as flat: how deep it is differs from body
     // to body, the surface nodes must not
@@ -232,11 +207,9 @@ namespace RollingContact
     });
   }
 
-
-
   template <int dim>
-  bool
-  Grading<dim>::refine(const Point<dim> &lower, const Point<dim> &upper) const
+  bool Grading<dim>::refine(const Point<dim> &lower,
+                            const Point<dim> &upper) const
   {
     if (is_uniform)
       return false;
@@ -244,8 +217,6 @@ namespace RollingContact
     return size > allowed_size(lower, upper) ||
            exceeds_rim(size, lower, upper) || exceeds_boxes(size, lower, upper);
   }
-
-
 
   template struct Grading<2>;
   template struct Grading<3>;

@@ -6,18 +6,15 @@ namespace RollingContact
 
   namespace
   {
-    using Corners = std::vector<std::pair<unsigned int, double>>;
-
-
+    using WeightedCorners = std::vector<std::pair<unsigned int, double>>;
 
     /**
-     * Corners that do not hang, for one that may.
+     * WeightedCorners that do not hang, for one that may.
      */
-    void
-    add_share(const HangingVertices &hanging,
-              const unsigned int     vertex,
-              const double           share,
-              Corners               &corners)
+    void add_share(const HangingVertices &hanging,
+                   const unsigned int     vertex,
+                   const double           share,
+                   WeightedCorners       &corners)
     {
       const auto found = hanging.find(vertex);
       if (found == hanging.end())
@@ -28,10 +25,7 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  HangingVertices
-  hanging_vertices(const Triangulation<3> &cells)
+  HangingVertices hanging_vertices(const Triangulation<3> &cells)
   {
     HangingVertices hanging;
     for (const auto &cell : cells.active_cell_iterators())
@@ -43,7 +37,7 @@ namespace RollingContact
         for (const unsigned int f : cell->face_indices())
           if (const auto face = cell->face(f); face->has_children())
             {
-              Corners corners;
+              WeightedCorners corners;
               for (const unsigned int v : face->vertex_indices())
                 corners.emplace_back(face->vertex_index(v), 0.25);
               hanging[face->child(0)->vertex_index(3)] = corners;

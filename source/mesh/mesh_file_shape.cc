@@ -5,8 +5,7 @@
 
 namespace RollingContact
 {
-  void
-  MeshFileShape::check(const unsigned int, const bool rigid) const
+  void MeshFileShape::check(const unsigned int, const bool rigid) const
   {
     const std::string &section = parameters.section;
     if (parameters.mesh_file.empty())
@@ -29,52 +28,34 @@ namespace RollingContact
                        ": the hub must be another part of the boundary.");
   }
 
-
-
-  double
-  MeshFileShape::thickness_below() const
+  double MeshFileShape::thickness_below() const
   {
     return parameters.mesh->depth;
   }
 
-
-
-  std::optional<Axle>
-  MeshFileShape::axle() const
+  std::optional<Axle> MeshFileShape::axle() const
   {
     if (parameters.section != "Wheel" || !(parameters.radius > 0.))
       return std::nullopt;
     return Axle{{{0., 0., -parameters.radius}}, {{0., 1., 0.}}};
   }
 
-
-
-  double
-  MeshFileShape::reach_x() const
+  double MeshFileShape::reach_x() const
   {
     return std::min(-parameters.mesh->lower[0], parameters.mesh->upper[0]);
   }
 
-
-
-  double
-  MeshFileShape::reach_y() const
+  double MeshFileShape::reach_y() const
   {
     return std::min(-parameters.mesh->lower[1], parameters.mesh->upper[1]);
   }
 
-
-
-  std::shared_ptr<const FileMesh>
-  MeshFileShape::mesh() const
+  std::shared_ptr<const FileMesh> MeshFileShape::mesh() const
   {
     return parameters.mesh;
   }
 
-
-
-  std::vector<double>
-  MeshFileShape::dimensions() const
+  std::vector<double> MeshFileShape::dimensions() const
   {
     return {};
   }

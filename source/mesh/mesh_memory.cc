@@ -1,8 +1,8 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/memory.h>
+#include <rolling_contact/base/ranks.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/mesh/mesh_memory.h>
-#include <rolling_contact/parallel/ranks.h>
 
 #include <limits>
 
@@ -17,8 +17,7 @@ namespace RollingContact
      * condensation (serial) or the multigrid levels (distributed).
      */
     template <int dim>
-    double
-    bytes_of_cell(const MeshKind kind)
+    double bytes_of_cell(const MeshKind kind)
     {
       if (kind == MeshKind::serial)
         return dim == 2 ? 6e3 : 45e3;
@@ -26,36 +25,27 @@ namespace RollingContact
     }
   } // namespace
 
-
-
   namespace
   {
-    double
-    free_memory(const MeshKind kind)
+    double free_memory(const MeshKind kind)
     {
       return kind == MeshKind::serial ? available_memory()
                                       : Ranks::minimum(available_memory());
     }
   } // namespace
 
-
-
   template <int dim>
-  double
-  largest_mesh(const MeshKind kind)
+  double largest_mesh(const MeshKind kind)
   {
     const double free = free_memory(kind);
     return free > 0. ? usable_memory * free / bytes_of_cell<dim>(kind)
                      : std::numeric_limits<double>::infinity();
   }
 
-
-
   template <int dim>
-  void
-  check_mesh_memory(const double       n_cells,
-                    const MeshKind     kind,
-                    const std::string &remedy)
+  void check_mesh_memory(const double       n_cells,
+                         const MeshKind     kind,
+                         const std::string &remedy)
   {
     const double bytes = n_cells * bytes_of_cell<dim>(kind),
                  free  = free_memory(kind);
@@ -66,12 +56,8 @@ namespace RollingContact
         ", more than 70 % of the " + human_bytes(free) + " free: " + remedy);
   }
 
-
-
-  template double
-  largest_mesh<2>(const MeshKind);
-  template double
-  largest_mesh<3>(const MeshKind);
+  template double largest_mesh<2>(const MeshKind);
+  template double largest_mesh<3>(const MeshKind);
   template void
   check_mesh_memory<2>(const double, const MeshKind, const std::string &);
   template void

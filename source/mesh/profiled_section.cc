@@ -9,24 +9,18 @@ namespace RollingContact
   {
     const double on_profile_already = 1e-9; // m
 
-
-
-    double
-    product(const ProfiledSection::Point &a, const ProfiledSection::Point &b)
+    double product(const ProfiledSection::Point &a,
+                   const ProfiledSection::Point &b)
     {
       return a[0] * b[0] + a[1] * b[1];
     }
 
-
-
-    ProfiledSection::Point
-    difference(const ProfiledSection::Point &a, const ProfiledSection::Point &b)
+    ProfiledSection::Point difference(const ProfiledSection::Point &a,
+                                      const ProfiledSection::Point &b)
     {
       return {{a[0] - b[0], a[1] - b[1]}};
     }
   } // namespace
-
-
 
   ProfiledSection::ProfiledSection(const PlacedProfile &placed,
                                    const bool           is_wheel)
@@ -38,10 +32,7 @@ namespace RollingContact
     origin = nearest({{0., 0.}}).along;
   }
 
-
-
-  ProfiledSection::Foot
-  ProfiledSection::nearest(const Point &point) const
+  ProfiledSection::Foot ProfiledSection::nearest(const Point &point) const
   {
     const auto  &nodes = placed.profile.points();
     std::size_t  best  = 0;
@@ -78,20 +69,14 @@ namespace RollingContact
     return foot;
   }
 
-
-
-  ProfiledSection::Point
-  ProfiledSection::at(const double along) const
+  ProfiledSection::Point ProfiledSection::at(const double along) const
   {
     const auto point = placed.profile.at(
       std::clamp(along + origin, 0., placed.profile.length()));
     return {{point.y, outwards * point.z}};
   }
 
-
-
-  ProfiledSection::Point
-  ProfiledSection::tangent(const double along) const
+  ProfiledSection::Point ProfiledSection::tangent(const double along) const
   {
     const double angle =
       placed.profile.at(std::clamp(along + origin, 0., placed.profile.length()))
@@ -99,27 +84,18 @@ namespace RollingContact
     return {{std::cos(angle), outwards * std::sin(angle)}};
   }
 
-
-
-  double
-  ProfiledSection::contact() const
+  double ProfiledSection::contact() const
   {
     return *placed.arc_length(0.) - origin;
   }
 
-
-
-  double
-  ProfiledSection::along(const double coordinate) const
+  double ProfiledSection::along(const double coordinate) const
   {
     const double inside = std::clamp(coordinate, known[0], known[1]);
     return *placed.arc_length(inside) - origin + coordinate - inside;
   }
 
-
-
-  double
-  ProfiledSection::coordinate(const double wanted) const
+  double ProfiledSection::coordinate(const double wanted) const
   {
     const std::array<double, 2> ends{{along(known[0]), along(known[1])}};
     for (const unsigned int side : {0u, 1u})
@@ -134,10 +110,7 @@ namespace RollingContact
     return (lower + upper) / 2;
   }
 
-
-
-  ZoneBox
-  ProfiledSection::on_profile(const ZoneBox &box) const
+  ZoneBox ProfiledSection::on_profile(const ZoneBox &box) const
   {
     ZoneBox      result = box;
     const double sign   = placed.is_left ? -1. : 1.;
@@ -148,12 +121,9 @@ namespace RollingContact
     return result;
   }
 
-
-
-  void
-  put_on_profile(const ProfiledSection &profile,
-                 const double           top,
-                 SectionPoint          &point)
+  void put_on_profile(const ProfiledSection &profile,
+                      const double           top,
+                      SectionPoint          &point)
   {
     const auto foot = profile.nearest({{point[0], point[1] - top}});
     if (foot.distance > ProfiledSection::largest_offset)
@@ -162,20 +132,15 @@ namespace RollingContact
     point         = {{on[0], top + on[1], top + on[1]}};
   }
 
-
-
   namespace
   {
     /** Corners that edges of a quadrilateral cross to from its edge. */
-    unsigned int
-    opposite(const unsigned int corner, const unsigned int edge)
+    unsigned int opposite(const unsigned int corner, const unsigned int edge)
     {
       return corner ^ (edge < 2 ? 1 : 2);
     }
 
-
-
-    /** Of one section under its profile. */
+    /** Moves the points of one section to follow its profile. */
     class Follower
     {
     public:
@@ -190,8 +155,7 @@ namespace RollingContact
           feet.push_back(profile.nearest({{point[0], point[1] - top}}));
       }
 
-      void
-      follow(const unsigned int quad)
+      void follow(const unsigned int quad)
       {
         const auto  &corners = section.quads()[quad].corners;
         unsigned int n_edges = 0, last = 0;
@@ -219,14 +183,13 @@ namespace RollingContact
       using Corners = std::array<unsigned int, 4>;
       using Chart   = std::array<SectionMesh::ChartPoint, 4>;
 
-      bool
-      is_on_profile(const unsigned int vertex) const
+      bool is_on_profile(const unsigned int vertex) const
       {
         return feet[vertex].distance < on_profile_already;
       }
 
-      SectionMesh::Curve
-      curve_between(const unsigned int begin, const unsigned int end) const
+      SectionMesh::Curve curve_between(const unsigned int begin,
+                                       const unsigned int end) const
       {
         const double a = feet[begin].along, b = feet[end].along;
         return [profile = profile, top = top, a, b](const double t) {
@@ -238,8 +201,7 @@ namespace RollingContact
       /**
        * Inner corners are under those of the edge on the profile.
        */
-      Chart
-      chart_under(const Corners &corners, const unsigned int edge) const
+      Chart chart_under(const Corners &corners, const unsigned int edge) const
       {
         Chart chart;
         for (unsigned int v = 0; v < 4; ++v)
@@ -257,8 +219,7 @@ namespace RollingContact
       /**
        * By the tangent at the point of the profile nearest to the middle.
        */
-      Chart
-      chart_beside(const Corners &corners) const
+      Chart chart_beside(const Corners &corners) const
       {
         ProfiledSection::Point middle{{0., -top}};
         for (const unsigned int corner : corners)
@@ -286,12 +247,9 @@ namespace RollingContact
     };
   } // namespace
 
-
-
-  void
-  follow_profile(const ProfiledSection &profile,
-                 const double           top,
-                 SectionMesh           &section)
+  void follow_profile(const ProfiledSection &profile,
+                      const double           top,
+                      SectionMesh           &section)
   {
     Follower follower(profile, top, section);
     for (unsigned int quad = 0; quad < section.quads().size(); ++quad)

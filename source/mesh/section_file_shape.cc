@@ -1,10 +1,9 @@
-#include <boost/math/constants/constants.hpp>
-
+#include <rolling_contact/base/constants.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/mesh/profiled_section.h>
 #include <rolling_contact/mesh/section_file_shape.h>
+#include <rolling_contact/mesh/swept_mesh.h>
 #include <rolling_contact/references/line_contact_approach.h>
-#include <rolling_contact/sections/swept_mesh.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,10 +14,6 @@ namespace RollingContact
 {
   namespace
   {
-    constexpr double pi = boost::math::constants::pi<double>();
-
-    /// over the radius: the profile leaves its circle at 0.5
-    const double usable_rim = 0.55;
 
     const unsigned int least_cells_along = 8, most_cells_along = 100000;
 
@@ -27,10 +22,7 @@ namespace RollingContact
 
     using Edge = std::pair<unsigned int, unsigned int>; ///< ends, ascending
 
-
-
-    std::map<Edge, SectionBoundary>
-    boundary_of(const FileMesh &mesh)
+    std::map<Edge, SectionBoundary> boundary_of(const FileMesh &mesh)
     {
       std::map<Edge, SectionBoundary> boundary;
       for (const FileMesh::Face &edge : mesh.contact_faces)
@@ -40,17 +32,14 @@ namespace RollingContact
       return boundary;
     }
 
-
-
     /**
      * The edge from @p p to @p q, with the contact point at this height, along
      * the circle of this radius across; none if its ends are not on it.
      */
-    SectionMesh::Curve
-    crowned(const SectionPoint &p,
-            const SectionPoint &q,
-            const double        top,
-            const double        lateral_radius)
+    SectionMesh::Curve crowned(const SectionPoint &p,
+                               const SectionPoint &q,
+                               const double        top,
+                               const double        lateral_radius)
     {
       const double tolerance = on_circle * std::hypot(q[0] - p[0], q[1] - p[1]);
       const auto   height    = [=](const double y) {
@@ -68,10 +57,8 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  void
-  SectionFileShape::check(const unsigned int dimension, const bool rigid) const
+  void SectionFileShape::check(const unsigned int dimension,
+                               const bool         rigid) const
   {
     const std::string &section = parameters.section;
     parameters.require(parameters.radius >= 0.,
@@ -113,37 +100,25 @@ namespace RollingContact
                        ": the hub must be another part of the boundary.");
   }
 
-
-
-  double
-  SectionFileShape::thickness_below() const
+  double SectionFileShape::thickness_below() const
   {
     return parameters.mesh ? parameters.mesh->depth : 0.;
   }
 
-
-
-  std::optional<Axle>
-  SectionFileShape::axle() const
+  std::optional<Axle> SectionFileShape::axle() const
   {
     if (!is_revolved())
       return std::nullopt;
     return Axle{{{0., 0., -parameters.radius}}, {{0., 1., 0.}}};
   }
 
-
-
-  double
-  SectionFileShape::reach_x() const
+  double SectionFileShape::reach_x() const
   {
     return is_revolved() ? usable_rim * parameters.radius
                          : parameters.block_length / 2;
   }
 
-
-
-  double
-  SectionFileShape::reach_y() const
+  double SectionFileShape::reach_y() const
   {
     if (!parameters.mesh)
       return parameters.width / 2;
@@ -153,15 +128,10 @@ namespace RollingContact
                               : std::min(-mesh.lower[0], mesh.upper[0]);
   }
 
-
-
-  double
-  SectionFileShape::largest_half_width() const
+  double SectionFileShape::largest_half_width() const
   {
     return is_revolved() ? parameters.radius : BodyShape::largest_half_width();
   }
-
-
 
   double
   SectionFileShape::line_compression(const References::HertzLine &contact,
@@ -177,10 +147,7 @@ namespace RollingContact
                                                        poisson_ratio);
   }
 
-
-
-  SectionMesh
-  SectionFileShape::section() const
+  SectionMesh SectionFileShape::section() const
   {
     const FileMesh           &mesh = *parameters.mesh;
     const double              top  = parameters.radius;
@@ -220,8 +187,6 @@ namespace RollingContact
     return section;
   }
 
-
-
   std::vector<ZoneBox>
   SectionFileShape::on_surface(const std::vector<ZoneBox> &boxes) const
   {
@@ -233,8 +198,6 @@ namespace RollingContact
       result.push_back(profile.on_profile(box));
     return result;
   }
-
-
 
   std::shared_ptr<const SweptMesh>
   SectionFileShape::equal_cells(const double along, const double across) const
@@ -263,10 +226,7 @@ namespace RollingContact
                                              cells.size);
   }
 
-
-
-  std::vector<double>
-  SectionFileShape::dimensions() const
+  std::vector<double> SectionFileShape::dimensions() const
   {
     // never the mirror image of another body
     return {};

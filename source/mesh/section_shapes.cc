@@ -1,10 +1,10 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
+#include <rolling_contact/mesh/rail_section_mesh.h>
+#include <rolling_contact/mesh/running_surfaces.h>
 #include <rolling_contact/mesh/section_shapes.h>
-#include <rolling_contact/profiles/rail_section.h>
-#include <rolling_contact/sections/rail_section_mesh.h>
-#include <rolling_contact/sections/running_surfaces.h>
-#include <rolling_contact/sections/wheel_section_mesh.h>
+#include <rolling_contact/mesh/wheel_section_mesh.h>
+#include <rolling_contact/surfaces/rail_section.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,9 +15,6 @@ namespace RollingContact
   {
     /// longest coarse cell along x: of the rail (m), and over a wheel's radius
     const double longest_rail_cell = 0.04, longest_wheel_cell = 0.15;
-
-    /// of the wheel's radius, in which its profile goes on
-    const double usable_rim = 0.55;
 
     /// of the coarse quadrilaterals, divided as often as this
     const double       least_quality = 0.05;
@@ -30,19 +27,14 @@ namespace RollingContact
                  largest_bow = 0.04;
   } // namespace
 
-
-
-  SectionShape::SectionShape(const ShapeParameters &parameters,
-                             const RunningSurface  &surface)
+  SectionShape::SectionShape(const ShapeSpec      &parameters,
+                             const RunningSurface &surface)
     : BodyShape(parameters)
     , placed(*this->parameters.profile)
     , surface(surface)
   {}
 
-
-
-  double
-  SectionShape::surface_height(const double x, const double y) const
+  double SectionShape::surface_height(const double x, const double y) const
   {
     const auto   ends = surface.ends();
     const double at   = placed.is_left ? -y : y;
@@ -52,34 +44,23 @@ namespace RollingContact
     return sweep(cells).first.to_body(x, here)[2];
   }
 
-
-
-  double
-  SectionShape::thickness_below() const
+  double SectionShape::thickness_below() const
   {
     return surface_point(0.)[1];
   }
 
-
-
-  double
-  SectionShape::reach_y() const
+  double SectionShape::reach_y() const
   {
     return std::min(-surface.facing()[0], surface.facing()[1]);
   }
 
-
-
-  std::array<double, 2>
-  SectionShape::room_across() const
+  std::array<double, 2> SectionShape::room_across() const
   {
     const auto [begin, end] = surface.facing();
     if (placed.is_left)
       return {{-end, -begin}};
     return {{begin, end}};
   }
-
-
 
   std::shared_ptr<const SweptMesh>
   SectionShape::swept_mesh(const CoarseCells &along,
@@ -95,8 +76,6 @@ namespace RollingContact
                                              ends_x,
                                              along.size);
   }
-
-
 
   std::shared_ptr<const SweptMesh>
   SectionShape::equal_cells(const double along, const double across) const
@@ -122,25 +101,17 @@ namespace RollingContact
                      "nearer to new ones, or Body sections = plain.");
   }
 
-
-
-  std::vector<double>
-  SectionShape::dimensions() const
+  std::vector<double> SectionShape::dimensions() const
   {
     // of a class of its own: never the mirror image of another body
     return {};
   }
 
-
-
-  RailShape::RailShape(const ShapeParameters &parameters)
+  RailShape::RailShape(const ShapeSpec &parameters)
     : SectionShape(parameters, rail_surface(*parameters.profile))
   {}
 
-
-
-  void
-  RailShape::check(const unsigned int, const bool rigid) const
+  void RailShape::check(const unsigned int, const bool rigid) const
   {
     if (!rigid)
       parameters.require(parameters.block_length >= least_rail &&
@@ -151,31 +122,21 @@ namespace RollingContact
                          "of the rail; give 0.2 to 5 m.");
   }
 
-
-
-  double
-  RailShape::reach_x() const
+  double RailShape::reach_x() const
   {
     return parameters.block_length / 2;
   }
 
-
-
-  double
-  RailShape::largest_coarse_size() const
+  double RailShape::largest_coarse_size() const
   {
     return longest_rail_cell;
   }
 
-
-
-  SectionMesh
-  RailShape::section(const CoarseCells &across, const double deepest) const
+  SectionMesh RailShape::section(const CoarseCells &across,
+                                 const double       deepest) const
   {
     return rail_section_mesh(surface, across, deepest);
   }
-
-
 
   std::pair<SectionPlacement, std::vector<double>>
   RailShape::sweep(const CoarseCells &along) const
@@ -188,25 +149,17 @@ namespace RollingContact
     return {placement, break_points(-reach_x(), reach_x(), along)};
   }
 
-
-
-  SectionPoint
-  RailShape::surface_point(const double coordinate) const
+  SectionPoint RailShape::surface_point(const double coordinate) const
   {
     const auto point = surface.at(coordinate);
     return {{point[0], Profiles::rail_60e1_height - point[1], 0.}};
   }
 
-
-
-  WheelShape::WheelShape(const ShapeParameters &parameters)
+  WheelShape::WheelShape(const ShapeSpec &parameters)
     : SectionShape(parameters, wheel_surface(*parameters.profile))
   {}
 
-
-
-  void
-  WheelShape::check(const unsigned int, const bool rigid) const
+  void WheelShape::check(const unsigned int, const bool rigid) const
   {
     if (rigid)
       return;
@@ -230,18 +183,12 @@ namespace RollingContact
                        ": give metres, from -0.04 to 0.04.");
   }
 
-
-
-  double
-  WheelShape::thickness_below() const
+  double WheelShape::thickness_below() const
   {
     return surface_point(0.)[1] - parameters.hub_radius;
   }
 
-
-
-  std::optional<Axle>
-  WheelShape::axle() const
+  std::optional<Axle> WheelShape::axle() const
   {
     CoarseCells cells;
     cells.size = cells.half_core  = reach_x();
@@ -254,34 +201,23 @@ namespace RollingContact
       point, {{other[0] - point[0], other[1] - point[1], other[2] - point[2]}}};
   }
 
-
-
-  double
-  WheelShape::reach_x() const
+  double WheelShape::reach_x() const
   {
     return usable_rim * parameters.radius;
   }
 
-
-
-  double
-  WheelShape::largest_half_width() const
+  double WheelShape::largest_half_width() const
   {
     return parameters.radius;
   }
 
-
-
-  double
-  WheelShape::largest_coarse_size() const
+  double WheelShape::largest_coarse_size() const
   {
     return longest_wheel_cell * parameters.radius;
   }
 
-
-
-  SectionMesh
-  WheelShape::section(const CoarseCells &across, const double deepest) const
+  SectionMesh WheelShape::section(const CoarseCells &across,
+                                  const double       deepest) const
   {
     return wheel_section_mesh(placed,
                               surface,
@@ -290,8 +226,6 @@ namespace RollingContact
                               across,
                               deepest);
   }
-
-
 
   std::pair<SectionPlacement, std::vector<double>>
   WheelShape::sweep(const CoarseCells &along) const
@@ -308,10 +242,7 @@ namespace RollingContact
     return {placement, ends};
   }
 
-
-
-  SectionPoint
-  WheelShape::surface_point(const double coordinate) const
+  SectionPoint WheelShape::surface_point(const double coordinate) const
   {
     const auto   point  = surface.at(coordinate);
     const double radius = placed.radius + point[1];

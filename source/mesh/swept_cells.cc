@@ -20,8 +20,7 @@ namespace RollingContact
       std::array<double, 3> lower{};
       double                size = 1.;
 
-      std::array<double, 3>
-      corner(const unsigned int v) const
+      std::array<double, 3> corner(const unsigned int v) const
       {
         std::array<double, 3> local = lower;
         for (unsigned int d = 0; d < 3; ++d)
@@ -30,10 +29,7 @@ namespace RollingContact
       }
     };
 
-
-
-    PartOfCoarseCell
-    part_of(const SweptCellIterator &cell)
+    PartOfCoarseCell part_of(const SweptCellIterator &cell)
     {
       // the id's coarse cell is p4est's, in an order of its own
       SweptCellIterator coarse = cell;
@@ -51,19 +47,14 @@ namespace RollingContact
       return part;
     }
 
-
-
-    Point<3>
-    as_point(const SweptMesh::Point &point)
+    Point<3> as_point(const SweptMesh::Point &point)
     {
       return {point[0], point[1], point[2]};
     }
   } // namespace
 
-
-
-  void
-  create_swept_cells(const SweptMesh &mesh, Triangulation<3> &triangulation)
+  void create_swept_cells(const SweptMesh  &mesh,
+                          Triangulation<3> &triangulation)
   {
     std::vector<Point<3>> vertices;
     for (const auto &vertex : mesh.vertices())
@@ -89,30 +80,22 @@ namespace RollingContact
           }
   }
 
-
-
-  Point<3>
-  swept_chart_point(const SweptMesh         &mesh,
-                    const SweptCellIterator &cell,
-                    const unsigned int       vertex)
+  Point<3> swept_chart_point(const SweptMesh         &mesh,
+                             const SweptCellIterator &cell,
+                             const unsigned int       vertex)
   {
     const PartOfCoarseCell part = part_of(cell);
     return as_point(mesh.chart_point(part.coarse_cell, part.corner(vertex)));
   }
 
-
-
-  std::pair<Point<3>, Point<3>>
-  swept_chart_box(const SweptMesh &mesh, const SweptCellIterator &cell)
+  std::pair<Point<3>, Point<3>> swept_chart_box(const SweptMesh         &mesh,
+                                                const SweptCellIterator &cell)
   {
     const PartOfCoarseCell part = part_of(cell);
     return chart_box(mesh, part.coarse_cell, part.lower, part.size);
   }
 
-
-
-  void
-  move_vertices(const SweptMesh &mesh, Triangulation<3> &triangulation)
+  void move_vertices(const SweptMesh &mesh, Triangulation<3> &triangulation)
   {
     std::vector<bool> is_placed(triangulation.n_vertices());
     for (const auto &cell : triangulation.active_cell_iterators())

@@ -1,6 +1,5 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/linear_algebra/block_products.h>
 #include <rolling_contact/modes/absorber_places.h>
 #include <rolling_contact/modes/node_rings.h>
 
@@ -14,22 +13,16 @@ namespace RollingContact
     /// from the place asked for, over the body's radius
     const double farthest = 0.1;
 
-
-
-    double
-    distance(const NodeRing &nodes, const AbsorberRing &ring)
+    double distance(const NodeRing &nodes, const AbsorberRing &ring)
     {
       const CylindricalPlace &at = nodes.nodes.front().place;
       return std::hypot(at.radius - ring.radius, at.axial - ring.position);
     }
 
-
-
     /** The circle of nodes nearest to a ring. */
-    const NodeRing &
-    nearest(const std::vector<NodeRing> &circles,
-            const AbsorberRing          &ring,
-            const std::string           &section)
+    const NodeRing &nearest(const std::vector<NodeRing> &circles,
+                            const AbsorberRing          &ring,
+                            const std::string           &section)
     {
       const NodeRing *best    = nullptr;
       double          largest = 0.;
@@ -54,25 +47,20 @@ namespace RollingContact
       return *best;
     }
 
-
-
-    const std::array<double, 3> &
-    direction(const AbsorberRing &ring, const CylindricalPlace &place)
+    const std::array<double, 3> &direction(const AbsorberRing     &ring,
+                                           const CylindricalPlace &place)
     {
       return ring.direction == AbsorberDirection::axial    ? place.along
              : ring.direction == AbsorberDirection::radial ? place.outwards
                                                            : place.around;
     }
 
-
-
     /** Add the columns of L of one ring, from column @p first on. */
-    void
-    add_loads(const NodeRing     &circle,
-              const AbsorberRing &ring,
-              const unsigned int  D,
-              const std::size_t   first,
-              DenseMatrix        &L)
+    void add_loads(const NodeRing     &circle,
+                   const AbsorberRing &ring,
+                   const unsigned int  D,
+                   const std::size_t   first,
+                   DenseMatrix        &L)
     {
       for (const NodeRing::Node &at : circle.nodes)
         {
@@ -95,10 +83,7 @@ namespace RollingContact
         }
     }
 
-
-
-    unsigned int
-    most_diameters_of(const std::vector<ModeCharacter> &characters)
+    unsigned int most_diameters_of(const std::vector<ModeCharacter> &characters)
     {
       unsigned int most = 0;
       for (const ModeCharacter &mode : characters)
@@ -106,39 +91,27 @@ namespace RollingContact
       return most;
     }
 
-
-
     /** L^T K^-1 L less what the modes give. */
-    DenseMatrix
-    residual_of(const AbsorberPlaces  &places,
-                const StructuralModes &modes,
-                const double           shift)
+    DenseMatrix residual_of(const AbsorberPlaces  &places,
+                            const StructuralModes &modes,
+                            const double           shift)
     {
       DenseMatrix scaled = places.motions;
-      for (std::size_t j = 0; j < scaled.n_columns(); ++j)
-        for (std::size_t i = 0; i < scaled.n_rows(); ++i)
-          scaled(i, j) /= std::sqrt(modes.eigenvalue(j) + shift);
-      DenseMatrix residual = places.compliance;
-      for (std::size_t q = 0; q < residual.n_columns(); ++q)
-        for (std::size_t p = 0; p < residual.n_rows(); ++p)
-          for (std::size_t j = 0; j < scaled.n_columns(); ++j)
-            residual(p, q) -= scaled(p, j) * scaled(q, j);
-      return residual;
+      for (Eigen::Index j = 0; j < scaled.cols(); ++j)
+        scaled.col(j) /= std::sqrt(modes.eigenvalue(j) + shift);
+      return places.compliance - scaled * scaled.transpose();
     }
   } // namespace
 
-
-
-  AbsorberPlaces
-  absorber_places(const std::vector<AbsorberRing>  &rings,
-                  const std::string                &section,
-                  const BodyPlaces                 &body,
-                  const Axle                       &axle,
-                  const StructuralModes            &modes,
-                  const std::vector<ModeCharacter> &characters,
-                  const Factorisation              &factor,
-                  const double                      shift,
-                  std::vector<std::string>         &notes)
+  AbsorberPlaces absorber_places(const std::vector<AbsorberRing>  &rings,
+                                 const std::string                &section,
+                                 const BodyPlaces                 &body,
+                                 const Axle                       &axle,
+                                 const StructuralModes            &modes,
+                                 const std::vector<ModeCharacter> &characters,
+                                 const Factorisation              &factor,
+                                 const double                      shift,
+                                 std::vector<std::string>         &notes)
   {
     AbsorberPlaces places;
     if (rings.empty())
@@ -165,7 +138,8 @@ namespace RollingContact
           " mm from the one asked for, up to " +
           std::to_string(places.diameters.back()) + " nodal diameters.");
       }
-    places.loads = DenseMatrix(modes.shapes.n_rows(), places.n_coordinates());
+    places.loads =
+      DenseMatrix::Zero(modes.shapes.rows(), places.n_coordinates());
     std::size_t first = 0;
     for (std::size_t r = 0; r < rings.size(); ++r)
       {
@@ -175,8 +149,8 @@ namespace RollingContact
       }
     places.deflected = places.loads;
     factor.solve(places.deflected);
-    places.compliance = transposed_product(places.loads, places.deflected);
-    places.motions    = transposed_product(places.loads, modes.shapes);
+    places.compliance = places.loads.transpose() * places.deflected;
+    places.motions    = places.loads.transpose() * modes.shapes;
     places.residual   = residual_of(places, modes, shift);
     return places;
   }

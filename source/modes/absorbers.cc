@@ -1,6 +1,5 @@
+#include <rolling_contact/algebra/lapack.h>
 #include <rolling_contact/base/constants.h>
-#include <rolling_contact/linear_algebra/block_products.h>
-#include <rolling_contact/linear_algebra/dense_eigenvalues.h>
 #include <rolling_contact/modes/absorbers.h>
 
 #include <algorithm>
@@ -21,11 +20,8 @@ namespace RollingContact
       double      damping;   ///< c, N s/m
     };
 
-
-
-    std::vector<Coordinate>
-    coordinates(const AbsorberPlaces            &places,
-                const std::vector<AbsorberRing> &rings)
+    std::vector<Coordinate> coordinates(const AbsorberPlaces            &places,
+                                        const std::vector<AbsorberRing> &rings)
     {
       if (rings.size() != places.diameters.size())
         throw std::logic_error("Absorbers are on other rings.");
@@ -44,13 +40,11 @@ namespace RollingContact
       return result;
     }
 
-
-
     /** T, the derivative by the angle. */
-    DenseMatrix
-    derivative(const AbsorberPlaces &places)
+    DenseMatrix derivative(const AbsorberPlaces &places)
     {
-      DenseMatrix T(places.n_coordinates(), places.n_coordinates());
+      DenseMatrix T =
+        DenseMatrix::Zero(places.n_coordinates(), places.n_coordinates());
       std::size_t first = 0;
       for (const unsigned int D : places.diameters)
         {
@@ -65,52 +59,38 @@ namespace RollingContact
       return T;
     }
 
-
-
     /** (1/k + R)^-1. */
-    DenseMatrix
-    springs_on(const DenseMatrix &R, const std::vector<Coordinate> &at)
+    DenseMatrix springs_on(const DenseMatrix             &R,
+                           const std::vector<Coordinate> &at)
     {
-      const std::size_t c = at.size();
-      DenseMatrix       flexible(c, c), springs(c, c);
+      const std::size_t c        = at.size();
+      DenseMatrix       flexible = (R + R.transpose()) / 2,
+                  springs        = DenseMatrix::Identity(c, c);
       for (std::size_t j = 0; j < c; ++j)
-        {
-          for (std::size_t i = 0; i < c; ++i)
-            flexible(i, j) = (R(i, j) + R(j, i)) / 2;
-          flexible(j, j) += 1 / at[j].stiffness;
-          springs(j, j) = 1.;
-        }
-      if (c > 0 && !solve_positive_definite(flexible, springs))
+        flexible(j, j) += 1 / at[j].stiffness;
+      if (!solve_positive_definite(flexible, springs))
         throw std::logic_error("Absorbers hang on a negative compliance.");
       return springs;
     }
 
-
-
-    DenseMatrix
-    enlarged(const DenseMatrix &A, const std::size_t n)
+    /** A value of each coordinate as a diagonal matrix. */
+    template <class Value>
+    Eigen::DiagonalMatrix<double, Eigen::Dynamic>
+    diagonal(const std::vector<Coordinate> &at, const Value &value)
     {
-      DenseMatrix result(n, n);
-      for (std::size_t j = 0; j < A.n_columns(); ++j)
-        for (std::size_t i = 0; i < A.n_rows(); ++i)
-          result(i, j) = A(i, j);
+      Eigen::DiagonalMatrix<double, Eigen::Dynamic> result(at.size());
+      for (std::size_t k = 0; k < at.size(); ++k)
+        result.diagonal()[k] = value(at[k]);
       return result;
     }
 
-
-
-    void
-    add(const double factor, const DenseMatrix &A, DenseMatrix &sum)
+    double inverse_root_of_mass(const Coordinate &at)
     {
-      for (std::size_t k = 0; k < A.n_rows() * A.n_columns(); ++k)
-        sum.data()[k] += factor * A.data()[k];
+      return 1 / std::sqrt(at.mass);
     }
   } // namespace
 
-
-
-  std::size_t
-  AbsorberPlaces::n_coordinates() const
+  std::size_t AbsorberPlaces::n_coordinates() const
   {
     std::size_t sum = 0;
     for (const unsigned int D : diameters)
@@ -118,182 +98,103 @@ namespace RollingContact
     return sum;
   }
 
-
-
-  void
-  hang_absorbers(const AbsorberPlaces            &places,
-                 const std::vector<AbsorberRing> &rings,
-                 const double                     rate,
-                 DenseMatrix                     &K_m,
-                 DenseMatrix                     &C_m)
+  void hang_absorbers(const AbsorberPlaces            &places,
+                      const std::vector<AbsorberRing> &rings,
+                      const double                     rate,
+                      DenseMatrix                     &K_m,
+                      DenseMatrix                     &C_m)
   {
     const auto        at = coordinates(places, rings);
-    const std::size_t c = at.size(), m = K_m.n_rows();
+    const std::size_t c = at.size(), m = K_m.rows();
     if (c == 0)
       return;
     DenseMatrix elongation(c, m + c); // of the springs
-    for (std::size_t i = 0; i < c; ++i)
-      {
-        for (std::size_t j = 0; j < m; ++j)
-          elongation(i, j) = -places.motions(i, j);
-        elongation(i, m + i) = 1 / std::sqrt(at[i].mass);
-      }
-    const DenseMatrix springs = springs_on(places.residual, at);
-    DenseMatrix       share   = springs; // of the dashpots
-    for (std::size_t j = 0; j < c; ++j)
-      for (std::size_t i = 0; i < c; ++i)
-        share(i, j) *=
-          std::sqrt(at[i].damping) / at[i].stiffness; // c k^-2 in two halves
-    const DenseMatrix dashpots = transposed_product(share, share),
-                      T        = derivative(places),
-                      flow     = dense_product(T, elongation);
+    elongation << -places.motions,
+      DenseMatrix(diagonal(at, inverse_root_of_mass));
+    const DenseMatrix springs = springs_on(places.residual, at),
+                      share =
+                        diagonal(at,
+                                 [](const Coordinate &at) {
+                                   return std::sqrt(at.damping) / at.stiffness;
+                                 }) *
+                        springs, // of the dashpots: c k^-2 in two halves
+      dashpots = share.transpose() * share, T = derivative(places);
 
-    K_m = enlarged(K_m, m + c);
-    C_m = enlarged(C_m, m + c);
-    add(1.,
-        transposed_product(elongation, dense_product(springs, elongation)),
-        K_m);
-    add(1.,
-        transposed_product(elongation, dense_product(dashpots, elongation)),
-        C_m);
+    K_m.conservativeResizeLike(DenseMatrix::Zero(m + c, m + c));
+    C_m.conservativeResizeLike(DenseMatrix::Zero(m + c, m + c));
+    K_m += elongation.transpose() * springs * elongation;
+    C_m += elongation.transpose() * dashpots * elongation;
     if (rate == 0.)
       return;
-    add(rate,
-        transposed_product(elongation, dense_product(dashpots, flow)),
-        K_m);
-    const DenseMatrix T_T = dense_product(T, T);
-    for (std::size_t j = 0; j < c; ++j)
-      for (std::size_t i = 0; i < c; ++i)
-        {
-          C_m(m + i, m + j) += 2 * rate * T(i, j);
-          K_m(m + i, m + j) += rate * rate * T_T(i, j);
-        }
+    K_m += rate * elongation.transpose() * dashpots * T * elongation;
+    C_m.bottomRightCorner(c, c) += 2 * rate * T;
+    K_m.bottomRightCorner(c, c) += rate * rate * T * T;
   }
 
-
-
-  void
-  join_absorbers(const AbsorberPlaces            &places,
-                 const std::vector<AbsorberRing> &rings,
-                 const DenseMatrix               &cross,
-                 DenseMatrix                     &shapes,
-                 DenseMatrix                     &residual)
+  void join_absorbers(const AbsorberPlaces            &places,
+                      const std::vector<AbsorberRing> &rings,
+                      const DenseMatrix               &cross,
+                      DenseMatrix                     &shapes,
+                      DenseMatrix                     &residual)
   {
-    const auto        at = coordinates(places, rings);
-    const std::size_t m = shapes.n_columns(), n = shapes.n_rows(),
-                      c = at.size();
-    const DenseMatrix by_spring =
-                        dense_product(cross, springs_on(places.residual, at)),
-                      of_modes = dense_product(by_spring, places.motions);
-    DenseMatrix all(n, m + c);
-    for (std::size_t i = 0; i < n; ++i)
-      {
-        for (std::size_t j = 0; j < m; ++j)
-          all(i, j) = shapes(i, j) - of_modes(i, j);
-        for (std::size_t k = 0; k < c; ++k)
-          all(i, m + k) = by_spring(i, k) / std::sqrt(at[k].mass);
-      }
+    const auto        at        = coordinates(places, rings);
+    const DenseMatrix by_spring = cross * springs_on(places.residual, at);
+    DenseMatrix       all(shapes.rows(), shapes.cols() + cross.cols());
+    all << shapes - by_spring * places.motions,
+      by_spring * diagonal(at, inverse_root_of_mass);
     shapes                   = std::move(all);
-    const DenseMatrix softer = dense_product(by_spring, transposed(cross));
-    for (std::size_t j = 0; j < n; ++j)
-      for (std::size_t i = 0; i < n; ++i)
-        residual(i, j) -= (softer(i, j) + softer(j, i)) / 2;
+    const DenseMatrix softer = by_spring * cross.transpose();
+    residual -= (softer + softer.transpose()) / 2;
   }
 
-
-
-  std::vector<double>
-  absorbers_at_rest(const AbsorberPlaces            &places,
-                    const std::vector<AbsorberRing> &rings,
-                    const std::vector<double>       &eta,
-                    const std::vector<double>       &left_out)
+  std::vector<double> absorbers_at_rest(const AbsorberPlaces            &places,
+                                        const std::vector<AbsorberRing> &rings,
+                                        const std::vector<double>       &eta,
+                                        const std::vector<double> &left_out)
   {
     const auto          at = coordinates(places, rings);
-    std::vector<double> z  = left_out;
+    std::vector<double> z  = sum(places.motions * eta, 1., left_out);
     for (std::size_t i = 0; i < z.size(); ++i)
-      {
-        for (std::size_t j = 0; j < eta.size(); ++j)
-          z[i] += places.motions(i, j) * eta[j];
-        z[i] *= std::sqrt(at[i].mass);
-      }
+      z[i] *= std::sqrt(at[i].mass);
     return z;
   }
 
-
-
-  ComplexMatrix
-  absorber_stiffness(const AbsorberPlaces            &places,
-                     const std::vector<AbsorberRing> &rings,
-                     const double                     rate,
-                     const std::complex<double>       s)
+  ComplexMatrix absorber_stiffness(const AbsorberPlaces            &places,
+                                   const std::vector<AbsorberRing> &rings,
+                                   const double                     rate,
+                                   const std::complex<double>       s)
   {
-    const auto        at = coordinates(places, rings);
-    const DenseMatrix T  = derivative(places);
-    const std::size_t c  = at.size();
-    ComplexMatrix     sigma(c, c), g(c, c);
-    for (std::size_t j = 0; j < c; ++j)
+    const auto    at = coordinates(places, rings);
+    ComplexMatrix sigma =
+      (rate * derivative(places)).cast<std::complex<double>>();
+    sigma.diagonal().array() += s;
+    ComplexMatrix g = sigma, free = sigma * sigma; // n m sigma^2 + g
+    for (std::size_t j = 0; j < at.size(); ++j)
       {
-        for (std::size_t i = 0; i < c; ++i)
-          {
-            sigma(i, j) = rate * T(i, j) + (i == j ? s : 0.);
-            g(i, j)     = at[i].damping * sigma(i, j);
-          }
+        g.row(j) *= at[j].damping;
         g(j, j) += at[j].stiffness;
+        free.row(j) *= at[j].mass;
       }
-    ComplexMatrix free = sigma * sigma; // n m sigma^2 + g
-    for (std::size_t j = 0; j < c; ++j)
-      for (std::size_t i = 0; i < c; ++i)
-        free(i, j) = at[i].mass * free(i, j) + g(i, j);
-    ComplexMatrix   follows = g;
-    const ComplexLU factors(std::move(free));
-    factors.solve(follows);
-    const ComplexMatrix carried = g * follows;
-    for (std::size_t j = 0; j < c; ++j)
-      for (std::size_t i = 0; i < c; ++i)
-        g(i, j) -= carried(i, j);
-    return g;
+    free += g;
+    ComplexMatrix follows = g;
+    ComplexLU(std::move(free)).solve(follows);
+    return g - g * follows;
   }
 
-
-
-  std::vector<std::complex<double>>
-  receptances_with(const std::vector<std::complex<double>> &alpha,
-                   const ComplexMatrix                     &Z,
-                   const std::size_t                        n)
+  ComplexMatrix receptances_with(const ComplexMatrix &alpha,
+                                 const ComplexMatrix &Z,
+                                 const std::size_t    n)
   {
-    const std::size_t c = Z.n_rows(), all = n + c;
-    const auto        at = [&](const std::size_t p, const std::size_t q) {
-      return alpha[p + q * all];
-    };
-    ComplexMatrix of_ring(c, c), to_ring(c, n);
-    for (std::size_t q = 0; q < c; ++q)
-      for (std::size_t p = 0; p < c; ++p)
-        of_ring(p, q) = at(n + p, n + q);
-    for (std::size_t q = 0; q < n; ++q)
-      for (std::size_t p = 0; p < c; ++p)
-        to_ring(p, q) = at(n + p, q);
-    ComplexMatrix system = Z * of_ring, force = Z * to_ring;
-    for (std::size_t p = 0; p < c; ++p)
-      system(p, p) += 1.;
-    const ComplexLU factors(std::move(system));
-    factors.solve(force);
-    std::vector<std::complex<double>> result(n * n);
-    for (std::size_t q = 0; q < n; ++q)
-      for (std::size_t p = 0; p < n; ++p)
-        {
-          std::complex<double> value = at(p, q);
-          for (std::size_t k = 0; k < c; ++k)
-            value -= at(p, n + k) * force(k, q);
-          result[p + q * n] = value;
-        }
-    return result;
+    const std::size_t c      = Z.rows();
+    ComplexMatrix     system = Z * alpha.bottomRightCorner(c, c),
+                  force      = Z * alpha.bottomLeftCorner(c, n);
+    system.diagonal().array() += 1.;
+    ComplexLU(std::move(system)).solve(force);
+    return alpha.topLeftCorner(n, n) - alpha.topRightCorner(n, c) * force;
   }
 
-
-
-  double
-  softening(const AbsorberPlaces            &places,
-            const std::vector<AbsorberRing> &rings)
+  double softening(const AbsorberPlaces            &places,
+                   const std::vector<AbsorberRing> &rings)
   {
     const auto at      = coordinates(places, rings);
     double     largest = 0.;

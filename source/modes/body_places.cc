@@ -45,8 +45,6 @@ namespace RollingContact
       }
   }
 
-
-
   template BodyPlaces::BodyPlaces(const DirectBody<2> &);
   template BodyPlaces::BodyPlaces(const DirectBody<3> &);
 } // namespace RollingContact

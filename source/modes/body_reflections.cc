@@ -20,8 +20,6 @@ namespace RollingContact
 
     const std::size_t nowhere = std::numeric_limits<std::size_t>::max();
 
-
-
     /**
      * Coordinates along one axis that differ, in ascending order.
      */
@@ -42,21 +40,18 @@ namespace RollingContact
                      levels.end());
       }
 
-      bool
-      is_flat() const
+      bool is_flat() const
       {
         return levels.size() == 1;
       }
 
-      double
-      middle() const
+      double middle() const
       {
         return (levels.front() + levels.back()) / 2;
       }
 
       /** Number of the level at a coordinate; -1 if there is none. */
-      int
-      at(const double x) const
+      int at(const double x) const
       {
         const auto found =
           std::lower_bound(levels.begin(), levels.end(), x - 2 * near);
@@ -69,8 +64,6 @@ namespace RollingContact
       std::vector<double> levels;
       double              near;
     };
-
-
 
     /**
      * Nodes by their places.
@@ -86,23 +79,21 @@ namespace RollingContact
       }
 
       /** Number of the node that is the image of a place, or nowhere. */
-      std::size_t
-      image(std::array<double, 3> point, const unsigned int axis) const
+      std::size_t image(std::array<double, 3> point,
+                        const unsigned int    axis) const
       {
         point[axis]      = 2 * levels[axis].middle() - point[axis];
         const auto found = numbers.find(key(point));
         return found == numbers.end() ? nowhere : found->second;
       }
 
-      bool
-      is_flat(const unsigned int axis) const
+      bool is_flat(const unsigned int axis) const
       {
         return levels[axis].is_flat();
       }
 
     private:
-      std::array<int, 3>
-      key(const std::array<double, 3> &point) const
+      std::array<int, 3> key(const std::array<double, 3> &point) const
       {
         return {{levels[0].at(point[0]),
                  levels[1].at(point[1]),
@@ -113,14 +104,11 @@ namespace RollingContact
       std::map<std::array<int, 3>, std::size_t> numbers;
     };
 
-
-
     /** The reflection of the nodes, nothing if they have no image. */
-    std::optional<Reflection>
-    reflection_of_nodes(const BodyPlaces  &places,
-                        const NodeFinder  &finder,
-                        const unsigned int axis,
-                        const std::size_t  n_unknowns)
+    std::optional<Reflection> reflection_of_nodes(const BodyPlaces  &places,
+                                                  const NodeFinder  &finder,
+                                                  const unsigned int axis,
+                                                  const std::size_t  n_unknowns)
     {
       Reflection R{std::vector<std::size_t>(n_unknowns, nowhere),
                    std::vector<double>(n_unknowns, 1.)};
@@ -139,14 +127,11 @@ namespace RollingContact
       return R;
     }
 
-
-
     /**
      * Sleepers: the image of one is that which pads tie to the images of its
      * own nodes. False if there is none.
      */
-    bool
-    reflect_attached(const SymmetricSparseMatrix &K, Reflection &R)
+    bool reflect_attached(const SymmetricSparseMatrix &K, Reflection &R)
     {
       const std::size_t        n = R.image.size();
       std::vector<std::size_t> node_of(n, nowhere), attached_to(n, nowhere);
@@ -176,11 +161,8 @@ namespace RollingContact
       return true;
     }
 
-
-
     /** Whether R R = 1. */
-    bool
-    is_reflection(const Reflection &R)
+    bool is_reflection(const Reflection &R)
     {
       for (std::size_t i = 0; i < R.image.size(); ++i)
         if (R.image[R.image[i]] != i || R.sign[R.image[i]] != R.sign[i])
@@ -189,12 +171,9 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  std::vector<Reflection>
-  body_reflections(const BodyPlaces            &places,
-                   const SymmetricSparseMatrix &K,
-                   const SymmetricSparseMatrix &M)
+  std::vector<Reflection> body_reflections(const BodyPlaces            &places,
+                                           const SymmetricSparseMatrix &K,
+                                           const SymmetricSparseMatrix &M)
   {
     std::vector<Reflection> result;
     if (places.nodes.empty())

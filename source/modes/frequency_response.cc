@@ -1,37 +1,30 @@
+#include <rolling_contact/algebra/indefinite_factor.h>
+#include <rolling_contact/algebra/lapack.h>
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/linear_algebra/block_products.h>
-#include <rolling_contact/linear_algebra/complex_matrix.h>
-#include <rolling_contact/linear_algebra/indefinite_factor.h>
 #include <rolling_contact/modes/frequency_response.h>
+
+#include <numeric>
 
 namespace RollingContact
 {
   namespace
   {
-    DenseMatrix
-    columns_of(const std::vector<std::vector<double>> &vectors,
-               const std::size_t                       n_rows)
+    DenseMatrix columns_of(const std::vector<std::vector<double>> &vectors,
+                           const std::size_t                       n_rows)
     {
       DenseMatrix result(n_rows, vectors.size());
       for (std::size_t j = 0; j < vectors.size(); ++j)
-        std::copy(vectors[j].begin(),
-                  vectors[j].end(),
-                  result.data() + j * n_rows);
+        result.col(j) = as_vector(vectors[j]);
       return result;
     }
 
-
-
-    double
-    omega_of(const double frequency)
+    double omega_of(const double frequency)
     {
       return 2 * pi * frequency;
     }
   } // namespace
-
-
 
   FrequencyResponse::FrequencyResponse(
     const VibratingStructure               &structure,
@@ -42,9 +35,9 @@ namespace RollingContact
     const std::vector<std::vector<double>> &loads)
     : H_m(projected(structure.H, modes.shapes))
   {
-    const std::size_t n = structure.K.size(), m = modes.size();
-    const DenseMatrix b = columns_of(loads, n);
-    phi                 = transposed_product(modes.shapes, b);
+    const std::size_t m = modes.size();
+    const DenseMatrix b = columns_of(loads, structure.K.size());
+    phi                 = modes.shapes.transpose() * b;
     C_m                 = projected(structure.C, modes.shapes);
     for (std::size_t j = 0; j < m; ++j)
       {
@@ -54,40 +47,29 @@ namespace RollingContact
       }
     DenseMatrix y = b;
     factor.solve(y);
-    DenseMatrix known = phi;
-    for (std::size_t q = 0; q < known.n_columns(); ++q)
-      for (std::size_t j = 0; j < m; ++j)
-        known(j, q) /= lambda[j] + shift;
-    const DenseMatrix of_modes = dense_product(modes.shapes, known);
-    for (std::size_t i = 0; i < n * y.n_columns(); ++i)
-      y.data()[i] -= of_modes.data()[i];
+    y -= modes.shapes *
+         (as_vector(lambda).array() + shift).inverse().matrix().asDiagonal() *
+         phi;
     stiff   = projected(structure.K, y);
     heavy   = projected(structure.M, y);
     lost    = projected(structure.H, y);
     viscous = projected(structure.C, y);
   }
 
-
-
-  std::vector<FrequencyResponse::Complex>
-  FrequencyResponse::receptances(const double frequency,
-                                 const bool   modal_damping) const
+  ComplexMatrix FrequencyResponse::receptances(const double frequency,
+                                               const bool   modal_damping) const
   {
-    const double         omega = omega_of(frequency);
-    const int            m = lambda.size(), n = n_places();
-    ComplexMatrix        D(m, m), x(phi);
-    std::vector<Complex> alpha(static_cast<std::size_t>(n) * n);
-    for (int j = 0; j < m; ++j)
-      for (int i = 0; i < m; ++i)
-        {
-          if (i == j)
-            D(i, j) = {lambda[j] - omega * omega,
-                       modal_damping ? omega * viscous_ratios[j] : 0.};
-          if (H_m.n_rows() > 0)
-            D(i, j) += Complex(0., H_m(i, j));
-          if (C_m.n_rows() > 0)
-            D(i, j) += Complex(0., omega * C_m(i, j));
-        }
+    const double        omega = omega_of(frequency);
+    const Eigen::Index  m     = lambda.size();
+    const ComplexMatrix b     = phi.cast<Complex>();
+    ComplexMatrix       D = ComplexMatrix::Zero(m, m), x = b;
+    D.diagonal().real() = (as_vector(lambda).array() - omega * omega).matrix();
+    if (modal_damping)
+      D.diagonal().imag() = omega * as_vector(viscous_ratios);
+    if (H_m.size() > 0)
+      D.imag() += H_m;
+    if (C_m.size() > 0)
+      D.imag() += omega * C_m;
     const ComplexLU factors(std::move(D));
     if (factors.singular())
       throw ConvergenceError("The receptance at " + significant(frequency, 6) +
@@ -95,24 +77,16 @@ namespace RollingContact
                              "nothing damps it. Give damping, or another "
                              "frequency.");
     factors.solve(x);
-    for (int q = 0; q < n; ++q)
-      for (int p = 0; p < n; ++p)
-        {
-          Complex sum(stiff(p, q) + omega * omega * heavy(p, q), 0.);
-          if (lost.n_rows() > 0)
-            sum -= Complex(0., lost(p, q));
-          if (viscous.n_rows() > 0)
-            sum -= Complex(0., omega * viscous(p, q));
-          for (int j = 0; j < m; ++j)
-            sum += phi(j, p) * x(j, q);
-          alpha[p + static_cast<std::size_t>(q) * n] = sum;
-        }
+    ComplexMatrix alpha = b.transpose() * x;
+    alpha.real() += stiff + omega * omega * heavy;
+    if (lost.size() > 0)
+      alpha.imag() -= lost;
+    if (viscous.size() > 0)
+      alpha.imag() -= omega * viscous;
     return alpha;
   }
 
-
-
-  std::vector<std::complex<double>>
+  ComplexMatrix
   direct_receptances(const VibratingStructure               &structure,
                      const std::vector<std::vector<double>> &loads,
                      const double                            frequency)
@@ -132,19 +106,16 @@ namespace RollingContact
     else
       imaginary = linear_combination(0., structure.M, 0., structure.M);
     ComplexFactor factor(real, imaginary, structure.node_of_unknown);
-    std::vector<std::complex<double>> alpha;
-    for (const std::vector<double> &load : loads)
+    ComplexMatrix alpha(loads.size(), loads.size());
+    for (std::size_t q = 0; q < loads.size(); ++q)
       {
         const ComplexFactor::Values x =
-          factor.solve({load.begin(), load.end()});
-        for (const std::vector<double> &place : loads)
-          {
-            std::complex<double> sum = 0.;
-            for (std::size_t i = 0; i < x.size(); ++i)
-              if (place[i] != 0.)
-                sum += place[i] * x[i];
-            alpha.push_back(sum);
-          }
+          factor.solve({loads[q].begin(), loads[q].end()});
+        for (std::size_t p = 0; p < loads.size(); ++p)
+          alpha(p, q) = std::inner_product(x.begin(),
+                                           x.end(),
+                                           loads[p].begin(),
+                                           std::complex<double>());
       }
     return alpha;
   }

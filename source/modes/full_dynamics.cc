@@ -3,7 +3,6 @@
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/modes/full_dynamics.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace RollingContact
@@ -17,9 +16,36 @@ namespace RollingContact
     /// residual at which rounding may end the iterations: they gain less than
     /// this share
     const double good_enough = 1e-6, standing_still = 0.5;
+
+    /** Real parts of complex columns, and behind them the imaginary ones: what
+     * is real multiplies and solves all of them at once. */
+    DenseMatrix parts(const ComplexMatrix &X)
+    {
+      DenseMatrix result(X.rows(), 2 * X.cols());
+      result << X.real(), X.imag();
+      return result;
+    }
+
+    ComplexMatrix joined(const DenseMatrix &parts)
+    {
+      const Eigen::Index n = parts.cols() / 2;
+      return parts.leftCols(n) + Complex(0., 1.) * parts.rightCols(n);
+    }
+
+    /** A X of a real dense matrix or an expression of one. */
+    template <class Matrix>
+    ComplexMatrix product(const Matrix &A, const ComplexMatrix &X)
+    {
+      return joined(A * parts(X));
+    }
+
+    /** A X of a sparse matrix. */
+    template <class Matrix>
+    ComplexMatrix times(const Matrix &A, const ComplexMatrix &X)
+    {
+      return joined(times(A, parts(X)));
+    }
   } // namespace
-
-
 
   FullDynamics::FullDynamics(const TurningStructure         &structure,
                              const Factorisation            &factor,
@@ -36,19 +62,18 @@ namespace RollingContact
     , M_phi(times(structure.M, modes.shapes))
     , attached(std::move(attached))
   {
+    modal_damping =
+      4 * pi *
+      as_vector(damping_ratios).cwiseProduct(as_vector(modes.frequencies));
+    inverse_eigenvalues.resize(modes.size());
     for (std::size_t j = 0; j < modes.size(); ++j)
-      modal_damping.push_back(2 * damping_ratios[j] * 2 * pi *
-                              modes.frequencies[j]);
+      inverse_eigenvalues[j] = 1 / modes.eigenvalue(j);
   }
 
-
-
-  FullDynamics::AtOneRate
-  FullDynamics::at(const Complex s) const
+  FullDynamics::AtOneRate FullDynamics::at(const Complex s) const
   {
-    ComplexMatrix D(K_m, s, C_m);
-    for (std::size_t j = 0; j < modes.size(); ++j)
-      D(j, j) += s * s;
+    ComplexMatrix D = K_m + s * C_m;
+    D.diagonal().array() += s * s;
     AtOneRate now{s, ComplexLU(std::move(D)), {}, {}};
     if (now.modes.singular())
       throw ConvergenceError("Vibration of the modes alone has no answer at "
@@ -56,24 +81,14 @@ namespace RollingContact
     if (!attached)
       return now;
     // L^T P^-1 L = P [(s^2 + s C_m + K_m)^-1 - Lambda^-1] P^T + L^T K^-1 L
-    const DenseMatrix &P = attached->motions;
-    const std::size_t  c = P.n_rows(), m = P.n_columns();
-    ComplexMatrix      of_modes(m, c);
-    for (std::size_t i = 0; i < c; ++i)
-      for (std::size_t j = 0; j < m; ++j)
-        of_modes(j, i) = P(i, j);
+    const ComplexMatrix P        = attached->motions.cast<Complex>();
+    ComplexMatrix       of_modes = P.transpose();
     now.modes.solve(of_modes);
-    for (std::size_t i = 0; i < c; ++i)
-      for (std::size_t j = 0; j < m; ++j)
-        of_modes(j, i) -= P(i, j) / modes.eigenvalue(j);
-    ComplexMatrix compliance = ComplexMatrix(P) * of_modes;
-    for (std::size_t i = 0; i < c; ++i)
-      for (std::size_t j = 0; j < c; ++j)
-        compliance(j, i) += attached->compliance(j, i);
-    now.stiffness        = attached->stiffness(s);
-    ComplexMatrix system = now.stiffness * compliance;
-    for (std::size_t i = 0; i < c; ++i)
-      system(i, i) += 1.;
+    of_modes -= inverse_eigenvalues.asDiagonal() * P.transpose();
+    now.stiffness = attached->stiffness(s);
+    ComplexMatrix system =
+      now.stiffness * (P * of_modes + attached->compliance);
+    system.diagonal().array() += 1.;
     now.woodbury.emplace(std::move(system));
     if (now.woodbury->singular())
       throw ConvergenceError("Vibration of the modes and what hangs on them "
@@ -82,124 +97,92 @@ namespace RollingContact
     return now;
   }
 
-
-
-  void
-  FullDynamics::add_attached(const Rates          &rates,
-                             const ComplexColumns &X,
-                             ComplexColumns       &result) const
+  void FullDynamics::add_attached(const Rates         &rates,
+                                  const ComplexMatrix &X,
+                                  ComplexMatrix       &result) const
   {
     if (!attached)
       return;
-    ComplexColumns forces = transposed_product(attached->loads, X);
+    ComplexMatrix forces = product(attached->loads.transpose(), X);
     for (std::size_t k = 0; k < rates.size(); ++k)
-      forces.set(k, rates[k]->stiffness * forces.vector(k));
-    result.add(attached->loads * forces);
+      forces.col(k) = rates[k]->stiffness * forces.col(k);
+    result += product(attached->loads, forces);
   }
 
-
-
-  void
-  FullDynamics::add_flow(const Rates          &rates,
-                         const ComplexColumns &X,
-                         ComplexColumns       &velocities,
-                         ComplexColumns       &result) const
+  void FullDynamics::add_flow(const Rates         &rates,
+                              const ComplexMatrix &X,
+                              ComplexMatrix       &velocities,
+                              ComplexMatrix       &result) const
   {
     const double rate = structure.rate;
     if (structure.S.size() == 0 || rate == 0.)
       return;
-    std::vector<double> inverse_mass;
+    ComplexMatrix S_X = times(structure.S, X);
+    for (std::size_t k = 0; k < rates.size(); ++k)
+      result.col(k) += 2. * rates[k]->s * rate * S_X.col(k);
     for (std::size_t i = 0; i < structure.M.size(); ++i)
       {
         const double mass = structure.M.values[structure.M.column_starts[i]];
-        inverse_mass.push_back(mass > 0. ? 1 / mass : 0.);
+        S_X.row(i) *= mass > 0. ? 1 / mass : 0.;
       }
-    ComplexColumns S_X = times(structure.S, X);
-    for (std::size_t k = 0; k < rates.size(); ++k)
-      result.add(2. * rates[k]->s * rate, S_X, k);
-    S_X.scale_rows(inverse_mass);
-    const ComplexColumns twice = times(structure.S, S_X);
-    for (std::size_t k = 0; k < rates.size(); ++k)
-      {
-        result.add(rate * rate, twice, k);
-        velocities.add(rate, S_X, k);
-      }
+    result += rate * rate * times(structure.S, S_X);
+    velocities += rate * S_X;
   }
 
-
-
-  ComplexColumns
-  FullDynamics::multiply(const Rates &rates, const ComplexColumns &X) const
+  ComplexMatrix FullDynamics::multiply(const Rates         &rates,
+                                       const ComplexMatrix &X) const
   {
-    ComplexColumns       result  = times(structure.K, X);
-    const ComplexColumns inertia = times(structure.M, X);
+    ComplexMatrix       result  = times(structure.K, X);
+    const ComplexMatrix inertia = times(structure.M, X);
     // what the damping sees: s x, and what flow brings
-    ComplexColumns velocities(X.n_rows(), X.n_vectors());
+    ComplexMatrix velocities = X;
     for (std::size_t k = 0; k < rates.size(); ++k)
       {
         const Complex s = rates[k]->s;
-        result.add(s * s, inertia, k);
-        velocities.add(s, X, k);
+        result.col(k) += s * s * inertia.col(k);
+        velocities.col(k) *= s;
       }
     add_attached(rates, X, result);
     add_flow(rates, X, velocities, result);
     if (structure.C.size() > 0)
-      result.add(times(structure.C, velocities));
-    if (std::all_of(modal_damping.begin(),
-                    modal_damping.end(),
-                    [](const double c) { return c == 0.; }))
+      result += times(structure.C, velocities);
+    if (modal_damping.isZero(0.))
       return result;
-    ComplexColumns modal = transposed_product(M_phi, velocities);
-    modal.scale_rows(modal_damping);
-    result.add(M_phi * modal);
-    return result;
+    return result + product(M_phi,
+                            modal_damping.asDiagonal() *
+                              product(M_phi.transpose(), velocities));
   }
 
-
-
-  void
-  FullDynamics::add_modes(const Rates    &rates,
-                          ComplexColumns  Q,
-                          ComplexColumns &X) const
+  void FullDynamics::add_modes(const Rates   &rates,
+                               ComplexMatrix  Q,
+                               ComplexMatrix &X) const
   {
+    const ComplexMatrix at_rest = inverse_eigenvalues.asDiagonal() * Q;
     for (std::size_t k = 0; k < rates.size(); ++k)
-      {
-        const ComplexVector q      = Q.vector(k);
-        ComplexVector       change = q;
-        rates[k]->modes.solve(change);
-        for (std::size_t j = 0; j < change.size(); ++j)
-          change[j] -= q[j] / modes.eigenvalue(j);
-        Q.set(k, change);
-      }
-    X.add(modes.shapes * Q);
+      rates[k]->modes.solve(Q.col(k));
+    X += product(modes.shapes, Q - at_rest);
   }
 
-
-
-  ComplexColumns
-  FullDynamics::precondition(const Rates &rates, const ComplexColumns &B) const
+  ComplexMatrix FullDynamics::precondition(const Rates         &rates,
+                                           const ComplexMatrix &B) const
   {
-    ComplexColumns result(B);
-    factor.solve(result.real_columns());
-    add_modes(rates, transposed_product(modes.shapes, B), result);
+    DenseMatrix columns = parts(B);
+    factor.solve(columns);
+    ComplexMatrix result = joined(columns);
+    add_modes(rates, product(modes.shapes.transpose(), B), result);
     if (!attached)
       return result;
     // less P^-1 L (1 + Z L^T P^-1 L)^-1 Z L^T of that
-    ComplexColumns forces = transposed_product(attached->loads, result);
+    ComplexMatrix forces = -product(attached->loads.transpose(), result);
     for (std::size_t k = 0; k < rates.size(); ++k)
       {
-        ComplexVector force = rates[k]->stiffness * forces.vector(k);
-        rates[k]->woodbury->solve(force);
-        for (Complex &value : force)
-          value *= -1.;
-        forces.set(k, force);
+        forces.col(k) = rates[k]->stiffness * forces.col(k);
+        rates[k]->woodbury->solve(forces.col(k));
       }
-    result.add(attached->deflected * forces);
-    add_modes(rates, transposed_product(attached->motions, forces), result);
+    result += product(attached->deflected, forces);
+    add_modes(rates, product(attached->motions.transpose(), forces), result);
     return result;
   }
-
-
 
   namespace
   {
@@ -207,18 +190,16 @@ namespace RollingContact
     struct Iterate
     {
       explicit Iterate(const ComplexVector &b)
-        : x(b.size(), 0.)
+        : x(ComplexVector::Zero(b.size()))
         , rest(b)
-        , scale(norm(b))
+        , scale(b.norm())
         , error(scale > 0. ? 1. : 0.)
       {}
 
-      void
-      take_residual(const ComplexVector &b, const ComplexVector &image)
+      void take_residual(const ComplexVector &b, const ComplexVector &image)
       {
-        rest = b;
-        add(rest, -1., image);
-        error = norm(rest) / scale;
+        rest  = b - image;
+        error = rest.norm() / scale;
         ++n_steps;
       }
 
@@ -227,11 +208,8 @@ namespace RollingContact
       unsigned int  n_steps = 0;
     };
 
-
-
     /** Whether one more step is wanted. Throws ConvergenceError. */
-    bool
-    goes_on(Iterate &now, const Complex s, const double tolerance)
+    bool goes_on(Iterate &now, const Complex s, const double tolerance)
     {
       if (!(now.error > tolerance) ||
           (now.error < good_enough && now.error > standing_still * now.before))
@@ -249,10 +227,8 @@ namespace RollingContact
     }
   } // namespace
 
-
-
   std::vector<ComplexVector>
-  FullDynamics::solve(const ComplexVector              &s,
+  FullDynamics::solve(const ComplexValues              &s,
                       const std::vector<ComplexVector> &b,
                       const double                      tolerance) const
   {
@@ -275,18 +251,15 @@ namespace RollingContact
             }
         if (active.empty())
           break;
-        ComplexColumns X(structure.K.size(), active.size());
+        ComplexMatrix X(structure.K.size(), active.size());
         for (std::size_t k = 0; k < active.size(); ++k)
-          X.set(k, iterates[active[k]].rest);
-        const ComplexColumns change = precondition(rates, X);
+          X.col(k) = iterates[active[k]].rest;
+        const ComplexMatrix change = precondition(rates, X);
         for (std::size_t k = 0; k < active.size(); ++k)
-          {
-            add(iterates[active[k]].x, 1., change.vector(k));
-            X.set(k, iterates[active[k]].x);
-          }
-        const ComplexColumns image = multiply(rates, X);
+          X.col(k) = iterates[active[k]].x += change.col(k);
+        const ComplexMatrix image = multiply(rates, X);
         for (std::size_t k = 0; k < active.size(); ++k)
-          iterates[active[k]].take_residual(b[active[k]], image.vector(k));
+          iterates[active[k]].take_residual(b[active[k]], image.col(k));
         iterations += active.size();
       }
     std::vector<ComplexVector> solutions;

@@ -7,15 +7,12 @@ namespace RollingContact
 {
   namespace
   {
-    double
-    distance_between(const std::array<double, 3> &a,
-                     const std::array<double, 3> &b)
+    double distance_between(const std::array<double, 3> &a,
+                            const std::array<double, 3> &b)
     {
       return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
     }
   } // namespace
-
-
 
   MeasuringPoint::MeasuringPoint(const BodyPlaces            &places,
                                  const std::array<double, 3> &point,
@@ -49,11 +46,8 @@ namespace RollingContact
       }
   }
 
-
-
-  std::vector<double>
-  MeasuringPoint::load(const unsigned int axis,
-                       const std::size_t  n_unknowns) const
+  std::vector<double> MeasuringPoint::load(const unsigned int axis,
+                                           const std::size_t  n_unknowns) const
   {
     std::vector<double> forces(n_unknowns, 0.);
     for (const auto &[unknown, weight] : weights[axis])
@@ -61,10 +55,8 @@ namespace RollingContact
     return forces;
   }
 
-
-
-  double
-  MeasuringPoint::motion(const unsigned int axis, const double *values) const
+  double MeasuringPoint::motion(const unsigned int axis,
+                                const double      *values) const
   {
     double mean = 0.;
     for (const auto &[unknown, weight] : weights[axis])

@@ -6,40 +6,32 @@ namespace RollingContact
 {
   namespace
   {
-    /// of the cut-off, below which a mode is rigid
-    const double rigid = 1e-6;
-
-
+    /// of the cut-off, below which a mode is rigid_share
+    const double rigid_share = 1e-6;
 
     /** phi_j^T A phi_j; 0 if A is empty. */
-    double
-    modal_entry(const SymmetricSparseMatrix &A,
-                const DenseMatrix           &shapes,
-                const std::size_t            j)
+    double modal_entry(const SymmetricSparseMatrix &A,
+                       const DenseMatrix           &shapes,
+                       const std::size_t            j)
     {
       if (A.size() == 0)
         return 0.;
-      const std::size_t   n = shapes.n_rows();
-      std::vector<double> phi(shapes.data() + j * n,
-                              shapes.data() + (j + 1) * n),
-        image(n);
+      const std::vector<double> phi = column_of(shapes, j);
+      std::vector<double>       image(phi.size());
       A.multiply(phi, image);
       return dot(phi, image);
     }
   } // namespace
 
-
-
-  std::vector<double>
-  total_damping(const StructuralModes       &modes,
-                const std::vector<double>   &given,
-                const SymmetricSparseMatrix &H,
-                const SymmetricSparseMatrix &C)
+  std::vector<double> total_damping(const StructuralModes       &modes,
+                                    const std::vector<double>   &given,
+                                    const SymmetricSparseMatrix &H,
+                                    const SymmetricSparseMatrix &C)
   {
     std::vector<double> ratios(modes.size(), 0.);
     for (std::size_t j = 0; j < modes.size(); ++j)
       {
-        if (modes.frequencies[j] <= rigid * modes.cut_off)
+        if (modes.frequencies[j] <= rigid_share * modes.cut_off)
           continue;
         const double lambda = modes.eigenvalue(j);
         ratios[j] = given[j] + modal_entry(H, modes.shapes, j) / (2 * lambda) +

@@ -16,20 +16,14 @@ namespace RollingContact
     /// of a pair: difference of the frequencies over their mean, of the shares
     const double close = 0.03, alike = 0.05;
 
-
-
-    double
-    product(const Vector &a, const Vector &b)
+    double product(const Vector &a, const Vector &b)
     {
       return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     }
 
-
-
-    Vector
-    motion(const BodyPlaces::Node &node,
-           const DenseMatrix      &shapes,
-           const std::size_t       mode)
+    Vector motion(const BodyPlaces::Node &node,
+                  const DenseMatrix      &shapes,
+                  const std::size_t       mode)
     {
       Vector u{};
       for (unsigned int c = 0; c < 3; ++c)
@@ -38,11 +32,8 @@ namespace RollingContact
       return u;
     }
 
-
-
     /** The heaviest rings that go all the way round. */
-    std::vector<NodeRing>
-    rings_of(const BodyPlaces &places, const Axle &axle)
+    std::vector<NodeRing> rings_of(const BodyPlaces &places, const Axle &axle)
     {
       std::vector<NodeRing> rings = node_rings(places, axle);
       std::sort(rings.begin(),
@@ -55,13 +46,10 @@ namespace RollingContact
       return rings;
     }
 
-
-
     /** Energy of each order of the Fourier series round the axle. */
-    std::vector<double>
-    energy_of_orders(const std::vector<NodeRing> &rings,
-                     const DenseMatrix           &shapes,
-                     const std::size_t            mode)
+    std::vector<double> energy_of_orders(const std::vector<NodeRing> &rings,
+                                         const DenseMatrix           &shapes,
+                                         const std::size_t            mode)
     {
       double gap = 0.;
       for (const NodeRing &ring : rings)
@@ -98,14 +86,11 @@ namespace RollingContact
       return energy;
     }
 
-
-
-    void
-    find_shares(const BodyPlaces          &places,
-                const std::optional<Axle> &axle,
-                const DenseMatrix         &shapes,
-                const std::size_t          mode,
-                ModeCharacter             &character)
+    void find_shares(const BodyPlaces          &places,
+                     const std::optional<Axle> &axle,
+                     const DenseMatrix         &shapes,
+                     const std::size_t          mode,
+                     ModeCharacter             &character)
     {
       for (const BodyPlaces::Node &node : places.nodes)
         {
@@ -130,21 +115,15 @@ namespace RollingContact
         *share /= sum > 0. ? sum : 1.;
     }
 
-
-
-    bool
-    are_alike(const ModeCharacter &a, const ModeCharacter &b)
+    bool are_alike(const ModeCharacter &a, const ModeCharacter &b)
     {
       return a.nodal_diameters == b.nodal_diameters &&
              std::abs(a.axial_share - b.axial_share) < alike &&
              std::abs(a.radial_share - b.radial_share) < alike;
     }
 
-
-
-    void
-    find_pairs(const StructuralModes      &modes,
-               std::vector<ModeCharacter> &characters)
+    void find_pairs(const StructuralModes      &modes,
+                    std::vector<ModeCharacter> &characters)
     {
       for (std::size_t i = 0; i < characters.size(); ++i)
         {
@@ -170,12 +149,9 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  std::vector<ModeCharacter>
-  mode_characters(const BodyPlaces          &places,
-                  const std::optional<Axle> &axle,
-                  const StructuralModes     &modes)
+  std::vector<ModeCharacter> mode_characters(const BodyPlaces          &places,
+                                             const std::optional<Axle> &axle,
+                                             const StructuralModes     &modes)
   {
     std::vector<NodeRing> rings;
     if (axle)
@@ -198,16 +174,13 @@ namespace RollingContact
     return characters;
   }
 
-
-
   namespace
   {
     /** The unknown of the contact at which the modes move most; -1 if none
      * does. */
-    int
-    moved_unknown(const std::array<int, 3>       &contact,
-                  const DenseMatrix              &shapes,
-                  const std::vector<std::size_t> &modes)
+    int moved_unknown(const std::array<int, 3>       &contact,
+                      const DenseMatrix              &shapes,
+                      const std::vector<std::size_t> &modes)
     {
       int    moved   = -1;
       double largest = 0.;
@@ -228,13 +201,10 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  void
-  align_pairs(const std::vector<ModeCharacter> &characters,
-              const std::array<int, 3>         &contact,
-              const double                      tolerance,
-              StructuralModes                  &modes)
+  void align_pairs(const std::vector<ModeCharacter> &characters,
+                   const std::array<int, 3>         &contact,
+                   const double                      tolerance,
+                   StructuralModes                  &modes)
   {
     DenseMatrix &shapes = modes.shapes;
     for (std::size_t j = 0; j < modes.size(); ++j)
@@ -248,17 +218,13 @@ namespace RollingContact
             const double length = std::hypot(shapes(i, j), shapes(i, *partner)),
                          c      = shapes(i, j) / length,
                          s      = shapes(i, *partner) / length;
-            for (std::size_t k = 0; k < shapes.n_rows(); ++k)
-              {
-                const double a = shapes(k, j), b = shapes(k, *partner);
-                shapes(k, j)        = c * a + s * b;
-                shapes(k, *partner) = c * b - s * a;
-              }
+            const Eigen::VectorXd first = shapes.col(j);
+            shapes.col(j)               = c * first + s * shapes.col(*partner);
+            shapes.col(*partner)        = c * shapes.col(*partner) - s * first;
           }
         const int i = moved_unknown(contact, shapes, {j});
         if (i >= 0 && shapes(i, j) < 0.)
-          for (std::size_t k = 0; k < shapes.n_rows(); ++k)
-            shapes(k, j) *= -1;
+          shapes.col(j) *= -1;
       }
   }
 } // namespace RollingContact

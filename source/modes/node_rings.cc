@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace RollingContact
 {
@@ -10,60 +9,72 @@ namespace RollingContact
   {
     using Vector = std::array<double, 3>;
 
-    /// of the largest radius, by which nodes of a ring may differ
-    const double same_ring = 1e-6;
+    /// of the largest radius, by which neighbours among the sorted coordinates
+    /// of a ring's nodes may differ: files have six digits or more
+    const double same_ring = 3e-6;
 
-
-
-    double
-    product(const Vector &a, const Vector &b)
+    double scalar_product(const Vector &a, const Vector &b)
     {
       return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     }
 
-
-
-    Vector
-    cross(const Vector &a, const Vector &b)
+    Vector cross(const Vector &a, const Vector &b)
     {
       return {{a[1] * b[2] - a[2] * b[1],
                a[2] * b[0] - a[0] * b[2],
                a[0] * b[1] - a[1] * b[0]}};
     }
 
-
-
-    Vector
-    combination(const double  a,
-                const Vector &x,
-                const double  b,
-                const Vector &y)
+    Vector combination(const double  a,
+                       const Vector &x,
+                       const double  b,
+                       const Vector &y)
     {
       return {{a * x[0] + b * y[0], a * x[1] + b * y[1], a * x[2] + b * y[2]}};
     }
+
+    /**
+     * Groups of nodes by a coordinate, in ascending order of it: sorted, they
+     * part where it grows by more than the tolerance.
+     */
+    std::vector<std::vector<NodeRing::Node>>
+    clusters(std::vector<NodeRing::Node> nodes,
+             double CylindricalPlace::*const coordinate,
+             const double                    tolerance)
+    {
+      const auto of = [&](const NodeRing::Node &node) {
+        return node.place.*coordinate;
+      };
+      std::sort(nodes.begin(), nodes.end(), [&](const auto &a, const auto &b) {
+        return of(a) < of(b);
+      });
+      std::vector<std::vector<NodeRing::Node>> groups;
+      for (const NodeRing::Node &node : nodes)
+        {
+          if (groups.empty() || of(node) - of(groups.back().back()) > tolerance)
+            groups.emplace_back();
+          groups.back().push_back(node);
+        }
+      return groups;
+    }
   } // namespace
-
-
 
   CylindricalPlace::CylindricalPlace(const Axle &axle, const Vector &point)
     : along(axle.direction)
   {
     const Vector from = combination(1., point, -1., axle.point);
-    axial             = product(from, along);
+    axial             = scalar_product(from, along);
     outwards          = combination(1., from, -axial, along);
-    radius            = std::sqrt(product(outwards, outwards));
+    radius            = std::sqrt(scalar_product(outwards, outwards));
     if (radius > 0.)
       outwards = combination(1 / radius, outwards, 0., outwards);
     around          = cross(along, outwards);
     const Vector up = combination(1., {{0., 0., 1.}}, -along[2], along);
-    angle =
-      std::atan2(product(outwards, cross(along, up)), product(outwards, up));
+    angle           = std::atan2(scalar_product(outwards, cross(along, up)),
+                       scalar_product(outwards, up));
   }
 
-
-
-  void
-  NodeRing::close()
+  void NodeRing::close()
   {
     std::sort(nodes.begin(), nodes.end(), [](const Node &a, const Node &b) {
       return a.place.angle < b.place.angle;
@@ -80,33 +91,38 @@ namespace RollingContact
       }
   }
 
-
-
-  std::vector<NodeRing>
-  node_rings(const BodyPlaces &places, const Axle &axle)
+  std::vector<NodeRing> node_rings(const BodyPlaces &places, const Axle &axle)
   {
     double largest = 0.;
     for (const auto &node : places.nodes)
       largest = std::max(largest, CylindricalPlace(axle, node.point).radius);
-    const double                              tolerance = same_ring * largest;
-    std::map<std::pair<long, long>, NodeRing> found;
+    std::vector<NodeRing::Node> nodes;
     for (const auto &node : places.nodes)
       {
         const CylindricalPlace place(axle, node.point);
-        if (place.radius < 1e-3 * largest)
-          continue;
-        NodeRing &ring = found[{std::lround(place.radius / tolerance),
-                                std::lround(place.axial / tolerance)}];
-        ring.nodes.push_back({&node, place, 0.});
-        ring.mass += node.mass;
+        if (place.radius >= 1e-3 * largest)
+          nodes.push_back({&node, place, 0.});
       }
     std::vector<NodeRing> rings;
-    for (auto &[key, ring] : found)
-      {
-        ring.close();
-        if (ring.gap < widest_ring_gap)
-          rings.push_back(std::move(ring));
-      }
+    for (const auto &cylinder :
+         clusters(nodes, &CylindricalPlace::radius, same_ring * largest))
+      for (const auto &circle :
+           clusters(cylinder, &CylindricalPlace::axial, same_ring * largest))
+        {
+          NodeRing ring;
+          ring.nodes = circle;
+          // so that the sum of masses does not hang on the last digits
+          std::sort(ring.nodes.begin(),
+                    ring.nodes.end(),
+                    [](const auto &a, const auto &b) {
+                      return a.node < b.node;
+                    });
+          for (const NodeRing::Node &node : ring.nodes)
+            ring.mass += node.node->mass;
+          ring.close();
+          if (ring.gap < widest_ring_gap)
+            rings.push_back(std::move(ring));
+        }
     return rings;
   }
 } // namespace RollingContact

@@ -1,10 +1,9 @@
+#include <rolling_contact/algebra/block_lanczos.h>
+#include <rolling_contact/algebra/indefinite_factor.h>
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/stopwatch.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/linear_algebra/block_lanczos.h>
-#include <rolling_contact/linear_algebra/block_products.h>
-#include <rolling_contact/linear_algebra/indefinite_factor.h>
 #include <rolling_contact/modes/structural_modes.h>
 
 #include <algorithm>
@@ -23,15 +22,10 @@ namespace RollingContact
     /// of the cut-off, below which no mode is elastic
     const double rigid = 1e-6;
 
-
-
-    double
-    eigenvalue_of(const double frequency)
+    double eigenvalue_of(const double frequency)
     {
       return 4 * pi * pi * frequency * frequency;
     }
-
-
 
     /** K and M of one invariant subspace. */
     struct Restricted
@@ -39,8 +33,6 @@ namespace RollingContact
       SymmetricSparseMatrix     K, M;
       std::vector<unsigned int> node_of_unknown;
     };
-
-
 
     /**
      * Where modes are looked for, the whole structure or one of its parts; a
@@ -54,11 +46,8 @@ namespace RollingContact
       std::optional<std::size_t>       number;
     };
 
-
-
     /** How many modes there are below the cut-off, by inertia. */
-    void
-    count(std::vector<Problem> &problems, StructuralModes &modes)
+    void count(std::vector<Problem> &problems, StructuralModes &modes)
     {
       const Stopwatch watch;
       modes.counted = 0;
@@ -73,27 +62,21 @@ namespace RollingContact
       modes.count_seconds = watch.seconds();
     }
 
-
-
-    double
-    orthogonality_of(const DenseMatrix &X, const SymmetricSparseMatrix &M)
+    double orthogonality_of(const DenseMatrix           &X,
+                            const SymmetricSparseMatrix &M)
     {
-      const DenseMatrix G      = projected(M, X);
-      double            result = 0.;
-      for (std::size_t j = 0; j < G.n_columns(); ++j)
-        for (std::size_t i = 0; i < G.n_rows(); ++i)
-          result = std::max(result, std::abs(G(i, j) - (i == j)));
-      return result;
+      const DenseMatrix G = projected(M, X);
+      return G.size() == 0 ? 0.
+                           : (G - DenseMatrix::Identity(G.rows(), G.cols()))
+                               .cwiseAbs()
+                               .maxCoeff();
     }
 
-
-
     /** Find them; adds to what the search of all took. */
-    EigenPairs
-    modes_of(const Problem      &problem,
-             const double        shift,
-             const ModeControls &controls,
-             StructuralModes    &modes)
+    EigenPairs modes_of(const Problem      &problem,
+                        const double        shift,
+                        const ModeControls &controls,
+                        StructuralModes    &modes)
     {
       const Stopwatch              watch;
       const auto                  &K = problem.K, &M = problem.M;
@@ -133,44 +116,33 @@ namespace RollingContact
       return pairs;
     }
 
-
-
     /** Residual of each mode, of K and M of the whole structure. */
-    void
-    examine(const SymmetricSparseMatrix &K,
-            const SymmetricSparseMatrix &M,
-            StructuralModes             &modes)
+    void examine(const SymmetricSparseMatrix &K,
+                 const SymmetricSparseMatrix &M,
+                 StructuralModes             &modes)
     {
       const std::size_t   n = K.size();
-      std::vector<double> phi(n), Kphi(n), Mphi(n);
+      std::vector<double> Kphi(n), Mphi(n);
       for (std::size_t j = 0; j < modes.size(); ++j)
         {
-          std::copy_n(modes.shapes.data() + j * n, n, phi.begin());
+          const std::vector<double> phi = column_of(modes.shapes, j);
           K.multiply(phi, Kphi);
           M.multiply(phi, Mphi);
           const double lambda = modes.eigenvalue(j),
                        scale  = modes.frequencies[j] < rigid * modes.cut_off
                                   ? eigenvalue_of(modes.cut_off)
                                   : lambda;
-          double rest = 0., inertia = 0.;
-          for (std::size_t i = 0; i < n; ++i)
-            {
-              rest += std::pow(Kphi[i] - lambda * Mphi[i], 2);
-              inertia += std::pow(Mphi[i], 2);
-            }
-          modes.residuals.push_back(std::sqrt(rest / inertia) / scale);
+          modes.residuals.push_back(norm(sum(Kphi, -lambda, Mphi)) /
+                                    norm(Mphi) / scale);
         }
     }
 
-
-
     /** Modes of several spaces by ascending frequency, as shapes of the whole.
      */
-    void
-    merge(const std::vector<InvariantSubspace> &spaces,
-          const std::vector<EigenPairs>        &parts,
-          const std::size_t                     n_unknowns,
-          StructuralModes                      &modes)
+    void merge(const std::vector<InvariantSubspace> &spaces,
+               const std::vector<EigenPairs>        &parts,
+               const std::size_t                     n_unknowns,
+               StructuralModes                      &modes)
     {
       std::vector<std::array<std::size_t, 2>> order;
       for (std::size_t p = 0; p < parts.size(); ++p)
@@ -182,7 +154,7 @@ namespace RollingContact
                          return parts[a[0]].values[a[1]] <
                                 parts[b[0]].values[b[1]];
                        });
-      modes.shapes = DenseMatrix(n_unknowns, order.size());
+      modes.shapes = DenseMatrix::Zero(n_unknowns, order.size());
       for (std::size_t j = 0; j < order.size(); ++j)
         {
           const auto [p, k] = order[j];
@@ -193,23 +165,15 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  double
-  StructuralModes::eigenvalue(const std::size_t j) const
+  double StructuralModes::eigenvalue(const std::size_t j) const
   {
     return eigenvalue_of(frequencies[j]);
   }
 
-
-
-  double
-  shift_of_free_body(const double cut_off)
+  double shift_of_free_body(const double cut_off)
   {
     return eigenvalue_of(cut_off / 50);
   }
-
-
 
   StructuralModes
   structural_modes(const SymmetricSparseMatrix     &K,

@@ -14,8 +14,7 @@ namespace RollingContact
   namespace
   {
     template <int dim>
-    void
-    check_room_on_file(const BodyParameters &body, const Grading<dim> &grading)
+    void check_room_on_file(const BodySpec &body, const Grading<dim> &grading)
     {
       const auto shape = body.body_shape();
       const auto check =
@@ -33,17 +32,14 @@ namespace RollingContact
         check("y", grading.zone_y, shape->reach_y());
     }
 
-
-
     /**
      * Throws InputError if a body does not reach as far across as the candidate
      * zone.
      */
     template <int dim>
-    void
-    check_room_across(const BodyParameters &body,
-                      const BodyShape      &shape,
-                      const Grading<dim>   &grading)
+    void check_room_across(const BodySpec     &body,
+                           const BodyShape    &shape,
+                           const Grading<dim> &grading)
     {
       const auto zone = grading.zone_across(), room = shape.room_across();
       if (dim == 2 || (zone[0] >= room[0] && zone[1] <= room[1]))
@@ -63,16 +59,13 @@ namespace RollingContact
         " m only: check load and shift, or take Body sections = plain.");
     }
 
-
-
     /**
      * Throws InputError if the candidate zone does not fit on a body.
      */
     template <int dim>
-    void
-    check_room(const SceneParameters &scene, const Grading<dim> &grading)
+    void check_room(const PairSpec &scene, const Grading<dim> &grading)
     {
-      for (const BodyParameters *body : {&scene.wheel, &scene.rail})
+      for (const BodySpec *body : {&scene.wheel, &scene.rail})
         {
           if (body->rigid)
             continue;
@@ -95,13 +88,11 @@ namespace RollingContact
     }
   } // namespace
 
-
-
   template <int dim>
-  BodyPair<dim>::BodyPair(const SceneParameters &scene,
-                          const Grading<dim>    &grading,
-                          const PairDemands     &demands,
-                          const bool             statics)
+  BodyPair<dim>::BodyPair(const PairSpec     &scene,
+                          const Grading<dim> &grading,
+                          const PairDemands  &demands,
+                          const bool          statics)
     : solver(scene.body_solver)
     , body_threads(scene.body_threads)
     , are_twins(
@@ -117,17 +108,14 @@ namespace RollingContact
     choose_and_build(scene, grading, demands, statics);
   }
 
-
-
   namespace
   {
     /**
      * True if no other way than a factorisation will do.
      */
-    bool
-    needs_factors(const SceneParameters &scene, const PairDemands &demands)
+    bool needs_factors(const PairSpec &scene, const PairDemands &demands)
     {
-      const auto needs = [](const BodyParameters &body) {
+      const auto needs = [](const BodySpec &body) {
         return body.is_from_file() ||
                (!body.rigid &&
                 (body.material.poisson_ratio > distributed_poisson_limit ||
@@ -137,14 +125,12 @@ namespace RollingContact
       return demands.factors || needs(scene.wheel) || needs(scene.rail);
     }
 
-
-
     /**
      * What speaks against spreading bodies of so many unknowns over the ranks,
      * whose factors would need @p bytes; empty if nothing does.
      */
-    std::string
-    reason_of_ranks(const std::size_t n_unknowns, const double bytes)
+    std::string reason_of_ranks(const std::size_t n_unknowns,
+                                const double      bytes)
     {
       const std::size_t as_fast = 600000; // measured: doc/distributed.md
       if (n_unknowns > as_fast || bytes > 0.7 * available_memory())
@@ -156,14 +142,11 @@ namespace RollingContact
     }
   } // namespace
 
-
-
   template <int dim>
-  void
-  BodyPair<dim>::choose_and_build(const SceneParameters &scene,
-                                  const Grading<dim>    &grading,
-                                  const PairDemands     &demands,
-                                  const bool             statics)
+  void BodyPair<dim>::choose_and_build(const PairSpec     &scene,
+                                       const Grading<dim> &grading,
+                                       const PairDemands  &demands,
+                                       const bool          statics)
   {
     const bool open =
       solver == BodySolver::automatic && !needs_factors(scene, demands);
@@ -198,11 +181,8 @@ namespace RollingContact
     build(scene, grading, demands, statics);
   }
 
-
-
   template <int dim>
-  double
-  BodyPair<dim>::factor_memory(const bool analysed) const
+  double BodyPair<dim>::factor_memory(const bool analysed) const
   {
     double bytes = 0.;
     for (const Side side : both_sides)
@@ -212,14 +192,11 @@ namespace RollingContact
     return bytes;
   }
 
-
-
   template <int dim>
-  void
-  BodyPair<dim>::build(const SceneParameters &scene,
-                       const Grading<dim>    &grading,
-                       const PairDemands     &demands,
-                       const bool             statics)
+  void BodyPair<dim>::build(const PairSpec     &scene,
+                            const Grading<dim> &grading,
+                            const PairDemands  &demands,
+                            const bool          statics)
   {
     const bool         direct  = solver == BodySolver::direct;
     const unsigned int n_ranks = Ranks::count();
@@ -236,8 +213,8 @@ namespace RollingContact
     const auto make = [&](const Side side) {
       if (!has_own_body(side) || (direct && ranks[side] != Ranks::rank()))
         return;
-      const BodyParameters &parameters = scene.body(side);
-      bodies[side]                     = make_body<dim>(solver,
+      const BodySpec &parameters = scene.body(side);
+      bodies[side]               = make_body<dim>(solver,
                                     parameters.body_shape(),
                                     parameters.material,
                                     parameters.thickness,
@@ -258,19 +235,14 @@ namespace RollingContact
           on_all_ranks(side, body(side) ? body(side)->n_unknowns() : 0);
   }
 
-
-
   template <int dim>
-  void
-  BodyPair<dim>::release_statics()
+  void BodyPair<dim>::release_statics()
   {
     for (const Side side : both_sides)
       if (body(side))
         body(side)->release_solver();
     release_free_memory();
   }
-
-
 
   template class BodyPair<2>;
   template class BodyPair<3>;

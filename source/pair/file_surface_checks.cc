@@ -1,6 +1,6 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/interface/overlap.h>
+#include <rolling_contact/contact/overlap.h>
 #include <rolling_contact/pair/file_surface_checks.h>
 
 #include <algorithm>
@@ -15,31 +15,23 @@ namespace RollingContact
     const double limit_of_radii = 0.01, limit_of_nodes = 0.5; ///< of the gap
     const double on_profile = 1e-6; // m, a node may be off it
 
-
-
-    [[noreturn]] void
-    reject_file(const BodyParameters &body, const std::string &reason)
+    [[noreturn]] void reject_file(const BodySpec    &body,
+                                  const std::string &reason)
     {
       throw InputError(body.section + "/Mesh file = " + body.mesh_file + ": " +
                        reason);
     }
 
-
-
-    std::string
-    place(const double x, const double y)
+    std::string place(const double x, const double y)
     {
       return "x = " + millimetres(x) + ", y = " + millimetres(y);
     }
   } // namespace
 
-
-
-  void
-  check_faces(const BodyParameters        &body,
-              const SurfaceMesh           &surface,
-              const std::array<double, 2> &face_size,
-              const Box                   &zone)
+  void check_faces(const BodySpec              &body,
+                   const SurfaceMesh           &surface,
+                   const std::array<double, 2> &face_size,
+                   const Box                   &zone)
   {
     for (unsigned int d = 0; d < surface.n_dimensions; ++d)
       {
@@ -71,12 +63,9 @@ namespace RollingContact
       }
   }
 
-
-
-  void
-  check_cover(const BodyParameters   &body,
-              const Trace            &interface,
-              const MortarProjection &projection)
+  void check_cover(const BodySpec         &body,
+                   const Trace            &interface,
+                   const MortarProjection &projection)
   {
     for (std::size_t c = 0; c < interface.cells.size(); ++c)
       {
@@ -97,12 +86,9 @@ namespace RollingContact
       }
   }
 
-
-
-  void
-  check_free_of_hub(const BodyParameters            &body,
-                    const FileMesh                  &mesh,
-                    const std::vector<unsigned int> &vertices)
+  void check_free_of_hub(const BodySpec                  &body,
+                         const FileMesh                  &mesh,
+                         const std::vector<unsigned int> &vertices)
   {
     std::set<unsigned int> clamped;
     for (const FileMesh::Face &face : mesh.hub_faces)
@@ -117,10 +103,7 @@ namespace RollingContact
             place(mesh.vertices[vertex][0], mesh.vertices[vertex][1]) + ".");
   }
 
-
-
-  double
-  largest_gap(const SceneParameters &scene, const Trace &interface)
+  double largest_gap(const PairSpec &scene, const Trace &interface)
   {
     const auto wheel = scene.wheel.body_shape(), rail = scene.rail.body_shape();
     double     largest = 0.;
@@ -131,13 +114,10 @@ namespace RollingContact
     return largest;
   }
 
-
-
-  double
-  check_heights(const BodyParameters            &body,
-                const FileMesh                  &mesh,
-                const std::vector<unsigned int> &vertices,
-                const double                     gap)
+  double check_heights(const BodySpec                  &body,
+                       const FileMesh                  &mesh,
+                       const std::vector<unsigned int> &vertices,
+                       const double                     gap)
   {
     const auto   shape   = body.body_shape();
     double       largest = 0.;
@@ -177,14 +157,11 @@ namespace RollingContact
     return largest;
   }
 
-
-
-  double
-  check_on_profile(const SceneParameters           &scene,
-                   const Side                       side,
-                   const FileMesh                  &mesh,
-                   const std::vector<unsigned int> &vertices,
-                   const SectionInContact          &section)
+  double check_on_profile(const PairSpec                  &scene,
+                          const Side                       side,
+                          const FileMesh                  &mesh,
+                          const std::vector<unsigned int> &vertices,
+                          const SectionInContact          &section)
   {
     double       largest = 0.;
     unsigned int worst   = 0;
@@ -197,9 +174,9 @@ namespace RollingContact
       }
     if (largest <= on_profile)
       return largest;
-    const BodyParameters &body     = scene.body(side);
-    const auto            at       = section.in_file(mesh.vertices[worst]);
-    const bool            is_wheel = side == Side::wheel;
+    const BodySpec &body     = scene.body(side);
+    const auto      at       = section.in_file(mesh.vertices[worst]);
+    const bool      is_wheel = side == Side::wheel;
     reject_file(body,
                 "its contact boundary lies " + millimetres(largest) +
                   " off the profile at y = " + millimetres(at[0]) +

@@ -4,8 +4,8 @@
 
 namespace RollingContact
 {
-  std::vector<GapLine>
-  lines_across(const Profiles::ContactFrame &frame, const ApproachShare &share)
+  std::vector<GapLine> lines_across(const Profiles::ContactFrame &frame,
+                                    const ApproachShare          &share)
   {
     const double         step = 2.5e-4, reach = 0.07, along = 5e-3;
     std::vector<GapLine> lines;
@@ -39,10 +39,7 @@ namespace RollingContact
     return lines;
   }
 
-
-
-  ZoneBox
-  overlap(const std::vector<GapLine> &lines, const double depth)
+  ZoneBox overlap(const std::vector<GapLine> &lines, const double depth)
   {
     ZoneBox box{{{1., 1.}}, {{-1., -1.}}};
     for (const GapLine &line : lines)

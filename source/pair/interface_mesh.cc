@@ -17,8 +17,7 @@ namespace RollingContact
      * away from the point that Patch offset shifts. Units: m.
      */
     template <int dim>
-    Point<dim - 1>
-    grid_point(const Grading<dim> &grading, const Index &index)
+    Point<dim - 1> grid_point(const Grading<dim> &grading, const Index &index)
     {
       Point<dim - 1> point;
       point[0] = (grading.offset + index[0]) * grading.element_size_x;
@@ -27,22 +26,16 @@ namespace RollingContact
       return point;
     }
 
-
-
-    Index
-    corner(const Index &box, const unsigned int v)
+    Index corner(const Index &box, const unsigned int v)
     {
       return {{box[0] + int(v & 1), box[1] + int(v >> 1)}};
     }
-
-
 
     /**
      * The boxes of the zone by their lower corners, in ascending x, then y.
      */
     template <int dim>
-    std::vector<Index>
-    boxes_of_zone(const Grading<dim> &grading)
+    std::vector<Index> boxes_of_zone(const Grading<dim> &grading)
     {
       const int n_x =
         std::ceil((grading.semi_axis_x() + std::abs(grading.centre_x())) /
@@ -64,11 +57,8 @@ namespace RollingContact
     }
   } // namespace
 
-
-
   template <int dim>
-  Trace
-  interface_mesh(const Grading<dim> &grading)
+  Trace interface_mesh(const Grading<dim> &grading)
   {
     const auto                    boxes     = boxes_of_zone(grading);
     const unsigned int            n_corners = 1 << (dim - 1);
@@ -102,10 +92,6 @@ namespace RollingContact
     return trace;
   }
 
-
-
-  template Trace
-  interface_mesh(const Grading<2> &);
-  template Trace
-  interface_mesh(const Grading<3> &);
+  template Trace interface_mesh(const Grading<2> &);
+  template Trace interface_mesh(const Grading<3> &);
 } // namespace RollingContact

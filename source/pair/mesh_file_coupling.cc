@@ -1,7 +1,7 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/interface/mortar.h>
-#include <rolling_contact/interface/overlap.h>
+#include <rolling_contact/contact/mortar.h>
+#include <rolling_contact/contact/overlap.h>
 #include <rolling_contact/pair/file_surface_checks.h>
 #include <rolling_contact/pair/mesh_file_coupling.h>
 #include <rolling_contact/pair/refined_coupling.h>
@@ -22,8 +22,7 @@ namespace RollingContact
     const double warned_face   = 1.1; ///< in elements of the interface
     const double least_element = 1.2; ///< of the interface, in faces
 
-    Box
-    box_of(const Trace &interface)
+    Box box_of(const Trace &interface)
     {
       const double infinity = std::numeric_limits<double>::infinity();
       Box          box{{{{infinity, infinity}}, {{-infinity, -infinity}}}};
@@ -36,10 +35,8 @@ namespace RollingContact
       return box;
     }
 
-
-
-    Box
-    box_of(const SurfaceMesh &surface, const std::array<unsigned int, 4> &face)
+    Box box_of(const SurfaceMesh                 &surface,
+               const std::array<unsigned int, 4> &face)
     {
       Box box{{surface.nodes[face[0]], surface.nodes[face[0]]}};
       for (unsigned int v = 1; v < 1u << surface.n_dimensions; ++v)
@@ -52,16 +49,13 @@ namespace RollingContact
       return box;
     }
 
-
-
     /**
      * The contact faces that overlap the box of the zone; @p face_size becomes
      * the size of the largest of them in x and y. Units: m.
      */
-    SurfaceMesh
-    surface_over(const Box             &zone,
-                 const FileMesh        &mesh,
-                 std::array<double, 2> &face_size)
+    SurfaceMesh surface_over(const Box             &zone,
+                             const FileMesh        &mesh,
+                             std::array<double, 2> &face_size)
     {
       SurfaceMesh surface;
       surface.n_dimensions = mesh.dimension - 1;
@@ -82,8 +76,6 @@ namespace RollingContact
         }
       return surface;
     }
-
-
 
     /**
      * Size in x and y of the largest face whose corners are all contact nodes.
@@ -110,15 +102,12 @@ namespace RollingContact
       return size;
     }
 
-
-
     /**
      * What the undeformed surface is, and how far nodes are off it.
      */
-    std::string
-    note_on_surface(const BodyParameters &body,
-                    const bool            under_profile,
-                    const double          distance)
+    std::string note_on_surface(const BodySpec &body,
+                                const bool      under_profile,
+                                const double    distance)
     {
       if (under_profile)
         return "the profile, the nodes lie within " + millimetres(distance) +
@@ -130,13 +119,10 @@ namespace RollingContact
                    " of the radii.";
     }
 
-
-
-    std::string
-    note_on(const BodyParameters &body,
-            const FileMesh       &mesh,
-            const FileSurface    &surface,
-            const std::string    &on_surface)
+    std::string note_on(const BodySpec    &body,
+                        const FileMesh    &mesh,
+                        const FileSurface &surface,
+                        const std::string &on_surface)
     {
       return body.section + ": " + body.mesh_file + sweep_of(body) + ", " +
              std::to_string(mesh.cells.size()) + " cells; its " +
@@ -146,12 +132,9 @@ namespace RollingContact
              on_surface;
     }
 
-
-
-    std::string
-    warning_of(const BodyParameters &body,
-               const FileSurface    &surface,
-               const Trace          &interface)
+    std::string warning_of(const BodySpec    &body,
+                           const FileSurface &surface,
+                           const Trace       &interface)
     {
       const Trace::Cell &cell = interface.cells[0];
       for (unsigned int d = 0; d < interface.n_dimensions; ++d)
@@ -170,16 +153,13 @@ namespace RollingContact
     }
   } // namespace
 
-
-
   namespace
   {
     /**
      * Let vertices that hang move with the corners of the faces they are on.
      */
-    void
-    take_corners_of_hanging(const HangingVertices &hanging,
-                            MortarProjection      &projection)
+    void take_corners_of_hanging(const HangingVertices &hanging,
+                                 MortarProjection      &projection)
     {
       if (std::none_of(projection.nodes.begin(),
                        projection.nodes.end(),
@@ -213,27 +193,21 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  FileSurface
-  couple_to_interface(const SceneParameters &scene,
-                      const Side             side,
-                      const FileMesh        &mesh,
-                      const Trace           &interface)
+  FileSurface couple_to_interface(const PairSpec &scene,
+                                  const Side      side,
+                                  const FileMesh &mesh,
+                                  const Trace    &interface)
   {
     return couple_refined_to_interface(scene, side, mesh, {}, interface);
   }
 
-
-
-  FileSurface
-  couple_refined_to_interface(const SceneParameters &scene,
-                              const Side             side,
-                              const FileMesh        &body_mesh,
-                              const HangingVertices &hanging,
-                              const Trace           &interface)
+  FileSurface couple_refined_to_interface(const PairSpec        &scene,
+                                          const Side             side,
+                                          const FileMesh        &body_mesh,
+                                          const HangingVertices &hanging,
+                                          const Trace           &interface)
   {
-    const BodyParameters           &body = scene.body(side);
+    const BodySpec                 &body = scene.body(side);
     const Box                       zone = box_of(interface);
     std::optional<SectionInContact> section;
     std::optional<FileMesh>         seen;
@@ -285,17 +259,14 @@ namespace RollingContact
     return result;
   }
 
-
-
-  void
-  check_resolution(const SceneParameters &scene,
-                   const Side             side,
-                   const FileSurface     &surface,
-                   const double           element_size_x,
-                   const double           element_size_y)
+  void check_resolution(const PairSpec    &scene,
+                        const Side         side,
+                        const FileSurface &surface,
+                        const double       element_size_x,
+                        const double       element_size_y)
   {
-    const BodyParameters &body = scene.body(side);
-    const auto            check =
+    const BodySpec &body = scene.body(side);
+    const auto      check =
       [&](const double element, const double face, const std::string &entry) {
         if (element < least_element * face)
           throw InputError(

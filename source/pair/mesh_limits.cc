@@ -14,12 +14,14 @@ namespace RollingContact
 
   namespace
   {
-    /** Of the elastic bodies that the program meshes; 0 if there is none. */
-    double
-    largest_size(const SceneParameters &scene)
+    /**
+     * Largest size of the elastic bodies that the program meshes; 0 if there is
+     * none. Units: m.
+     */
+    double largest_size(const PairSpec &scene)
     {
       double size = 0.;
-      for (const BodyParameters *body : {&scene.wheel, &scene.rail})
+      for (const BodySpec *body : {&scene.wheel, &scene.rail})
         if (!body->rigid && !body->is_from_file())
           {
             const auto shape = body->body_shape();
@@ -28,14 +30,11 @@ namespace RollingContact
       return size;
     }
 
-
-
     /** "Contact/Normal load = 1e-6 N", for a patch so many times larger if the
      * factor is not 1. */
-    std::string
-    what_presses(const ContactParameters &contact,
-                 const int                dim,
-                 const double             factor)
+    std::string what_presses(const ContactParameters &contact,
+                             const int                dim,
+                             const double             factor)
     {
       if (contact.approach)
         return "Contact/Approach = " +
@@ -46,11 +45,8 @@ namespace RollingContact
     }
   } // namespace
 
-
-
   template <int dim>
-  void
-  check_element_size(const SceneParameters &scene, const Grading<dim> &grading)
+  void check_element_size(const PairSpec &scene, const Grading<dim> &grading)
   {
     double size = std::ldexp(grading.element_size_x, -int(grading.rim_levels));
     for (const RefinedBox<dim> &box : grading.boxes)
@@ -67,10 +63,7 @@ namespace RollingContact
       what_presses(scene.contact, dim, 1.1 * smallest / size) + ".");
   }
 
-
-
-  void
-  check_contact_memory(const double n_unknowns)
+  void check_contact_memory(const double n_unknowns)
   {
     const double n_matrices = 5;
     const double bytes = n_matrices * n_unknowns * n_unknowns * sizeof(double),
@@ -85,12 +78,8 @@ namespace RollingContact
         "Mesh/Contact node budget.");
   }
 
-
-
   template <int dim>
-  void
-  check_contact_memory(const SceneParameters &scene,
-                       const Grading<dim>    &grading)
+  void check_contact_memory(const PairSpec &scene, const Grading<dim> &grading)
   {
     const double surely = 0.9;
     const double nodes =
@@ -101,14 +90,8 @@ namespace RollingContact
     check_contact_memory(surely * nodes * components);
   }
 
-
-
-  template void
-  check_contact_memory(const SceneParameters &, const Grading<2> &);
-  template void
-  check_contact_memory(const SceneParameters &, const Grading<3> &);
-  template void
-  check_element_size(const SceneParameters &, const Grading<2> &);
-  template void
-  check_element_size(const SceneParameters &, const Grading<3> &);
+  template void check_contact_memory(const PairSpec &, const Grading<2> &);
+  template void check_contact_memory(const PairSpec &, const Grading<3> &);
+  template void check_element_size(const PairSpec &, const Grading<2> &);
+  template void check_element_size(const PairSpec &, const Grading<3> &);
 } // namespace RollingContact

@@ -15,8 +15,7 @@ namespace RollingContact
     /// couple_to_interface()
     const double largest_smallest_face = 4.;
 
-    double
-    smallest_face(const FileMesh &mesh, const unsigned int d)
+    double smallest_face(const FileMesh &mesh, const unsigned int d)
     {
       double smallest = std::numeric_limits<double>::infinity();
       for (const FileMesh::Face &face : mesh.contact_faces)
@@ -31,17 +30,14 @@ namespace RollingContact
       return smallest;
     }
 
-
-
     /**
      * Throw InputError if the contact boundary does not suit the estimated
      * patch along axis @p d, x or y.
      */
-    void
-    check(const BodyParameters &body,
-          const double          zone,
-          const double          half_width,
-          const unsigned int    d)
+    void check(const BodySpec    &body,
+               const double       zone,
+               const double       half_width,
+               const unsigned int d)
     {
       const auto   shape = body.body_shape();
       const double reach = d == 0 ? shape->reach_x() : shape->reach_y(),
@@ -66,13 +62,10 @@ namespace RollingContact
                  significant(limit, 3) + " m");
     }
 
-
-
     /**
      * estimate_patch(), whose error also names the mesh unit of @p body.
      */
-    PatchEstimate
-    estimate(const SceneParameters &scene, const BodyParameters &body)
+    PatchEstimate estimate(const PairSpec &scene, const BodySpec &body)
     {
       try
         {
@@ -89,12 +82,9 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  void
-  check_mesh_units(const SceneParameters &scene)
+  void check_mesh_units(const PairSpec &scene)
   {
-    for (const BodyParameters *body : {&scene.wheel, &scene.rail})
+    for (const BodySpec *body : {&scene.wheel, &scene.rail})
       if (body->is_from_file())
         {
           const PatchEstimate patch = estimate(scene, *body);

@@ -3,8 +3,8 @@
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/pair/moving_surfaces.h>
 #include <rolling_contact/pair/patch_estimate.h>
-#include <rolling_contact/scene/travelled_distance.h>
 #include <rolling_contact/surfaces/expression_check.h>
+#include <rolling_contact/surfaces/record_notes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,19 +19,18 @@ namespace RollingContact
   public:
     virtual ~Surface() = default;
 
-    virtual double
-    height(const double X, const double y) const = 0;
+    virtual double height(const double X, const double y) const = 0;
+
+    /** Throws InputError where there is no surface under the wheel, at X. */
+    virtual void require(const double) const
+    {}
   };
-
-
 
   namespace
   {
     /** Elements in the shortest wave that passes a filter; half as many in the
      * longest that does not. */
     const double elements_in_wave = 4.;
-
-
 
     /**
      * How far the wheel has rolled, Position included, while the run lasts.
@@ -41,48 +40,14 @@ namespace RollingContact
       double least, most;
     };
 
-
-
-    Rolled
-    rolled_in(const SceneParameters &scene)
-    {
-      const double position = scene.surfaces.position;
-      Rolled       rolled{position, position};
-      if (scene.analysis != "transient")
-        return rolled;
-      const DrivingFunctions drive =
-        scene.time.histories(scene.contact, scene.prm_folder);
-      const TimeSteps         steps = scene.time.steps(drive.speed);
-      const double            end   = steps.length * steps.number;
-      const TravelledDistance travelled(drive.speed,
-                                        std::max(steps.length, end / 1000));
-      const unsigned int      n = drive.speed.is_constant() ? 1 : 100;
-      for (unsigned int k = 1; k <= n; ++k)
-        {
-          // the shifted law looks half a step beyond the end
-          const double now =
-            position +
-            scene.contact.flow() *
-              travelled.value(steps.length * (steps.number + 0.5) * k / n);
-          rolled.least = std::min(rolled.least, now);
-          rolled.most  = std::max(rolled.most, now);
-        }
-      return rolled;
-    }
-
-
-
     /** Length of a turn; 0 for what is no disc. */
-    double
-    turn_of(const SceneParameters &scene, const Side side)
+    double turn_of(const PairSpec &scene, const Side side)
     {
-      const BodyParameters &body = scene.body(side);
-      const bool            is_disc =
+      const BodySpec &body = scene.body(side);
+      const bool      is_disc =
         body.shape == "disc" || (side == Side::wheel && body.radius > 0.);
       return is_disc ? 2 * pi * std::abs(body.radius) : 0.;
     }
-
-
 
     class ExpressionSurface : public MovingSurfaces::Surface
     {
@@ -92,8 +57,7 @@ namespace RollingContact
         , turn(turn)
       {}
 
-      double
-      height(const double X, const double y) const override
+      double height(const double X, const double y) const override
       {
         return expression.value(turn > 0. ? X - turn * std::round(X / turn) : X,
                                 y);
@@ -104,39 +68,65 @@ namespace RollingContact
       const double           turn;
     };
 
-
-
     class RecordSurface : public MovingSurfaces::Surface
     {
     public:
-      RecordSurface(const FilteredRecord &record, const double flow)
+      RecordSurface(const std::shared_ptr<const SurfaceRecord> &record,
+                    const FilteredRecord                       &filtered,
+                    const double                                flow,
+                    const double                                turn)
         : record(record)
+        , filtered(filtered)
         , flow(flow)
+        , turn(turn)
       {}
 
-      double
-      height(const double X, const double) const override
+      double height(const double X, const double) const override
       {
-        return record.value(-flow * X);
+        return filtered.value(-flow * X);
       }
 
+      void require(const double X) const override
+      {
+        require(Rolled{-flow * X, -flow * X});
+      }
+
+      /** Refuse to roll beyond an end of the record. */
+      void require(const Rolled &rolled) const;
+
     private:
-      const FilteredRecord record;
-      const double         flow;
+      const std::shared_ptr<const SurfaceRecord> record;
+      const FilteredRecord                       filtered;
+      const double                               flow, turn;
     };
 
-
+    void RecordSurface::require(const Rolled &rolled) const
+    {
+      const double rounding = 1e-6 * record->spacing;
+      if (filtered.is_periodic() || (rolled.least >= record->begin - rounding &&
+                                     rolled.most <= record->end() + rounding))
+        return;
+      throw InputError(
+        record->entry + ": \"" + record->file + "\": it goes from " +
+        significant(record->begin, 6) + " to " + significant(record->end(), 6) +
+        " m, and the wheel rolls " +
+        (rolled.least < rolled.most
+           ? "from " + significant(rolled.least, 6) + " to "
+           : "to ") +
+        significant(rolled.most, 6) +
+        " m of it. Take another Surfaces/Position or Position unit, a shorter "
+        "run or a longer record" +
+        (turn > 0. ? ", or one of the whole turn of " + significant(turn, 6) +
+                       " m, which comes again."
+                   : "."));
+    }
 
     /**
-     * Refuses what a record cannot do for this zone and this run.
+     * Refuses what a record cannot do for this zone.
      */
-    void
-    check_record(const SurfaceRecord &record,
-                 const double         shortest,
-                 const ZoneSizes     &sizes,
-                 const Rolled        &rolled,
-                 const bool           is_periodic,
-                 const double         turn)
+    void check_record(const SurfaceRecord &record,
+                      const double         shortest,
+                      const ZoneSizes     &sizes)
     {
       const std::string file = record.entry + ": \"" + record.file + "\": ";
       if (record.spacing > 2 * sizes.reach[0])
@@ -152,49 +142,12 @@ namespace RollingContact
           significant(elements_in_wave * sizes.element[0], 4) +
           " m on this mesh. Take a longer one, 0, or more Mesh/Elements across "
           "patch.");
-      if (is_periodic ||
-          (rolled.least >= record.begin && rolled.most <= record.end()))
-        return;
-      throw InputError(
-        file + "it goes from " + significant(record.begin, 6) + " to " +
-        significant(record.end(), 6) + " m, and the wheel rolls from " +
-        significant(rolled.least, 6) + " to " + significant(rolled.most, 6) +
-        " m of it. Take another Surfaces/Position or Position unit, a shorter "
-        "run or a longer record" +
-        (turn > 0. ? ", or one of the whole turn of " + significant(turn, 6) +
-                       " m, which comes again."
-                   : "."));
     }
-
-
-
-    std::string
-    told_of(const SurfaceRecord  &record,
-            const FilteredRecord &filtered,
-            const double          shortest)
-    {
-      const auto micrometres = [](const double length) {
-        return significant(1e6 * length, 3) + " um";
-      };
-      return record.entry + ": " + std::to_string(record.heights.size()) +
-             " heights " + millimetres(record.spacing) + " apart" +
-             (record.resampled ? " (resampled)" : "") + ", rms " +
-             micrometres(filtered.rms) + " about a mean of " +
-             micrometres(record.mean) +
-             ", which is taken out; waves shorter than " +
-             millimetres(shortest) + " fade, below " +
-             millimetres(shortest / 2) + " none is left: rms " +
-             micrometres(filtered.removed_rms) + " is taken out" +
-             (filtered.is_periodic() ? "; it comes again after a turn." : ".");
-    }
-
-
 
     /** First and last X of the material that passes the zone. */
-    std::array<double, 2>
-    material_that_passes(const Rolled    &rolled,
-                         const double     flow,
-                         const ZoneSizes &sizes)
+    std::array<double, 2> material_that_passes(const Rolled    &rolled,
+                                               const double     flow,
+                                               const ZoneSizes &sizes)
     {
       // the flow brings what lies against it
       const auto [first, last] =
@@ -202,19 +155,16 @@ namespace RollingContact
       return {{first - sizes.reach[0], last + sizes.reach[0]}};
     }
 
-
-
     /**
      * Hold an expression against the elements, and add what is to be warned of.
      */
-    void
-    examine(const HeightExpression        &expression,
-            const MovingSurfaces::Surface &surface,
-            Examined                       it,
-            const std::array<double, 2>   &passes,
-            const double                   turn,
-            const ZoneSizes               &sizes,
-            std::vector<std::string>      &warnings)
+    void examine(const HeightExpression        &expression,
+                 const MovingSurfaces::Surface &surface,
+                 Examined                       it,
+                 const std::array<double, 2>   &passes,
+                 const double                   turn,
+                 const ZoneSizes               &sizes,
+                 std::vector<std::string>      &warnings)
     {
       const auto add = [&](const std::string &warning) {
         if (!warning.empty())
@@ -240,34 +190,9 @@ namespace RollingContact
       add(judge(
         it, short_waves(along_y, -sizes.reach[1], sizes.reach[1], it.element)));
     }
-
-
-
-    /** A warning of a record of a turn whose ends do not meet, or none. */
-    std::string
-    doubt_of_ends(const SurfaceRecord &record)
-    {
-      const auto &heights = record.heights;
-      double      largest = 0.;
-      for (std::size_t k = 1; k < heights.size(); ++k)
-        largest = std::max(largest, std::abs(heights[k] - heights[k - 1]));
-      const double jump = heights.front() - heights.back();
-      if (std::abs(jump) <= 3 * largest)
-        return "";
-      return record.entry + ": \"" + record.file +
-             "\": it goes once around, but from its end to its beginning the "
-             "height jumps by " +
-             significant(1e6 * jump, 3) + " um, elsewhere by at most " +
-             significant(1e6 * largest, 3) +
-             " um from point to point: the filter makes waves of that. Take the "
-             "drift out of the record.";
-    }
   } // namespace
 
-
-
-  MovingSurfaces::MovingSurfaces(const SceneParameters &scene,
-                                 const ZoneSizes       &sizes)
+  MovingSurfaces::MovingSurfaces(const PairSpec &scene, const ZoneSizes &sizes)
     : moves(scene.surfaces.in_use())
     , flow(scene.contact.flow())
     , position(scene.surfaces.position)
@@ -275,11 +200,11 @@ namespace RollingContact
   {
     if (!moves)
       return;
-    const SurfaceParameters &given    = scene.surfaces;
-    const Rolled             rolled   = rolled_in(scene);
-    const double             shortest = given.shortest_wavelength > 0.
-                                          ? given.shortest_wavelength
-                                          : elements_in_wave * sizes.element[0];
+    const SurfaceSpec &given = scene.surfaces;
+    const Rolled       rolled{given.least_rolled, given.most_rolled};
+    const double       shortest = given.shortest_wavelength > 0.
+                                    ? given.shortest_wavelength
+                                    : elements_in_wave * sizes.element[0];
     for (const Side side : both_sides)
       {
         const double turn = turn_of(scene, side);
@@ -288,14 +213,17 @@ namespace RollingContact
             const FilteredRecord filtered(*record,
                                           {shortest, shortest / 2},
                                           turn);
-            check_record(
-              *record, shortest, sizes, rolled, filtered.is_periodic(), turn);
-            notes.push_back(told_of(*record, filtered, shortest));
+            check_record(*record, shortest, sizes);
+            const auto surface = std::make_shared<const RecordSurface>(record,
+                                                                       filtered,
+                                                                       flow,
+                                                                       turn);
+            surface->require(rolled);
+            surfaces[side] = surface;
+            notes.push_back(note_of_filter(*record, filtered, shortest));
             if (const std::string doubt = doubt_of_ends(*record);
                 filtered.is_periodic() && !doubt.empty())
               warnings.push_back(doubt);
-            surfaces[side] =
-              std::make_shared<const RecordSurface>(filtered, flow);
           }
         if (const auto &expression = given.expressions[side])
           {
@@ -312,21 +240,19 @@ namespace RollingContact
       }
   }
 
-
-
-  double
-  MovingSurfaces::height(const double x,
-                         const double y,
-                         const double travelled) const
+  double MovingSurfaces::height(const double x,
+                                const double y,
+                                const double travelled) const
   {
     double sum = 0.;
     for (const Side side : both_sides)
       if (surfaces[side])
-        sum += surfaces[side]->height(x - travelled - flow * position, y);
+        {
+          surfaces[side]->require(-travelled - flow * position);
+          sum += surfaces[side]->height(x - travelled - flow * position, y);
+        }
     return sum;
   }
-
-
 
   std::vector<double>
   MovingSurfaces::heights(const std::vector<std::array<double, 2>> &at,
@@ -337,8 +263,6 @@ namespace RollingContact
       result.push_back(moves ? height(x, y, travelled) : 0.);
     return result;
   }
-
-
 
   std::vector<double>
   MovingSurfaces::friction_shares(const std::vector<std::array<double, 2>> &at,
@@ -360,12 +284,9 @@ namespace RollingContact
     return result;
   }
 
-
-
-  void
-  check_moving_surfaces(const SceneParameters &scene)
+  void check_moving_surfaces(const PairSpec &scene)
   {
-    if (!scene.surfaces.in_use() || scene.analysis == "contact table")
+    if (!scene.surfaces.in_use())
       return;
     const PatchEstimate patch = estimate_patch(scene);
     const double        n     = scene.mesh.elements_across_patch;

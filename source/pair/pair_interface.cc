@@ -34,17 +34,14 @@ namespace RollingContact
                         });
     }
 
-
-
     /**
      * Throws unless they do: InputError for true sections, whose cells are not
      * alike at the ends of their running surfaces.
      */
-    void
-    check_matching_nodes(const SceneParameters &scene,
-                         const Trace           &wheel,
-                         const Trace           &rail,
-                         const double           tolerance)
+    void check_matching_nodes(const PairSpec &scene,
+                              const Trace    &wheel,
+                              const Trace    &rail,
+                              const double    tolerance)
     {
       if (nodes_match(wheel, rail, tolerance))
         return;
@@ -58,21 +55,18 @@ namespace RollingContact
                              "match."));
     }
 
-
-
     /**
      * Couple a body from a file; the mesh of a section is made again on ranks
      * that do not hold the body.
      */
     template <int dim>
-    FileSurface
-    surface_of_file(const SceneParameters  &scene,
-                    const Side              side,
-                    const ElasticBody<dim> *body,
-                    const Grading<dim>     &grading,
-                    const Trace            &interface)
+    FileSurface surface_of_file(const PairSpec         &scene,
+                                const Side              side,
+                                const ElasticBody<dim> *body,
+                                const Grading<dim>     &grading,
+                                const Trace            &interface)
     {
-      const BodyParameters &parameters = scene.body(side);
+      const BodySpec &parameters = scene.body(side);
       if constexpr (dim == 3)
         if (parameters.is_section())
           {
@@ -94,22 +88,17 @@ namespace RollingContact
       return couple_to_interface(scene, side, *parameters.mesh, interface);
     }
 
-
-
     template <int dim>
-    std::array<double, 2>
-    xy(const Point<dim> &point)
+    std::array<double, 2> xy(const Point<dim> &point)
     {
       return {{point[0], dim == 2 ? point[dim - 1] : 0.}};
     }
   } // namespace
 
-
-
   template <int dim>
-  PairInterface<dim>::PairInterface(const SceneParameters &scene,
-                                    const Grading<dim>    &grading,
-                                    const BodyPair<dim>   &bodies)
+  PairInterface<dim>::PairInterface(const PairSpec      &scene,
+                                    const Grading<dim>  &grading,
+                                    const BodyPair<dim> &bodies)
   {
     const auto is_generated = [&](const Side side) {
       return bodies.is_elastic(side) && !scene.body(side).is_from_file();
@@ -148,12 +137,9 @@ namespace RollingContact
     turn_nodes(scene, bodies);
   }
 
-
-
   template <int dim>
-  void
-  PairInterface<dim>::turn_nodes(const SceneParameters &scene,
-                                 const BodyPair<dim>   &bodies)
+  void PairInterface<dim>::turn_nodes(const PairSpec      &scene,
+                                      const BodyPair<dim> &bodies)
   {
     const SurfaceFrames frames = surface_frames(scene, trace.nodes);
     for (const Side side : both_sides)
@@ -172,13 +158,10 @@ namespace RollingContact
       }
   }
 
-
-
   template <int dim>
-  Trace
-  PairInterface<dim>::surface_of(const Side           side,
-                                 const Grading<dim>  &grading,
-                                 const BodyPair<dim> &bodies)
+  Trace PairInterface<dim>::surface_of(const Side           side,
+                                       const Grading<dim>  &grading,
+                                       const BodyPair<dim> &bodies)
   {
     Trace surface;
     if (bodies.body(side))
@@ -194,8 +177,6 @@ namespace RollingContact
       }
     return bodies.on_all_ranks(side, std::move(surface));
   }
-
-
 
   template struct PairInterface<2>;
   template struct PairInterface<3>;

@@ -17,29 +17,22 @@ namespace RollingContact
     /**
      * E in Pa, infinite for a rigid body.
      */
-    double
-    young_modulus(const BodyParameters &body)
+    double young_modulus(const BodySpec &body)
     {
       return body.rigid ? std::numeric_limits<double>::infinity()
                         : body.material.young_modulus;
     }
 
-
-
-    double
-    finite_or_flat(const double radius)
+    double finite_or_flat(const double radius)
     {
       return radius == 0. ? std::numeric_limits<double>::infinity() : radius;
     }
 
-
-
     /**
      * Approximate compression of a body between patch and hub. Units: m.
      */
-    double
-    compression(const BodyParameters        &body,
-                const References::HertzLine &contact)
+    double compression(const BodySpec              &body,
+                       const References::HertzLine &contact)
     {
       return body.rigid ? 0.
                         : body.body_shape()->line_compression(
@@ -48,30 +41,24 @@ namespace RollingContact
                             body.material.poisson_ratio);
     }
 
-
-
     /**
      * Largest half-width of the patch to look for: no larger than the relative
      * radius and the bodies. Units: m.
      */
-    double
-    largest_half_width(const SceneParameters &scene,
-                       const double           relative_radius)
+    double largest_half_width(const PairSpec &scene,
+                              const double    relative_radius)
     {
       double largest = relative_radius;
-      for (const BodyParameters *body : {&scene.wheel, &scene.rail})
+      for (const BodySpec *body : {&scene.wheel, &scene.rail})
         if (!body->rigid)
           largest = std::min(largest, body->body_shape()->largest_half_width());
       return largest;
     }
   } // namespace
 
-
-
-  PairConstants
-  pair_constants(const SceneParameters &scene)
+  PairConstants pair_constants(const PairSpec &scene)
   {
-    const BodyParameters &wheel = scene.wheel, &rail = scene.rail;
+    const BodySpec &wheel = scene.wheel, &rail = scene.rail;
     const double E_wheel = young_modulus(wheel), E_rail = young_modulus(rail),
                  nu_wheel = wheel.material.poisson_ratio,
                  nu_rail  = rail.material.poisson_ratio;
@@ -92,13 +79,10 @@ namespace RollingContact
     return constants;
   }
 
-
-
   namespace
   {
-    PatchEstimate
-    estimate_ellipse(const SceneParameters       &scene,
-                     const std::optional<double> &load)
+    PatchEstimate estimate_ellipse(const PairSpec              &scene,
+                                   const std::optional<double> &load)
     {
       const PairConstants constants = pair_constants(scene);
       const double        A         = 0.5 / constants.relative_radius,
@@ -117,21 +101,16 @@ namespace RollingContact
     }
   } // namespace
 
-
-
   namespace
   {
     /// rad, of the normals over one plane of contact
     const double largest_turn = 0.53;
 
-
-
-    PatchEstimate
-    estimate_of_profiles(const SceneParameters       &scene,
-                         const std::optional<double> &load)
+    PatchEstimate estimate_of_profiles(const PairSpec              &scene,
+                                       const std::optional<double> &load)
     {
       const ProfilePatch patch =
-        profile_patch(*scene.profiles.frame,
+        profile_patch(*scene.frame,
                       pair_constants(scene).contact_modulus,
                       load,
                       scene.contact.approach.value_or(0.),
@@ -156,10 +135,7 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  bool
-  PatchEstimate::contains(const double x, const double y) const
+  bool PatchEstimate::contains(const double x, const double y) const
   {
     // a node at the very edge must not depend on rounding
     const double inside = 1 - 1e-6;
@@ -171,29 +147,20 @@ namespace RollingContact
     });
   }
 
-
-
-  PatchEstimate
-  estimate_patch(const SceneParameters &scene)
+  PatchEstimate estimate_patch(const PairSpec &scene)
   {
     return estimate_patch(scene, scene.contact.normal_load);
   }
 
-
-
-  bool
-  bodies_touch(const SceneParameters &scene)
+  bool bodies_touch(const PairSpec &scene)
   {
     return scene.profiles.in_use() ? scene.contact.normal_load.value_or(
                                        scene.contact.approach.value_or(0.)) > 0.
                                    : estimate_patch(scene).half_width_x > 0.;
   }
 
-
-
-  PatchEstimate
-  estimate_patch(const SceneParameters       &scene,
-                 const std::optional<double> &load)
+  PatchEstimate estimate_patch(const PairSpec              &scene,
+                               const std::optional<double> &load)
   {
     if (scene.profiles.in_use())
       return estimate_of_profiles(scene, load);

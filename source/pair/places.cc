@@ -7,8 +7,7 @@
 namespace RollingContact
 {
   template <int dim>
-  Grading<dim>
-  grading_of_places(const std::vector<PlaceOfContact<dim>> &places)
+  Grading<dim> grading_of_places(const std::vector<PlaceOfContact<dim>> &places)
   {
     if (places.empty())
       throw std::invalid_argument("A grading of no place.");
@@ -33,11 +32,9 @@ namespace RollingContact
     return result;
   }
 
-
-
   template <int dim>
-  const BodyPair<dim> &
-  for_several_places(const SceneParameters &scene, const BodyPair<dim> &bodies)
+  const BodyPair<dim> &for_several_places(const PairSpec      &scene,
+                                          const BodyPair<dim> &bodies)
   {
     for (const Side side : both_sides)
       if (bodies.is_elastic(side) && !scene.body(side).is_section())
@@ -52,14 +49,10 @@ namespace RollingContact
     return bodies;
   }
 
-
-
-  template const BodyPair<2> &
-  for_several_places(const SceneParameters &, const BodyPair<2> &);
-  template const BodyPair<3> &
-  for_several_places(const SceneParameters &, const BodyPair<3> &);
-  template Grading<2>
-  grading_of_places(const std::vector<PlaceOfContact<2>> &);
-  template Grading<3>
-  grading_of_places(const std::vector<PlaceOfContact<3>> &);
+  template const BodyPair<2> &for_several_places(const PairSpec &,
+                                                 const BodyPair<2> &);
+  template const BodyPair<3> &for_several_places(const PairSpec &,
+                                                 const BodyPair<3> &);
+  template Grading<2> grading_of_places(const std::vector<PlaceOfContact<2>> &);
+  template Grading<3> grading_of_places(const std::vector<PlaceOfContact<3>> &);
 } // namespace RollingContact

@@ -15,10 +15,7 @@ namespace RollingContact
     using References::ContactGrid;
     using References::HalfSpacePressure;
 
-
-
-    ContactGrid
-    grid_on(const ZoneBox &box, const std::size_t n_along)
+    ContactGrid grid_on(const ZoneBox &box, const std::size_t n_along)
     {
       const double widest = 5e-4, width = box.upper[1] - box.lower[1];
       ContactGrid  grid;
@@ -31,16 +28,12 @@ namespace RollingContact
       return grid;
     }
 
-
-
     /** A grid, the gap there and the pressure. */
     struct Solution
     {
       ContactGrid       grid;
       HalfSpacePressure state;
     };
-
-
 
     /**
      * Finds the pressure on a rectangle that holds the patch: the place where
@@ -58,8 +51,8 @@ namespace RollingContact
         , lines(lines_across(frame, share))
       {}
 
-      Solution
-      with_approach(const double approach, const std::size_t n_along) const
+      Solution with_approach(const double      approach,
+                             const std::size_t n_along) const
       {
         return solve(overlap(lines, approach), n_along, {}, approach);
       }
@@ -67,8 +60,7 @@ namespace RollingContact
       /**
        * By the approach that gives about the load, and then under it.
        */
-      Solution
-      under_load(const double load, const std::size_t n_along) const
+      Solution under_load(const double load, const std::size_t n_along) const
       {
         const std::size_t coarse = 20;
         double            depth  = 2e-5;
@@ -91,11 +83,10 @@ namespace RollingContact
       }
 
     private:
-      Solution
-      solve(const ZoneBox               &box,
-            const std::size_t            n_along,
-            const std::optional<double> &load,
-            const double                 approach) const
+      Solution solve(const ZoneBox               &box,
+                     const std::size_t            n_along,
+                     const std::optional<double> &load,
+                     const double                 approach) const
       {
         const double        beyond = 1e-2; // m, where a surface ends
         Solution            solution{grid_on(box, n_along), {}};
@@ -131,21 +122,16 @@ namespace RollingContact
       const std::vector<GapLine>    lines;
     };
 
-
-
     /** Rows that touch, from .. to .., without one between that does not. */
     struct Rows
     {
       std::size_t begin, end;
     };
 
-
-
     /**
      * The load of each row, with its place.
      */
-    std::vector<std::pair<double, double>>
-    load_across(const Solution &found)
+    std::vector<std::pair<double, double>> load_across(const Solution &found)
     {
       std::vector<std::pair<double, double>> load;
       const ContactGrid                     &grid = found.grid;
@@ -158,8 +144,6 @@ namespace RollingContact
         }
       return load;
     }
-
-
 
     std::vector<Rows>
     touching_rows(const std::vector<std::pair<double, double>> &load)
@@ -175,13 +159,10 @@ namespace RollingContact
       return patches;
     }
 
-
-
     /**
      * Stretches along x that touch in these rows, as boxes.
      */
-    std::vector<ZoneBox>
-    touching_boxes(const Solution &found, const Rows &rows)
+    std::vector<ZoneBox> touching_boxes(const Solution &found, const Rows &rows)
     {
       const ContactGrid   &grid = found.grid;
       std::vector<ZoneBox> boxes;
@@ -204,14 +185,11 @@ namespace RollingContact
       return boxes;
     }
 
-
-
     /**
      * Whether rows carry enough to be resolved.
      */
-    bool
-    matters(const Rows                                   &rows,
-            const std::vector<std::pair<double, double>> &load)
+    bool matters(const Rows                                   &rows,
+                 const std::vector<std::pair<double, double>> &load)
     {
       const double least = 0.1; // of the load
       double       total = 0., here = 0.;
@@ -224,16 +202,13 @@ namespace RollingContact
       return here >= least * total;
     }
 
-
-
     /**
      * Add a patch of these rows, which must be resolved or need not.
      */
-    void
-    add_patch(const Solution &found,
-              const Rows     &rows,
-              const bool      must_be_resolved,
-              ProfilePatch   &patch)
+    void add_patch(const Solution &found,
+                   const Rows     &rows,
+                   const bool      must_be_resolved,
+                   ProfilePatch   &patch)
     {
       double half_length = 0.;
       for (const ZoneBox &box : touching_boxes(found, rows))
@@ -256,14 +231,11 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  ProfilePatch
-  profile_patch(const Profiles::ContactFrame &frame,
-                const double                  contact_modulus,
-                const std::optional<double>  &load,
-                const double                  approach,
-                const double                  load_angle)
+  ProfilePatch profile_patch(const Profiles::ContactFrame &frame,
+                             const double                  contact_modulus,
+                             const std::optional<double>  &load,
+                             const double                  approach,
+                             const double                  load_angle)
   {
     ProfilePatch patch;
     if (!(load.value_or(approach) > 0.))

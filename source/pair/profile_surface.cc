@@ -6,24 +6,20 @@ namespace RollingContact
   {
     const double beyond_surface = 1e-2; // m, gap where a profile has ended
 
-    bool
-    is_curved(const SceneParameters &scene)
+    bool is_curved(const PairSpec &scene)
     {
-      return scene.profiles.frame &&
-             scene.profiles.frame->kind() == Profiles::SurfaceKind::curved;
+      return scene.frame &&
+             scene.frame->kind() == Profiles::SurfaceKind::curved;
     }
   } // namespace
 
-
-
-  SurfaceFrames
-  surface_frames(const SceneParameters             &scene,
-                 const ContactOperators::Positions &at)
+  SurfaceFrames surface_frames(const PairSpec                    &scene,
+                               const ContactOperators::Positions &at)
   {
     SurfaceFrames frames;
     if (!is_curved(scene))
       return frames;
-    const Profiles::ContactFrame &frame = *scene.profiles.frame;
+    const Profiles::ContactFrame &frame = *scene.frame;
     frames.load_angle                   = scene.load_angle();
     for (const auto &[x, s] : at)
       {
@@ -35,25 +31,19 @@ namespace RollingContact
     return frames;
   }
 
-
-
-  double
-  gap_of_profiles(const SceneParameters &scene, const std::array<double, 2> &at)
+  double gap_of_profiles(const PairSpec &scene, const std::array<double, 2> &at)
   {
-    return scene.profiles.frame->gap(at[0], at[1]).value_or(beyond_surface);
+    return scene.frame->gap(at[0], at[1]).value_or(beyond_surface);
   }
 
-
-
-  NodalField
-  slip_of_profiles(const SceneParameters             &scene,
-                   const ContactOperators::Positions &at,
-                   const unsigned int                 n_tangential)
+  NodalField slip_of_profiles(const PairSpec                    &scene,
+                              const ContactOperators::Positions &at,
+                              const unsigned int                 n_tangential)
   {
     if (n_tangential == 0 ||
         (!scene.profiles.gives_creepages() && !is_curved(scene)))
       return {};
-    const Profiles::ContactFrame &frame = *scene.profiles.frame;
+    const Profiles::ContactFrame &frame = *scene.frame;
     const double                  flow  = scene.contact.flow();
     NodalField                    slip(at.size(), n_tangential);
     for (unsigned int i = 0; i < at.size(); ++i)

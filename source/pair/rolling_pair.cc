@@ -1,12 +1,12 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/contact/roughness.h>
 #include <rolling_contact/pair/mesh_limits.h>
 #include <rolling_contact/pair/parallel_bodies.h>
 #include <rolling_contact/pair/patch_estimate.h>
 #include <rolling_contact/pair/places.h>
 #include <rolling_contact/pair/profile_surface.h>
 #include <rolling_contact/pair/rolling_pair.h>
+#include <rolling_contact/surfaces/roughness.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,10 +16,10 @@ namespace RollingContact
   using namespace dealii;
 
   template <int dim>
-  RollingPair<dim>::RollingPair(const SceneParameters &scene,
-                                const Grading<dim>    &grading,
-                                const PairDemands     &demands,
-                                const bool             statics)
+  RollingPair<dim>::RollingPair(const PairSpec     &scene,
+                                const Grading<dim> &grading,
+                                const PairDemands  &demands,
+                                const bool          statics)
     : scene(scene)
     , body_pair(scene, grading, demands, statics)
     , pair_interface(scene, grading, body_pair)
@@ -31,13 +31,11 @@ namespace RollingContact
     choose_components();
   }
 
-
-
   template <int dim>
-  RollingPair<dim>::RollingPair(const SceneParameters &scene,
-                                const Grading<dim>    &grading,
-                                const PairDemands     &demands,
-                                const BodyPair<dim>   &bodies)
+  RollingPair<dim>::RollingPair(const PairSpec      &scene,
+                                const Grading<dim>  &grading,
+                                const PairDemands   &demands,
+                                const BodyPair<dim> &bodies)
     : scene(scene)
     , body_pair(for_several_places(scene, bodies))
     , pair_interface(scene, grading, body_pair)
@@ -49,19 +47,14 @@ namespace RollingContact
     choose_components();
   }
 
-
-
   template <int dim>
-  void
-  RollingPair<dim>::choose_components()
+  void RollingPair<dim>::choose_components()
   {
     if (scene.contact.friction_coefficient > 0. || pair_interface.turns_nodes())
       for (unsigned int d = 0; d < dim - 1; ++d)
         components.push_back(d);
     components.push_back(dim - 1);
   }
-
-
 
   namespace
   {
@@ -70,24 +63,18 @@ namespace RollingContact
      * is mirrored: the blocks between tangential and normal components change
      * sign.
      */
-    void
-    add_compliance(const DenseMatrix &body,
-                   const bool         mirrored,
-                   const std::size_t  n_nodes,
-                   DenseMatrix       &pair)
+    void add_compliance(const DenseMatrix &body,
+                        const bool         mirrored,
+                        const std::size_t  n_nodes,
+                        DenseMatrix       &pair)
     {
-      const std::size_t n = body.n_rows(), first_normal = n - n_nodes;
-      for (std::size_t j = 0; j < n; ++j)
-        for (std::size_t i = 0; i < n; ++i)
-          {
-            const bool flips =
-              mirrored && ((i < first_normal) != (j < first_normal));
-            pair(i, j) += flips ? -body(i, j) : body(i, j);
-          }
+      const std::size_t n = body.rows(), first_normal = n - n_nodes;
+      Eigen::VectorXd   signs = Eigen::VectorXd::Ones(n);
+      if (mirrored)
+        signs.head(first_normal) *= -1;
+      pair += signs.asDiagonal() * body * signs.asDiagonal();
     }
   } // namespace
-
-
 
   template <int dim>
   DenseMatrix
@@ -99,8 +86,6 @@ namespace RollingContact
     return added_compliance(std::move(bodies));
   }
 
-
-
   template <int dim>
   DenseMatrix
   RollingPair<dim>::added_compliance(PerSide<DenseMatrix> bodies) const
@@ -109,7 +94,8 @@ namespace RollingContact
     for (const Side side : both_sides)
       if (body_pair.has_own_body(side))
         Ranks::broadcast(bodies[side], body_pair.rank_of(side));
-    DenseMatrix W(components.size() * n_nodes, components.size() * n_nodes);
+    DenseMatrix W = DenseMatrix::Zero(components.size() * n_nodes,
+                                      components.size() * n_nodes);
     for (const Side side : both_sides)
       if (body_pair.is_elastic(side))
         add_compliance(body_pair.twins() ? bodies.wheel : bodies[side],
@@ -118,8 +104,6 @@ namespace RollingContact
                        W);
     return W;
   }
-
-
 
   template <int dim>
   std::vector<double>
@@ -143,16 +127,11 @@ namespace RollingContact
     return result;
   }
 
-
-
   template <int dim>
-  bool
-  RollingPair<dim>::compliance_is_exact() const
+  bool RollingPair<dim>::compliance_is_exact() const
   {
     return body_pair.body_solver() != BodySolver::distributed;
   }
-
-
 
   namespace
   {
@@ -163,8 +142,7 @@ namespace RollingContact
      * other: twins answer tangential forces with opposite motions, normal ones
      * with equal motions.
      */
-    Loads
-    split(const Loads &forces, const std::size_t n_nodes)
+    Loads split(const Loads &forces, const std::size_t n_nodes)
     {
       Loads parts;
       for (const std::vector<double> &load : forces)
@@ -182,8 +160,6 @@ namespace RollingContact
       return parts;
     }
   } // namespace
-
-
 
   template <int dim>
   std::vector<std::vector<double>>
@@ -227,8 +203,6 @@ namespace RollingContact
     return result;
   }
 
-
-
   template <int dim>
   ContactProblem
   RollingPair<dim>::contact_problem(const ContactParameters &contact)
@@ -250,8 +224,6 @@ namespace RollingContact
       [&]() { condense(Side::rail); });
     return contact_problem(contact, added_compliance(std::move(W)));
   }
-
-
 
   template <int dim>
   ContactProblem
@@ -286,7 +258,7 @@ namespace RollingContact
                              : given[i];
       };
     ContactLoads &loads    = problem.loads;
-    const auto   *profiles = scene.profiles.frame.get();
+    const auto   *profiles = scene.frame.get();
     for (std::size_t i = 0; i < at.size(); ++i)
       loads.gap.push_back((profiles ? gap_of_profiles(scene, at[i])
                                     : -height(Side::wheel, *wheel, i) -
@@ -300,8 +272,6 @@ namespace RollingContact
     return problem;
   }
 
-
-
   template <int dim>
   std::vector<double>
   RollingPair<dim>::friction_at_nodes(const ContactParameters &contact,
@@ -314,40 +284,28 @@ namespace RollingContact
     return friction;
   }
 
-
-
   template <int dim>
-  void
-  RollingPair<dim>::set_loads(const ContactParameters &contact,
-                              ContactProblem          &problem) const
+  void RollingPair<dim>::set_loads(const ContactParameters &contact,
+                                   ContactProblem          &problem) const
   {
-    ContactLoads &loads     = problem.loads;
-    loads.friction          = friction_at_nodes(contact, 0.);
-    loads.friction_law      = contact.falling_friction();
-    loads.memory_length     = contact.friction_memory;
-    loads.speed             = std::abs(contact.rolling_speed());
-    const Creepages   found = loads.creepages;
-    const AskedForces asked = loads.forces;
-    loads.creepages         = contact.creepages;
-    loads.forces            = contact.forces;
-    // those that were found are where the next ones are looked for
-    if (contact.forces.x && asked.x)
-      loads.creepages.x = found.x;
-    if (contact.forces.y && asked.y)
-      loads.creepages.y = found.y;
-    if (contact.forces.moment && asked.moment)
-      loads.creepages.spin = found.spin;
+    ContactLoads &loads = problem.loads;
+    loads.friction      = friction_at_nodes(contact, 0.);
+    loads.friction_law  = contact.falling_friction();
+    loads.memory_length = contact.friction_memory_length;
+    loads.speed         = std::abs(contact.rolling_speed());
+    // what was given and not found before is no place to begin at
+    const Creepages found =
+      start_of_search(loads.forces, loads.creepages, contact.creepages);
+    loads.forces      = contact.forces;
+    loads.creepages   = start_of_search(loads.forces, found, contact.creepages);
     loads.normal_load = contact.normal_load;
     loads.approach    = contact.approach.value_or(0.);
     loads.inclined_load.reset();
     if (contact.vertical_load)
-      loads.inclined_load = {*contact.vertical_load,
-                             scene.profiles.frame->angle()};
+      loads.inclined_load = {*contact.vertical_load, scene.frame->angle()};
     else if (contact.normal_load && !problem.operators.frames().is_plane())
       loads.inclined_load = {*contact.normal_load, 0.};
   }
-
-
 
   template <int dim>
   std::vector<double>
@@ -361,13 +319,10 @@ namespace RollingContact
     return pair_interface.coupling[side].to_body(std::move(forces));
   }
 
-
-
   template <int dim>
-  BodyField
-  RollingPair<dim>::displacement(const Side            side,
-                                 const ContactProblem &problem,
-                                 const ContactState   &state) const
+  BodyField RollingPair<dim>::displacement(const Side            side,
+                                           const ContactProblem &problem,
+                                           const ContactState   &state) const
   {
     if (!body_pair.body(side))
       return {};
@@ -376,8 +331,6 @@ namespace RollingContact
       components,
       forces_on_body(side, nodal_forces(problem, state)));
   }
-
-
 
   template <int dim>
   std::unique_ptr<BodyDynamics>
@@ -392,8 +345,6 @@ namespace RollingContact
                                          pair_interface.nodes[side],
                                          components);
   }
-
-
 
   template class RollingPair<2>;
   template class RollingPair<3>;

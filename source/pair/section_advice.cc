@@ -5,8 +5,7 @@
 
 namespace RollingContact
 {
-  std::string
-  sweep_of(const BodyParameters &body)
+  std::string sweep_of(const BodyParameters &body)
   {
     if (!body.is_section())
       return "";
@@ -18,12 +17,9 @@ namespace RollingContact
                  significant(body.block_length, 4) + " m";
   }
 
-
-
-  std::string
-  advice_on_cells_along(const BodyParameters        &body,
-                        const std::array<double, 2> &faces,
-                        const std::array<double, 2> &elements)
+  std::string advice_on_cells_along(const BodyParameters        &body,
+                                    const std::array<double, 2> &faces,
+                                    const std::array<double, 2> &elements)
   {
     const double worth_it = 2.2; // halving twice where once would do
     const double ratio    = (faces[0] / elements[0]) / (faces[1] / elements[1]);

@@ -4,40 +4,22 @@
 
 namespace RollingContact
 {
-  bool
-  SectionInContact::is_on(const SceneParameters &scene, const Side side)
+  bool SectionInContact::is_on(const PairSpec &scene, const Side side)
   {
-    return scene.profiles.frame && scene.body(side).is_section();
+    return scene.frame && scene.body(side).is_section();
   }
 
-
-
-  namespace
-  {
-    std::shared_ptr<const PlacedProfile>
-    placed(const SceneParameters &scene, const Side side)
-    {
-      return side == Side::wheel ? scene.profiles.placed_wheel()
-                                 : scene.profiles.placed_rail();
-    }
-  } // namespace
-
-
-
-  SectionInContact::SectionInContact(const SceneParameters &scene,
-                                     const Side             side)
+  SectionInContact::SectionInContact(const PairSpec &scene, const Side side)
     : is_left(scene.profiles.is_left)
     , is_curved(scene.profiles.surface_kind == Profiles::SurfaceKind::curved)
     , radius(side == Side::wheel ? scene.wheel.radius : 0.)
-    , profile(*placed(scene, side), side == Side::wheel)
-    , turn((is_left ? -1. : 1.) * placed(scene, side)->turn)
+    , profile(*scene.body(side).profile, side == Side::wheel)
+    , turn((is_left ? -1. : 1.) * scene.body(side).profile->turn)
     , origin(profile.at(profile.contact()))
   {
     if (is_left)
       origin[0] = -origin[0];
   }
-
-
 
   ProfiledSection::Point
   SectionInContact::in_file(const FileMesh::Point &vertex) const
@@ -48,18 +30,12 @@ namespace RollingContact
     return {{is_left ? -vertex[1] : vertex[1], outwards}};
   }
 
-
-
-  double
-  SectionInContact::off_profile(const FileMesh::Point &vertex) const
+  double SectionInContact::off_profile(const FileMesh::Point &vertex) const
   {
     return profile.nearest(in_file(vertex)).distance;
   }
 
-
-
-  FileMesh
-  SectionInContact::seen_from_contact(const FileMesh &mesh) const
+  FileMesh SectionInContact::seen_from_contact(const FileMesh &mesh) const
   {
     FileMesh     result = mesh;
     const double c = std::cos(turn), s = std::sin(turn);

@@ -15,15 +15,13 @@ namespace RollingContact
     /// curved surface
     const double facet_share = 0.1;
 
-
-
     /**
      * A point by radius, angle and position along the axle: the axle passes
      * below the contact point, which is the origin, and x is perpendicular to
      * it. Units: m, degrees.
      */
-    std::array<double, 3>
-    round_axle(const Axle &axle, const std::array<double, 3> &place)
+    std::array<double, 3> round_axle(const Axle                  &axle,
+                                     const std::array<double, 3> &place)
     {
       const auto  &a = axle.point, &d = axle.direction;
       const double length = std::hypot(d[0], d[1], d[2]);
@@ -43,14 +41,11 @@ namespace RollingContact
       return point;
     }
 
-
-
     /**
      * A point in the frame of its body. Units: m.
      */
     template <int dim>
-    Point<dim>
-    in_body(const BodyParameters &body, const VelocityPoint &point)
+    Point<dim> in_body(const BodySpec &body, const VelocityPoint &point)
     {
       std::array<double, 3> at = point.place;
       if (body.section == "Wheel")
@@ -70,11 +65,8 @@ namespace RollingContact
       return result;
     }
 
-
-
     template <int dim>
-    std::string
-    place_text(const Side side, const Point<dim> &point)
+    std::string place_text(const Side side, const Point<dim> &point)
     {
       const double rounding = 1e-12; // m
       std::string  text;
@@ -90,17 +82,14 @@ namespace RollingContact
       return text + " m";
     }
 
-
-
     /**
      * A point of the mesh. Throws InputError where there is none.
      */
     template <int dim>
-    BodyPoint<dim>
-    found(const SceneParameters  &scene,
-          const Side              side,
-          const VelocityPoint    &wanted,
-          const ElasticBody<dim> &body)
+    BodyPoint<dim> found(const PairSpec         &scene,
+                         const Side              side,
+                         const VelocityPoint    &wanted,
+                         const ElasticBody<dim> &body)
     {
       const BodyPoint<dim> point(body, in_body<dim>(scene.body(side), wanted));
       if (point.distance() > facet_share * point.cell_diameter())
@@ -117,18 +106,17 @@ namespace RollingContact
     }
   } // namespace
 
-
-
   template <int dim>
   WatchedPoints<dim>::WatchedPoints(
-    const SceneParameters                          &scene,
+    const PairSpec                                 &scene,
+    const PerSide<std::vector<VelocityPoint>>      &wanted_points,
     const BodyPair<dim>                            &bodies,
     const std::function<void(const std::string &)> &tell)
   {
     for (const Side side : both_sides)
       {
-        const auto wanted = scene.velocity_points(side);
-        n_of_body[side]   = wanted.size();
+        const std::vector<VelocityPoint> &wanted = wanted_points[side];
+        n_of_body[side]                          = wanted.size();
         n_points += wanted.size();
         if (wanted.empty())
           continue;
@@ -153,8 +141,6 @@ namespace RollingContact
       }
   }
 
-
-
   template <int dim>
   std::vector<double>
   WatchedPoints<dim>::values_of(const Side side, const BodyField &field) const
@@ -170,11 +156,8 @@ namespace RollingContact
     return result;
   }
 
-
-
   template <int dim>
-  std::vector<double>
-  WatchedPoints<dim>::values(
+  std::vector<double> WatchedPoints<dim>::values(
     const BodyPair<dim>                        &bodies,
     const std::function<BodyField(const Side)> &field) const
   {
@@ -189,8 +172,6 @@ namespace RollingContact
       }
     return result;
   }
-
-
 
   template class WatchedPoints<2>;
   template class WatchedPoints<3>;

@@ -17,8 +17,7 @@ namespace RollingContact
       "Usage: rolling-contact FILE.prm [--set \"Section/Entry=value\"]... "
       "[OPTION]...";
 
-    options::options_description
-    visible_options()
+    options::options_description visible_options()
     {
       options::options_description visible("Options",
                                            screen_width(),
@@ -41,10 +40,7 @@ namespace RollingContact
       return visible;
     }
 
-
-
-    CommandLine::Setting
-    parse_setting(const std::string &text)
+    CommandLine::Setting parse_setting(const std::string &text)
     {
       const std::size_t equals = text.find('=');
       if (equals == std::string::npos || equals == 0)
@@ -59,12 +55,9 @@ namespace RollingContact
       return {trim(text.substr(0, equals)), trim(text.substr(equals + 1))};
     }
 
-
-
     /** Boost fills these into its messages, and for ever so if a word on the
      * command line contains them. */
-    void
-    check_placeholders(const std::vector<std::string> &words)
+    void check_placeholders(const std::vector<std::string> &words)
     {
       for (const std::string &word : words)
         for (const std::string placeholder : {"%canonical_option%",
@@ -80,10 +73,7 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  std::string
-  CommandLine::help()
+  std::string CommandLine::help()
   {
     std::ostringstream text;
     const auto         line = [](const std::string &words) {
@@ -99,8 +89,6 @@ namespace RollingContact
               "converged or interrupted, 3 internal error.");
     return text.str();
   }
-
-
 
   CommandLine::CommandLine(const int argc, const char *const *argv)
     : words(argv, argv + argc)

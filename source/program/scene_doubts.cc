@@ -1,5 +1,5 @@
-#include <rolling_contact/advice/plausibility.h>
 #include <rolling_contact/program/scene_doubts.h>
+#include <rolling_contact/scene/plausibility.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +10,7 @@ namespace RollingContact
   {
     using Sentences = std::vector<std::string>;
 
-    void
-    add_new(const Sentences &more, Sentences &sentences)
+    void add_new(const Sentences &more, Sentences &sentences)
     {
       for (const std::string &sentence : more)
         if (std::find(sentences.begin(), sentences.end(), sentence) ==
@@ -19,14 +18,11 @@ namespace RollingContact
           sentences.push_back(sentence);
     }
 
-
-
     /**
      * The states in which an entry of section Contact, Wheel or Rail is
      * farthest from zero or nearest to it.
      */
-    std::set<std::size_t>
-    extreme_states(const TableStates &states)
+    std::set<std::size_t> extreme_states(const TableStates &states)
     {
       static const std::set<std::string> sections{"Contact", "Wheel", "Rail"};
       std::set<std::size_t>              found;
@@ -47,37 +43,36 @@ namespace RollingContact
       return found;
     }
 
+    Sentences implausible(const Situation &scene)
+    {
+      return implausible_values(*scene.inputs, scene.contact.creepages);
+    }
 
-
-    Sentences
-    doubts_of_states(const SceneParameters &scene, const TablePlan &plan)
+    Sentences doubts_of_states(const Situation &scene, const TablePlan &plan)
     {
       Sentences doubts;
       for (const std::size_t state : extreme_states(plan))
         {
           SceneEntries entries(scene);
           plan.set(state, entries);
-          add_new(implausible_values(entries.scene()), doubts);
+          add_new(implausible(entries.situation()), doubts);
         }
       return doubts;
     }
   } // namespace
 
-
-
-  std::vector<std::string>
-  doubts_of(const SceneParameters          &scene,
-            const std::optional<TablePlan> &table,
-            std::set<std::string>           given)
+  std::vector<std::string> doubts_of(const Situation                &scene,
+                                     const std::optional<TablePlan> &table,
+                                     std::set<std::string>           given)
   {
-    Sentences doubts = implausible_values(scene);
+    Sentences doubts = implausible(scene);
     if (table)
       {
         add_new(doubts_of_states(scene, *table), doubts);
         given.insert(table->entries.begin(), table->entries.end());
       }
-    add_new(doubtful_profiles(scene), doubts);
-    add_new(doubtful_defaults(scene, given), doubts);
+    add_new(doubtful_profiles(*scene.inputs), doubts);
+    add_new(doubtful_defaults(*scene.inputs, given), doubts);
     return doubts;
   }
 } // namespace RollingContact

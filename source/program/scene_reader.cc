@@ -1,16 +1,15 @@
 #include <deal.II/base/parameter_handler.h>
 
-#include <rolling_contact/advice/unused_entries.h>
 #include <rolling_contact/base/exception_text.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/input/prm_declared.h>
 #include <rolling_contact/input/prm_entries.h>
 #include <rolling_contact/pair/mesh_unit_check.h>
 #include <rolling_contact/pair/moving_surfaces.h>
 #include <rolling_contact/program/analysis_table.h>
 #include <rolling_contact/program/scene_doubts.h>
 #include <rolling_contact/program/scene_reader.h>
+#include <rolling_contact/scene/known_entries.h>
 #include <rolling_contact/tables/table_plan.h>
 
 #include <algorithm>
@@ -27,12 +26,11 @@ namespace RollingContact
     /**
      * Set Section/Entry (or Entry) of @p prm. Throws InputError.
      */
-    void
-    set_entry(const PrmEntry        &entry,
-              const DeclaredEntries &declared,
-              ParameterHandler      &prm)
+    void set_entry(const PrmEntry   &entry,
+                   const Entries    &entries,
+                   ParameterHandler &prm)
     {
-      declared.check(entry);
+      entries.find(entry.path, entry.place).check(entry.value, entry.place);
       std::vector<std::string> names;
       std::istringstream       path(entry.path);
       for (std::string part; std::getline(path, part, '/');)
@@ -44,12 +42,9 @@ namespace RollingContact
         prm.leave_subsection();
     }
 
-
-
-    void
-    apply_setting(const CommandLine::Setting &setting,
-                  const DeclaredEntries      &declared,
-                  ParameterHandler           &prm)
+    void apply_setting(const CommandLine::Setting &setting,
+                       const Entries              &entries,
+                       ParameterHandler           &prm)
     {
       std::string value = setting.value;
       std::replace(value.begin(), value.end(), '\t', ' ');
@@ -61,30 +56,25 @@ namespace RollingContact
                         problem = problem_of_value(setting.value);
       if (!problem.empty())
         throw InputError(place + problem);
-      set_entry({setting.path, value, place}, declared, prm);
+      set_entry({setting.path, value, place}, entries, prm);
     }
-
-
 
     /**
      * Give the scene of a table the entries of its first state. Throws
      * InputError.
      */
-    void
-    apply_first_state(const TableStates     &states,
-                      const DeclaredEntries &declared,
-                      ParameterHandler      &prm)
+    void apply_first_state(const TableStates &states,
+                           const Entries     &entries,
+                           ParameterHandler  &prm)
     {
       for (std::size_t d = 0; d < states.entries.size(); ++d)
         set_entry({states.entries[d],
                    exact_text(states.values[0][d]),
                    states.places[d]},
-                  declared,
+                  entries,
                   prm);
     }
   } // namespace
-
-
 
   namespace
   {
@@ -92,7 +82,7 @@ namespace RollingContact
      * What file and command line give that is not the default.
      */
     PrmEntries
-    changed_entries(const DeclaredEntries                   &declared,
+    changed_entries(const Entries                           &entries,
                     const PrmText                           &file,
                     const std::vector<CommandLine::Setting> &settings)
     {
@@ -101,14 +91,12 @@ namespace RollingContact
         given.push_back({setting.path, setting.value, ""});
       PrmEntries changed;
       for (const PrmEntry &entry : given)
-        if (declared.is_default(entry))
+        if (entries.find(entry.path).is_default(entry.value))
           changed.erase(entry.path);
         else
           changed[entry.path] = entry.value;
       return changed;
     }
-
-
 
     /**
      * What file and command line give, whether it is the default or not.
@@ -125,22 +113,14 @@ namespace RollingContact
       return given;
     }
 
-
-
-    void
-    declare(SceneParameters &scene, ParameterHandler &prm)
+    Entries declare(SceneParameters &scene)
     {
-      std::vector<DescribedChoice> analyses;
-      for (const AnalysisKind &kind : analysis_kinds())
-        analyses.push_back({kind.name, kind.help});
-      scene.declare(prm, analyses);
+      const std::vector<AnalysisKind> &kinds = analysis_kinds();
+      return scene.declare({kinds.begin(), kinds.end()});
     }
   } // namespace
 
-
-
-  SceneInput
-  read_scene(const CommandLine &command_line)
+  SceneInput read_scene(const CommandLine &command_line)
   {
     return scene_of_text(
       read_prm(command_line.prm_file),
@@ -149,28 +129,23 @@ namespace RollingContact
       command_line.settings);
   }
 
-
-
-  SceneInput
-  scene_of_text(const PrmText                           &file,
-                const std::string                       &name,
-                const std::filesystem::path             &folder,
-                const std::vector<CommandLine::Setting> &settings)
+  SceneInput scene_of_text(const PrmText                           &file,
+                           const std::string                       &name,
+                           const std::filesystem::path             &folder,
+                           const std::vector<CommandLine::Setting> &settings)
   {
-    SceneInput       input;
-    SceneParameters &scene = input.scene;
+    SceneParameters  scene;
     ParameterHandler prm;
-    declare(scene, prm);
+    const Entries    entries = declare(scene);
+    entries.declare(prm);
     scene.prm_folder = folder;
-    const DeclaredEntries declared(prm);
     for (const PrmEntry &section : file.sections)
-      declared.check_section(section);
+      entries.check_section(section);
     for (const PrmEntry &entry : file.entries)
-      declared.check(entry);
-    input.original = file.text;
+      entries.find(entry.path, entry.place).check(entry.value, entry.place);
     try
       {
-        std::istringstream lines(input.original);
+        std::istringstream lines(file.text);
         prm.parse_input(lines, name);
       }
     catch (const ExceptionBase &error)
@@ -178,51 +153,42 @@ namespace RollingContact
         throw InputError(name + ": " + quotable(message_of(error), 300));
       }
     for (const auto &setting : settings)
-      apply_setting(setting, declared, prm);
+      apply_setting(setting, entries, prm);
     std::ostringstream used;
     prm.print_parameters(used, ParameterHandler::ShortText);
-    input.used = used.str();
-    if (scene.is_of_table())
-      apply_first_state(table_states(scene), declared, prm);
+    if (scene.analysis.has_many_states)
+      apply_first_state(table_states(scene), entries, prm);
     scene.check();
-    scene.read_meshes();
-    scene.read_profiles();
-    if (!scene.is_of_structures())
-      check_mesh_units(scene);
-    scene.read_surfaces();
-    if (!scene.is_of_structures())
-      check_moving_surfaces(scene);
+    SceneInput input{Situation(scene), file.text, used.str(), {}};
+    if (scene.analysis.has_contact)
+      {
+        check_mesh_units(input.scene);
+        check_moving_surfaces(input.scene);
+      }
     std::optional<TablePlan> table;
-    if (scene.is_of_table())
-      table = plan_table(scene); // all states of it are possible
+    if (scene.analysis.has_many_states)
+      table = plan_table(input.scene); // all states of it are possible
     input.warnings =
-      unused_entries(scene, changed_entries(declared, file, settings));
-    const auto doubts = doubts_of(scene, table, given_entries(file, settings));
+      unused_entries(scene, changed_entries(entries, file, settings));
+    const auto doubts =
+      doubts_of(input.scene, table, given_entries(file, settings));
     input.warnings.insert(input.warnings.end(), doubts.begin(), doubts.end());
     return input;
   }
 
-
-
-  std::string
-  documented_parameters()
+  std::string documented_parameters()
   {
     SceneParameters  scene;
     ParameterHandler prm;
-    declare(scene, prm);
+    declare(scene).declare(prm);
     std::ostringstream text;
     prm.print_parameters(text, ParameterHandler::PRM);
     return text.str();
   }
 
-
-
-  std::string
-  parameters_as_json()
+  std::string parameters_as_json()
   {
-    SceneParameters  scene;
-    ParameterHandler prm;
-    declare(scene, prm);
-    return entries_as_json(prm);
+    SceneParameters scene;
+    return entries_as_json(declare(scene));
   }
 } // namespace RollingContact

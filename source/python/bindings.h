@@ -34,19 +34,19 @@ namespace RollingContact
       std::vector<CommandLine::Setting>  settings;
       std::map<std::string, std::string> entries; ///< all that were given
       std::vector<std::string>           warnings;
-      SceneParameters                    parameters;
+      std::optional<Situation>           situation;
     };
 
     /**
-     * Of a path, a text (which has line ends) or a Scene, with settings {entry:
-     * value} on top. Throws InputError.
+     * Scene of a path, a text (which has line ends) or a Scene, with settings
+     * {entry: value} on top. Throws InputError.
      */
-    std::shared_ptr<const Scene>
-    make_scene(const py::object &source, const py::object &settings);
+    std::shared_ptr<const Scene> make_scene(const py::object &source,
+                                            const py::object &settings);
 
     /**
-     * The same in time: Analysis is transient, and there is an end where none
-     * is given. Units: s.
+     * Scene in time of a path, a text or a Scene: Analysis is transient, and
+     * there is an end where none is given. Units: s.
      */
     std::shared_ptr<const Scene>
     make_scene_in_time(const py::object           &source,
@@ -57,8 +57,8 @@ namespace RollingContact
      * What a value of Python stands for in a .prm file. Throws TypeError unless
      * it is a text, a number or true or false.
      */
-    std::string
-    text_of_value(const std::string &entry, const py::handle &value);
+    std::string text_of_value(const std::string &entry,
+                              const py::handle  &value);
 
     /**
      * Fields at the N contact nodes, copies of their own. Units: SI.
@@ -81,8 +81,7 @@ namespace RollingContact
       /** Throws InputError unless it is quiet, normal or verbose. */
       explicit Speech(const std::string &verbosity);
 
-      std::ostream *
-      stream()
+      std::ostream *stream()
       {
         return out.get();
       }
@@ -104,22 +103,17 @@ namespace RollingContact
       explicit InUse(std::atomic_flag &flag);
       ~InUse();
 
-      InUse(const InUse &) = delete;
-      InUse &
-      operator=(const InUse &) = delete;
+      InUse(const InUse &)            = delete;
+      InUse &operator=(const InUse &) = delete;
 
     private:
       std::atomic_flag &flag;
     };
 
-    void
-    define_scene(py::module_ &module);
-    void
-    define_fields(py::module_ &module);
-    void
-    define_session(py::module_ &module);
-    void
-    define_transient(py::module_ &module);
+    void define_scene(py::module_ &module);
+    void define_fields(py::module_ &module);
+    void define_session(py::module_ &module);
+    void define_transient(py::module_ &module);
   } // namespace Bindings
 } // namespace RollingContact
 

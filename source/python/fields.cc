@@ -1,8 +1,8 @@
 #include "bindings.h"
 
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/contact/tangential_problem.h>
-#include <rolling_contact/patch/resultants.h>
+#include <rolling_contact/contact/resultants.h>
+#include <rolling_contact/results/nodal_values.h>
 
 #include <stdexcept>
 
@@ -10,16 +10,8 @@ namespace RollingContact::Bindings
 {
   namespace
   {
-    py::array_t<double>
-    array_of(const std::vector<double> &values)
-    {
-      return py::array_t<double>(values.size(), values.data());
-    }
-
-
-
-    py::array_t<double>
-    zeros(const py::ssize_t n_rows, const py::ssize_t n_columns)
+    py::array_t<double> zeros(const py::ssize_t n_rows,
+                              const py::ssize_t n_columns)
     {
       py::array_t<double> result({n_rows, n_columns});
       std::fill(result.mutable_data(),
@@ -28,34 +20,43 @@ namespace RollingContact::Bindings
       return result;
     }
 
-
-
-    /** With x and y, y being 0 in 2D. */
-    py::array_t<double>
-    array_of(const std::size_t n_nodes, const NodalField &field)
+    /** Vectors with x and y, y being 0 in 2D. */
+    py::array_t<double> array_of(const std::string &name,
+                                 const NodalState  &state)
     {
-      py::array_t<double> result = zeros(n_nodes, 2);
+      const NodalQuantity &quantity = nodal_quantity(name);
+      const NodalField     field    = quantity.of(state).value();
+      if (!quantity.is_vector)
+        return py::array_t<double>(field.size(), field.values().data());
+      py::array_t<double> result = zeros(field.n_nodes(), 2);
       for (unsigned int k = 0; k < field.n_components(); ++k)
-        for (std::size_t i = 0; i < n_nodes; ++i)
+        for (std::size_t i = 0; i < field.n_nodes(); ++i)
           result.mutable_at(i, k) = field(k, i);
       return result;
     }
+
+    /** The help of an array, with its unit. */
+    std::string help(const std::string &text, const std::string &name)
+    {
+      return text + " Unit: " + nodal_quantity(name).unit + '.';
+    }
   } // namespace
-
-
 
   Fields::Fields(const ContactProblem &problem, const ContactState &state)
   {
+    const NodalState  all(problem, state);
     const std::size_t n_nodes = problem.n_nodes();
     const auto       &points  = problem.operators.positions();
     positions                 = zeros(n_nodes, 2);
     for (std::size_t i = 0; i < n_nodes; ++i)
       for (unsigned int k = 0; k < 2; ++k)
         positions.mutable_at(i, k) = points[i][k];
-    pressure = array_of(state.pressure);
-    traction = array_of(n_nodes, state.traction);
-    gap      = array_of(normal_gap(problem, state));
-    areas    = array_of(problem.operators.areas());
+    pressure    = array_of("pressure", all);
+    traction    = array_of("traction", all);
+    gap         = array_of("gap", all);
+    slip        = array_of("slip", all);
+    areas       = array_of("area", all);
+    node_states = py::array_t<std::int8_t>(array_of("state", all));
 
     const auto in_plane =
       forces_in_plane(problem, RollingContact::nodal_forces(problem, state));
@@ -66,18 +67,7 @@ namespace RollingContact::Bindings
         forces.mutable_at(i, 1) = in_plane[i].y;
         forces.mutable_at(i, 2) = in_plane[i].z;
       }
-
-    const TangentialProblem tangential = tangential_problem(problem, state);
-    slip                               = problem.n_tangential() > 0
-                                           ? array_of(n_nodes, tangential.slip(state.traction))
-                                           : zeros(n_nodes, 2);
-    const auto states = RollingContact::node_states(tangential, state);
-    node_states       = py::array_t<std::int8_t>(n_nodes);
-    for (std::size_t i = 0; i < n_nodes; ++i)
-      node_states.mutable_at(i) = static_cast<std::int8_t>(states[i]);
   }
-
-
 
   Speech::Speech(const std::string &given)
   {
@@ -97,8 +87,6 @@ namespace RollingContact::Bindings
     out = std::make_unique<std::ostream>(buffer.get());
   }
 
-
-
   InUse::InUse(std::atomic_flag &flag)
     : flag(flag)
   {
@@ -107,17 +95,12 @@ namespace RollingContact::Bindings
                                "one session for each thread.");
   }
 
-
-
   InUse::~InUse()
   {
     flag.clear();
   }
 
-
-
-  void
-  define_fields(py::module_ &module)
+  void define_fields(py::module_ &module)
   {
     py::class_<Fields, std::shared_ptr<Fields>>(
       module,
@@ -126,24 +109,33 @@ namespace RollingContact::Bindings
       .def_readonly("positions",
                     &Fields::positions,
                     "(N, 2): x in the rolling direction and y across. Unit: m.")
-      .def_readonly("pressure", &Fields::pressure, "(N,), >= 0. Unit: Pa.")
-      .def_readonly("traction",
-                    &Fields::traction,
-                    "(N, 2): of friction on the wheel. Unit: Pa.")
-      .def_readonly("gap",
-                    &Fields::gap,
-                    "(N,): between the deformed surfaces, 0 in contact; in "
-                    "time that of the contact law. Unit: m.")
-      .def_readonly("slip",
-                    &Fields::slip,
-                    "(N, 2): sliding speed of the wheel over the rail over the "
-                    "rolling speed. Unit: 1.")
+      .def_readonly("pressure",
+                    &Fields::pressure,
+                    help("(N,), >= 0.", "pressure").c_str())
+      .def_readonly(
+        "traction",
+        &Fields::traction,
+        help("(N, 2): of friction on the wheel.", "traction").c_str())
+      .def_readonly(
+        "gap",
+        &Fields::gap,
+        help("(N,): between the deformed surfaces, 0 in contact; in "
+             "time that of the contact law.",
+             "gap")
+          .c_str())
+      .def_readonly(
+        "slip",
+        &Fields::slip,
+        help("(N, 2): sliding speed of the wheel over the rail over "
+             "the rolling speed.",
+             "slip")
+          .c_str())
       .def_readonly("node_states",
                     &Fields::node_states,
                     "(N,) of int8: 0 open, 1 slip, 2 stick.")
       .def_readonly("areas",
                     &Fields::areas,
-                    "(N,): area of each node. Unit: m^2.")
+                    help("(N,): area of each node.", "area").c_str())
       .def_readonly("forces",
                     &Fields::forces,
                     "(N, 3): force of each node on the wheel along x, y and z, "

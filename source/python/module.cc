@@ -4,9 +4,9 @@
 #include "bindings.h"
 
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/base/platform.h>
-#include <rolling_contact/parallel/interrupt.h>
-#include <rolling_contact/parallel/ranks.h>
+#include <rolling_contact/base/ranks.h>
 
 #include <sstream>
 
@@ -17,13 +17,10 @@ namespace RollingContact::Bindings
     /** What a signal handler of Python raised inside a solve of this thread. */
     thread_local std::unique_ptr<py::error_already_set> raised;
 
-
-
     /**
      * Lets the handlers of Python run; they run in the main thread alone.
      */
-    void
-    ask_python()
+    void ask_python()
     {
       if (!Py_IsInitialized())
         return;
@@ -34,10 +31,7 @@ namespace RollingContact::Bindings
       throw Interrupted("Interrupted by a signal handler of Python.");
     }
 
-
-
-    void
-    translate_interrupt(std::exception_ptr pointer)
+    void translate_interrupt(std::exception_ptr pointer)
     {
       try
         {
@@ -62,10 +56,7 @@ namespace RollingContact::Bindings
         }
     }
 
-
-
-    void
-    define_errors(py::module_ &module)
+    void define_errors(py::module_ &module)
     {
       py::register_exception<InputError>(module, "InputError", PyExc_ValueError)
         .doc() = "Something the user can mend: the message names the entry or "
@@ -77,8 +68,6 @@ namespace RollingContact::Bindings
       py::register_exception_translator(&translate_interrupt);
     }
   } // namespace
-
-
 
   PYBIND11_MODULE(_core, module)
   {

@@ -8,8 +8,7 @@ namespace RollingContact::Bindings
 {
   namespace
   {
-    std::vector<CommandLine::Setting>
-    settings_of(const py::object &given)
+    std::vector<CommandLine::Setting> settings_of(const py::object &given)
     {
       std::vector<CommandLine::Setting> settings;
       if (given.is_none())
@@ -32,13 +31,10 @@ namespace RollingContact::Bindings
       return settings;
     }
 
-
-
     /** The entries of a scene, not yet read. */
-    Scene
-    draft(const PrmText               &text,
-          const std::string           &name,
-          const std::filesystem::path &folder)
+    Scene draft(const PrmText               &text,
+                const std::string           &name,
+                const std::filesystem::path &folder)
     {
       Scene scene{text, name, folder, {}, {}, {}, {}};
       for (const PrmEntry &entry : text.entries)
@@ -46,10 +42,7 @@ namespace RollingContact::Bindings
       return scene;
     }
 
-
-
-    void
-    add(const std::vector<CommandLine::Setting> &settings, Scene &scene)
+    void add(const std::vector<CommandLine::Setting> &settings, Scene &scene)
     {
       for (const CommandLine::Setting &setting : settings)
         {
@@ -58,31 +51,23 @@ namespace RollingContact::Bindings
         }
     }
 
-
-
-    std::shared_ptr<const Scene>
-    read(Scene scene)
+    std::shared_ptr<const Scene> read(Scene scene)
     {
       SceneInput input =
         scene_of_text(scene.text, scene.name, scene.folder, scene.settings);
-      scene.warnings   = std::move(input.warnings);
-      scene.parameters = std::move(input.scene);
+      scene.warnings  = std::move(input.warnings);
+      scene.situation = std::move(input.scene);
       return std::make_shared<const Scene>(std::move(scene));
     }
 
-
-
-    Scene
-    draft_of_text(const std::string &text, const std::filesystem::path &folder)
+    Scene draft_of_text(const std::string           &text,
+                        const std::filesystem::path &folder)
     {
       const std::string name = "the text";
       return draft(read_prm_text(text, name), name, folder);
     }
 
-
-
-    Scene
-    draft_of(const py::object &source, const py::object &settings)
+    Scene draft_of(const py::object &source, const py::object &settings)
     {
       Scene scene;
       if (py::isinstance<Scene>(source))
@@ -108,10 +93,7 @@ namespace RollingContact::Bindings
       return scene;
     }
 
-
-
-    double
-    given_length(const Scene &scene, const std::string &entry)
+    double given_length(const Scene &scene, const std::string &entry)
     {
       const auto found = scene.entries.find(entry);
       return found == scene.entries.end()
@@ -120,10 +102,7 @@ namespace RollingContact::Bindings
     }
   } // namespace
 
-
-
-  std::string
-  text_of_value(const std::string &entry, const py::handle &value)
+  std::string text_of_value(const std::string &entry, const py::handle &value)
   {
     if (py::isinstance<py::str>(value))
       return value.cast<std::string>();
@@ -143,15 +122,11 @@ namespace RollingContact::Bindings
       py::repr(py::type::handle_of(value)).cast<std::string>() + '.');
   }
 
-
-
-  std::shared_ptr<const Scene>
-  make_scene(const py::object &source, const py::object &settings)
+  std::shared_ptr<const Scene> make_scene(const py::object &source,
+                                          const py::object &settings)
   {
     return read(draft_of(source, settings));
   }
-
-
 
   std::shared_ptr<const Scene>
   make_scene_in_time(const py::object           &source,
@@ -177,10 +152,7 @@ namespace RollingContact::Bindings
     return read(scene);
   }
 
-
-
-  void
-  define_scene(py::module_ &module)
+  void define_scene(py::module_ &module)
   {
     py::class_<Scene, std::shared_ptr<Scene>>(
       module, "Scene", "A scene: the entries of a .prm file, read and checked.")
@@ -218,7 +190,7 @@ namespace RollingContact::Bindings
         "Entries without effect and values that are hardly meant so.")
       .def_property_readonly(
         "dimension",
-        [](const Scene &scene) { return scene.parameters.dimension; },
+        [](const Scene &scene) { return scene.situation->dimension; },
         "2 or 3.")
       .def("__repr__", [](const Scene &scene) {
         return "<rolling_contact.Scene of " + scene.name + ">";

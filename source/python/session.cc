@@ -1,8 +1,8 @@
 #include "bindings.h"
 
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/parallel/ranks.h>
-#include <rolling_contact/sessions/session.h>
+#include <rolling_contact/base/ranks.h>
+#include <rolling_contact/tables/session.h>
 
 namespace RollingContact::Bindings
 {
@@ -14,8 +14,6 @@ namespace RollingContact::Bindings
       SessionState                  found;
       std::shared_ptr<const Fields> fields;
     };
-
-
 
     class PySession
     {
@@ -31,11 +29,10 @@ namespace RollingContact::Bindings
                            std::to_string(Ranks::count()) +
                            ": start Python without mpirun.");
         const py::gil_scoped_release others_run;
-        session.emplace(scene->parameters, speech.stream(), speech.verbosity);
+        session.emplace(*scene->situation, speech.stream(), speech.verbosity);
       }
 
-      void
-      set(const std::string &entry, const py::object &value)
+      void set(const std::string &entry, const py::object &value)
       {
         const InUse       mine(flag);
         const std::string text = text_of_value(entry, value);
@@ -43,8 +40,7 @@ namespace RollingContact::Bindings
         entries[entry] = text;
       }
 
-      std::string
-      get(const std::string &entry) const
+      std::string get(const std::string &entry) const
       {
         const auto found = entries.find(entry);
         if (found == entries.end())
@@ -54,8 +50,7 @@ namespace RollingContact::Bindings
         return found->second;
       }
 
-      State
-      solve()
+      State solve()
       {
         const InUse mine(flag);
         State       state;
@@ -71,8 +66,7 @@ namespace RollingContact::Bindings
         return state;
       }
 
-      unsigned int
-      n_bodies_made() const
+      unsigned int n_bodies_made() const
       {
         return session->n_bodies_made();
       }
@@ -86,14 +80,11 @@ namespace RollingContact::Bindings
       std::optional<Session> session;
     };
 
-
-
     template <typename Type>
-    void
-    define(py::class_<State> &state,
-           const char        *name,
-           Type Resultants::*const member,
-           const char             *help)
+    void define(py::class_<State> &state,
+                const char        *name,
+                Type Resultants::*const member,
+                const char             *help)
     {
       state.def_property_readonly(
         name,
@@ -101,10 +92,7 @@ namespace RollingContact::Bindings
         help);
     }
 
-
-
-    void
-    define_bounds(py::module_ &module)
+    void define_bounds(py::module_ &module)
     {
       py::class_<ErrorBounds>(
         module,
@@ -125,10 +113,7 @@ namespace RollingContact::Bindings
                       "What the bound of the force is made of.");
     }
 
-
-
-    void
-    define_fields_of(py::class_<State> &state)
+    void define_fields_of(py::class_<State> &state)
     {
       const auto add = [&](const char *name, auto member, const char *help) {
         state.def_property_readonly(
@@ -156,10 +141,7 @@ namespace RollingContact::Bindings
         "All fields; None if nothing touches.");
     }
 
-
-
-    void
-    define_resultants(py::class_<State> &state)
+    void define_resultants(py::class_<State> &state)
     {
       define(state, "force_x", &Resultants::force_x, "Unit: N.");
       define(state, "force_y", &Resultants::force_y, "Unit: N.");
@@ -189,10 +171,7 @@ namespace RollingContact::Bindings
              "Heat of friction per metre rolled. Unit: J/m.");
     }
 
-
-
-    void
-    define_forces_and_creepages(py::class_<State> &state)
+    void define_forces_and_creepages(py::class_<State> &state)
     {
       state
         .def_property_readonly(
@@ -214,10 +193,7 @@ namespace RollingContact::Bindings
           "Units: 1, 1, 1/m.");
     }
 
-
-
-    void
-    define_members(py::class_<State> &state)
+    void define_members(py::class_<State> &state)
     {
       const auto add = [&](const char *name, auto member, const char *help) {
         state.def_property_readonly(
@@ -243,10 +219,7 @@ namespace RollingContact::Bindings
           "Wall time of the solve. Unit: s.");
     }
 
-
-
-    void
-    define_state(py::module_ &module)
+    void define_state(py::module_ &module)
     {
       py::class_<State> state(module,
                               "State",
@@ -268,10 +241,7 @@ namespace RollingContact::Bindings
     }
   } // namespace
 
-
-
-  void
-  define_session(py::module_ &module)
+  void define_session(py::module_ &module)
   {
     define_bounds(module);
     define_state(module);

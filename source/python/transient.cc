@@ -1,15 +1,14 @@
 #include "bindings.h"
 
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/parallel/ranks.h>
-#include <rolling_contact/sessions/transient_session.h>
+#include <rolling_contact/base/ranks.h>
+#include <rolling_contact/tables/transient_session.h>
 
 namespace RollingContact::Bindings
 {
   namespace
   {
-    BetweenValues
-    between_of(const std::string &name)
+    BetweenValues between_of(const std::string &name)
     {
       if (name == "linear")
         return BetweenValues::linear;
@@ -19,15 +18,11 @@ namespace RollingContact::Bindings
                        ": inputs are linear over the step, or held.");
     }
 
-
-
     /** A state of a session in time, to be given back to it. */
     struct Saved
     {
       std::shared_ptr<const TransientSession::Saved> state;
     };
-
-
 
     class PyTransient
     {
@@ -42,13 +37,12 @@ namespace RollingContact::Bindings
                            std::to_string(Ranks::count()) +
                            ": start Python without mpirun.");
         const py::gil_scoped_release others_run;
-        session.emplace(scene->parameters, speech.stream(), speech.verbosity);
+        session.emplace(*scene->situation, speech.stream(), speech.verbosity);
       }
 
-      TransientState
-      step(const std::optional<double> length,
-           const StepInputs           &inputs,
-           const std::string          &between)
+      TransientState step(const std::optional<double> length,
+                          const StepInputs           &inputs,
+                          const std::string          &between)
       {
         const BetweenValues          way = between_of(between);
         const InUse                  mine(flag);
@@ -59,15 +53,13 @@ namespace RollingContact::Bindings
         return found;
       }
 
-      TransientState
-      state()
+      TransientState state()
       {
         const InUse mine(flag);
         return session->current();
       }
 
-      std::shared_ptr<Fields>
-      fields()
+      std::shared_ptr<Fields> fields()
       {
         const InUse mine(flag);
         if (session->current().progress.step == 0)
@@ -76,15 +68,13 @@ namespace RollingContact::Bindings
         return std::make_shared<Fields>(session->problem(), session->state());
       }
 
-      Saved
-      save()
+      Saved save()
       {
         const InUse mine(flag);
         return {session->save()};
       }
 
-      TransientState
-      restore(const Saved &saved)
+      TransientState restore(const Saved &saved)
       {
         const InUse                  mine(flag);
         const py::gil_scoped_release others_run;
@@ -100,22 +90,16 @@ namespace RollingContact::Bindings
       std::optional<TransientSession> session;
     };
 
-
-
     template <typename Value>
-    void
-    define(py::class_<TransientState> &state,
-           const char                 *name,
-           const Value                &value,
-           const char                 *help)
+    void define(py::class_<TransientState> &state,
+                const char                 *name,
+                const Value                &value,
+                const char                 *help)
     {
       state.def_property_readonly(name, value, help);
     }
 
-
-
-    void
-    define_forces(py::class_<TransientState> &state)
+    void define_forces(py::class_<TransientState> &state)
     {
       using S = const TransientState &;
       define(
@@ -156,10 +140,7 @@ namespace RollingContact::Bindings
         "1, 1, 1/m.");
     }
 
-
-
-    void
-    define_energies(py::class_<TransientState> &state)
+    void define_energies(py::class_<TransientState> &state)
     {
       using S = const TransientState &;
       define(
@@ -194,10 +175,7 @@ namespace RollingContact::Bindings
         "Dissipated by theta. Unit: J.");
     }
 
-
-
-    void
-    define_steps(py::class_<TransientState> &state)
+    void define_steps(py::class_<TransientState> &state)
     {
       using S = const TransientState &;
       define(
@@ -246,10 +224,7 @@ namespace RollingContact::Bindings
         "Wall time of the step. Unit: s.");
     }
 
-
-
-    void
-    define_state(py::module_ &module)
+    void define_state(py::module_ &module)
     {
       using S = const TransientState &;
       py::class_<TransientState> state(
@@ -273,10 +248,7 @@ namespace RollingContact::Bindings
                         "What Transient.save() returns and restore() takes.");
     }
 
-
-
-    void
-    define_step(py::class_<PyTransient> &transient)
+    void define_step(py::class_<PyTransient> &transient)
     {
       using Value     = std::optional<double>;
       const auto none = py::none();
@@ -328,10 +300,7 @@ namespace RollingContact::Bindings
     }
   } // namespace
 
-
-
-  void
-  define_transient(py::module_ &module)
+  void define_transient(py::module_ &module)
   {
     define_state(module);
     py::class_<PyTransient> transient(

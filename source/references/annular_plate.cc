@@ -1,6 +1,7 @@
 #include <boost/math/special_functions/bessel.hpp>
 #include <boost/math/special_functions/bessel_prime.hpp>
 
+#include <rolling_contact/base/constants.h>
 #include <rolling_contact/references/annular_plate.h>
 #include <rolling_contact/references/bracketed_root.h>
 #include <rolling_contact/references/checks.h>
@@ -16,13 +17,9 @@ namespace RollingContact::References
   {
     using Matrix = std::array<std::array<double, 4>, 4>;
 
-    const double pi = std::acos(-1.);
-
-
-
     /** J, Y, I, K of order n and their first derivatives. */
-    std::array<std::array<double, 2>, 4>
-    bessel(const unsigned int n, const double x)
+    std::array<std::array<double, 2>, 4> bessel(const unsigned int n,
+                                                const double       x)
     {
       using namespace boost::math;
       return {{{{cyl_bessel_j(n, x), cyl_bessel_j_prime(n, x)}},
@@ -31,11 +28,8 @@ namespace RollingContact::References
                {{cyl_bessel_k(n, x), cyl_bessel_k_prime(n, x)}}}};
     }
 
-
-
     /** By elimination with pivots; the columns are of like size. */
-    double
-    determinant(Matrix matrix)
+    double determinant(Matrix matrix)
     {
       double result = 1.;
       for (unsigned int k = 0; k < 4; ++k)
@@ -58,8 +52,6 @@ namespace RollingContact::References
         }
       return result;
     }
-
-
 
     /** Zero at the wave numbers @p k of free vibrations. */
     double
@@ -88,8 +80,6 @@ namespace RollingContact::References
       return determinant(matrix);
     }
   } // namespace
-
-
 
   std::vector<double>
   AnnularPlate::frequencies(const unsigned int n_diameters,

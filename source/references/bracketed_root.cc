@@ -10,10 +10,9 @@
 
 namespace RollingContact::References
 {
-  double
-  bracketed_root(const std::function<double(double)> &function,
-                 const double                         lower,
-                 const double                         upper)
+  double bracketed_root(const std::function<double(double)> &function,
+                        const double                         lower,
+                        const double                         upper)
   {
     const auto is_narrow = [](const double left, const double right) {
       const double scale = std::max({1., std::abs(left), std::abs(right)});

@@ -11,8 +11,7 @@ namespace RollingContact::References
      * x for |x| < half_width, x - sign(x) sqrt(x^2 - half_width^2) outside:
      * the finite Hilbert transform of an elliptic traction, over pi.
      */
-    double
-    elliptic_gradient(const double x, const double half_width)
+    double elliptic_gradient(const double x, const double half_width)
     {
       const double distance = std::abs(x);
       if (distance <= half_width)
@@ -22,8 +21,7 @@ namespace RollingContact::References
       return x - std::copysign(outside, x);
     }
 
-    double
-    sign(const double value)
+    double sign(const double value)
     {
       return (value > 0) - (value < 0);
     }
@@ -48,14 +46,12 @@ namespace RollingContact::References
     check_flow_direction(flow_direction);
   }
 
-  double
-  Carter::saturation_creepage() const
+  double Carter::saturation_creepage() const
   {
     return friction_coefficient * contact.half_width / relative_radius;
   }
 
-  double
-  Carter::stick_half_width() const
+  double Carter::stick_half_width() const
   {
     const double saturation = saturation_creepage();
     if (std::abs(creepage) >= saturation)
@@ -63,28 +59,24 @@ namespace RollingContact::References
     return contact.half_width * (1 - std::abs(creepage) / saturation);
   }
 
-  double
-  Carter::stick_middle() const
+  double Carter::stick_middle() const
   {
     return -flow_direction * (contact.half_width - stick_half_width());
   }
 
-  std::pair<double, double>
-  Carter::stick_interval() const
+  std::pair<double, double> Carter::stick_interval() const
   {
     const double middle = stick_middle();
     return {middle - stick_half_width(), middle + stick_half_width()};
   }
 
-  double
-  Carter::force_ratio() const
+  double Carter::force_ratio() const
   {
     const double ratio = stick_half_width() / contact.half_width;
     return -sign(creepage) * (1 - ratio) * (1 + ratio);
   }
 
-  double
-  Carter::traction(const double x) const
+  double Carter::traction(const double x) const
   {
     const double    stick_width = stick_half_width();
     const HertzLine stick{stick_width,
@@ -94,8 +86,7 @@ namespace RollingContact::References
            (contact.pressure(x) - stick.pressure(x - stick_middle()));
   }
 
-  double
-  Carter::slip(const double x) const
+  double Carter::slip(const double x) const
   {
     const double stick_width = stick_half_width();
     const double offset      = x - stick_middle();

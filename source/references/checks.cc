@@ -6,11 +6,10 @@
 
 namespace RollingContact::References
 {
-  void
-  reject(const std::string &quantity,
-         const double       value,
-         const std::string &unit,
-         const std::string &allowed)
+  void reject(const std::string &quantity,
+              const double       value,
+              const std::string &unit,
+              const std::string &allowed)
   {
     std::ostringstream message;
     message.precision(9);
@@ -19,35 +18,31 @@ namespace RollingContact::References
     throw InputError(message.str());
   }
 
-  void
-  check_positive(const std::string &quantity,
-                 const double       value,
-                 const std::string &unit)
+  void check_positive(const std::string &quantity,
+                      const double       value,
+                      const std::string &unit)
   {
     if (!(std::isfinite(value) && value > 0))
       reject(quantity, value, unit, "finite and positive");
   }
 
-  void
-  check_not_negative(const std::string &quantity,
-                     const double       value,
-                     const std::string &unit)
+  void check_not_negative(const std::string &quantity,
+                          const double       value,
+                          const std::string &unit)
   {
     if (!(std::isfinite(value) && value >= 0))
       reject(quantity, value, unit, "finite and not negative");
   }
 
-  void
-  check_finite(const std::string &quantity,
-               const double       value,
-               const std::string &unit)
+  void check_finite(const std::string &quantity,
+                    const double       value,
+                    const std::string &unit)
   {
     if (!std::isfinite(value))
       reject(quantity, value, unit, "finite");
   }
 
-  void
-  check_elasticity(const double young_modulus, const double poisson_ratio)
+  void check_elasticity(const double young_modulus, const double poisson_ratio)
   {
     if (!(young_modulus > 0))
       reject("Young modulus",
@@ -61,8 +56,7 @@ namespace RollingContact::References
              "larger than -1 and not larger than 0.5");
   }
 
-  void
-  check_flow_direction(const int flow_direction)
+  void check_flow_direction(const int flow_direction)
   {
     if (flow_direction != 1 && flow_direction != -1)
       reject("Flow direction",

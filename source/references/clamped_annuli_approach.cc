@@ -19,14 +19,12 @@ namespace RollingContact::References
                                   second.poisson_ratio))
       {}
 
-      HertzLine
-      hertz(const double half_width) const
+      HertzLine hertz(const double half_width) const
       {
         return hertz_line_of_half_width(half_width, radius, modulus);
       }
 
-      double
-      approach(const double half_width) const
+      double approach(const double half_width) const
       {
         return -hertz(half_width).load_per_length() *
                (first.radial_displacement(half_width) +
@@ -40,10 +38,9 @@ namespace RollingContact::References
     };
   } // namespace
 
-  AnnuliContact
-  approach_of_two_clamped_annuli(const Annulus &first,
-                                 const Annulus &second,
-                                 const double   load_per_length)
+  AnnuliContact approach_of_two_clamped_annuli(const Annulus &first,
+                                               const Annulus &second,
+                                               const double   load_per_length)
   {
     const AnnuliPair pair(first, second);
     const HertzLine  hertz =
@@ -51,10 +48,9 @@ namespace RollingContact::References
     return {hertz, hertz.half_width > 0 ? pair.approach(hertz.half_width) : 0};
   }
 
-  double
-  load_of_two_clamped_annuli(const Annulus &first,
-                             const Annulus &second,
-                             const double   approach)
+  double load_of_two_clamped_annuli(const Annulus &first,
+                                    const Annulus &second,
+                                    const double   approach)
   {
     const AnnuliPair pair(first, second);
     const double     half_width = half_width_of_approach(

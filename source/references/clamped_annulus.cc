@@ -17,8 +17,7 @@ namespace RollingContact::References
     /**
      * c_0: potentials z and 1/z.
      */
-    double
-    ring_coefficient(const double hub_ratio, const double kappa)
+    double ring_coefficient(const double hub_ratio, const double kappa)
     {
       const double square = hub_ratio * hub_ratio;
       return (kappa - 1) * (1 - square) / (2 + (kappa - 1) * square);
@@ -28,8 +27,7 @@ namespace RollingContact::References
      * c_1, with the net force: potentials (ln z, -kappa ln z), z^2, z^(-2) and
      * a translation.
      */
-    double
-    net_force_coefficient(const double hub_ratio, const double kappa)
+    double net_force_coefficient(const double hub_ratio, const double kappa)
     {
       const double square    = hub_ratio * hub_ratio;
       const double logarithm = -1 / (2 * (1 + kappa));
@@ -44,8 +42,7 @@ namespace RollingContact::References
     /**
      * c_n of the full disc.
      */
-    double
-    disc_coefficient(const unsigned int n, const double kappa)
+    double disc_coefficient(const unsigned int n, const double kappa)
     {
       return (kappa / (n + 1.) + 1 / (n - 1.)) / 2;
     }
@@ -65,12 +62,11 @@ namespace RollingContact::References
      * together with the decaying ones that clamp the hub; upper and lower are
      * the values of those, z^(1-n) and z^(-n-1), at the rim.
      */
-    RimState
-    clamped_rim_state(const unsigned int n,
-                      const double       hub_ratio,
-                      const double       kappa,
-                      const double       alpha,
-                      const double       beta)
+    RimState clamped_rim_state(const unsigned int n,
+                               const double       hub_ratio,
+                               const double       kappa,
+                               const double       alpha,
+                               const double       beta)
     {
       const double square = hub_ratio * hub_ratio;
       const double decay  = std::pow(square, n - 1.);
@@ -94,10 +90,9 @@ namespace RollingContact::References
     /**
      * c_n, n >= 2: the combination with unit pressure and no shear at the rim.
      */
-    double
-    annulus_coefficient(const unsigned int n,
-                        const double       hub_ratio,
-                        const double       kappa)
+    double annulus_coefficient(const unsigned int n,
+                               const double       hub_ratio,
+                               const double       kappa)
     {
       const RimState first  = clamped_rim_state(n, hub_ratio, kappa, 1, 0);
       const RimState second = clamped_rim_state(n, hub_ratio, kappa, 0, 1);
@@ -111,8 +106,7 @@ namespace RollingContact::References
      * Sum over n >= 2 of the full disc's c_n cos(n t), 0 < t < 2 pi, from the
      * sums of cos(n t)/n and sin(n t)/n.
      */
-    double
-    disc_kernel(const double angle, const double kappa)
+    double disc_kernel(const double angle, const double kappa)
     {
       const double cosine     = std::cos(angle);
       const double sine       = std::sin(angle);
@@ -160,9 +154,8 @@ namespace RollingContact::References
                                  disc_coefficient(n, kappa));
   }
 
-  double
-  ClampedAnnulus::radial_displacement(const double half_width,
-                                      const double angle) const
+  double ClampedAnnulus::radial_displacement(const double half_width,
+                                             const double angle) const
   {
     check_positive("Half-width", half_width, "m");
     check_finite("Angle", angle, "rad");
@@ -177,9 +170,8 @@ namespace RollingContact::References
             hub_response(half_angle, reduced_angle));
   }
 
-  double
-  ClampedAnnulus::disc_response(const double half_angle,
-                                const double angle) const
+  double ClampedAnnulus::disc_response(const double half_angle,
+                                       const double angle) const
   {
     const HertzLine patch{half_angle, 1};
     const auto      before = [&](const double distance) {
@@ -194,9 +186,8 @@ namespace RollingContact::References
            pi;
   }
 
-  double
-  ClampedAnnulus::hub_response(const double half_angle,
-                               const double angle) const
+  double ClampedAnnulus::hub_response(const double half_angle,
+                                      const double angle) const
   {
     double response = hub_coefficients[0] * half_angle / 4;
     for (unsigned int n = 1; n < hub_coefficients.size(); ++n)

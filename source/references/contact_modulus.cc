@@ -8,11 +8,10 @@ namespace RollingContact::References
 {
   namespace
   {
-    void
-    check_pair(const double young_modulus_1,
-               const double poisson_ratio_1,
-               const double young_modulus_2,
-               const double poisson_ratio_2)
+    void check_pair(const double young_modulus_1,
+                    const double poisson_ratio_1,
+                    const double young_modulus_2,
+                    const double poisson_ratio_2)
     {
       check_elasticity(young_modulus_1, poisson_ratio_1);
       check_elasticity(young_modulus_2, poisson_ratio_2);
@@ -22,11 +21,10 @@ namespace RollingContact::References
     }
   } // namespace
 
-  double
-  contact_modulus(const double young_modulus_1,
-                  const double poisson_ratio_1,
-                  const double young_modulus_2,
-                  const double poisson_ratio_2)
+  double contact_modulus(const double young_modulus_1,
+                         const double poisson_ratio_1,
+                         const double young_modulus_2,
+                         const double poisson_ratio_2)
   {
     check_pair(young_modulus_1,
                poisson_ratio_1,
@@ -36,11 +34,10 @@ namespace RollingContact::References
                 (1 - poisson_ratio_2 * poisson_ratio_2) / young_modulus_2);
   }
 
-  double
-  dundurs_beta(const double young_modulus_1,
-               const double poisson_ratio_1,
-               const double young_modulus_2,
-               const double poisson_ratio_2)
+  double dundurs_beta(const double young_modulus_1,
+                      const double poisson_ratio_1,
+                      const double young_modulus_2,
+                      const double poisson_ratio_2)
   {
     check_pair(young_modulus_1,
                poisson_ratio_1,
@@ -53,8 +50,7 @@ namespace RollingContact::References
            ((1 - poisson_ratio_1) / G1 + (1 - poisson_ratio_2) / G2);
   }
 
-  double
-  relative_radius(const double radius_1, const double radius_2)
+  double relative_radius(const double radius_1, const double radius_2)
   {
     for (const double radius : {radius_1, radius_2})
       if (std::isnan(radius) || radius == 0)
@@ -71,11 +67,10 @@ namespace RollingContact::References
     return 1 / relative_curvature;
   }
 
-  CombinedElasticity
-  combined_elasticity(const double young_modulus_1,
-                      const double poisson_ratio_1,
-                      const double young_modulus_2,
-                      const double poisson_ratio_2)
+  CombinedElasticity combined_elasticity(const double young_modulus_1,
+                                         const double poisson_ratio_1,
+                                         const double young_modulus_2,
+                                         const double poisson_ratio_2)
   {
     check_pair(young_modulus_1,
                poisson_ratio_1,

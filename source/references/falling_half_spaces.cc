@@ -1,5 +1,4 @@
-#include <boost/math/constants/constants.hpp>
-
+#include <rolling_contact/base/constants.h>
 #include <rolling_contact/references/bracketed_root.h>
 #include <rolling_contact/references/checks.h>
 #include <rolling_contact/references/falling_half_spaces.h>
@@ -10,8 +9,8 @@ namespace RollingContact::References
 {
   namespace
   {
-    void
-    check_bodies(const double fall, const std::vector<ShearedHalfSpace> &bodies)
+    void check_bodies(const double                         fall,
+                      const std::vector<ShearedHalfSpace> &bodies)
     {
       check_not_negative("Fall of the traction", fall, "Pa s/m");
       for (const ShearedHalfSpace &body : bodies)
@@ -22,11 +21,8 @@ namespace RollingContact::References
     }
   } // namespace
 
-
-
-  double
-  falling_friction_gain(const double                         fall,
-                        const std::vector<ShearedHalfSpace> &bodies)
+  double falling_friction_gain(const double                         fall,
+                               const std::vector<ShearedHalfSpace> &bodies)
   {
     check_bodies(fall, bodies);
     double gain = 0.;
@@ -35,18 +31,15 @@ namespace RollingContact::References
     return gain;
   }
 
-
-
-  double
-  falling_friction_growth(const double                         fall,
-                          const std::vector<ShearedHalfSpace> &bodies,
-                          const double                         wavelength)
+  double falling_friction_growth(const double                         fall,
+                                 const std::vector<ShearedHalfSpace> &bodies,
+                                 const double wavelength)
   {
     check_positive("Wavelength", wavelength, "m");
     const double gain = falling_friction_gain(fall, bodies);
     if (gain <= 1.)
       return 0.;
-    const double k      = 2 * boost::math::constants::pi<double>() / wavelength;
+    const double k      = 2 * pi / wavelength;
     const auto   excess = [&](const double logarithm) {
       const double s   = std::exp(logarithm);
       double       sum = -1.;

@@ -19,18 +19,15 @@ namespace RollingContact::References
       double       bound; ///< in the middle, Pa
       int          flow;
 
-      TangentialForce
-      strip(const double y, const unsigned int n_steps) const;
+      TangentialForce strip(const double y, const unsigned int n_steps) const;
     };
-
-
 
     /**
      * Force per width (N/m) of the strip at @p y, by the midpoint rule: from
      * one middle to the next with the slip in between.
      */
-    TangentialForce
-    Springs::strip(const double y, const unsigned int n_steps) const
+    TangentialForce Springs::strip(const double       y,
+                                   const unsigned int n_steps) const
     {
       const double across = y / contact.half_width_y;
       const double length =
@@ -62,15 +59,12 @@ namespace RollingContact::References
     }
   } // namespace
 
-
-
-  TangentialForce
-  fastsim(const Creepages          &creepages,
-          const HertzEllipse       &contact,
-          const CombinedElasticity &elasticity,
-          const double              friction_coefficient,
-          const int                 flow_direction,
-          const unsigned int        n_strips)
+  TangentialForce fastsim(const Creepages          &creepages,
+                          const HertzEllipse       &contact,
+                          const CombinedElasticity &elasticity,
+                          const double              friction_coefficient,
+                          const int                 flow_direction,
+                          const unsigned int        n_strips)
   {
     check_not_negative("Friction coefficient", friction_coefficient);
     const double load = contact.load();

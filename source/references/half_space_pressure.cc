@@ -13,13 +13,10 @@ namespace RollingContact::References
      * The integral of 1/r over the rectangle that has a corner at the origin
      * and the opposite one at (x, y), with the sign of x y. Units: m.
      */
-    double
-    integral_to_corner(const double x, const double y)
+    double integral_to_corner(const double x, const double y)
     {
       return x * std::asinh(y / std::abs(x)) + y * std::asinh(x / std::abs(y));
     }
-
-
 
     /**
      * What a pressure of 1 Pa on one rectangle moves the middle of the others,
@@ -50,8 +47,7 @@ namespace RollingContact::References
       /**
        * The displacements under these pressures. Units: Pa to m.
        */
-      std::vector<double>
-      multiply(const std::vector<double> &pressure) const
+      std::vector<double> multiply(const std::vector<double> &pressure) const
       {
         std::vector<double> result(pressure.size(), 0.);
         for (std::size_t from = 0; from < pressure.size(); ++from)
@@ -61,10 +57,9 @@ namespace RollingContact::References
       }
 
     private:
-      void
-      add(const std::size_t    from,
-          const double         pressure,
-          std::vector<double> &result) const
+      void add(const std::size_t    from,
+               const double         pressure,
+               std::vector<double> &result) const
       {
         const std::size_t at_x = from % grid.n_x, at_y = from / grid.n_x;
         for (std::size_t j = 0; j < grid.n_y; ++j)
@@ -82,8 +77,6 @@ namespace RollingContact::References
       const ContactGrid   grid;
       std::vector<double> by_distance;
     };
-
-
 
     /**
      * Polonsky and Keer's iteration.
@@ -108,8 +101,7 @@ namespace RollingContact::References
         start(contact_modulus * std::sqrt(area));
       }
 
-      HalfSpacePressure
-      solve()
+      HalfSpacePressure solve()
       {
         const unsigned int max_rounds = 1000;
         const double       accuracy   = 1e-4;
@@ -129,8 +121,7 @@ namespace RollingContact::References
       /**
        * Pressure where the surfaces would overlap, in proportion.
        */
-      void
-      start(const double stiffness)
+      void start(const double stiffness)
       {
         double level = state.approach;
         if (load)
@@ -145,8 +136,7 @@ namespace RollingContact::References
         rescale();
       }
 
-      void
-      rescale()
+      void rescale()
       {
         state.load =
           area *
@@ -158,8 +148,7 @@ namespace RollingContact::References
         state.load = *load;
       }
 
-      double
-      mean_of_touching(const std::vector<double> &values) const
+      double mean_of_touching(const std::vector<double> &values) const
       {
         double      sum = 0.;
         std::size_t n   = 0;
@@ -172,12 +161,10 @@ namespace RollingContact::References
         return sum / n;
       }
 
-      double
-      advance();
+      double advance();
 
       /** What pressures times shares move, over the shares. */
-      std::vector<double>
-      displacement(std::vector<double> pressure) const
+      std::vector<double> displacement(std::vector<double> pressure) const
       {
         for (std::size_t i = 0; i < shares.size(); ++i)
           pressure[i] /= shares[i];
@@ -198,13 +185,10 @@ namespace RollingContact::References
       bool                        restarts   = true;
     };
 
-
-
     /**
      * One round; what it changed of the load, over the load.
      */
-    double
-    Iteration::advance()
+    double Iteration::advance()
     {
       std::vector<double> opening = displacement(state.pressure);
       for (std::size_t i = 0; i < gap.size(); ++i)
@@ -255,15 +239,12 @@ namespace RollingContact::References
     }
   } // namespace
 
-
-
-  HalfSpacePressure
-  half_space_pressure(const ContactGrid           &grid,
-                      const std::vector<double>   &gap,
-                      const double                 contact_modulus,
-                      const std::optional<double> &load,
-                      const double                 approach,
-                      const std::vector<double>   &shares)
+  HalfSpacePressure half_space_pressure(const ContactGrid         &grid,
+                                        const std::vector<double> &gap,
+                                        const double contact_modulus,
+                                        const std::optional<double> &load,
+                                        const double                 approach,
+                                        const std::vector<double>   &shares)
   {
     // with gaps and displacements over the shares and pressures times them it
     // is the problem of a plane with another, still symmetric, influence

@@ -17,8 +17,7 @@ namespace RollingContact::References
      * b/a from B/A = RD(0, 1, (b/a)^2)/RD(0, (b/a)^2, 1), which falls from
      * infinity to zero; |log(b/a)| < |log(B/A)|.
      */
-    double
-    axis_ratio(const double curvature_ratio)
+    double axis_ratio(const double curvature_ratio)
     {
       const double log_curvature_ratio = std::log(curvature_ratio);
       const auto   residual            = [&](const double log_axis_ratio) {
@@ -32,8 +31,7 @@ namespace RollingContact::References
     }
   } // namespace
 
-  double
-  HertzEllipse::pressure(const double x, const double y) const
+  double HertzEllipse::pressure(const double x, const double y) const
   {
     const double distance = std::hypot(x / half_width_x, y / half_width_y);
     if (!(distance < 1))
@@ -41,17 +39,15 @@ namespace RollingContact::References
     return max_pressure * std::sqrt((1 - distance) * (1 + distance));
   }
 
-  double
-  HertzEllipse::load() const
+  double HertzEllipse::load() const
   {
     return 2 * pi / 3 * half_width_x * half_width_y * max_pressure;
   }
 
-  HertzEllipse
-  hertz_ellipse(const double load,
-                const double curvature_x,
-                const double curvature_y,
-                const double contact_modulus)
+  HertzEllipse hertz_ellipse(const double load,
+                             const double curvature_x,
+                             const double curvature_y,
+                             const double contact_modulus)
   {
     check_not_negative("Load", load, "N");
     check_positive("Curvature of the gap along x", curvature_x, "1/m");
@@ -71,11 +67,10 @@ namespace RollingContact::References
               boost::math::ellint_rf(0., ratio * ratio, 1.)};
   }
 
-  double
-  load_of_hertz_ellipse(const double approach,
-                        const double curvature_x,
-                        const double curvature_y,
-                        const double contact_modulus)
+  double load_of_hertz_ellipse(const double approach,
+                               const double curvature_x,
+                               const double curvature_y,
+                               const double contact_modulus)
   {
     check_finite("Approach", approach, "m");
     if (approach <= 0)

@@ -6,8 +6,7 @@
 
 namespace RollingContact::References
 {
-  double
-  HertzLine::pressure(const double x) const
+  double HertzLine::pressure(const double x) const
   {
     if (!(std::abs(x) < half_width))
       return 0;
@@ -15,16 +14,14 @@ namespace RollingContact::References
     return max_pressure * std::sqrt((1 - ratio) * (1 + ratio));
   }
 
-  double
-  HertzLine::load_per_length() const
+  double HertzLine::load_per_length() const
   {
     return pi / 2 * half_width * max_pressure;
   }
 
-  HertzLine
-  hertz_line(const double load_per_length,
-             const double relative_radius,
-             const double contact_modulus)
+  HertzLine hertz_line(const double load_per_length,
+                       const double relative_radius,
+                       const double contact_modulus)
   {
     check_not_negative("Load per length", load_per_length, "N/m");
     check_positive("Relative radius", relative_radius, "m");
@@ -36,10 +33,9 @@ namespace RollingContact::References
                                     contact_modulus);
   }
 
-  HertzLine
-  hertz_line_of_half_width(const double half_width,
-                           const double relative_radius,
-                           const double contact_modulus)
+  HertzLine hertz_line_of_half_width(const double half_width,
+                                     const double relative_radius,
+                                     const double contact_modulus)
   {
     check_not_negative("Half-width", half_width, "m");
     check_positive("Relative radius", relative_radius, "m");

@@ -60,9 +60,8 @@ namespace RollingContact::References
     /**
      * 1/C is the parabola through its values at nu = 0, 1/4, 1/2.
      */
-    double
-    interpolate_in_poisson_ratio(const std::array<double, 3> &values,
-                                 const double                 poisson_ratio)
+    double interpolate_in_poisson_ratio(const std::array<double, 3> &values,
+                                        const double poisson_ratio)
     {
       const double first  = 8 * (poisson_ratio - 0.25) * (poisson_ratio - 0.5);
       const double middle = -16 * poisson_ratio * (poisson_ratio - 0.5);
@@ -70,10 +69,9 @@ namespace RollingContact::References
       return 1 / (first / values[0] + middle / values[1] + last / values[2]);
     }
 
-    KalkerCoefficients
-    interpolate(const Table &table,
-                const double smaller_ratio,
-                const double poisson_ratio)
+    KalkerCoefficients interpolate(const Table &table,
+                                   const double smaller_ratio,
+                                   const double poisson_ratio)
     {
       const double position = 10 * smaller_ratio - 1;
       const auto   row      = static_cast<unsigned int>(
@@ -98,8 +96,7 @@ namespace RollingContact::References
     /**
      * a << b: every strip across the patch rolls as a line contact.
      */
-    KalkerCoefficients
-    short_patch_limit(const double ratio, const double nu)
+    KalkerCoefficients short_patch_limit(const double ratio, const double nu)
     {
       const double log_term = std::log(16 / (ratio * ratio));
       return {pi * pi / 4 / (1 - nu),
@@ -112,8 +109,7 @@ namespace RollingContact::References
     /**
      * a >> b.
      */
-    KalkerCoefficients
-    long_patch_limit(const double ratio, const double nu)
+    KalkerCoefficients long_patch_limit(const double ratio, const double nu)
     {
       const double log_term = std::log(16 / (ratio * ratio));
       const double shift    = 3 - std::log(4.);
@@ -127,8 +123,8 @@ namespace RollingContact::References
     }
   } // namespace
 
-  KalkerCoefficients
-  kalker_coefficients(const double axis_ratio, const double poisson_ratio)
+  KalkerCoefficients kalker_coefficients(const double axis_ratio,
+                                         const double poisson_ratio)
   {
     check_positive("Ratio of the semi-axes", axis_ratio);
     if (!(poisson_ratio >= 0 && poisson_ratio <= 0.5))
@@ -143,11 +139,10 @@ namespace RollingContact::References
                     : long_patch_limit(smaller_ratio, poisson_ratio);
   }
 
-  CreepForces
-  kalker_forces(const Creepages          &creepages,
-                const HertzEllipse       &contact,
-                const CombinedElasticity &elasticity,
-                const int                 flow_direction)
+  CreepForces kalker_forces(const Creepages          &creepages,
+                            const HertzEllipse       &contact,
+                            const CombinedElasticity &elasticity,
+                            const int                 flow_direction)
   {
     check_finite("Creepage x", creepages.x);
     check_finite("Creepage y", creepages.y);

@@ -13,13 +13,12 @@ namespace RollingContact::References
     /**
      * (1-nu^2) P/(pi E) times a factor of extent over half-width.
      */
-    double
-    compression(const std::string                   &quantity,
-                const double                         extent,
-                const double                         young_modulus,
-                const double                         poisson_ratio,
-                const HertzLine                     &contact,
-                const std::function<double(double)> &factor)
+    double compression(const std::string                   &quantity,
+                       const double                         extent,
+                       const double                         young_modulus,
+                       const double                         poisson_ratio,
+                       const HertzLine                     &contact,
+                       const std::function<double(double)> &factor)
     {
       if (contact.half_width == 0)
         return 0;
@@ -30,11 +29,10 @@ namespace RollingContact::References
     }
   } // namespace
 
-  double
-  compression_of_disc(const double     radius,
-                      const double     young_modulus,
-                      const double     poisson_ratio,
-                      const HertzLine &contact)
+  double compression_of_disc(const double     radius,
+                             const double     young_modulus,
+                             const double     poisson_ratio,
+                             const HertzLine &contact)
   {
     return compression("Radius of the disc",
                        radius,
@@ -46,11 +44,10 @@ namespace RollingContact::References
                        });
   }
 
-  double
-  compression_of_layer(const double     depth,
-                       const double     young_modulus,
-                       const double     poisson_ratio,
-                       const HertzLine &contact)
+  double compression_of_layer(const double     depth,
+                              const double     young_modulus,
+                              const double     poisson_ratio,
+                              const HertzLine &contact)
   {
     return compression("Depth of the layer",
                        depth,
@@ -67,8 +64,7 @@ namespace RollingContact::References
                        });
   }
 
-  double
-  half_width_of_approach(
+  double half_width_of_approach(
     const std::function<double(double)> &approach_of_half_width,
     const double                         largest_half_width,
     const double                         approach)

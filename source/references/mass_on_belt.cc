@@ -9,8 +9,7 @@ namespace RollingContact::References
 {
   namespace
   {
-    void
-    check(const MassOnBelt &belt)
+    void check(const MassOnBelt &belt)
     {
       check_positive("Mass", belt.mass, "kg");
       check_positive("Stiffness", belt.stiffness, "N/m");
@@ -23,10 +22,7 @@ namespace RollingContact::References
     }
   } // namespace
 
-
-
-  double
-  MassOnBelt::growth(const double decay_speed) const
+  double MassOnBelt::growth(const double decay_speed) const
   {
     check(*this);
     check_positive("Decay speed", decay_speed, "m/s");
@@ -35,10 +31,7 @@ namespace RollingContact::References
     return (load * slope - damping) / (2 * mass);
   }
 
-
-
-  double
-  MassOnBelt::critical_speed(const double decay_speed) const
+  double MassOnBelt::critical_speed(const double decay_speed) const
   {
     check(*this);
     check_positive("Decay speed", decay_speed, "m/s");
@@ -48,10 +41,7 @@ namespace RollingContact::References
     return ratio > 1. ? decay_speed * std::log(ratio) : 0.;
   }
 
-
-
-  MassOnBelt::Cycle
-  MassOnBelt::stick_slip_cycle() const
+  MassOnBelt::Cycle MassOnBelt::stick_slip_cycle() const
   {
     check(*this);
     const double frequency = std::sqrt(stiffness / mass),

@@ -14,8 +14,7 @@ namespace RollingContact
       /**
        * exp(u) K_n(u), by its asymptotic series where K_n would underflow.
        */
-      double
-      scaled_bessel(const int n, const double u)
+      double scaled_bessel(const int n, const double u)
       {
         if (u < 100.)
           return std::exp(u) * boost::math::cyl_bessel_k(n, u);
@@ -25,18 +24,13 @@ namespace RollingContact
                       (1 + (mu - 9) / (2 * z) * (1 + (mu - 25) / (3 * z))));
       }
 
-
-
       /** Integrals from 0 to u of exp(t) K_0(|t|) and of t times that. */
       struct Moments
       {
         double zeroth = 0., first = 0.;
       };
 
-
-
-      Moments
-      moments(const double u)
+      Moments moments(const double u)
       {
         const double v = std::abs(u);
         if (v < 1e-300)
@@ -50,14 +44,11 @@ namespace RollingContact
       }
     } // namespace
 
-
-
-    std::vector<double>
-    moving_heat_source(const std::vector<double> &x,
-                       const std::vector<double> &flux,
-                       const double               speed,
-                       const double               conductivity,
-                       const double               diffusivity)
+    std::vector<double> moving_heat_source(const std::vector<double> &x,
+                                           const std::vector<double> &flux,
+                                           const double               speed,
+                                           const double conductivity,
+                                           const double diffusivity)
     {
       const double        scale = 2 * diffusivity / std::abs(speed);
       const int           sign  = speed < 0. ? -1 : 1;

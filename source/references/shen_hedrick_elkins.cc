@@ -10,8 +10,7 @@ namespace RollingContact::References
     /**
      * |F|/|F_linear|.
      */
-    double
-    saturation_factor(const double linear_force, const double bound)
+    double saturation_factor(const double linear_force, const double bound)
     {
       if (linear_force >= 3 * bound)
         return linear_force > 0 ? bound / linear_force : 0;
@@ -20,12 +19,11 @@ namespace RollingContact::References
     }
   } // namespace
 
-  TangentialForce
-  shen_hedrick_elkins(const Creepages          &creepages,
-                      const HertzEllipse       &contact,
-                      const CombinedElasticity &elasticity,
-                      const double              friction_coefficient,
-                      const int                 flow_direction)
+  TangentialForce shen_hedrick_elkins(const Creepages          &creepages,
+                                      const HertzEllipse       &contact,
+                                      const CombinedElasticity &elasticity,
+                                      const double friction_coefficient,
+                                      const int    flow_direction)
   {
     check_not_negative("Friction coefficient", friction_coefficient);
     const CreepForces linear =

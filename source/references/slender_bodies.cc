@@ -1,3 +1,4 @@
+#include <rolling_contact/base/constants.h>
 #include <rolling_contact/references/bracketed_root.h>
 #include <rolling_contact/references/checks.h>
 #include <rolling_contact/references/slender_bodies.h>
@@ -8,14 +9,9 @@
 namespace RollingContact::References
 {
   namespace
-  {
-    const double pi = std::acos(-1.);
-  } // namespace
+  {} // namespace
 
-
-
-  double
-  cantilever_compliance(const Bar &bar)
+  double cantilever_compliance(const Bar &bar)
   {
     check_positive("Length", bar.length, "m");
     const double shear = 5. / 6 * bar.shear_modulus * bar.area();
@@ -24,10 +20,7 @@ namespace RollingContact::References
            bar.length / shear;
   }
 
-
-
-  double
-  cantilever_frequency(const Bar &bar, const unsigned int number)
+  double cantilever_frequency(const Bar &bar, const unsigned int number)
   {
     check_positive("Length", bar.length, "m");
     check_positive("Number of the frequency", number);
@@ -42,10 +35,7 @@ namespace RollingContact::References
                      (bar.density * bar.area()));
   }
 
-
-
-  double
-  torsional_stiffness(const Bar &bar)
+  double torsional_stiffness(const Bar &bar)
   {
     const double a = std::max(bar.width, bar.depth),
                  b = std::min(bar.width, bar.depth);
@@ -57,12 +47,9 @@ namespace RollingContact::References
            (1. / 3 - 64 / std::pow(pi, 5) * b / a * sum);
   }
 
-
-
-  double
-  free_ring_frequency(const Bar         &section,
-                      const double       radius,
-                      const unsigned int n_diameters)
+  double free_ring_frequency(const Bar         &section,
+                             const double       radius,
+                             const unsigned int n_diameters)
   {
     check_positive("Radius", radius, "m");
     const double n = n_diameters;
@@ -71,11 +58,8 @@ namespace RollingContact::References
                      (section.density * section.area()));
   }
 
-
-
-  double
-  winkler_beam_compliance(const double bending_stiffness,
-                          const double stiffness)
+  double winkler_beam_compliance(const double bending_stiffness,
+                                 const double stiffness)
   {
     check_positive("Bending stiffness", bending_stiffness, "N m^2");
     check_positive("Stiffness of the foundation", stiffness, "N/m^2");

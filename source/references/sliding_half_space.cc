@@ -18,15 +18,13 @@ namespace RollingContact::References
       double mu;             ///< with the sense of sliding
       double squared_speeds; ///< (c_2 / c_1)^2
 
-      static Complex
-      root(const Complex x)
+      static Complex root(const Complex x)
       {
         const Complex r = std::sqrt(x);
         return r.real() > 0. ? r : -r;
       }
 
-      Complex
-      operator()(const Complex c, Complex &derivative) const
+      Complex operator()(const Complex c, Complex &derivative) const
       {
         const Complex i(0., 1.),
           a = root(1. - c * c * squared_speeds), b = root(1. - c * c),
@@ -37,13 +35,10 @@ namespace RollingContact::References
       }
     };
 
-
-
     /**
      * Newton's method with steps of 0.1 at most; zero if it finds nothing.
      */
-    Complex
-    newton(const WaveEquation &equation, Complex c)
+    Complex newton(const WaveEquation &equation, Complex c)
     {
       const double longest = 0.1, smallest = 1e-13, least_residual = 1e-10;
       Complex      slope;
@@ -61,8 +56,6 @@ namespace RollingContact::References
       return std::abs(equation(c, slope)) < least_residual ? c : 0.;
     }
   } // namespace
-
-
 
   std::vector<std::complex<double>>
   growing_sliding_waves(const double mu, const double poisson_ratio)

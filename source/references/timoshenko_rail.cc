@@ -5,8 +5,8 @@
 
 namespace RollingContact::References
 {
-  std::complex<double>
-  TimoshenkoRail::receptance(const double frequency, const double x) const
+  std::complex<double> TimoshenkoRail::receptance(const double frequency,
+                                                  const double x) const
   {
     using Complex = std::complex<double>;
     check_not_negative("Frequency", frequency, "Hz");

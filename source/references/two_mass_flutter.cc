@@ -3,8 +3,7 @@
 
 namespace RollingContact::References
 {
-  double
-  TwoMassFlutter::critical_friction() const
+  double TwoMassFlutter::critical_friction() const
   {
     check_positive("Coupling k12", k12, "1/s^2");
     check_positive("Contact stiffness k3", k3, "1/s^2");
@@ -17,8 +16,6 @@ namespace RollingContact::References
                  a1 = c1 * k22 + c2 * k11, a0 = a1 * (a3 * a2 - a1) / (a3 * a3);
     return (a0 - k11 * k22 + k12 * k12) / (k3 * k12);
   }
-
-
 
   std::complex<double>
   TwoMassFlutter::undamped_eigenvalue(const double mu) const

@@ -29,9 +29,8 @@ namespace RollingContact
           close(id);
       }
 
-      Handle(const Handle &) = delete;
-      Handle &
-      operator=(const Handle &) = delete;
+      Handle(const Handle &)            = delete;
+      Handle &operator=(const Handle &) = delete;
 
       operator hid_t() const
       {
@@ -43,18 +42,13 @@ namespace RollingContact
       herr_t (*const close)(hid_t);
     };
 
-
-
     /// by which the file grows in memory, bytes
     const std::size_t memory_step = std::size_t(1) << 20;
-
-
 
     /**
      * A type for texts of any length, which readers take for such.
      */
-    hid_t
-    text_type()
+    hid_t text_type()
     {
       const hid_t type = H5Tcopy(H5T_C_S1);
       H5Tset_size(type, H5T_VARIABLE);
@@ -62,8 +56,6 @@ namespace RollingContact
       return type;
     }
   } // namespace
-
-
 
   Hdf5File::Hdf5File(const std::filesystem::path &path)
     : path_of_file(path)
@@ -76,18 +68,13 @@ namespace RollingContact
       succeeded(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, in_memory));
   }
 
-
-
   Hdf5File::~Hdf5File()
   {
     if (file >= 0)
       H5Fclose(file);
   }
 
-
-
-  Hdf5File::Id
-  Hdf5File::succeeded(const Id result) const
+  Hdf5File::Id Hdf5File::succeeded(const Id result) const
   {
     if (result < 0)
       throw MemoryError("Cannot make \"" + path_of_file.string() +
@@ -96,10 +83,7 @@ namespace RollingContact
     return result;
   }
 
-
-
-  void
-  Hdf5File::make_group(const std::string &path)
+  void Hdf5File::make_group(const std::string &path)
   {
     const Handle group(
       H5Gcreate2(file, path.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
@@ -107,13 +91,10 @@ namespace RollingContact
     succeeded(group);
   }
 
-
-
-  void
-  Hdf5File::write_array(const std::string &path,
-                        const Shape       &shape,
-                        const Id           type,
-                        const void        *values)
+  void Hdf5File::write_array(const std::string &path,
+                             const Shape       &shape,
+                             const Id           type,
+                             const void        *values)
   {
     const std::vector<hsize_t> sizes(shape.begin(), shape.end());
     const Handle               space(shape.empty() ? H5Screate(H5S_SCALAR)
@@ -131,42 +112,30 @@ namespace RollingContact
     succeeded(H5Dwrite(array, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values));
   }
 
-
-
-  void
-  Hdf5File::write(const std::string         &path,
-                  const Shape               &shape,
-                  const std::vector<double> &values)
+  void Hdf5File::write(const std::string         &path,
+                       const Shape               &shape,
+                       const std::vector<double> &values)
   {
     write_array(path, shape, H5T_NATIVE_DOUBLE, values.data());
   }
 
-
-
-  void
-  Hdf5File::write(const std::string              &path,
-                  const Shape                    &shape,
-                  const std::vector<std::int8_t> &values)
+  void Hdf5File::write(const std::string              &path,
+                       const Shape                    &shape,
+                       const std::vector<std::int8_t> &values)
   {
     write_array(path, shape, H5T_NATIVE_INT8, values.data());
   }
 
-
-
-  void
-  Hdf5File::write(const std::string &path, const std::string &text)
+  void Hdf5File::write(const std::string &path, const std::string &text)
   {
     const Handle type(text_type(), &H5Tclose);
     const char  *begin = text.c_str();
     write_array(path, {}, type, &begin);
   }
 
-
-
-  void
-  Hdf5File::set_attribute(const std::string &path,
-                          const std::string &name,
-                          const std::string &text)
+  void Hdf5File::set_attribute(const std::string &path,
+                               const std::string &name,
+                               const std::string &text)
   {
     const Handle object(H5Oopen(file, path.c_str(), H5P_DEFAULT), &H5Oclose),
       type(text_type(), &H5Tclose), space(H5Screate(H5S_SCALAR), &H5Sclose);
@@ -179,12 +148,9 @@ namespace RollingContact
     succeeded(H5Awrite(attribute, type, &begin));
   }
 
-
-
-  void
-  Hdf5File::attach_axis(const std::string &path,
-                        const std::size_t  d,
-                        const std::string &axis)
+  void Hdf5File::attach_axis(const std::string &path,
+                             const std::size_t  d,
+                             const std::string &axis)
   {
     const Handle array(H5Dopen2(file, path.c_str(), H5P_DEFAULT), &H5Dclose),
       scale(H5Dopen2(file, axis.c_str(), H5P_DEFAULT), &H5Dclose);
@@ -197,10 +163,7 @@ namespace RollingContact
     succeeded(H5DSset_label(array, d, name.c_str()));
   }
 
-
-
-  std::string
-  Hdf5File::bytes() const
+  std::string Hdf5File::bytes() const
   {
     succeeded(H5Fflush(file, H5F_SCOPE_LOCAL));
     std::string image(succeeded(H5Fget_file_image(file, nullptr, 0)), '\0');

@@ -1,6 +1,6 @@
 #include <rolling_contact/base/platform.h>
+#include <rolling_contact/base/ranks.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/parallel/ranks.h>
 #include <rolling_contact/run/log.h>
 
 #include <iostream>
@@ -10,21 +10,16 @@ namespace RollingContact
   namespace
   {
     /** The stream, or one that drops everything: only the root talks. */
-    std::ostream &
-    of_the_root(std::ostream &stream)
+    std::ostream &of_the_root(std::ostream &stream)
     {
       static std::ostream silent(nullptr);
       return Ranks::is_root() ? stream : silent;
     }
   } // namespace
 
-
-
   Log::Log(const Verbosity verbosity)
     : Log(verbosity, of_the_root(std::cout), of_the_root(std::cerr))
   {}
-
-
 
   Log::Log(const Verbosity verbosity, std::ostream &out, std::ostream &errors)
     : verbosity(verbosity)
@@ -32,45 +27,30 @@ namespace RollingContact
     , errors(errors)
   {}
 
-
-
-  void
-  Log::message(const std::string &text)
+  void Log::message(const std::string &text)
   {
     if (verbosity != Verbosity::quiet)
       out << wrapped(text, screen_width()) << std::endl;
   }
 
-
-
-  void
-  Log::detail(const std::string &text)
+  void Log::detail(const std::string &text)
   {
     if (verbosity == Verbosity::verbose)
       out << wrapped(text, screen_width()) << std::endl;
   }
 
-
-
-  void
-  Log::warning(const std::string &text)
+  void Log::warning(const std::string &text)
   {
     kept_warnings.push_back(text);
     errors << wrapped("Warning: " + text, screen_width()) << std::endl;
   }
 
-
-
-  void
-  Log::error(const std::string &text)
+  void Log::error(const std::string &text)
   {
     errors << wrapped("Error: " + text, screen_width()) << std::endl;
   }
 
-
-
-  const std::vector<std::string> &
-  Log::warnings() const
+  const std::vector<std::string> &Log::warnings() const
   {
     return kept_warnings;
   }

@@ -14,20 +14,16 @@ namespace RollingContact
 {
   namespace
   {
-    double
-    read_clock(const clockid_t clock)
+    double read_clock(const clockid_t clock)
     {
       timespec time = {};
       clock_gettime(clock, &time);
       return static_cast<double>(time.tv_sec) + 1e-9 * time.tv_nsec;
     }
 
-
-
-    std::string
-    table_line(const std::string     &name,
-               const PhaseTimer::Row &row,
-               const double           total_wall)
+    std::string table_line(const std::string     &name,
+                           const PhaseTimer::Row &row,
+                           const double           total_wall)
     {
       const double share =
         total_wall > 0. ? 100. * row.wall_seconds / total_wall : 0.;
@@ -40,10 +36,7 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  std::string
-  name_of(const Phase phase)
+  std::string name_of(const Phase phase)
   {
     switch (phase)
       {
@@ -75,8 +68,6 @@ namespace RollingContact
     return "other";
   }
 
-
-
   PhaseTimer::Scope::Scope(PhaseTimer &timer, const Phase phase)
     : timer(std::this_thread::get_id() == timer.owner ? &timer : nullptr)
   {
@@ -84,15 +75,11 @@ namespace RollingContact
       this->timer->enter(phase);
   }
 
-
-
   PhaseTimer::Scope::~Scope()
   {
     if (timer != nullptr)
       timer->leave();
   }
-
-
 
   PhaseTimer::PhaseTimer()
     : owner(std::this_thread::get_id())
@@ -101,16 +88,13 @@ namespace RollingContact
     , open_phases{0}
   {}
 
-
-
   namespace
   {
     /**
      * Seconds since the process began, field 22 of /proc/self/stat (proc(5));
      * zero where that cannot be read.
      */
-    double
-    age_of_process()
+    double age_of_process()
     {
       std::ifstream stat("/proc/self/stat");
       std::string   text((std::istreambuf_iterator<char>(stat)), {});
@@ -126,10 +110,7 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  void
-  PhaseTimer::charge_start()
+  void PhaseTimer::charge_start()
   {
     // a shell that becomes the program (exec) leaves it its own, longer age
     const double  longest_start = 5.; // s
@@ -140,27 +121,18 @@ namespace RollingContact
       {Phase::start, 1, wall > longest_start ? made.cpu : wall, made.cpu});
   }
 
-
-
-  PhaseTimer::Instant
-  PhaseTimer::now()
+  PhaseTimer::Instant PhaseTimer::now()
   {
     return {read_clock(CLOCK_MONOTONIC), read_clock(CLOCK_PROCESS_CPUTIME_ID)};
   }
 
-
-
-  void
-  PhaseTimer::charge(Row &row, const Instant &begin, const Instant &end)
+  void PhaseTimer::charge(Row &row, const Instant &begin, const Instant &end)
   {
     row.wall_seconds += end.wall - begin.wall;
     row.cpu_seconds += end.cpu - begin.cpu;
   }
 
-
-
-  void
-  PhaseTimer::enter(const Phase phase)
+  void PhaseTimer::enter(const Phase phase)
   {
     const Instant change = now();
     charge(phases[open_phases.back()], last_change, change);
@@ -176,10 +148,7 @@ namespace RollingContact
     open_phases.push_back(found - phases.begin());
   }
 
-
-
-  void
-  PhaseTimer::leave()
+  void PhaseTimer::leave()
   {
     const Instant change = now();
     charge(phases[open_phases.back()], last_change, change);
@@ -187,10 +156,7 @@ namespace RollingContact
     open_phases.pop_back();
   }
 
-
-
-  std::vector<PhaseTimer::Row>
-  PhaseTimer::rows() const
+  std::vector<PhaseTimer::Row> PhaseTimer::rows() const
   {
     std::vector<Row> result = phases;
     charge(result[open_phases.back()], last_change, now());
@@ -198,10 +164,7 @@ namespace RollingContact
     return result;
   }
 
-
-
-  PhaseTimer::Row
-  PhaseTimer::total(const std::vector<Row> &rows)
+  PhaseTimer::Row PhaseTimer::total(const std::vector<Row> &rows)
   {
     Row sum{Phase::other, 0, 0., 0.};
     for (const Row &row : rows)
@@ -212,10 +175,7 @@ namespace RollingContact
     return sum;
   }
 
-
-
-  std::string
-  PhaseTimer::summary() const
+  std::string PhaseTimer::summary() const
   {
     const std::vector<Row> all_rows = rows();
     const Row              sum      = total(all_rows);

@@ -15,8 +15,7 @@ namespace RollingContact
   namespace
   {
     /** In one line; numbers that are no integers with 9 significant digits. */
-    std::string
-    line_of(const Json &value)
+    std::string line_of(const Json &value)
     {
       if (value.is_number_float())
         return significant(value.get<double>(), 9);
@@ -30,11 +29,8 @@ namespace RollingContact
       return value.is_object() ? '{' + text + '}' : '[' + text + ']';
     }
 
-
-
     /** An array with one element a line, to be read with grep and diff. */
-    std::string
-    lines_of(const Json &value)
+    std::string lines_of(const Json &value)
     {
       if (!value.is_array() || value.empty())
         return line_of(value);
@@ -45,10 +41,7 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  bool
-  is_plain_name(const std::string &name)
+  bool is_plain_name(const std::string &name)
   {
     const std::string allowed =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._-";
@@ -56,10 +49,8 @@ namespace RollingContact
            name.find_first_not_of(allowed) == std::string::npos;
   }
 
-
-
-  std::string
-  record_text(const std::string &members, const std::set<std::string> &files)
+  std::string record_text(const std::string           &members,
+                          const std::set<std::string> &files)
   {
     Json record;
     record["program"] = program_name;
@@ -73,10 +64,7 @@ namespace RollingContact
     return text + "\n}\n";
   }
 
-
-
-  PreviousRun
-  read_previous_run(const fs::path &folder)
+  PreviousRun read_previous_run(const fs::path &folder)
   {
     const int  max_depth = 10;
     bool       too_deep  = false;
@@ -98,10 +86,7 @@ namespace RollingContact
     return previous_run;
   }
 
-
-
-  bool
-  is_empty_folder(const fs::path &folder)
+  bool is_empty_folder(const fs::path &folder)
   {
     return std::all_of(fs::directory_iterator(folder),
                        fs::directory_iterator(),

@@ -17,10 +17,7 @@ namespace RollingContact
     , seconds_between_lines(seconds_between_lines)
   {}
 
-
-
-  void
-  Progress::report(const std::uint64_t n_done)
+  void Progress::report(const std::uint64_t n_done)
   {
     const double seconds = watch.seconds();
     if (n_done <= n_done_before || n_done >= n_total ||

@@ -6,10 +6,9 @@
 
 namespace RollingContact
 {
-  void
-  write_pvd(const std::vector<PvdBlock> &blocks,
-            RunFolder                   &folder,
-            const std::string           &file_name)
+  void write_pvd(const std::vector<PvdBlock> &blocks,
+                 RunFolder                   &folder,
+                 const std::string           &file_name)
   {
     std::string text = "<?xml version=\"1.0\"?>\n"
                        "<VTKFile type=\"Collection\" version=\"0.1\">\n"

@@ -1,7 +1,8 @@
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/platform.h>
+#include <rolling_contact/base/ranks.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/parallel/ranks.h>
 #include <rolling_contact/run/results_table.h>
 
 #include <algorithm>
@@ -16,41 +17,52 @@ namespace RollingContact
     {
       const unsigned int digits;
 
-      std::string
-      operator()(std::monostate) const
+      std::string operator()(std::monostate) const
       {
         return "";
       }
 
-      std::string
-      operator()(const bool value) const
+      std::string operator()(const bool value) const
       {
         return value ? "true" : "false";
       }
 
-      std::string
-      operator()(const std::int64_t value) const
+      std::string operator()(const std::int64_t value) const
       {
         return std::to_string(value);
       }
 
-      std::string
-      operator()(const double value) const
+      std::string operator()(const double value) const
       {
         return significant(value, digits);
       }
 
-      std::string
-      operator()(const std::string &value) const
+      std::string operator()(const std::string &value) const
       {
         return value;
       }
+
+      std::string
+      operator()(const std::shared_ptr<const ResultsTable::Named> &cell) const
+      {
+        return cell->text;
+      }
     };
 
+    /** A cell as a number. */
+    struct CellNumber
+    {
+      template <typename Value>
+      std::optional<double> operator()(const Value &value) const
+      {
+        if constexpr (std::is_arithmetic_v<Value>)
+          return static_cast<double>(value);
+        else
+          return {};
+      }
+    };
 
-
-    std::string
-    csv_field(const std::string &text)
+    std::string csv_field(const std::string &text)
     {
       if (text.find_first_of(",\"\r\n") == std::string::npos)
         return text;
@@ -61,16 +73,14 @@ namespace RollingContact
     }
   } // namespace
 
-
-
   namespace
   {
     /**
      * The fields of the line of a CSV file that begins at @p begin, which moves
      * to the next one.
      */
-    std::vector<std::string>
-    next_fields(const std::string &text, std::size_t &begin)
+    std::vector<std::string> next_fields(const std::string &text,
+                                         std::size_t       &begin)
     {
       std::vector<std::string> fields{""};
       bool                     quoted = false;
@@ -100,7 +110,18 @@ namespace RollingContact
     }
   } // namespace
 
-
+  std::string unit_of_column(const std::string &column)
+  {
+    const std::string units =
+      " m m2 m/N N Nm Pa N/m J J/m J/m2 1/m rad s m/s 1/s Hz K ";
+    const std::string end = column.substr(column.rfind('_') + 1);
+    if (units.find(' ' + end + ' ') != std::string::npos)
+      return end;
+    const std::size_t slash = column.rfind("/muN");
+    return slash == std::string::npos       ? "1"
+           : column.substr(slash) == "/muN" ? "mu N"
+                                            : "mu N a";
+  }
 
   ResultsTable::ResultsTable(RunFolder &folder)
     : folder(&folder)
@@ -108,14 +129,10 @@ namespace RollingContact
     , file_name("results.csv")
   {}
 
-
-
   ResultsTable::ResultsTable(RunFolder &folder, const std::string &file_name)
     : folder(&folder)
     , file_name(file_name)
   {}
-
-
 
   ResultsTable::~ResultsTable()
   {
@@ -130,10 +147,7 @@ namespace RollingContact
       }
   }
 
-
-
-  std::size_t
-  ResultsTable::index_of(const std::string &column)
+  std::size_t ResultsTable::index_of(const std::string &column)
   {
     const auto [place, is_new] =
       column_numbers.emplace(column, column_names.size());
@@ -142,10 +156,7 @@ namespace RollingContact
     return place->second;
   }
 
-
-
-  void
-  ResultsTable::set_cell(const std::string &column, const Cell &cell)
+  void ResultsTable::set_cell(const std::string &column, const Cell &cell)
   {
     const std::size_t k = index_of(column);
     if (current_row.size() <= k)
@@ -153,18 +164,12 @@ namespace RollingContact
     current_row[k] = cell;
   }
 
-
-
-  void
-  ResultsTable::leave_empty(const std::string &column)
+  void ResultsTable::leave_empty(const std::string &column)
   {
     index_of(column);
   }
 
-
-
-  void
-  ResultsTable::take_row(const ResultsTable &other, const std::size_t row)
+  void ResultsTable::take_row(const ResultsTable &other, const std::size_t row)
   {
     const Row &cells = other.rows.at(row);
     for (std::size_t k = 0; k < other.column_names.size(); ++k)
@@ -174,10 +179,7 @@ namespace RollingContact
         leave_empty(other.column_names[k]);
   }
 
-
-
-  void
-  ResultsTable::append(const ResultsTable &other)
+  void ResultsTable::append(const ResultsTable &other)
   {
     for (std::size_t row = 0; row < other.rows.size(); ++row)
       {
@@ -188,20 +190,36 @@ namespace RollingContact
     write_now_and_then();
   }
 
-
-
-  void
-  ResultsTable::clear()
+  void ResultsTable::clear()
   {
     rows.clear();
     current_row.clear();
   }
 
-
-
-  void
-  ResultsTable::restore(const std::string &text, const std::string &file)
+  void ResultsTable::restore(const std::string &text,
+                             const std::string &file,
+                             const Readers     &readers)
   {
+    const auto set_read = [&](const std::string &name,
+                              const std::string &text) {
+      const auto reader = readers.find(name);
+      const auto number = number_of(text);
+      if (text.empty())
+        leave_empty(name);
+      else if (reader != readers.end())
+        set_cell(name,
+                 std::make_shared<const Named>(
+                   Named{text, reader->second(text, rows.size())}));
+      else if (text == "true" || text == "false")
+        set(name, text == "true");
+      else if (text.find_first_not_of("0123456789") == std::string::npos &&
+               text.size() < 19)
+        set(name, std::stoll(text));
+      else if (number)
+        set(name, *number);
+      else
+        set(name, text);
+    };
     std::size_t begin = 0;
     const auto  names = next_fields(text, begin);
     while (begin < text.size())
@@ -213,24 +231,18 @@ namespace RollingContact
             std::to_string(fields.size()) + " columns, its first line " +
             std::to_string(names.size()) + ". Start the run without --resume.");
         for (std::size_t k = 0; k < names.size(); ++k)
-          if (fields[k].empty())
-            leave_empty(names[k]);
-          else
-            set_cell(names[k], fields[k]);
+          set_read(names[k], fields[k]);
         rows.push_back(std::move(current_row));
         current_row.clear();
       }
     n_written_rows = rows.size();
   }
 
-
-
-  void
-  ResultsTable::sort_by(const std::string &column)
+  void ResultsTable::sort_by(const std::string &column)
   {
     std::vector<std::pair<double, std::size_t>> order;
     for (std::size_t i = 0; i < rows.size(); ++i)
-      order.emplace_back(std::stod(text(i, column)), i);
+      order.emplace_back(number(i, column).value(), i);
     std::stable_sort(order.begin(),
                      order.end(),
                      [](const auto &a, const auto &b) {
@@ -244,20 +256,14 @@ namespace RollingContact
     n_written_rows = 0;
   }
 
-
-
-  void
-  ResultsTable::end_row()
+  void ResultsTable::end_row()
   {
     rows.push_back(std::move(current_row));
     current_row.clear();
     write_now_and_then();
   }
 
-
-
-  void
-  ResultsTable::write_now_and_then()
+  void ResultsTable::write_now_and_then()
   {
     const auto since_last_write = std::chrono::steady_clock::now() - last_write;
     if (row_by_row &&
@@ -265,10 +271,7 @@ namespace RollingContact
       flush();
   }
 
-
-
-  void
-  ResultsTable::flush()
+  void ResultsTable::flush()
   {
     if (!folder || n_written_rows == rows.size() || !Ranks::is_root())
       return;
@@ -278,29 +281,36 @@ namespace RollingContact
     last_write     = std::chrono::steady_clock::now();
   }
 
-
-
-  std::size_t
-  ResultsTable::n_rows() const
+  std::size_t ResultsTable::n_rows() const
   {
     return rows.size();
   }
 
-
-
-  std::string
-  ResultsTable::text(const std::size_t row, const std::string &column) const
+  const ResultsTable::Cell &ResultsTable::cell(const std::size_t  row,
+                                               const std::string &column) const
   {
-    const auto found = column_numbers.find(column);
-    if (found == column_numbers.end() || found->second >= rows.at(row).size())
-      return "";
-    return std::visit(CellText{9}, rows[row][found->second]);
+    static const Cell empty;
+    const auto        found = column_numbers.find(column);
+    return found == column_numbers.end() || found->second >= rows.at(row).size()
+             ? empty
+             : rows[row][found->second];
   }
 
+  bool ResultsTable::has_numbers(const std::string &column) const
+  {
+    for (std::size_t row = 0; row < rows.size(); ++row)
+      if (cell(row, column).index() != 0 && !number(row, column))
+        return false;
+    return true;
+  }
 
+  std::optional<double> ResultsTable::number(const std::size_t  row,
+                                             const std::string &column) const
+  {
+    return std::visit(CellNumber(), cell(row, column));
+  }
 
-  std::string
-  ResultsTable::csv_of(const Row &row) const
+  std::string ResultsTable::csv_of(const Row &row) const
   {
     std::string line;
     for (std::size_t k = 0; k < column_names.size(); ++k)
@@ -314,10 +324,7 @@ namespace RollingContact
     return line;
   }
 
-
-
-  void
-  ResultsTable::update_csv() const
+  void ResultsTable::update_csv() const
   {
     if (n_csv_columns != column_names.size() || n_csv_rows > rows.size())
       {
@@ -333,16 +340,11 @@ namespace RollingContact
       csv_text += csv_of(rows[n_csv_rows]);
   }
 
-
-
-  std::string
-  ResultsTable::csv() const
+  std::string ResultsTable::csv() const
   {
     update_csv();
     return csv_text;
   }
-
-
 
   std::string
   ResultsTable::screen_table(const std::vector<std::string> &columns) const

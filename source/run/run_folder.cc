@@ -5,9 +5,9 @@
 
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/files.h>
+#include <rolling_contact/base/interrupt.h>
+#include <rolling_contact/base/ranks.h>
 #include <rolling_contact/input/prm_entries.h>
-#include <rolling_contact/parallel/interrupt.h>
-#include <rolling_contact/parallel/ranks.h>
 #include <rolling_contact/run/previous_run.h>
 #include <rolling_contact/run/run_folder.h>
 
@@ -27,10 +27,7 @@ namespace RollingContact
                                             "bodies.pvd",
                                             "interface.pvd"};
 
-
-
-    [[noreturn]] void
-    refuse(const fs::path &folder, const std::string &reason)
+    [[noreturn]] void refuse(const fs::path &folder, const std::string &reason)
     {
       throw InputError(
         fmt::format("Cannot use \"{}\" as run folder: {} Name another folder "
@@ -39,10 +36,8 @@ namespace RollingContact
                     reason));
     }
 
-
-
-    [[noreturn]] void
-    refuse_to_resume(const fs::path &folder, const std::string &reason)
+    [[noreturn]] void refuse_to_resume(const fs::path    &folder,
+                                       const std::string &reason)
     {
       throw InputError(fmt::format(
         "Cannot resume the run in \"{}\": {} Start it without --resume.",
@@ -51,15 +46,10 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  fs::path
-  RunFolder::default_path(const fs::path &prm_file)
+  fs::path RunFolder::default_path(const fs::path &prm_file)
   {
     return fs::path("output") / prm_file.stem();
   }
-
-
 
   RunFolder::RunFolder(const fs::path    &folder,
                        const std::string &original_prm,
@@ -71,8 +61,6 @@ namespace RollingContact
     , record("\"status\": \"failed\"")
     , lock_descriptor(-1)
   {}
-
-
 
   RunFolder::~RunFolder()
   {
@@ -90,10 +78,7 @@ namespace RollingContact
     close(lock_descriptor);
   }
 
-
-
-  void
-  RunFolder::check() const
+  void RunFolder::check() const
   {
     if (folder.empty())
       refuse(folder, "its name is empty.");
@@ -112,10 +97,7 @@ namespace RollingContact
                record_name + " of a former run), and they stay untouched.");
   }
 
-
-
-  void
-  RunFolder::open()
+  void RunFolder::open()
   {
     Ranks::on_root([&]() {
       check();
@@ -138,10 +120,7 @@ namespace RollingContact
     });
   }
 
-
-
-  void
-  RunFolder::reopen(const Resumption &resumption)
+  void RunFolder::reopen(const Resumption &resumption)
   {
     Ranks::on_root([&]() {
       check();
@@ -168,36 +147,25 @@ namespace RollingContact
     });
   }
 
-
-
-  const fs::path &
-  RunFolder::get_path() const
+  const fs::path &RunFolder::get_path() const
   {
     return folder;
   }
 
-
-
-  fs::path
-  RunFolder::temporary(const std::string &name)
+  fs::path RunFolder::temporary(const std::string &name)
   {
     begin({name});
     return temporary_path(name);
   }
 
-
-
-  fs::path
-  RunFolder::growing(const std::string &name)
+  fs::path RunFolder::growing(const std::string &name)
   {
     growing_files.insert(name);
     return temporary(name);
   }
 
-
-
-  fs::path
-  RunFolder::continued(const std::string &name, const std::uintmax_t n_bytes)
+  fs::path RunFolder::continued(const std::string   &name,
+                                const std::uintmax_t n_bytes)
   {
     const fs::path  part = growing_path(name), whole = final_path(name);
     std::error_code error;
@@ -219,10 +187,7 @@ namespace RollingContact
     return growing(name);
   }
 
-
-
-  void
-  RunFolder::publish(const std::string &name)
+  void RunFolder::publish(const std::string &name)
   {
     if (!Ranks::is_root())
       return;
@@ -231,10 +196,7 @@ namespace RollingContact
     published_files.insert(name);
   }
 
-
-
-  void
-  RunFolder::publish_durably(const std::string &name)
+  void RunFolder::publish_durably(const std::string &name)
   {
     if (!Ranks::is_root())
       return;
@@ -243,10 +205,8 @@ namespace RollingContact
     synchronise(folder);
   }
 
-
-
-  void
-  RunFolder::write_atomically(const std::string &name, const std::string &text)
+  void RunFolder::write_atomically(const std::string &name,
+                                   const std::string &text)
   {
     if (!Ranks::is_root())
       return;
@@ -256,11 +216,8 @@ namespace RollingContact
     published_files.insert(name);
   }
 
-
-
-  void
-  RunFolder::write_pieces(const std::vector<std::string> &names,
-                          const std::string              &text)
+  void RunFolder::write_pieces(const std::vector<std::string> &names,
+                               const std::string              &text)
   {
     Ranks::on_root([&]() { begin(names); });
     Ranks::on_all([&]() {
@@ -274,11 +231,8 @@ namespace RollingContact
       }
   }
 
-
-
-  void
-  RunFolder::write_record(const std::string &members,
-                          const std::string &members_if_stopped)
+  void RunFolder::write_record(const std::string &members,
+                               const std::string &members_if_stopped)
   {
     if (!Ranks::is_root())
       return;
@@ -289,43 +243,28 @@ namespace RollingContact
     write_run_json();
   }
 
-
-
-  std::vector<std::string>
-  RunFolder::files() const
+  std::vector<std::string> RunFolder::files() const
   {
     return {published_files.begin(), published_files.end()};
   }
 
-
-
-  fs::path
-  RunFolder::final_path(const std::string &name) const
+  fs::path RunFolder::final_path(const std::string &name) const
   {
     return folder / name;
   }
 
-
-
-  fs::path
-  RunFolder::temporary_path(const std::string &name) const
+  fs::path RunFolder::temporary_path(const std::string &name) const
   {
     return growing_files.count(name) > 0 ? growing_path(name)
                                          : folder / ("." + name + ".part");
   }
 
-
-
-  fs::path
-  RunFolder::growing_path(const std::string &name) const
+  fs::path RunFolder::growing_path(const std::string &name) const
   {
     return folder / (name + ".part");
   }
 
-
-
-  void
-  RunFolder::lock()
+  void RunFolder::lock()
   {
     lock_descriptor =
       ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -340,10 +279,7 @@ namespace RollingContact
       }
   }
 
-
-
-  void
-  RunFolder::begin(const std::vector<std::string> &names)
+  void RunFolder::begin(const std::vector<std::string> &names)
   {
     if (lock_descriptor < 0)
       throw std::logic_error("The run folder is not open.");
@@ -359,10 +295,7 @@ namespace RollingContact
       write_run_json();
   }
 
-
-
-  void
-  RunFolder::write_run_json() const
+  void RunFolder::write_run_json() const
   {
     leave_on_stop(final_path(record_name),
                   temporary_path(record_name),

@@ -6,8 +6,7 @@ namespace RollingContact
 {
   namespace fs = std::filesystem;
 
-  void
-  RunFolder::remove_old_files()
+  void RunFolder::remove_old_files()
   {
     // First what reopen() insists on: half a run cannot be resumed.
     remove_file(final_path("used.prm"));
@@ -20,10 +19,7 @@ namespace RollingContact
     claimed_files.clear();
   }
 
-
-
-  void
-  RunFolder::adopt_old_files(const std::set<std::string> &growing)
+  void RunFolder::adopt_old_files(const std::set<std::string> &growing)
   {
     const std::set<std::string> old_files = claimed_files;
     for (const std::string &name : old_files)
@@ -37,10 +33,7 @@ namespace RollingContact
       }
   }
 
-
-
-  void
-  RunFolder::remove_unpublished_files()
+  void RunFolder::remove_unpublished_files()
   {
     remove_file(temporary_path(record_name));
     const std::size_t n_claimed = claimed_files.size();

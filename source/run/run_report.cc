@@ -4,8 +4,8 @@
 #include <rolling_contact/base/memory.h>
 #include <rolling_contact/base/percentages.h>
 #include <rolling_contact/base/platform.h>
+#include <rolling_contact/base/ranks.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/parallel/ranks.h>
 #include <rolling_contact/run/run_report.h>
 
 #include <cmath>
@@ -19,16 +19,12 @@ namespace RollingContact
     using Json = nlohmann::ordered_json;
 
     /** With 9 significant digits; null if it is not finite. */
-    Json
-    json_number(const double value)
+    Json json_number(const double value)
     {
       return std::isfinite(value) ? Json::parse(significant(value, 9)) : Json();
     }
 
-
-
-    Json
-    json_libraries(
+    Json json_libraries(
       const std::vector<std::pair<std::string, std::string>> &libraries)
     {
       Json values = Json::array();
@@ -37,10 +33,7 @@ namespace RollingContact
       return values;
     }
 
-
-
-    std::vector<int>
-    cpu_percentages(const std::vector<PhaseTimer::Row> &phases)
+    std::vector<int> cpu_percentages(const std::vector<PhaseTimer::Row> &phases)
     {
       std::vector<double> seconds;
       for (const PhaseTimer::Row &phase : phases)
@@ -48,10 +41,7 @@ namespace RollingContact
       return percentages(seconds);
     }
 
-
-
-    Json
-    json_phases(const std::vector<PhaseTimer::Row> &phases)
+    Json json_phases(const std::vector<PhaseTimer::Row> &phases)
     {
       const std::vector<int> percent = cpu_percentages(phases);
       Json                   values  = Json::array();
@@ -64,10 +54,7 @@ namespace RollingContact
       return values;
     }
 
-
-
-    Json
-    json_errors(const std::vector<ErrorStatement> &errors)
+    Json json_errors(const std::vector<ErrorStatement> &errors)
     {
       Json values = Json::array();
       for (const ErrorStatement &error : errors)
@@ -80,10 +67,7 @@ namespace RollingContact
       return values;
     }
 
-
-
-    Json
-    json_objects(const std::vector<BuiltItem> &objects)
+    Json json_objects(const std::vector<BuiltItem> &objects)
     {
       Json values = Json::array();
       for (const BuiltItem &object : objects)
@@ -95,10 +79,7 @@ namespace RollingContact
       return values;
     }
 
-
-
-    Json
-    json_totals(const RankTotals &totals)
+    Json json_totals(const RankTotals &totals)
     {
       return {{"cpu_seconds", json_number(totals.cpu_seconds)},
               {"largest_cpu_seconds", json_number(totals.largest_cpu_seconds)},
@@ -108,10 +89,7 @@ namespace RollingContact
                static_cast<std::uint64_t>(totals.largest_peak_memory)}};
     }
 
-
-
-    std::string
-    status_name(const RunStatus status)
+    std::string status_name(const RunStatus status)
     {
       switch (status)
         {
@@ -129,10 +107,7 @@ namespace RollingContact
       throw std::logic_error("Unknown status of a run.");
     }
 
-
-
-    std::string
-    summary_line(const BuiltItem &object)
+    std::string summary_line(const BuiltItem &object)
     {
       std::string line = "  " + object.object;
       if (object.built && (object.bytes > 0 || object.seconds != 0.))
@@ -145,10 +120,7 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  RankTotals
-  totals_of_ranks(const PhaseTimer &timer)
+  RankTotals totals_of_ranks(const PhaseTimer &timer)
   {
     const double cpu    = PhaseTimer::total(timer.rows()).cpu_seconds;
     const double memory = static_cast<double>(peak_memory());
@@ -158,10 +130,8 @@ namespace RollingContact
             Ranks::maximum(memory)};
   }
 
-
-
-  std::string
-  RunReport::members(const RunStatus status, const PhaseTimer &timer) const
+  std::string RunReport::members(const RunStatus   status,
+                                 const PhaseTimer &timer) const
   {
     const std::vector<PhaseTimer::Row> phases = timer.rows();
     const PhaseTimer::Row              total  = PhaseTimer::total(phases);
@@ -189,22 +159,16 @@ namespace RollingContact
     return object.substr(1, object.size() - 2); // no braces
   }
 
-
-
-  void
-  RunReport::write(RunFolder        &folder,
-                   const RunStatus   status,
-                   const PhaseTimer &timer) const
+  void RunReport::write(RunFolder        &folder,
+                        const RunStatus   status,
+                        const PhaseTimer &timer) const
   {
     const bool over = status != RunStatus::running;
     folder.write_record(members(status, timer),
                         over ? "" : members(RunStatus::interrupted, timer));
   }
 
-
-
-  std::string
-  RunReport::objects_summary() const
+  std::string RunReport::objects_summary() const
   {
     std::string built, left_out;
     for (const BuiltItem &object : objects)
@@ -213,10 +177,7 @@ namespace RollingContact
            (left_out.empty() ? "" : "Left out:\n" + left_out);
   }
 
-
-
-  std::string
-  ErrorStatement::text() const
+  std::string ErrorStatement::text() const
   {
     if (std::isnan(value))
       return quantity + " not estimated (" + reference + ")";
@@ -228,10 +189,7 @@ namespace RollingContact
     return size + (remark.empty() ? "" : " (" + remark + ')');
   }
 
-
-
-  void
-  RunReport::set_finding(const std::string &label, const std::string &text)
+  void RunReport::set_finding(const std::string &label, const std::string &text)
   {
     for (auto &finding : findings)
       if (finding.first == label)
@@ -242,10 +200,7 @@ namespace RollingContact
     findings.emplace_back(label, text);
   }
 
-
-
-  std::string
-  RunReport::all_errors() const
+  std::string RunReport::all_errors() const
   {
     std::string text;
     for (const ErrorStatement &error : errors)
@@ -253,10 +208,7 @@ namespace RollingContact
     return errors.empty() ? "no contact, no error" : text;
   }
 
-
-
-  std::string
-  RunReport::cost(const PhaseTimer &timer) const
+  std::string RunReport::cost(const PhaseTimer &timer) const
   {
     const std::vector<PhaseTimer::Row> phases  = timer.rows();
     const std::vector<int>             percent = cpu_percentages(phases);
@@ -282,10 +234,8 @@ namespace RollingContact
     return text;
   }
 
-
-
-  std::string
-  RunReport::summary(const PhaseTimer &timer, const std::string &folder) const
+  std::string RunReport::summary(const PhaseTimer  &timer,
+                                 const std::string &folder) const
   {
     auto lines = findings;
     lines.emplace_back("error", all_errors());

@@ -1,16 +1,14 @@
-#include <deal.II/base/parameter_handler.h>
-
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/input/prm_declarations.h>
 #include <rolling_contact/scene/body_parameters.h>
+#include <rolling_contact/scene/entries.h>
+#include <rolling_contact/scene/scene_parameters.h>
 
 #include <cmath>
 
 namespace RollingContact
 {
-  using namespace dealii;
-
   namespace
   {
     const std::vector<NamedValue<ElementKind>> named_elements{
@@ -23,8 +21,33 @@ namespace RollingContact
 
     const std::array<std::string, 3> axes{{"x", "y", "z"}};
 
-    std::string
-    name_of(const Hub hub)
+    bool hangs_on_axle(const BodyParameters &body)
+    {
+      return !body.rigid && body.hub == Hub::mass;
+    }
+
+    bool lies_on_springs(const BodyParameters &body)
+    {
+      return !body.rigid && body.hub == Hub::elastic;
+    }
+
+    bool lies_on_pads(const BodyParameters &body)
+    {
+      return body.model.foundation.pad_spacing != 0.;
+    }
+
+    bool lies_on_sleepers(const BodyParameters &body)
+    {
+      return body.model.foundation.has_sleepers();
+    }
+
+    bool finds_modes(const SceneParameters &scene)
+    {
+      return scene.analysis.has_lone_bodies() || scene.analysis.linearises ||
+             scene.has_reduced_bodies();
+    }
+
+    std::string name_of(const Hub hub)
     {
       for (const NamedValue<Hub> &it : named_hubs)
         if (it.kind == hub)
@@ -33,149 +56,180 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  void
-  BodyParameters::declare_hub(ParameterHandler &prm)
+  void BodyParameters::declare_hub(Entries &entries)
   {
-    const Patterns::Double not_negative(0.);
-    declare_choice(prm,
-                   "Elements",
-                   model.elements,
-                   named_elements,
-                   "Linear elements: `B-bar`, for all materials, or `enhanced` "
-                   "by incompatible modes, which bend with one or two through "
-                   "a web.");
-    declare_choice(prm,
-                   "Hub",
-                   hub,
-                   named_hubs,
-                   "What the inner circle of a disc, the bottom of a block, "
-                   "the bore of a wheel or the foot of a rail does: `clamped`; "
-                   "`elastic`, on the springs of Foundation stiffness; and in "
-                   "a transient analysis, where inertia alone holds the body, "
-                   "`free`, or `mass`, fixed to the rigid mass of an axle.");
-    prm.add_parameter("Hub mass",
-                      model.hub_mass.mass,
-                      "Rigid mass of Hub = mass, at the middle of the hub. "
-                      "Units: kg.",
-                      not_negative);
+    entries.choice("Elements", model.elements, named_elements).help =
+      "Linear elements: `B-bar`, for all materials, or `enhanced` by "
+      "incompatible modes, which bend with one or two through a web.";
+    entries.choice("Hub", hub, named_hubs).help =
+      "What the inner circle of a disc, the bottom of a block, the bore of a "
+      "wheel or the foot of a rail does: `clamped`; `elastic`, on the springs "
+      "of Foundation stiffness; and in a transient analysis, where inertia "
+      "alone holds the body, `free`, or `mass`, fixed to the rigid mass of an "
+      "axle.";
+    const Reader of_mass =
+      reader(hangs_on_axle, "an elastic body with Hub = mass reads it");
+    entries.add("Hub mass", model.hub_mass.mass, "kg")
+      .at_least(0.)
+      .read_by(of_mass)
+      .help = "Rigid mass of Hub = mass, at the middle of the hub.";
     for (unsigned int c = 0; c < 3; ++c)
-      prm.add_parameter("Hub inertia " + axes[c],
-                        model.hub_mass.inertia[c],
-                        "Moment of inertia of Hub mass about " +
-                          std::string(c == 1   ? "the axle"
-                                      : c == 0 ? "x"
-                                               : "z") +
-                          (c == 1 ? "" : ", 3D only") + ". Units: kg m^2.",
-                        not_negative);
+      entries.add("Hub inertia " + axes[c], model.hub_mass.inertia[c], "kg m^2")
+        .at_least(0.)
+        .read_by(c == 1 ? std::vector{of_mass}
+                        : std::vector{scenes_in_3d(), of_mass})
+        .help = "Moment of inertia of Hub mass about " +
+                std::string(c == 1   ? "the axle"
+                            : c == 0 ? "x"
+                                     : "z") +
+                (c == 1 ? "" : ", 3D only") + ".";
   }
 
-
-
-  void
-  BodyParameters::declare_foundation(ParameterHandler &prm)
+  void BodyParameters::declare_foundation(Entries &entries)
   {
-    const Patterns::Double not_negative(0.);
-    Foundation            &foundation = model.foundation;
+    Foundation  &foundation = model.foundation;
+    const Reader springs =
+                   reader(lies_on_springs,
+                          "an elastic body with Hub = elastic reads it"),
+                 pads     = reader(lies_on_pads,
+                               "the layer is continuous, Pad spacing = 0"),
+                 sleepers = reader(lies_on_sleepers,
+                                   "there are no sleepers, Sleeper mass = 0");
     for (unsigned int c = 0; c < 3; ++c)
-      prm.add_parameter(
-        "Foundation stiffness " + axes[c],
-        foundation.stiffness[c],
-        "Of the layer or the pads of Hub = elastic along " + axes[c] +
-          (c == 1 ? ", 3D only" : "") +
-          ": force per displacement of a metre of length along x, spread "
-          "evenly over the hub. Units: N/m^2.",
-        not_negative);
-    prm.add_parameter("Foundation loss factor",
-                      foundation.loss_factor,
-                      "Of the layer or the pads of Hub = elastic; see Loss "
-                      "frequency. Units: 1.",
-                      not_negative);
-    prm.add_parameter(
-      "Pad spacing",
-      foundation.pad_spacing,
+      entries
+        .add("Foundation stiffness " + axes[c],
+             foundation.stiffness[c],
+             "N/m^2")
+        .at_least(0.)
+        .read_by(c == 1 ? std::vector{scenes_in_3d(), springs}
+                        : std::vector{springs})
+        .help = "Of the layer or the pads of Hub = elastic along " + axes[c] +
+                (c == 1 ? ", 3D only" : "") +
+                ": force per displacement of a metre of length along x, spread "
+                "evenly over the hub.";
+    entries.add("Foundation loss factor", foundation.loss_factor, "1")
+      .at_least(0.)
+      .read_by(springs)
+      .read_by(readers_of_damping())
+      .help = "Of the layer or the pads of Hub = elastic; see Loss frequency.";
+    entries.add("Pad spacing", foundation.pad_spacing, "m")
+      .at_least(0.)
+      .read_by(springs)
+      .help =
       "Distance of pads, which then stand for the layer: one has Foundation "
-      "stiffness times this. 0 is a continuous layer. Units: m.",
-      not_negative);
-    prm.add_parameter("Pad length",
-                      foundation.pad_length,
-                      "Of each pad along x. Units: m.",
-                      not_negative);
-    prm.add_parameter("Pad offset",
-                      foundation.pad_offset,
-                      "x of the middle of a pad: 0 has one under the contact, "
-                      "half of Pad spacing none. Units: m.",
-                      Patterns::Double());
-    prm.add_parameter("Sleeper mass",
-                      foundation.sleeper_mass,
-                      "Mass of a sleeper below each pad, which moves without "
-                      "turning; 0 for pads on the ground. Units: kg.",
-                      not_negative);
+      "stiffness times this. 0 is a continuous layer.";
+    entries.add("Pad length", foundation.pad_length, "m")
+      .at_least(0.)
+      .read_by({springs, pads})
+      .help = "Of each pad along x.";
+    entries.add("Pad offset", foundation.pad_offset, "m")
+      .read_by({springs, pads})
+      .help =
+      "x of the middle of a pad: 0 has one under the contact, half of Pad "
+      "spacing none.";
+    entries.add("Sleeper mass", foundation.sleeper_mass, "kg")
+      .at_least(0.)
+      .read_by({springs, pads})
+      .help =
+      "Mass of a sleeper below each pad, which moves without turning; 0 for "
+      "pads on the ground.";
     for (unsigned int c = 0; c < 3; ++c)
-      prm.add_parameter("Ballast stiffness " + axes[c],
-                        foundation.ballast_stiffness[c],
-                        "Between sleepers and ground along " + axes[c] +
-                          (c == 1 ? ", 3D only" : "") +
-                          ", of a metre of length as Foundation stiffness. "
-                          "Units: N/m^2.",
-                        not_negative);
-    prm.add_parameter("Ballast loss factor",
-                      foundation.ballast_loss_factor,
-                      "Of the ballast under sleepers; see Loss frequency. "
-                      "Units: 1.",
-                      not_negative);
+      entries
+        .add("Ballast stiffness " + axes[c],
+             foundation.ballast_stiffness[c],
+             "N/m^2")
+        .at_least(0.)
+        .read_by(c == 1 ? std::vector{scenes_in_3d(), springs, sleepers}
+                        : std::vector{springs, sleepers})
+        .help = "Between sleepers and ground along " + axes[c] +
+                (c == 1 ? ", 3D only" : "") +
+                ", of a metre of length as Foundation stiffness.";
+    entries.add("Ballast loss factor", foundation.ballast_loss_factor, "1")
+      .at_least(0.)
+      .read_by({springs, sleepers})
+      .read_by(readers_of_damping())
+      .help = "Of the ballast under sleepers; see Loss frequency.";
   }
 
-
-
-  void
-  BodyParameters::declare_damping(ParameterHandler &prm)
+  Reader BodyParameters::analyses_of_modes()
   {
-    const Patterns::Double not_negative(0.);
-    BodyDamping           &damping = model.damping;
-    prm.add_parameter("Loss factor",
-                      damping.loss_factor,
-                      "Of the material: stiffness times 1 + i times this in "
-                      "the frequency domain; see Loss frequency. Units: 1.",
-                      not_negative);
-    prm.add_parameter("Loss frequency",
-                      damping.loss_frequency,
-                      "In time loss factors are viscous, C = eta K / (2 pi f), "
-                      "as large as at this frequency f. Units: Hz.",
-                      not_negative);
-    prm.add_parameter("Rayleigh mass",
-                      damping.mass_damping,
-                      "Damping C = this times M, beside that of section Time. "
-                      "Units: 1/s.",
-                      not_negative);
-    prm.add_parameter("Rayleigh stiffness",
-                      damping.stiffness_damping,
-                      "Damping C = this times K, beside that of section Time. "
-                      "Units: s.",
-                      not_negative);
-    declare_number_list(prm,
-                        section + "/Modal damping",
-                        damping.modal,
-                        "",
-                        "Damping ratios of modes with 0, 1, 2, ... nodal "
-                        "diameters, of all further ones the last. Units: 1.");
-    prm.add_parameter("Sponge length",
-                      damping.sponge_length,
-                      "Of the part at each end of a rail that absorbs waves, "
-                      "C = a(x) M; 0 for none. Units: m.",
-                      not_negative);
-    prm.add_parameter("Sponge rate",
-                      damping.sponge_rate,
-                      "Largest a, at the very ends; inwards it falls to 0 with "
-                      "the square of the distance. Units: 1/s.",
-                      not_negative);
+    return {finds_modes,
+            "modes of a body have it, and this analysis finds none"};
   }
 
+  std::vector<Reader> BodyParameters::readers_of_damping() const
+  {
+    return {reader([](const BodyParameters &body) { return !body.rigid; },
+                   "a rigid body has no damping"),
+            {[](const SceneParameters &scene) {
+               return finds_modes(scene) ||
+                      (scene.time.inertia && scene.marches());
+             },
+             "only bodies with inertia are damped, Analysis = transient with "
+             "Time/Inertia = true, and those of analyses of modes"}};
+  }
 
+  void BodyParameters::declare_damping(Entries &entries)
+  {
+    BodyDamping              &damping = model.damping;
+    const std::vector<Reader> damped  = readers_of_damping();
+    entries.add("Loss factor", damping.loss_factor, "1")
+      .at_least(0.)
+      .read_by(damped)
+      .help =
+      "Of the material: stiffness times 1 + i times this in the frequency "
+      "domain; see Loss frequency.";
+    entries.add("Loss frequency", damping.loss_frequency, "Hz")
+      .at_least(0.)
+      .read_by(damped)
+      .read_by({[](const SceneParameters &scene) {
+                  return !scene.analysis.has_lone_bodies();
+                },
+                "in the frequency domain loss factors need none"})
+      .read_by(reader(
+        [](const BodyParameters &body) {
+          const Foundation &foundation = body.model.foundation;
+          return body.model.damping.loss_factor != 0. ||
+                 foundation.loss_factor != 0. ||
+                 foundation.ballast_loss_factor != 0.;
+        },
+        "all loss factors are 0"))
+      .help =
+      "In time loss factors are viscous, C = eta K / (2 pi f), as large as at "
+      "this frequency f.";
+    entries.add("Rayleigh mass", damping.mass_damping, "1/s")
+      .at_least(0.)
+      .read_by(damped)
+      .help = "Damping C = this times M, beside that of section Time.";
+    entries.add("Rayleigh stiffness", damping.stiffness_damping, "s")
+      .at_least(0.)
+      .read_by(damped)
+      .help = "Damping C = this times K, beside that of section Time.";
+    entries.list("Modal damping", damping.modal, "", "1")
+      .read_by(analyses_of_modes())
+      .help =
+      "Damping ratios of modes with 0, 1, 2, ... nodal diameters, of all "
+      "further ones the last.";
+    entries.add("Sponge length", damping.sponge_length, "m")
+      .at_least(0.)
+      .read_by(damped)
+      .help =
+      "Of the part at each end of a rail that absorbs waves, C = a(x) M; 0 "
+      "for none.";
+    entries.add("Sponge rate", damping.sponge_rate, "1/s")
+      .at_least(0.)
+      .read_by(damped)
+      .read_by(reader(
+        [](const BodyParameters &body) {
+          return body.model.damping.sponge_length != 0.;
+        },
+        "there are no absorbing ends, Sponge length = 0"))
+      .help =
+      "Largest a, at the very ends; inwards it falls to 0 with the square of "
+      "the distance.";
+  }
 
-  void
-  BodyParameters::check_model() const
+  void BodyParameters::check_model(const BodyShape *body_shape) const
   {
     if (rigid && hub != Hub::clamped)
       throw InputError(section + "/Hub = " + name_of(hub) +
@@ -190,14 +244,11 @@ namespace RollingContact
               "Hub = mass needs one above 0 kg; an axle has some 300, a hub "
               "without is Hub = free.");
     if (hub == Hub::elastic)
-      check_foundation();
-    check_damping();
+      check_foundation(body_shape);
+    check_damping(body_shape);
   }
 
-
-
-  void
-  BodyParameters::check_foundation() const
+  void BodyParameters::check_foundation(const BodyShape *body_shape) const
   {
     const Foundation &foundation = model.foundation;
     require(foundation.stiffness[2] > 0.,
@@ -212,8 +263,8 @@ namespace RollingContact
                 foundation.pad_length,
                 "it must be above 0 m and at most Pad spacing = " +
                   significant(foundation.pad_spacing, 6) + " m.");
-        if (!is_from_file())
-          check_pads_on(body_shape()->reach_x());
+        if (body_shape && !is_from_file())
+          check_pads_on(body_shape->reach_x());
       }
     if (!foundation.has_sleepers())
       return;
@@ -227,10 +278,7 @@ namespace RollingContact
             "sleepers need one above 0 N/m^2; ballast has some 1e8.");
   }
 
-
-
-  void
-  BodyParameters::check_pads_on(const double reach) const
+  void BodyParameters::check_pads_on(const double reach) const
   {
     const Foundation &foundation = model.foundation;
     const double      nearest =
@@ -245,10 +293,7 @@ namespace RollingContact
               " m to both sides; take a shorter spacing or a longer body.");
   }
 
-
-
-  void
-  BodyParameters::check_damping() const
+  void BodyParameters::check_damping(const BodyShape *body_shape) const
   {
     const BodyDamping &damping = model.damping;
     require(damping.loss_frequency > 0.,
@@ -270,18 +315,15 @@ namespace RollingContact
             damping.sponge_length,
             "a body that closes on itself has no ends to absorb waves; set it "
             "to 0.");
-    if (!is_from_file() || mesh)
-      require(damping.sponge_length < body_shape()->reach_x(),
+    if (body_shape)
+      require(damping.sponge_length < body_shape->reach_x(),
               "Sponge length",
               damping.sponge_length,
               "it must be shorter than half of the body, " +
-                significant(body_shape()->reach_x(), 6) + " m.");
+                significant(body_shape->reach_x(), 6) + " m.");
   }
 
-
-
-  void
-  BodyParameters::check_held(const unsigned int dimension) const
+  void BodyParameters::check_held(const unsigned int dimension) const
   {
     if (rigid)
       return;

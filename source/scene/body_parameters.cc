@@ -1,16 +1,14 @@
-#include <deal.II/base/parameter_handler.h>
-
 #include <rolling_contact/base/choices.h>
-#include <rolling_contact/input/prm_declarations.h>
+#include <rolling_contact/base/number_text.h>
+#include <rolling_contact/mesh/mesh_file.h>
+#include <rolling_contact/mesh/section_file.h>
 #include <rolling_contact/mesh/section_shapes.h>
-#include <rolling_contact/mesh_files/mesh_file.h>
-#include <rolling_contact/mesh_files/section_file.h>
 #include <rolling_contact/scene/body_parameters.h>
+#include <rolling_contact/scene/entries.h>
+#include <rolling_contact/scene/scene_parameters.h>
 
 namespace RollingContact
 {
-  using namespace dealii;
-
   namespace
   {
     const std::vector<NamedValue<SurfaceSource>> named_surfaces{
@@ -18,200 +16,146 @@ namespace RollingContact
       {"nodes", SurfaceSource::nodes}};
   } // namespace
 
-
-
   BodyParameters::BodyParameters(const std::string &section)
   {
     this->section = section;
   }
 
-
-
-  void
-  BodyParameters::declare(ParameterHandler &prm)
+  Reader BodyParameters::reader(bool (*reads)(const BodyParameters &),
+                                const std::string &otherwise) const
   {
-    prm.enter_subsection(section);
-    declare_profile(prm);
-    declare_extent(prm);
-    declare_mesh_file(prm);
-    declare_material(prm);
-    declare_hub(prm);
-    declare_foundation(prm);
-    declare_damping(prm);
-    declare_points(prm);
-    declare_dampers(prm);
-    prm.leave_subsection();
+    const Side side = section == "Wheel" ? Side::wheel : Side::rail;
+    return {[side, reads](const SceneParameters &scene) {
+              return reads(scene.body(side));
+            },
+            otherwise};
   }
 
-
-
-  void
-  BodyParameters::declare_profile(ParameterHandler &prm)
+  void BodyParameters::declare(Entries &entries)
   {
-    const Patterns::Double any;
-    prm.add_parameter("Shape",
-                      shape,
-                      body_shape_help(),
-                      Patterns::Selection(choice_names(body_shape_kinds())));
-    prm.add_parameter("Rigid",
-                      rigid,
-                      "A rigid body is a profile without mesh or compliance.");
-    prm.add_parameter(
-      "Radius",
-      radius,
+    entries.section(section).varies = in_all_scenes;
+    declare_profile(entries);
+    declare_mesh_file(entries);
+    declare_material(entries);
+    declare_hub(entries);
+    declare_foundation(entries);
+    declare_damping(entries);
+    declare_dampers(entries);
+  }
+
+  void BodyParameters::declare_profile(Entries &entries)
+  {
+    entries.add("Shape", shape).one_of(choice_names(body_shape_kinds())).help =
+      body_shape_help();
+    entries.add("Rigid", rigid).help =
+      "A rigid body is a profile without mesh or compliance.";
+    entries.add("Radius", radius, "m").help =
       "Radius of the profile in the rolling direction. For a block or a mesh "
-      "file, 0 is flat and a negative radius is concave; a section is revolved "
-      "about an axle so far behind the contact point, with 0 extruded. Units: "
-      "m.",
-      any);
-    prm.add_parameter(
-      "Lateral radius",
-      lateral_radius,
-      "Radius of the profile across the rolling direction, 3D only; 0 "
-      "is flat, negative concave. Units: m.",
-      any);
+      "file, 0 is flat and a negative radius is concave; a section is "
+      "revolved about an axle so far behind the contact point, with 0 "
+      "extruded.";
+    entries.add("Lateral radius", lateral_radius, "m").help =
+      "Radius of the profile across the rolling direction, 3D only; 0 is "
+      "flat, negative concave.";
+    const Reader plain_sections{
+      [](const SceneParameters &scene) {
+        return !scene.analysis.has_bodies ||
+               !scene.profiles.has_true_sections();
+      },
+      "Profiles/Body sections = true gives the bodies' sections"};
+    entries.add("Hub radius", hub_radius, "m").at_least(0.).help =
+      "Radius of the inner circle of a disc.";
+    entries.add("Block length", block_length, "m").at_least(0.).help =
+      "Extent of a block, or of a section that is extruded, in the rolling "
+      "direction.";
+    const std::vector<Reader> of_block =
+      section == "Rail" ? std::vector{plain_sections} : std::vector<Reader>();
+    entries.add("Block depth", block_depth, "m")
+      .at_least(0.)
+      .read_by(of_block)
+      .help = "Depth of a block, from the contact point to its bottom.";
+    entries.add("Thickness", thickness, "m")
+      .at_least(0.)
+      .read_by(
+        {[](const SceneParameters &scene) { return scene.dimension == 2; },
+         "it is that of plane strain, Dimension = 2; in 3D a body has a "
+         "Width"})
+      .help = "Thickness in 2D (plane strain), the same for both bodies.";
+    entries.add("Width", width, "m")
+      .at_least(0.)
+      .read_by(scenes_in_3d())
+      .read_by(plain_sections)
+      .help = "Extent across the rolling direction, 3D only.";
   }
 
-
-
-  void
-  BodyParameters::declare_extent(ParameterHandler &prm)
+  void BodyParameters::declare_mesh_file(Entries &entries)
   {
-    const Patterns::Double not_negative(0.);
-    prm.add_parameter("Hub radius",
-                      hub_radius,
-                      "Radius of the inner circle of a disc. Units: m.",
-                      not_negative);
-    prm.add_parameter("Block length",
-                      block_length,
-                      "Extent of a block, or of a section that is extruded, in "
-                      "the rolling direction. Units: m.",
-                      not_negative);
-    prm.add_parameter("Block depth",
-                      block_depth,
-                      "Depth of a block, from the contact point to its bottom. "
-                      "Units: m.",
-                      not_negative);
-    prm.add_parameter(
-      "Thickness",
-      thickness,
-      "Thickness in 2D (plane strain), the same for both bodies. "
-      "Units: m.",
-      not_negative);
-    prm.add_parameter("Width",
-                      width,
-                      "Extent across the rolling direction, 3D only. Units: m.",
-                      not_negative);
+    entries.add("Mesh file", mesh_file).help =
+      "Gmsh .msh or Abaqus .inp file of quadrilaterals (2D) or hexahedra "
+      "(3D), relative to the folder of the .prm file. x is the rolling "
+      "direction, z (in 2D the file's y) goes from rail to wheel, the contact "
+      "point is the origin, the wheel lies above it and the rail below. For "
+      "Shape = section quadrilaterals of the section: the file's x is y, "
+      "across, its y is z, so that an axle lies at z = Radius (wheel) or "
+      "-Radius; with section Profiles its axes are those of the body's "
+      "profile.";
+    entries.add("Mesh unit", mesh_unit, "m").at_least(0.).help =
+      "Length of one unit of the mesh file, 0.001 for millimetres.";
+    entries.add("Contact boundary id", contact_boundary, "1").at_least(1).help =
+      "Of the part of the mesh file's boundary that may touch: a physical "
+      "group of Gmsh, or the digits in the name of an Abaqus surface.";
+    entries.add("Hub boundary id", hub_boundary, "1").at_least(1).help =
+      "The same of the part that is the hub.";
+    entries.add("Cells along", cells_along, "1").at_least(1).help =
+      "Number of equal cells of a section round its axle or along the rail; "
+      "those at the patch are divided as the contact needs.";
+    entries.choice("Surface", surface, named_surfaces).help =
+      "Undeformed surface of a mesh file's contact boundary: `radii` takes "
+      "Radius and Lateral radius, which its nodes must lie on, and keeps "
+      "facets out of the gap; `nodes` takes the nodes, and the radii for the "
+      "estimate of the patch only.";
   }
 
-
-
-  void
-  BodyParameters::declare_mesh_file(ParameterHandler &prm)
+  void BodyParameters::declare_material(Entries &entries)
   {
-    const Patterns::Double not_negative(0.);
-    prm.add_parameter(
-      "Mesh file",
-      mesh_file,
-      "Gmsh .msh or Abaqus .inp file of quadrilaterals (2D) or "
-      "hexahedra (3D), relative to the folder of the .prm file. x "
-      "is the rolling direction, z (in 2D the file's y) goes from "
-      "rail to wheel, the contact point is the origin, the wheel "
-      "lies above it and the rail below. For Shape = section "
-      "quadrilaterals of the section: the file's x is y, across, its y is z, "
-      "so that an axle lies at z = Radius (wheel) or -Radius; with section "
-      "Profiles its axes are those of the body's profile.",
-      Patterns::Anything());
-    prm.add_parameter(
-      "Mesh unit",
-      mesh_unit,
-      "Length of one unit of the mesh file, 0.001 for millimetres. "
-      "Units: m.",
-      not_negative);
-    prm.add_parameter(
-      "Contact boundary id",
-      contact_boundary,
-      "Of the part of the mesh file's boundary that may touch: a "
-      "physical group of Gmsh, or the digits in the name of an "
-      "Abaqus surface. Units: 1.",
-      Patterns::Integer(1));
-    prm.add_parameter("Hub boundary id",
-                      hub_boundary,
-                      "The same of the part that is the hub. Units: 1.",
-                      Patterns::Integer(1));
-    prm.add_parameter("Cells along",
-                      cells_along,
-                      "Number of equal cells of a section round its axle or "
-                      "along the rail; those at the patch are divided as the "
-                      "contact needs. Units: 1.",
-                      Patterns::Integer(1));
-    declare_choice(
-      prm,
-      "Surface",
-      surface,
-      named_surfaces,
-      "Undeformed surface of a mesh file's contact boundary: "
-      "`radii` takes Radius and Lateral radius, which its nodes "
-      "must lie on, and keeps facets out of the gap; `nodes` takes "
-      "the nodes, and the radii for the estimate of the patch only.");
-  }
-
-
-
-  void
-  BodyParameters::declare_material(ParameterHandler &prm)
-  {
-    const Patterns::Double not_negative(0.);
-    prm.add_parameter("Young modulus",
-                      material.young_modulus,
-                      "Young's modulus. Units: Pa.",
-                      not_negative);
-    prm.add_parameter("Poisson ratio",
-                      material.poisson_ratio,
-                      "Poisson's ratio, at least 0 and below 0.5. Units: 1.",
-                      Patterns::Double(0., 0.5));
-    prm.add_parameter("Density",
-                      material.density,
-                      "Mass density, for analyses with inertia and flash "
-                      "temperatures. Units: kg/m^3.",
-                      not_negative);
-    prm.add_parameter("Thermal conductivity",
-                      thermal_conductivity,
-                      "For flash temperatures. Units: W/(m K).",
-                      not_negative);
-    prm.add_parameter("Heat capacity",
-                      heat_capacity,
-                      "For flash temperatures. Units: J/(kg K).",
-                      not_negative);
-  }
-
-
-
-  void
-  BodyParameters::declare_points(ParameterHandler &prm)
-  {
+    entries.add("Young modulus", material.young_modulus, "Pa")
+      .at_least(0.)
+      .help = "Young's modulus.";
+    entries.add("Poisson ratio", material.poisson_ratio, "1")
+      .between(0., 0.5)
+      .help = "Poisson's ratio, at least 0 and below 0.5.";
+    entries.add("Density", material.density, "kg/m^3").at_least(0.).help =
+      "Mass density, for analyses with inertia and flash temperatures.";
+    entries.add("Thermal conductivity", thermal_conductivity, "W/(m K)")
+      .at_least(0.)
+      .help = "For flash temperatures.";
+    entries.add("Heat capacity", heat_capacity, "J/(kg K)").at_least(0.).help =
+      "For flash temperatures.";
     const std::string what =
       section == "Wheel"
         ? "name: radius in m, angle from the contact in degrees (towards +x), "
           "position along the axle in m (towards +y), several separated by "
           "semicolons, such as `tread: 0.46, 90, 0; web: 0.3, 0, 0.01`. They stay "
-          "where they are as the wheel turns. Units: m, degrees."
+          "where they are as the wheel turns."
         : "name: x, y, z in m from the contact point, z upwards, several "
-          "separated by semicolons, such as `foot: 0.3, 0, -0.17`. Units: m.";
-    prm.add_parameter("Velocity points",
-                      velocity_points,
-                      "Points whose velocities Analysis = transient with "
-                      "inertia writes into history.csv, columns "
-                      "velocity_NAME_x_m/s, ...; a section from a file under "
-                      "profiles has its file's origin in place of the contact. "
-                      "Of each, " +
-                        what);
+          "separated by semicolons, such as `foot: 0.3, 0, -0.17`.";
+    const std::string unit = section == "Wheel" ? "m, degrees" : "m";
+    entries.add("Velocity points", velocity_points, unit)
+      .read_by(reader([](const BodyParameters &body) { return !body.rigid; },
+                      "a rigid body has no velocity of its own"))
+      .read_by({[](const SceneParameters &scene) {
+                  return scene.analysis.records_run && scene.time.inertia;
+                },
+                "Analysis = transient with Time/Inertia = true reads it"})
+      .help = "Points whose velocities Analysis = transient with "
+              "inertia writes into history.csv, columns "
+              "velocity_NAME_x_m/s, ...; a section from a file under "
+              "profiles has its file's origin in place of the contact. "
+              "Of each, " +
+              what;
   }
 
-
-
-  void
-  BodyParameters::check(const unsigned int dimension) const
+  void BodyParameters::check(const unsigned int dimension) const
   {
     const auto &kind = choice(body_shape_kinds(), shape, section + "/Shape");
     if (!kind.from_file && !mesh_file.empty())
@@ -223,17 +167,22 @@ namespace RollingContact
               lateral_radius,
               "in 2D the profile is straight across; set it to 0 or take "
               "Dimension = 3.");
-    body_shape()->check(dimension, rigid);
-    check_model();
-    check_dampers(dimension);
+    check_with(*make_body_shape(shape, *this), !is_from_file(), dimension);
+  }
+
+  void BodyParameters::check_with(const BodyShape   &body_shape,
+                                  const bool         is_read,
+                                  const unsigned int dimension) const
+  {
+    const BodyShape *known = is_read ? &body_shape : nullptr;
+    body_shape.check(dimension, rigid);
+    check_model(known);
+    check_dampers(known, dimension);
     if (!rigid)
       check_material(dimension);
   }
 
-
-
-  void
-  BodyParameters::check_material(const unsigned int dimension) const
+  void BodyParameters::check_material(const unsigned int dimension) const
   {
     require(material.young_modulus > 0.,
             "Young modulus",
@@ -259,14 +208,15 @@ namespace RollingContact
       require(thickness > 0., "Thickness", thickness, "it must be above 0 m.");
   }
 
-
-
-  void
-  BodyParameters::read_mesh(const unsigned int           dimension,
-                            const std::filesystem::path &folder,
-                            const bool                   is_under_profile)
+  void BodySpec::check(const unsigned int dimension) const
   {
-    mesh.reset();
+    check_with(*body_shape(), true, dimension);
+  }
+
+  void BodySpec::read_mesh(const unsigned int           dimension,
+                           const std::filesystem::path &folder,
+                           const bool                   is_under_profile)
+  {
     if (!is_from_file())
       return;
     MeshFile file;
@@ -285,31 +235,23 @@ namespace RollingContact
                                              : read_mesh_file<3>(file);
   }
 
-
-
-  std::shared_ptr<const BodyShape>
-  BodyParameters::body_shape() const
+  std::shared_ptr<const BodyShape> BodySpec::body_shape() const
   {
+    const ShapeSpec spec(*this, mesh, profile);
     if (!profile || is_from_file())
-      return make_body_shape(shape, *this);
+      return make_body_shape(shape, spec);
     if (section == "Wheel")
-      return std::make_shared<const WheelShape>(*this);
-    return std::make_shared<const RailShape>(*this);
+      return std::make_shared<const WheelShape>(spec);
+    return std::make_shared<const RailShape>(spec);
   }
 
-
-
-  bool
-  BodyParameters::is_from_file() const
+  bool BodyParameters::is_from_file() const
   {
     return !rigid &&
            choice(body_shape_kinds(), shape, section + "/Shape").from_file;
   }
 
-
-
-  bool
-  BodyParameters::is_section() const
+  bool BodyParameters::is_section() const
   {
     return is_from_file() &&
            choice(body_shape_kinds(), shape, section + "/Shape").is_section;

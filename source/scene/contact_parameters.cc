@@ -1,225 +1,164 @@
-#include <deal.II/base/parameter_handler.h>
-
 #include <rolling_contact/base/choices.h>
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/contact/roughness.h>
-#include <rolling_contact/input/prm_declarations.h>
+#include <rolling_contact/base/number_text.h>
 #include <rolling_contact/scene/contact_parameters.h>
+#include <rolling_contact/scene/entries.h>
+#include <rolling_contact/scene/scene_parameters.h>
+#include <rolling_contact/surfaces/roughness.h>
 
 #include <cmath>
 #include <tuple>
 
 namespace RollingContact
 {
-  using namespace dealii;
-
-  void
-  ContactParameters::declare(ParameterHandler &prm)
+  namespace
   {
-    prm.enter_subsection("Contact");
-    declare_load(prm);
-    declare_friction(prm);
-    declare_rolling(prm);
-    declare_forces(prm);
-    declare_operators(prm);
-    prm.leave_subsection();
+    /** Where section Contact gives the creepages. */
+    const std::vector<Reader> read_creepages{
+      {[](const SceneParameters &scene) {
+         return !scene.profiles.gives_creepages();
+       },
+       "Profiles/Creepages = from kinematics gives them"},
+      {[](const SceneParameters &scene) { // levels refine for them
+         return !scene.analysis.own_creepages || scene.mesh.adaptive_levels > 0;
+       },
+       "the creepages of a curve are those of section Creep curve"},
+      {[](const SceneParameters &scene) {
+         return !scene.analysis.has_own_meshes || scene.study.varies_time_step;
+       },
+       "the creepages of a study are Accuracy study/Creepages over "
+       "saturation"}};
+
+    /** Where it gives the forces. */
+    const Reader read_forces{
+      [](const SceneParameters &scene) {
+        return !scene.analysis.own_creepages;
+      },
+      "the forces of a curve are those of section Creep curve"};
+  } // namespace
+
+  void ContactParameters::declare(Entries &entries)
+  {
+    EntrySection &section = entries.section("Contact");
+    section.read_by(analyses_with_elements());
+    section.renews = Renews::loads;
+    section.varies = in_all_scenes;
+    declare_load(entries);
+    declare_friction(entries);
+    declare_rolling(entries);
   }
 
-
-
-  void
-  ContactParameters::declare_load(ParameterHandler &prm)
+  void ContactParameters::declare_load(Entries &entries)
   {
-    declare_number(prm,
-                   "Contact/Normal load",
-                   normal_load,
-                   "N",
-                   "Force that presses the wheel on the rail; the approach "
-                   "follows. Give this, `Vertical load` or `Approach`. Units: "
-                   "N.");
-    declare_number(prm,
-                   "Contact/Vertical load",
-                   vertical_load,
-                   "N",
-                   "Vertical force of the rail on the wheel, which the normal "
-                   "load and friction share where profiles touch at an angle. "
-                   "Units: N.");
-    declare_number(prm,
-                   "Contact/Approach",
-                   approach,
-                   "m",
-                   "Displacement of the wheel's hub towards the rail from "
-                   "first touch; the load follows. Units: m.");
+    entries.add("Normal load", normal_load, "N").renewing(Renews::patch).help =
+      "Force that presses the wheel on the rail; the approach follows. Give "
+      "this, `Vertical load` or `Approach`.";
+    entries.add("Vertical load", vertical_load, "N")
+      .renewing(Renews::patch)
+      .help =
+      "Vertical force of the rail on the wheel, which the normal load and "
+      "friction share where profiles touch at an angle.";
+    entries.add("Approach", approach, "m").renewing(Renews::patch).help =
+      "Displacement of the wheel's hub towards the rail from first touch; the "
+      "load follows.";
+    entries.choice("Slip operator", slip_operator, slip_operator_choices())
+      .renewing(Renews::bodies)
+      .help = "B1. " + choice_help(slip_operator_choices());
+    entries
+      .choice("Contact matrices", contact_matrices, contact_matrices_choices())
+      .help = "H_n and H_t. " + choice_help(contact_matrices_choices());
+    entries.add("Roughness", roughness, "m").help =
+      "Added to the gap of the smooth profiles: an expression in x and y (m) "
+      "such as 2e-6*cos(2*pi*x/1e-3), with pi and the functions of the "
+      "histories in section Time; empty for none. It does not travel with the "
+      "material.";
   }
 
-
-
-  void
-  ContactParameters::declare_friction(ParameterHandler &prm)
+  void ContactParameters::declare_friction(Entries &entries)
   {
-    prm.add_parameter(
-      "Friction coefficient",
-      friction_coefficient,
-      "Coulomb's mu, the static mu_s of a law that falls; 0 leaves "
-      "all of friction out. Units: 1.",
-      Patterns::Double(0.));
-    prm.add_parameter(
-      "Friction law",
-      friction_law,
+    entries.add("Friction coefficient", friction_coefficient, "1")
+      .at_least(0.)
+      .help =
+      "Coulomb's mu, the static mu_s of a law that falls; 0 leaves all of "
+      "friction out.";
+    entries.add("Friction law", friction_law)
+      .one_of(choice_names(friction_law_kinds()))
+      .help =
       "How mu changes with the sliding speed v = |s| V from mu_s to mu_k: it "
       "falls, or rises where mu_k is above mu_s. " +
-        choice_help(friction_law_kinds()),
-      Patterns::Selection(choice_names(friction_law_kinds())));
-    prm.add_parameter(
-      "Kinetic friction coefficient",
-      kinetic_friction,
+      choice_help(friction_law_kinds());
+    entries.add("Kinetic friction coefficient", kinetic_friction, "1")
+      .at_least(0.)
+      .help =
       "mu_k of a law that falls, mu at high sliding speed. Polach: 0.4 mu_s, "
-      "dry. Above mu_s friction rises, as with a friction modifier. Units: 1.",
-      Patterns::Double(0.));
-    prm.add_parameter("Friction decay speed",
-                      friction_decay_speed,
-                      "v_c of a law that falls. Polach: 1/0.6 m/s, dry. "
-                      "Units: m/s.",
-                      Patterns::Double(0.));
-    prm.add_parameter(
-      "Friction memory length",
-      friction_memory,
+      "dry. Above mu_s friction rises, as with a friction modifier.";
+    entries.add("Friction decay speed", friction_decay_speed, "m/s")
+      .at_least(0.)
+      .help = "v_c of a law that falls. Polach: 1/0.6 m/s, dry.";
+    entries.add("Friction memory length", friction_memory_length, "m")
+      .at_least(0.)
+      .help =
       "Sliding distance of a point of the material over which mu comes to "
-      "that of a law that falls, micrometres; 0: at once. Units: m.",
-      Patterns::Double(0.));
-    prm.add_parameter(
-      "Friction response",
-      friction_response,
+      "that of a law that falls, micrometres; 0: at once.";
+    entries.add("Friction response", friction_response)
+      .one_of("automatic|patch mean|node|constant")
+      .help =
       "How mu of a law that falls follows a state that changes in time or is "
       "disturbed. `patch mean`: mu of all nodes, by the mean speed of the "
       "patch with a delay; `node`: mu of each node, by its own speed at once, "
       "which is ill-posed where friction falls; `constant`: not at all; "
       "`automatic`: patch mean in Analysis = stability and with Time/Bodies = "
-      "reduced, else node.",
-      Patterns::Selection("automatic|patch mean|node|constant"));
-    prm.add_parameter("Friction memory",
-                      friction_delay,
-                      "Delay of `patch mean`; a tenth of it is the longest "
-                      "time step. Units: s.",
-                      Patterns::Double(0.));
+      "reduced, else node.";
+    entries.add("Friction memory", friction_memory, "s").at_least(0.).help =
+      "Delay of `patch mean`; a tenth of it is the longest time step.";
   }
 
-
-
-  void
-  ContactParameters::declare_rolling(ParameterHandler &prm)
+  void ContactParameters::declare_rolling(Entries &entries)
   {
-    const Patterns::Double any;
-    prm.add_parameter(
-      "Creepage x",
-      creepages.x,
-      "Longitudinal creepage, sliding speed of the wheel over the rail "
-      "in x over the magnitude of the rolling speed. Units: 1.",
-      any);
-    prm.add_parameter("Creepage y",
-                      creepages.y,
-                      "Lateral creepage, 3D only. Units: 1.",
-                      any);
-    prm.add_parameter(
-      "Spin",
-      creepages.spin,
+    entries.add("Creepage x", creepages.x, "1").read_by(read_creepages).help =
+      "Longitudinal creepage, sliding speed of the wheel over the rail in x "
+      "over the magnitude of the rolling speed.";
+    entries.add("Creepage y", creepages.y, "1").read_by(read_creepages).help =
+      "Lateral creepage, 3D only.";
+    entries.add("Spin", creepages.spin, "1/m").read_by(read_creepages).help =
       "Spin creepage, angular velocity about z of the wheel over the rail "
-      "over the magnitude of the rolling speed, 3D only. Units: 1/m.",
-      any);
-    declare_number(prm,
-                   "Contact/Creepage size",
-                   creepage_size,
-                   "1",
-                   "In place of `Creepage x` and `Creepage y`, 3D only: the "
-                   "length of both together, in the `Creepage direction`. "
-                   "Units: 1.");
-    prm.add_parameter("Creepage direction",
-                      creepage_direction,
-                      "Of `Creepage size`: the angle from x towards y. Units: "
-                      "rad.",
-                      any);
-    declare_number(
-      prm,
-      "Contact/Speed",
-      speed,
-      "m/s",
+      "over the magnitude of the rolling speed, 3D only.";
+    entries.add("Creepage size", creepage_size, "1").help =
+      "In place of `Creepage x` and `Creepage y`, 3D only: the length of both "
+      "together, in the `Creepage direction`.";
+    entries.add("Creepage direction", creepage_direction, "rad").help =
+      "Of `Creepage size`: the angle from x towards y.";
+    entries.add("Speed", speed, "m/s").help =
       "Rolling speed V: material flows through the contact in the direction "
       "of its sign along x; empty for 1. With a constant friction coefficient "
       "a steady state depends on the sign only, with one that falls it must "
-      "be given. Units: m/s.");
+      "be given.";
+    entries.add("Longitudinal force", forces.x, "N").read_by(read_forces).help =
+      "Force of friction on the wheel along x in place of `Creepage x`, which "
+      "is found for it. Less than mu N.";
+    entries.add("Lateral force", forces.y, "N").read_by(read_forces).help =
+      "Force of friction on the wheel along y, 3D only, in place of `Creepage "
+      "y`, which is found for it.";
+    entries.add("Spin moment", forces.moment, "N m").read_by(read_forces).help =
+      "Moment of friction on the wheel about the normal through the origin of "
+      "the contact, 3D only, in place of `Spin`, which is found for it.";
   }
 
-
-
-  void
-  ContactParameters::declare_forces(ParameterHandler &prm)
+  Creepages ContactParameters::asked_creepages() const
   {
-    declare_number(prm,
-                   "Contact/Longitudinal force",
-                   forces.x,
-                   "N",
-                   "Force of friction on the wheel along x in place of "
-                   "`Creepage x`, which is found for it. Less than mu N. "
-                   "Units: N.");
-    declare_number(prm,
-                   "Contact/Lateral force",
-                   forces.y,
-                   "N",
-                   "Force of friction on the wheel along y, 3D only, in place "
-                   "of `Creepage y`, which is found for it. Units: N.");
-    declare_number(prm,
-                   "Contact/Spin moment",
-                   forces.moment,
-                   "N m",
-                   "Moment of friction on the wheel about the normal through "
-                   "the origin of the contact, 3D only, in place of `Spin`, "
-                   "which is found for it. Units: N m.");
-  }
-
-
-
-  void
-  ContactParameters::declare_operators(ParameterHandler &prm)
-  {
-    declare_choice(prm,
-                   "Slip operator",
-                   slip_operator,
-                   slip_operator_choices(),
-                   "B1. " + choice_help(slip_operator_choices()));
-    declare_choice(prm,
-                   "Contact matrices",
-                   contact_matrices,
-                   contact_matrices_choices(),
-                   "H_n and H_t. " + choice_help(contact_matrices_choices()));
-    prm.add_parameter(
-      "Roughness",
-      roughness,
-      "Added to the gap of the smooth profiles: an expression in x and y "
-      "(m) such as 2e-6*cos(2*pi*x/1e-3), with pi and the functions of the "
-      "histories in section Time; empty for none. It does not travel with "
-      "the material. Units: m.",
-      Patterns::Anything());
-  }
-
-
-
-  void
-  ContactParameters::take_creepage_by_size()
-  {
+    Creepages asked = creepages;
     if (!creepage_size)
-      return;
+      return asked;
     // whole quarters of a turn leave nothing of rounding
     const auto tidy = [](const double x) {
       return std::abs(x) < 1e-12 ? 0. : x;
     };
-    creepages.x = *creepage_size * tidy(std::cos(creepage_direction));
-    creepages.y = *creepage_size * tidy(std::sin(creepage_direction));
+    asked.x = *creepage_size * tidy(std::cos(creepage_direction));
+    asked.y = *creepage_size * tidy(std::sin(creepage_direction));
+    return asked;
   }
 
-
-
-  std::shared_ptr<const FrictionLaw>
-  ContactParameters::falling_friction() const
+  std::shared_ptr<const FrictionLaw> ContactParameters::falling_friction() const
   {
     return friction_coefficient > 0.
              ? make_friction_law(friction_law,
@@ -228,15 +167,12 @@ namespace RollingContact
              : nullptr;
   }
 
-
-
-  void
-  ContactParameters::check_friction_law() const
+  void ContactParameters::check_friction_law() const
   {
     const auto law = falling_friction();
-    if (!law && friction_memory > 0.)
+    if (!law && friction_memory_length > 0.)
       throw InputError(
-        "Contact/Friction memory length = " + text_of(friction_memory) +
+        "Contact/Friction memory length = " + text_of(friction_memory_length) +
         " and Contact/Friction law = " + friction_law +
         ": only a law that falls has a memory; set it to 0 m, or "
         "take exponential or rational.");
@@ -257,10 +193,7 @@ namespace RollingContact
         " needs the speed in m/s over which mu falls, above 0.");
   }
 
-
-
-  void
-  ContactParameters::check_load() const
+  void ContactParameters::check_load() const
   {
     std::vector<std::string> given;
     for (const auto &[entry, value] :
@@ -284,10 +217,7 @@ namespace RollingContact
                          "N.");
   }
 
-
-
-  void
-  ContactParameters::check_forces(const unsigned int dimension) const
+  void ContactParameters::check_forces(const unsigned int dimension) const
   {
     if (!forces.any())
       return;
@@ -327,13 +257,10 @@ namespace RollingContact
         text_of(mu * *normal_load) + " N.");
   }
 
-
-
   namespace
   {
-    void
-    check_creepage_size(const ContactParameters &contact,
-                        const unsigned int       dimension)
+    void check_creepage_size(const ContactParameters &contact,
+                             const unsigned int       dimension)
     {
       if (!contact.creepage_size)
         return;
@@ -342,11 +269,9 @@ namespace RollingContact
       if (dimension == 2)
         throw InputError(given + ": in 2D there is one direction; give "
                                  "Contact/Creepage x and leave it empty.");
-      const Creepages  &creepages = contact.creepages;
-      ContactParameters derived   = contact;
-      derived.take_creepage_by_size();
+      const Creepages &creepages = contact.creepages;
       if ((creepages.x != 0. || creepages.y != 0.) &&
-          !(creepages == derived.creepages))
+          !(creepages == contact.asked_creepages()))
         throw InputError(given + " and Contact/Creepage " +
                          (creepages.x != 0. ? "x = " + text_of(creepages.x)
                                             : "y = " + text_of(creepages.y)) +
@@ -358,10 +283,7 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  void
-  ContactParameters::check(const unsigned int dimension) const
+  void ContactParameters::check(const unsigned int dimension) const
   {
     const Roughness understood(roughness);
     check_load();

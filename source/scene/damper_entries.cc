@@ -1,18 +1,16 @@
-#include <deal.II/base/parameter_handler.h>
-
 #include <boost/algorithm/string.hpp>
 
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/input/prm_declarations.h>
 #include <rolling_contact/scene/body_parameters.h>
+#include <rolling_contact/scene/entries.h>
+#include <rolling_contact/scene/scene_parameters.h>
 
 #include <cmath>
 
 namespace RollingContact
 {
-  using namespace dealii;
-
   namespace
   {
     const std::vector<NamedValue<AbsorberDirection>> named_directions{
@@ -22,10 +20,8 @@ namespace RollingContact
 
     const unsigned int fewest_dampers = 3;
 
-
-
-    std::vector<std::string>
-    parts_of(const std::string &text, const char separator)
+    std::vector<std::string> parts_of(const std::string &text,
+                                      const char         separator)
     {
       std::vector<std::string> parts;
       boost::split(parts, text, [&](const char c) { return c == separator; });
@@ -33,8 +29,6 @@ namespace RollingContact
         boost::trim(part);
       return parts;
     }
-
-
 
     /** "frequency : ratio, ..." */
     std::vector<std::pair<double, double>>
@@ -60,76 +54,77 @@ namespace RollingContact
       return modes;
     }
 
-
-
     /** The value of ring k of a list with one for each or one for all. */
-    double
-    value_of_ring(const std::vector<double> &values, const std::size_t k)
+    double value_of_ring(const std::vector<double> &values, const std::size_t k)
     {
       return values[values.size() == 1 ? 0 : k];
     }
   } // namespace
 
-
-
-  void
-  BodyParameters::declare_dampers(ParameterHandler &prm)
+  void BodyParameters::declare_dampers(Entries &entries)
   {
-    prm.declare_entry(
-      "Mode damping",
-      "",
-      Patterns::Anything(),
-      "Damping ratios that single modes have in addition to Modal damping, as "
-      "by a ring damper: `frequency : ratio, ...`; each is for the mode nearest "
-      "to that frequency and its pair. Units: Hz, 1.");
-    prm.add_action("Mode damping", [this](const std::string &text) {
+    const auto read = [this](const std::string &text) {
       model.damping.of_modes = mode_damping(section + "/Mode damping", text);
-    });
+    };
+    entries.parsed("Mode damping", Entry::Kind::text, "", "Hz, 1", read)
+      .read_by(analyses_of_modes())
+      .help =
+      "Damping ratios that single modes have in addition to Modal damping, as "
+      "by a ring damper: `frequency : ratio, ...`; each is for the mode "
+      "nearest to that frequency and its pair.";
     if (section != "Wheel")
       return;
-    const auto list = [&](const std::string   &entry,
-                          std::vector<double> &values,
-                          const std::string   &help) {
-      declare_number_list(prm, section + '/' + entry, values, "", help);
-    };
-    list("Dampers",
-         dampers.number,
-         "Number of tuned dampers (point masses on springs and dashpots) on "
-         "the wheel, equally spaced on a circle; of several circles a list. "
-         "They hang on modes: Analysis = stability, stability map, receptance, "
-         "and Time/Bodies = reduced. Units: 1.");
-    list("Damper mass",
-         dampers.mass,
-         "Of each damper; as all lists of dampers one value for each circle, "
-         "or one for all. Units: kg.");
-    list("Damper frequency",
-         dampers.frequency,
-         "Eigenfrequency of a damper on a wheel that does not move. Units: "
-         "Hz.");
-    list("Damper damping ratio",
-         dampers.damping_ratio,
-         "Of a damper on a wheel that does not move. Units: 1.");
-    list("Damper radius",
-         dampers.radius,
-         "Of the circle that the dampers are fixed on; the nearest circle of "
-         "nodes is taken. Units: m.");
-    list("Damper position",
-         dampers.position,
-         "Of that circle along the axle: y of the wheel's section, of a disc "
-         "from its middle. Units: m.");
-    prm.add_parameter(
-      "Damper direction",
-      dampers.direction,
-      "In which springs and dashpots act, `axial`, `radial` or "
-      "`circumferential`; a mass is not felt in the others. Of several circles "
-      "a list, or one for all.",
-      Patterns::List(Patterns::Selection(choice_names(named_directions))));
+    const Reader hang_on_modes{
+      [](const SceneParameters &scene) {
+        return scene.analysis.has_dampers || scene.has_reduced_bodies();
+      },
+      "dampers hang on modes as receptance, stability, stability map and "
+      "Time/Bodies = reduced have them"};
+    entries.list("Dampers", dampers.number, "", "1")
+      .read_by(hang_on_modes)
+      .help =
+      "Number of tuned dampers (point masses on springs and dashpots) on "
+      "the wheel, equally spaced on a circle; of several circles a list. "
+      "They hang on modes: Analysis = stability, stability map, receptance, "
+      "and Time/Bodies = reduced.";
+    const std::vector<Reader> there{
+      hang_on_modes,
+      {[](const SceneParameters &scene) {
+         return !scene.wheel.dampers.number.empty();
+       },
+       "there are no dampers, Dampers is empty"}};
+    entries.list("Damper mass", dampers.mass, "", "kg")
+      .read_by(there)
+      .renewing(Renews::loads)
+      .help =
+      "Of each damper; as all lists of dampers one value for each circle, "
+      "or one for all.";
+    entries.list("Damper frequency", dampers.frequency, "", "Hz")
+      .read_by(there)
+      .renewing(Renews::loads)
+      .help = "Eigenfrequency of a damper on a wheel that does not move.";
+    entries.list("Damper damping ratio", dampers.damping_ratio, "", "1")
+      .read_by(there)
+      .renewing(Renews::loads)
+      .help = "Of a damper on a wheel that does not move.";
+    entries.list("Damper radius", dampers.radius, "", "m").read_by(there).help =
+      "Of the circle that the dampers are fixed on; the nearest circle of "
+      "nodes is taken.";
+    entries.list("Damper position", dampers.position, "", "m")
+      .read_by(there)
+      .help =
+      "Of that circle along the axle: y of the wheel's section, of a disc "
+      "from its middle.";
+    entries.add("Damper direction", dampers.direction)
+      .one_of(choice_names(named_directions))
+      .several(0)
+      .read_by(there)
+      .help = "In which springs and dashpots act, `axial`, `radial` or "
+              "`circumferential`; a mass is not felt in the others. Of several "
+              "circles a list, or one for all.";
   }
 
-
-
-  std::vector<AbsorberRing>
-  BodyParameters::absorbers() const
+  std::vector<AbsorberRing> BodyParameters::absorbers() const
   {
     const std::size_t n = dampers.number.size();
     for (const auto &[entry, values] :
@@ -192,10 +187,8 @@ namespace RollingContact
     return rings;
   }
 
-
-
-  void
-  BodyParameters::check_dampers(const unsigned int dimension) const
+  void BodyParameters::check_dampers(const BodyShape   *body_shape,
+                                     const unsigned int dimension) const
   {
     if (absorbers().empty())
       return;
@@ -207,7 +200,7 @@ namespace RollingContact
     if (rigid)
       throw InputError(why + "a rigid wheel has no vibrations to damp; leave "
                              "it empty, or take Rigid = false.");
-    if ((!is_from_file() || mesh) && !body_shape()->axle())
+    if (body_shape && !body_shape->axle())
       throw InputError(why + "a wheel of Shape = " + shape +
                        " and Radius = " + text_of(radius) +
                        " has no axle to be round; take disc or section.");

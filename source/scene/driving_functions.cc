@@ -2,8 +2,8 @@
 
 namespace RollingContact
 {
-  bool
-  DrivingFunctions::jump_between(const double begin, const double end) const
+  bool DrivingFunctions::jump_between(const double begin,
+                                      const double end) const
   {
     for (const auto *load : {&normal_load,
                              &approach,
@@ -18,10 +18,7 @@ namespace RollingContact
     return false;
   }
 
-
-
-  AskedForces
-  DrivingFunctions::forces(const double time) const
+  AskedForces DrivingFunctions::forces(const double time) const
   {
     const auto at = [&](const std::optional<TimeFunction> &history) {
       return history ? history->value(time) : std::optional<double>();
@@ -29,10 +26,8 @@ namespace RollingContact
     return {at(longitudinal_force), at(lateral_force), at(spin_moment)};
   }
 
-
-
-  double
-  DrivingFunctions::hub_acceleration(const double time, const double h) const
+  double DrivingFunctions::hub_acceleration(const double time,
+                                            const double h) const
   {
     if (!approach || approach->is_constant() || time <= 0.)
       return 0.;

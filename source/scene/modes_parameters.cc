@@ -1,63 +1,44 @@
-#include <deal.II/base/parameter_handler.h>
-
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/input/prm_declarations.h>
+#include <rolling_contact/base/number_text.h>
+#include <rolling_contact/scene/entries.h>
 #include <rolling_contact/scene/modes_parameters.h>
+#include <rolling_contact/scene/scene_parameters.h>
 
 namespace RollingContact
 {
-  using namespace dealii;
-
-  void
-  ModesParameters::declare(ParameterHandler &prm)
+  void ModesParameters::declare(Entries &entries)
   {
-    const Patterns::Double not_negative(0.);
-    prm.enter_subsection("Modes");
-    prm.add_parameter("Maximum frequency",
-                      maximum_frequency,
-                      "All modes up to this frequency are found. Units: Hz.",
-                      not_negative);
-    prm.add_parameter(
-      "Cut-off ratio",
-      cut_off_ratio,
+    entries.section("Modes").read_by(
+      {[](const SceneParameters &scene) {
+         return scene.analysis.reads("Modes") || scene.has_reduced_bodies();
+       },
+       "Analysis = modes, receptance, stability and stability map and "
+       "Time/Bodies = reduced read that section"});
+    entries.add("Maximum frequency", maximum_frequency, "Hz")
+      .at_least(0.)
+      .help = "All modes up to this frequency are found.";
+    entries.add("Cut-off ratio", cut_off_ratio, "1").at_least(0.).help =
       "Receptances take all modes up to so many times the highest frequency "
-      "that is asked for. Units: 1.",
-      not_negative);
-    prm.add_parameter("Tolerance",
-                      tolerance,
-                      "Of |K phi - lambda M phi| over lambda |M phi|, as far "
-                      "as rounding allows. Units: 1.",
-                      not_negative);
-    prm.add_parameter(
-      "Count check",
-      count,
+      "that is asked for.";
+    entries.add("Tolerance", tolerance, "1").at_least(0.).help =
+      "Of |K phi - lambda M phi| over lambda |M phi|, as far as rounding "
+      "allows.";
+    entries.add("Count check", count).help =
       "Count the modes below the cut-off by the inertia of K - omega^2 M "
       "(Sylvester), so that none can be missed; takes about a fifth of the "
-      "time.");
-    declare_number(
-      prm,
-      "Modes/Element size",
-      element_size,
-      "m",
+      "time.";
+    entries.add("Element size", element_size, "m").help =
       "Longest edge of the cells where the program meshes a body and no "
-      "contact is computed: equal cells, with equal angles round an axle. Left "
-      "empty: as few as resolve the shape. Sections and meshes from files are "
-      "taken as they are. Units: m.");
-    prm.add_parameter(
-      "Animated modes",
-      animated,
+      "contact is computed: equal cells, with equal angles round an axle. "
+      "Left empty: as few as resolve the shape. Sections and meshes from "
+      "files are taken as they are.";
+    entries.add("Animated modes", animated, "1").at_least(0).help =
       "For so many modes of each body, the first ones, the moving surface is "
       "written for ParaView, 24 phases of a period each; of Analysis = "
-      "stability those of both bodies in the vibrations that grow fastest. "
-      "Units: 1.",
-      Patterns::Integer(0));
-    prm.leave_subsection();
+      "stability those of both bodies in the vibrations that grow fastest.";
   }
 
-
-
-  void
-  ModesParameters::check() const
+  void ModesParameters::check() const
   {
     if (!(maximum_frequency > 0.))
       throw InputError(

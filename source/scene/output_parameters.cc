@@ -1,12 +1,10 @@
-#include <deal.II/base/parameter_handler.h>
-
-#include <rolling_contact/input/prm_declarations.h>
+#include <rolling_contact/base/number_text.h>
+#include <rolling_contact/scene/entries.h>
 #include <rolling_contact/scene/output_parameters.h>
+#include <rolling_contact/scene/scene_parameters.h>
 
 namespace RollingContact
 {
-  using namespace dealii;
-
   namespace
   {
     const std::vector<NamedValue<Verbosity>> named_verbosities{
@@ -15,30 +13,28 @@ namespace RollingContact
       {"verbose", Verbosity::verbose}};
   } // namespace
 
-
-
-  void
-  OutputParameters::declare(ParameterHandler &prm)
+  void OutputParameters::declare(Entries &entries)
   {
-    prm.enter_subsection("Output");
-    prm.add_parameter(
-      "Body fields",
-      body_fields,
-      "Write bodies.pvd: displacement, stress and von Mises stress.");
-    prm.add_parameter(
-      "Interface fields",
-      interface_fields,
-      "Write interface.pvd: pressure, traction, slip, gap, state.");
-    prm.add_parameter(
-      "Plot",
-      plot,
-      "Write plots as SVG, each with its data and gnuplot script: tractions in 2D, profiles, curves, histories, maps, modes.");
-    declare_choice(
-      prm,
-      "Verbosity",
-      verbosity,
-      named_verbosities,
-      "What is said on the screen: `quiet`, `normal` or `verbose`.");
-    prm.leave_subsection();
+    entries.section("Output").free_on_resume = in_all_scenes;
+    entries.add("Body fields", body_fields).help =
+      "Write bodies.pvd: displacement, stress and von Mises stress.";
+    entries.add("Contact problem", contact_problem)
+      .read_by({[](const SceneParameters &scene) {
+                  return scene.analysis.has_one_state;
+                },
+                "there is not one steady state"})
+      .read_by({[](const SceneParameters &scene) {
+                  return !scene.contact.falling_friction();
+                },
+                "friction depends on the sliding speed"})
+      .help = "Write contact_problem.h5: compliance, contact matrix, slip "
+              "operator, loads and solution of the discrete contact.";
+    entries.add("Interface fields", interface_fields).help =
+      "Write interface.pvd: pressure, traction, slip, gap, state.";
+    entries.add("Plot", plot).help =
+      "Write plots as SVG, each with its data and gnuplot script: tractions "
+      "in 2D, profiles, curves, histories, maps, modes.";
+    entries.choice("Verbosity", verbosity, named_verbosities).help =
+      "What is said on the screen: `quiet`, `normal` or `verbose`.";
   }
 } // namespace RollingContact

@@ -1,6 +1,6 @@
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/profiles/nominal_profiles.h>
 #include <rolling_contact/scene/profile_parameters.h>
+#include <rolling_contact/surfaces/nominal_profiles.h>
 
 #include <algorithm>
 
@@ -11,33 +11,23 @@ namespace RollingContact
     const std::vector<std::string> wheel_names{"S1002"},
       rail_names{"60E1", "60E1 Manchester"};
 
-
-
-    bool
-    is_file(const std::string &profile, const std::vector<std::string> &names)
+    bool is_file(const std::string              &profile,
+                 const std::vector<std::string> &names)
     {
       return !profile.empty() &&
              std::find(names.begin(), names.end(), profile) == names.end();
     }
   } // namespace
 
-
-
-  bool
-  ProfileParameters::wheel_is_file() const
+  bool ProfileParameters::wheel_is_file() const
   {
     return is_file(wheel_profile, wheel_names);
   }
 
-
-
-  bool
-  ProfileParameters::rail_is_file() const
+  bool ProfileParameters::rail_is_file() const
   {
     return is_file(rail_profile, rail_names);
   }
-
-
 
   Profiles::FileOptions
   ProfileParameters::file_options(const Mirror mirror) const
@@ -47,8 +37,6 @@ namespace RollingContact
             mirror == Mirror::z || mirror == Mirror::y_and_z,
             smoothing_length};
   }
-
-
 
   namespace
   {
@@ -77,8 +65,6 @@ namespace RollingContact
     }
   } // namespace
 
-
-
   Profiles::ProfileCurve
   ProfileParameters::wheel(const std::filesystem::path &prm_folder) const
   {
@@ -91,8 +77,6 @@ namespace RollingContact
                                       Profiles::ProfileKind::wheel,
                                       file_options(wheel_mirror));
   }
-
-
 
   Profiles::ProfileCurve
   ProfileParameters::rail(const std::filesystem::path &prm_folder) const

@@ -1,18 +1,17 @@
-#include <deal.II/base/parameter_handler.h>
-
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/number_text.h>
 #include <rolling_contact/input/number_list.h>
-#include <rolling_contact/input/prm_declarations.h>
-#include <rolling_contact/profiles/nominal_profiles.h>
+#include <rolling_contact/scene/entries.h>
 #include <rolling_contact/scene/profile_parameters.h>
+#include <rolling_contact/scene/scene_parameters.h>
+#include <rolling_contact/surfaces/nominal_profiles.h>
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace RollingContact
 {
-  using namespace dealii;
-
   namespace
   {
     using Mirror = ProfileParameters::Mirror;
@@ -23,14 +22,21 @@ namespace RollingContact
                                                         {"y and z",
                                                          Mirror::y_and_z}};
 
+    const Reader wheelsets_in_a_place{
+      [](const SceneParameters &scene) { return scene.analysis.has_bodies; },
+      "a contact table has both sides, its own shifts, no creepages and no "
+      "bodies"};
+    const Reader profile_files{
+      [](const SceneParameters &scene) { return scene.profiles.has_files(); },
+      "neither Profiles/Wheel profile nor Rail profile is a file"};
+
     const double flange_back_to_tape_circle = 0.07; // m
 
-    void
-    check_range(const std::string &entry,
-                const double       value,
-                const double       least,
-                const double       most,
-                const std::string &unit)
+    void check_range(const std::string &entry,
+                     const double       value,
+                     const double       least,
+                     const double       most,
+                     const std::string &unit)
     {
       if (!(value >= least && value <= most))
         throw InputError("Profiles/" + entry + " = " + text_of(value) +
@@ -39,193 +45,184 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  void
-  ProfileParameters::declare(ParameterHandler &prm)
+  void ProfileParameters::declare(Entries &entries)
   {
-    prm.enter_subsection("Profiles");
-    declare_sections(prm);
-    declare_track(prm);
-    declare_wheelset(prm);
-    declare_bodies(prm);
-    prm.leave_subsection();
-    prm.enter_subsection("Contact table");
-    declare_table(prm);
-    prm.leave_subsection();
+    EntrySection &section = entries.section("Profiles");
+    section.read_by({[](const SceneParameters &scene) {
+                       return !scene.analysis.has_bodies ||
+                              scene.profiles.in_use();
+                     },
+                     "bodies with a Profiles/Wheel profile and Rail profile "
+                     "read that section"});
+    section.varies = in_all_scenes;
+    declare_sections(entries);
+    declare_track(entries);
+    declare_wheelset(entries);
+    entries.section("Contact table").read_by_analyses("contact table");
+    entries.list("Lateral shift", shifts, "-0.008 : 0.008 : 81", "m").help =
+      "Of the wheelset to the right: " + std::string(number_list_form) + ".";
+    entries.add("Conicity amplitude", conicity_amplitude, "m")
+      .at_least(0.)
+      .help =
+      "Amplitude of the wheelset's lateral motion of the conicity in the "
+      "summary.";
   }
 
-
-
-  void
-  ProfileParameters::declare_sections(ParameterHandler &prm)
+  void ProfileParameters::declare_sections(Entries &entries)
   {
     const std::string file =
       ", or the name of a file beside the .prm file: two columns y and z, "
       "SIMPACK .prr or .prw, MiniProf .ban or .whl.";
-    prm.add_parameter("Wheel profile",
-                      wheel_profile,
-                      "`S1002` (EN 13715)" + file +
-                        " Its radius at the tape circle, y = 0, is "
-                        "Wheel/Radius. Both profiles empty: the surfaces are "
-                        "those of Wheel and Rail, in a contact table S1002 on "
-                        "60E1.");
-    prm.add_parameter("Rail profile",
-                      rail_profile,
-                      "`60E1` (EN 13674-1), `60E1 Manchester` (the variant of "
-                      "the Manchester benchmarks)" +
-                        file);
-    declare_choice(
-      prm,
-      "Contact surface",
-      surface_kind,
-      std::vector<NamedValue<Profiles::SurfaceKind>>{
-        {"plane", Profiles::SurfaceKind::plane},
-        {"curved", Profiles::SurfaceKind::curved}},
-      "`plane`: pressure acts along the normal of the first contact; `curved`: "
-      "along the rail's normal at each node, on the length of its section, so "
-      "that conformal contacts, and tread and flange at once, have an answer.");
-    prm.add_parameter("Smoothing length",
-                      smoothing_length,
-                      "Waves of this length in the points of a file are "
-                      "halved by a smoothing spline; 0: none. Units: m.",
-                      Patterns::Double(0.));
-    prm.add_parameter("File unit",
-                      file_unit,
-                      "One unit of a file of two columns or of MiniProf. "
-                      "Units: m.",
-                      Patterns::Double(0.));
+    entries.add("Wheel profile", wheel_profile).help =
+      "`S1002` (EN 13715)" + file +
+      " Its radius at the tape circle, y = 0, is "
+      "Wheel/Radius. Both profiles empty: the surfaces are "
+      "those of Wheel and Rail, in a contact table S1002 on "
+      "60E1.";
+    entries.add("Rail profile", rail_profile).help =
+      "`60E1` (EN 13674-1), `60E1 Manchester` (the variant of "
+      "the Manchester benchmarks)" +
+      file;
+    entries
+      .choice("Contact surface",
+              surface_kind,
+              std::vector<NamedValue<Profiles::SurfaceKind>>{
+                {"plane", Profiles::SurfaceKind::plane},
+                {"curved", Profiles::SurfaceKind::curved}})
+      .read_by(wheelsets_in_a_place)
+      .help =
+      "`plane`: pressure acts along the normal of the first contact; "
+      "`curved`: along the rail's normal at each node, on the length of its "
+      "section, so that conformal contacts, and tread and flange at once, "
+      "have an answer.";
+    entries.add("Smoothing length", smoothing_length, "m")
+      .at_least(0.)
+      .read_by(profile_files)
+      .help =
+      "Waves of this length in the points of a file are halved by a smoothing "
+      "spline; 0: none.";
+    entries.add("File unit", file_unit, "m")
+      .at_least(0.)
+      .read_by(profile_files)
+      .help = "One unit of a file of two columns or of MiniProf.";
     for (const auto &[body, mirror] :
          {std::pair<std::string, Mirror *>("Wheel", &wheel_mirror),
           std::pair<std::string, Mirror *>("Rail", &rail_mirror)})
-      declare_choice(prm,
-                     body + " mirror",
-                     *mirror,
-                     named_mirrors,
-                     "Coordinates of the file to turn round, so that y is "
-                     "towards the field side of the right-hand side and z "
-                     "down.");
+      entries.choice(body + " mirror", *mirror, named_mirrors)
+        .read_by(profile_files)
+        .help =
+        "Coordinates of the file to turn round, so that y is towards the field "
+        "side of the right-hand side and z down.";
   }
 
-
-
-  void
-  ProfileParameters::declare_track(ParameterHandler &prm)
+  void ProfileParameters::declare_track(Entries &entries)
   {
-    prm.add_parameter("Rail inclination",
-                      inclination,
-                      "Towards the middle of the track, as 1/40, 1/20, or 0 "
-                      "for a file that is inclined already. Units: 1.");
-    prm.add_parameter("Gauge",
-                      gauge,
-                      "Distance of the gauge faces. Units: m.",
-                      Patterns::Double(0.));
-    prm.add_parameter("Gauge height",
-                      gauge_height,
-                      "Depth of the gauge faces below the top of the rails. "
-                      "Units: m.",
-                      Patterns::Double(0.));
-    prm.add_parameter("Flange back distance",
-                      flange_back_distance,
-                      "Distance of the backs of the flanges; the tape circles "
-                      "are 0.07 m from them. Units: m.",
-                      Patterns::Double(0.));
-    prm.add_parameter("Yaw",
-                      yaw,
-                      "Turn of the wheelset about the vertical, right-handed "
-                      "about z down. Units: rad.",
-                      Patterns::Double());
+    Entry &slope = entries.add("Rail inclination", inclination, "1");
+    slope.kind   = Entry::Kind::numbers;
+    slope.help =
+      "Towards the middle of the track, as 1/40, 1/20, or 0 for a file that "
+      "is inclined already.";
+    entries.add("Gauge", gauge, "m").at_least(0.).help =
+      "Distance of the gauge faces.";
+    entries.add("Gauge height", gauge_height, "m").at_least(0.).help =
+      "Depth of the gauge faces below the top of the rails.";
+    entries.add("Flange back distance", flange_back_distance, "m")
+      .at_least(0.)
+      .help =
+      "Distance of the backs of the flanges; the tape circles are 0.07 m from "
+      "them.";
+    entries.add("Yaw", yaw, "rad").renewing(Renews::place).help =
+      "Turn of the wheelset about the vertical, right-handed about z down.";
+    entries
+      .choice("Body sections",
+              true_sections,
+              std::vector<NamedValue<bool>>{{"plain", false}, {"true", true}})
+      .read_by(wheelsets_in_a_place)
+      .help =
+      "What is under the profiles of elastic bodies: `plain`, the disc and "
+      "the block of sections Wheel and Rail; `true`, a wheel with flange, "
+      "rim, web and hub, held at its bore (Wheel/Hub radius), and a rail with "
+      "head, web and foot of a 60E1, Rail/Block length long, held at its sole.";
+    entries.add("Web bow", web_bow, "m")
+      .read_by(wheelsets_in_a_place)
+      .read_by({[](const SceneParameters &scene) {
+                  return !scene.analysis.has_bodies ||
+                         (scene.profiles.true_sections && !scene.wheel.rigid);
+                },
+                "Profiles/Body sections = true reads it, for an elastic "
+                "wheel"})
+      .help =
+      "By how much the middle of a true wheel's web is bowed towards the "
+      "field side.";
   }
-
-
 
   namespace
   {
     /**
      * Declare a number that may be `automatic`, the default.
      */
-    void
-    declare_automatic(ParameterHandler      &prm,
-                      const std::string     &entry,
-                      std::optional<double> &value,
-                      const std::string     &unit,
-                      const std::string     &help)
+    Entry &add_automatic(Entries               &entries,
+                         const std::string     &entry,
+                         std::optional<double> &value,
+                         const std::string     &unit)
     {
-      prm.declare_entry(entry, "automatic", Patterns::Anything(), help);
-      prm.add_action(entry, [&value, entry, unit](const std::string &text) {
-        value = text == "automatic" ? std::nullopt : number(text);
-        if (!value && text != "automatic")
+      const auto read = [&value, entry, unit](const std::string &text) {
+        const auto given = number(text);
+        if (!given && text != "automatic")
           throw InputError("Profiles/" + entry + " = " + text +
                            ": give a number in " + unit + ", or `automatic`.");
-      });
+        value = given;
+      };
+      return entries.parsed(
+        entry, Entry::Kind::numbers, "automatic", unit, read);
     }
   } // namespace
 
-
-
-  void
-  ProfileParameters::declare_wheelset(ParameterHandler &prm)
+  void ProfileParameters::declare_wheelset(Entries &entries)
   {
-    declare_choice(prm,
-                   "Side",
-                   is_left,
-                   std::vector<NamedValue<bool>>{{"right", false},
-                                                 {"left", true}},
-                   "Which wheel of the wheelset the bodies are.");
-    prm.add_parameter("Lateral shift",
-                      shift,
-                      "Of the wheelset to the right, but in a contact table, "
-                      "which has its own. Units: m.",
-                      Patterns::Double());
-    declare_automatic(prm,
-                      "Roll",
-                      roll,
-                      "rad",
-                      "Turn of the wheelset about the direction of travel, "
-                      "right-handed; `automatic`: both wheels touch. Units: "
-                      "rad.");
-    declare_choice(
-      prm,
-      "Creepages",
-      creepage_source,
-      std::vector<NamedValue<CreepageSource>>{{"given", CreepageSource::given},
-                                              {"from kinematics",
-                                               CreepageSource::kinematics}},
+    entries
+      .choice("Side",
+              is_left,
+              std::vector<NamedValue<bool>>{{"right", false}, {"left", true}})
+      .read_by(wheelsets_in_a_place)
+      .help = "Which wheel of the wheelset the bodies are.";
+    entries.add("Lateral shift", shift, "m")
+      .read_by(wheelsets_in_a_place)
+      .renewing(Renews::place)
+      .help =
+      "Of the wheelset to the right, but in a contact table, which has its "
+      "own.";
+    add_automatic(entries, "Roll", roll, "rad")
+      .read_by(wheelsets_in_a_place)
+      .renewing(Renews::place)
+      .help =
+      "Turn of the wheelset about the direction of travel, right-handed; "
+      "`automatic`: both wheels touch.";
+    entries
+      .choice("Creepages",
+              creepage_source,
+              std::vector<NamedValue<CreepageSource>>{
+                {"given", CreepageSource::given},
+                {"from kinematics", CreepageSource::kinematics}})
+      .read_by(wheelsets_in_a_place)
+      .help =
       "`given`: those of section Contact, or of an analysis with its own; "
       "`from kinematics`: what a wheelset in this place that moves along the "
       "track with Contact/Speed has at the first contact, and the rolling "
-      "radius that changes over the patch as the profile does.");
-    declare_automatic(prm,
-                      "Pitch rate",
-                      pitch_rate,
-                      "rad/s",
-                      "Angular velocity of the axle for creepages from "
-                      "kinematics, negative when it rolls forwards; "
-                      "`automatic`: no longitudinal creepage. Units: rad/s.");
+      "radius that changes over the patch as the profile does.";
+    add_automatic(entries, "Pitch rate", pitch_rate, "rad/s")
+      .read_by(wheelsets_in_a_place)
+      .read_by({[](const SceneParameters &scene) {
+                  return !scene.analysis.has_bodies ||
+                         scene.profiles.gives_creepages();
+                },
+                "Profiles/Creepages = from kinematics reads it"})
+      .help =
+      "Angular velocity of the axle for creepages from kinematics, negative "
+      "when it rolls forwards; `automatic`: no longitudinal creepage.";
   }
 
-
-
-  void
-  ProfileParameters::declare_table(ParameterHandler &prm)
-  {
-    declare_number_list(prm,
-                        "Contact table/Lateral shift",
-                        shifts,
-                        "-0.008 : 0.008 : 81",
-                        "Of the wheelset to the right: " +
-                          std::string(number_list_form) + ". Units: m.");
-    prm.add_parameter("Conicity amplitude",
-                      conicity_amplitude,
-                      "Amplitude of the wheelset's lateral motion of the "
-                      "conicity in the summary. Units: m.",
-                      Patterns::Double(0.));
-  }
-
-
-
-  double
-  ProfileParameters::slope_of_inclination() const
+  double ProfileParameters::slope_of_inclination() const
   {
     const std::size_t           stroke = inclination.find('/');
     const std::optional<double> value =
@@ -243,19 +240,13 @@ namespace RollingContact
                      ": give a slope up to 0.2, as 1/40, 0.025 or 0.");
   }
 
-
-
-  double
-  ProfileParameters::tape_circle() const
+  double ProfileParameters::tape_circle() const
   {
     return flange_back_distance / 2 + flange_back_to_tape_circle;
   }
 
-
-
-  void
-  ProfileParameters::check(const double                 wheel_radius,
-                           const std::filesystem::path &prm_folder) const
+  void ProfileParameters::check(const double                 wheel_radius,
+                                const std::filesystem::path &prm_folder) const
   {
     if (!(wheel_radius >= 0.05 && wheel_radius <= 5.))
       throw InputError("Wheel/Radius = " + text_of(wheel_radius) +
@@ -287,20 +278,40 @@ namespace RollingContact
     rail(prm_folder);
   }
 
-
-
-  void
+  std::shared_ptr<const Profiles::ContactFrame>
   ProfileParameters::find_frame(const double                 wheel_radius,
-                                const std::filesystem::path &prm_folder)
+                                const std::filesystem::path &prm_folder) const
   {
     const auto pair = std::make_shared<const Profiles::WheelOnRail>(
       wheel(prm_folder), rail(prm_folder), wheel_radius, tape_circle());
     const double resting =
       roll ? *roll : Profiles::resting_roll(*pair, shift, yaw);
-    frame = std::make_shared<const Profiles::ContactFrame>(
+    return std::make_shared<const Profiles::ContactFrame>(
       pair,
       Profiles::WheelsetPosition{shift, resting, yaw},
       is_left,
       surface_kind);
+  }
+
+  bool ProfileParameters::have_frame_of(const ProfileParameters &other) const
+  {
+    const auto all = [](const ProfileParameters &p) {
+      return std::tie(p.wheel_profile,
+                      p.rail_profile,
+                      p.inclination,
+                      p.gauge,
+                      p.gauge_height,
+                      p.flange_back_distance,
+                      p.yaw,
+                      p.smoothing_length,
+                      p.file_unit,
+                      p.wheel_mirror,
+                      p.rail_mirror,
+                      p.surface_kind,
+                      p.is_left,
+                      p.shift,
+                      p.roll);
+    };
+    return all(*this) == all(other);
   }
 } // namespace RollingContact

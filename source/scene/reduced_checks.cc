@@ -1,12 +1,12 @@
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/input/prm_declarations.h>
 #include <rolling_contact/scene/disturbed_state.h>
 
 namespace RollingContact
 {
-  void
-  check_disturbed_state(const SceneParameters &scene, const std::string &why)
+  void check_disturbed_state(const SceneParameters &scene,
+                             const std::string     &why)
   {
     if (scene.surfaces.in_use() || !scene.surfaces.friction_share.empty())
       throw InputError(why + "surfaces that pass (section Surfaces) have no "
@@ -17,12 +17,9 @@ namespace RollingContact
                              "what is linearised; take plane.");
   }
 
-
-
-  void
-  SceneParameters::check_reduced_bodies() const
+  void SceneParameters::check_reduced_bodies() const
   {
-    if (!is_transient())
+    if (!marches())
       return;
     if (time.hold_approach && !contact.normal_load)
       throw InputError("Time/Hold approach = true: it holds the approach that "
@@ -48,10 +45,6 @@ namespace RollingContact
                        ", which is not computed; take axial dampers, or drive "
                        "by another entry.");
     const std::string why = "Time/Bodies = reduced: ";
-    if (analysis == "accuracy study")
-      throw InputError(
-        why + "Analysis = " + analysis +
-        " varies theta, and reduced bodies have 0.5; take full.");
     modes.check();
     if (!time.inertia)
       throw InputError(why + "Time/Inertia = false leaves nothing to reduce; "
@@ -82,14 +75,10 @@ namespace RollingContact
                        "automatic, on one rank.");
   }
 
-
-
-  void
-  SceneParameters::check_excitation() const
+  void SceneParameters::check_excitation() const
   {
-    const bool is_sweep = analysis == "limit cycle"; // it has its starts
-    if (!is_transient() ||
-        (time.excite_mode == 0. && time.excite_velocity == 0.))
+    const bool is_sweep = analysis.until_periodic; // it has its starts
+    if (!marches() || (time.excite_mode == 0. && time.excite_velocity == 0.))
       return;
     const std::string why =
       "Time/Excite mode = " + text_of(time.excite_mode) +
@@ -113,12 +102,9 @@ namespace RollingContact
     check_disturbed_state(*this, why);
   }
 
-
-
-  void
-  SceneParameters::check_friction_response() const
+  void SceneParameters::check_friction_response() const
   {
-    if (!contact.falling_friction() || !(is_transient() || is_of_stability()))
+    if (!contact.falling_friction() || !(marches() || analysis.linearises))
       return;
     const FrictionResponse response = friction_response();
     if (response == FrictionResponse::node)
@@ -126,17 +112,17 @@ namespace RollingContact
     const std::string why =
       "Contact/Friction response = " + contact.friction_response +
       (contact.friction_response == "automatic" ? " (patch mean): " : ": ");
-    if (contact.friction_memory > 0.)
+    if (contact.friction_memory_length > 0.)
       throw InputError(why + "Contact/Friction memory length = " +
-                       text_of(contact.friction_memory) +
+                       text_of(contact.friction_memory_length) +
                        " is a memory of each node; set it to 0 m, or take "
                        "node.");
     if (response == FrictionResponse::patch_mean &&
-        !(contact.friction_delay > 0.))
+        !(contact.friction_memory > 0.))
       throw InputError(
-        "Contact/Friction memory = " + text_of(contact.friction_delay) +
+        "Contact/Friction memory = " + text_of(contact.friction_memory) +
         ": patch mean needs a delay above 0 s; 60e-6 is usual.");
-    if (!is_transient())
+    if (!marches())
       return;
     if (!surfaces.friction_share.empty())
       throw InputError(why + "Surfaces/Friction share changes mu of each node; "
@@ -148,9 +134,9 @@ namespace RollingContact
     const double h =
       time.steps(time.histories(contact, prm_folder).speed).length;
     if (response == FrictionResponse::patch_mean &&
-        h > 0.1 * contact.friction_delay * (1 + 1e-9))
+        h > 0.1 * contact.friction_memory * (1 + 1e-9))
       throw InputError(
-        "Contact/Friction memory = " + text_of(contact.friction_delay) +
+        "Contact/Friction memory = " + text_of(contact.friction_memory) +
         " s: steps of " + significant(h, 4) +
         " s are longer than a tenth of it; take a shorter "
         "Time/Time step.");

@@ -7,17 +7,13 @@ namespace RollingContact
   namespace
   {
     /** The axes along which something moves. */
-    std::string
-    axes_of(const SceneParameters &scene)
+    std::string axes_of(const SceneParameters &scene)
     {
       return scene.dimension == 3 ? "xyz" : "xz";
     }
   } // namespace
 
-
-
-  std::vector<RunSignal>
-  run_signals(const SceneParameters &scene)
+  std::vector<RunSignal> run_signals(const SceneParameters &scene)
   {
     const bool             slips = scene.contact.friction_coefficient > 0.;
     std::vector<RunSignal> signals{
@@ -56,10 +52,7 @@ namespace RollingContact
     return signals;
   }
 
-
-
-  RunSignal
-  spectrogram_signal(const SceneParameters &scene)
+  RunSignal spectrogram_signal(const SceneParameters &scene)
   {
     const std::string &wanted = scene.spectrum.spectrogram_signal;
     const std::string  column = !wanted.empty()       ? wanted

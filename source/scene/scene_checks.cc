@@ -1,70 +1,15 @@
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/input/prm_declarations.h>
-#include <rolling_contact/scene/disturbed_state.h>
+#include <rolling_contact/scene/scene_parameters.h>
 
 #include <cmath>
 
 namespace RollingContact
 {
-  void
-  SceneParameters::check_structures() const
+  void SceneParameters::check_hubs() const
   {
-    modes.check();
-    if (analysis == "receptance")
-      receptance.check(dimension);
-    if (wheel.rigid && rail.rigid)
-      throw InputError("Wheel/Rigid = true and Rail/Rigid = true: Analysis = " +
-                       analysis + " needs an elastic body.");
-    if (body_solver == BodySolver::distributed)
-      throw InputError("Body solver = distributed: Analysis = " + analysis +
-                       " needs the factor of the stiffness, which blocks of "
-                       "vectors are solved with; take direct or automatic, on "
-                       "one rank.");
-    if (profiles.in_use())
-      profiles.check(wheel.radius, prm_folder);
-  }
-
-
-
-  void
-  SceneParameters::check_stability() const
-  {
-    if (!is_of_stability())
-      return;
-    modes.check();
-    stability.check();
-    const std::string why = "Analysis = " + analysis + ": ";
-    if (!contact.speed)
-      throw InputError(why + "Contact/Speed is empty; give the rolling speed V "
-                             "in m/s, which the slip's rate is compared with.");
-    if (contact.friction_coefficient > 0. &&
-        contact.slip_operator != SlipOperatorKind::upwind_2 &&
-        contact.slip_operator != SlipOperatorKind::upwind_1)
-      throw InputError(why + "Contact/Slip operator must be `upwind 2` or "
-                             "`upwind 1`: the linearised laws hold without an "
-                             "edge law.");
-    if (contact.friction_memory > 0.)
-      throw InputError(why + "Contact/Friction memory length = " +
-                       text_of(contact.friction_memory) +
-                       ": a sliding distance is not among the linearised laws; "
-                       "set it to 0.");
-    check_disturbed_state(*this, why);
-    if (body_solver == BodySolver::distributed)
-      throw InputError("Body solver = distributed: " + why +
-                       "modes are found with a factor; take direct or "
-                       "automatic, on one rank.");
-    if (mesh.adaptive_levels > 0 || mesh.target_error)
-      throw InputError(why + "Mesh/Adaptive levels and Target error are not "
-                             "for it; give Mesh/Elements across patch.");
-  }
-
-
-
-  void
-  SceneParameters::check_hubs() const
-  {
-    const bool dynamic = is_transient() && time.inertia;
+    const bool dynamic = marches() && time.inertia;
     if (!dynamic || time.initial_state == InitialState::steady)
       for (const BodyParameters *body : {&wheel, &rail})
         body->check_held(dimension);
@@ -82,24 +27,18 @@ namespace RollingContact
         "free or mass.");
   }
 
-
-
-  void
-  SceneParameters::check_speed() const
+  void SceneParameters::check_speed() const
   {
     if (contact.speed || !contact.falling_friction() ||
-        (is_transient() && !time.speed.empty()))
+        (marches() && !time.speed.empty()))
       return;
     throw InputError("Contact/Friction law = " + contact.friction_law +
                      " and Contact/Speed is empty: friction falls with the "
                      "sliding speed |s| V, give the rolling speed V in m/s" +
-                     (is_transient() ? ", here or as Time/Speed." : "."));
+                     (marches() ? ", here or as Time/Speed." : "."));
   }
 
-
-
-  void
-  SceneParameters::check_mesh_files() const
+  void SceneParameters::check_mesh_files() const
   {
     for (const BodyParameters *body : {&wheel, &rail})
       {
@@ -116,9 +55,6 @@ namespace RollingContact
         if (body_solver == BodySolver::distributed)
           throw InputError("Body solver = distributed" + why +
                            "lives on one rank; take direct or automatic.");
-        if (analysis == "accuracy study")
-          throw InputError("Analysis = accuracy study" + why +
-                           "has one mesh only, a study needs many.");
         if (mesh.adaptive_levels > 0)
           throw InputError(
             "Mesh/Adaptive levels = " + std::to_string(mesh.adaptive_levels) +
@@ -129,42 +65,9 @@ namespace RollingContact
       }
   }
 
-
-
-  void
-  SceneParameters::check_surfaces() const
+  void SceneParameters::check_forces(const std::string &asked,
+                                     const bool         across) const
   {
-    surfaces.check(dimension);
-    if (!surfaces.in_use())
-      return;
-    if (mesh.target_error && !is_transient())
-      throw InputError(
-        "Mesh/Target error = " + text_of(*mesh.target_error) +
-        ": the error of surfaces that move (section Surfaces) is not known "
-        "beforehand. Leave it empty and give Mesh/Elements across patch.");
-    if (analysis == "accuracy study")
-      throw InputError("Analysis = accuracy study: its meshes would each show "
-                       "another surface (section Surfaces). Leave the heights "
-                       "empty.");
-  }
-
-
-
-  void
-  SceneParameters::check_forces() const
-  {
-    bool of_curve = false;
-    if (analysis == "creep curve")
-      for (const CreepCurvePoint &point : creep_curve.points())
-        of_curve = of_curve || point.forces.any();
-    if (!contact.forces.any() && !of_curve)
-      return;
-    const std::string asked =
-      of_curve ? "Creep curve/Longitudinal force, Lateral force or Spin moment"
-               : "Contact/Longitudinal force, Lateral force or Spin moment";
-    const bool across = of_curve ? !creep_curve.lateral_force.empty() ||
-                                     !creep_curve.spin_moment.empty()
-                                 : contact.forces.y || contact.forces.moment;
     if (across && profiles.in_use() &&
         profiles.surface_kind == Profiles::SurfaceKind::curved)
       throw InputError("Profiles/Contact surface = curved and a Lateral force "
@@ -177,24 +80,21 @@ namespace RollingContact
         " and Mesh/Adaptive levels = " + std::to_string(mesh.adaptive_levels) +
         ": levels are judged by how the forces change, and these are given. "
         "Set the levels to 0, or give creepages.");
-    if (analysis == "accuracy study")
-      throw InputError(asked + " and Analysis = accuracy study: a study "
-                               "compares the forces of given creepages; leave "
-                               "them empty.");
-    if (of_curve && contact.friction_coefficient == 0.)
-      throw InputError(asked + " and Contact/Friction coefficient = 0: without "
-                               "friction there is no such force.");
   }
 
-
-
-  void
-  SceneParameters::check_target_error() const
+  void SceneParameters::check_target_error() const
   {
-    if (!mesh.target_error || is_transient() || analysis == "accuracy study")
+    if (!mesh.target_error || marches())
       return;
     const std::string target =
       "Mesh/Target error = " + text_of(*mesh.target_error);
+    if (surfaces.in_use())
+      throw InputError(
+        target +
+        ": the error of surfaces that move (section Surfaces) is not known "
+        "beforehand. Leave it empty and give Mesh/Elements across patch.");
+    if (analysis.has_own_meshes)
+      return;
     if (contact.friction_coefficient <= 0.)
       throw InputError(
         target + " and Contact/Friction coefficient = 0: it is an error of "
@@ -214,10 +114,7 @@ namespace RollingContact
                          "known. Leave it empty.");
   }
 
-
-
-  void
-  SceneParameters::check_pair() const
+  void SceneParameters::check_pair() const
   {
     if (wheel.rigid && rail.rigid)
       throw InputError("Wheel/Rigid = true and Rail/Rigid = true: at least one "
@@ -229,17 +126,10 @@ namespace RollingContact
                        ": plane strain needs the same thickness in both.");
   }
 
-
-
-  void
-  SceneParameters::check_body_solver() const
+  void SceneParameters::check_body_solver() const
   {
     if (body_solver != BodySolver::distributed)
       return;
-    if (analysis == "accuracy study")
-      throw InputError(
-        "Body solver = distributed: an accuracy study factorises "
-        "its bodies; take direct or automatic.");
     for (const BodyParameters *body : {&wheel, &rail})
       if (!body->rigid &&
           body->material.poisson_ratio > distributed_poisson_limit)
@@ -250,47 +140,7 @@ namespace RollingContact
           text_of(distributed_poisson_limit) + "; take Body solver = direct.");
   }
 
-
-
-  void
-  SceneParameters::check_study() const
-  {
-    if (analysis != "accuracy study")
-      return;
-    study.check(dimension);
-    if (mesh.adaptive_levels > 0)
-      throw InputError(
-        "Mesh/Adaptive levels = " + std::to_string(mesh.adaptive_levels) +
-        ": an accuracy study has its own meshes (Accuracy study/Elements "
-        "across patch); set it to 0.");
-  }
-
-
-
-  void
-  SceneParameters::check_table() const
-  {
-    if (!is_of_table())
-      return;
-    table.check();
-    const std::string why = ": the states of a table share bodies, whose "
-                            "compliance is found once, on one mesh; ";
-    if (mesh.target_error)
-      throw InputError("Mesh/Target error = " + text_of(*mesh.target_error) +
-                       why + "give Mesh/Elements across patch.");
-    if (mesh.adaptive_levels > 0)
-      throw InputError(
-        "Mesh/Adaptive levels = " + std::to_string(mesh.adaptive_levels) + why +
-        "set it to 0.");
-    if (body_solver == BodySolver::distributed)
-      throw InputError("Body solver = distributed" + why +
-                       "take direct or automatic.");
-  }
-
-
-
-  void
-  SceneParameters::check_profiles_on_files(const std::string &given) const
+  void SceneParameters::check_profiles_on_files(const std::string &given) const
   {
     for (const BodyParameters *body : {&wheel, &rail})
       {
@@ -314,10 +164,7 @@ namespace RollingContact
       }
   }
 
-
-
-  void
-  SceneParameters::check_profiles() const
+  void SceneParameters::check_profiles() const
   {
     if (contact.vertical_load && !profiles.in_use())
       throw InputError(
@@ -334,10 +181,6 @@ namespace RollingContact
     if (dimension == 2)
       throw InputError(given + "profiles are across the track, take "
                                "Dimension = 3.");
-    if (analysis == "accuracy study" && profiles.gives_creepages())
-      throw InputError("Profiles/Creepages = from kinematics: an accuracy "
-                       "study has its own creepages (Accuracy study/Creepages "
-                       "over saturation); take given.");
     check_profiles_on_files(given);
     if (!rail.rigid && ((rail.shape != "block" && rail.shape != "section") ||
                         rail.radius != 0.))
@@ -355,22 +198,18 @@ namespace RollingContact
                          "/Lateral radius = " + text_of(body->lateral_radius) +
                          ": the surface across the track is that of Profiles/" +
                          body->section + " profile; set it to 0 m.");
-    if (contact.vertical_load && is_transient())
+    if (contact.vertical_load && marches())
       throw InputError(
         "Contact/Vertical load = " + text_of(*contact.vertical_load) +
         ": in time the load is along the normal; give "
         "Contact/Normal load.");
-    if (profiles.surface_kind == Profiles::SurfaceKind::curved &&
-        is_transient())
+    if (profiles.surface_kind == Profiles::SurfaceKind::curved && marches())
       throw InputError("Profiles/Contact surface = curved: in time the surface "
                        "of contact is plane; take Contact surface = plane.");
     profiles.check(wheel.radius, prm_folder);
   }
 
-
-
-  void
-  SceneParameters::check_curvatures() const
+  void SceneParameters::check_curvatures() const
   {
     if (profiles.in_use())
       return;

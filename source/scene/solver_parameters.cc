@@ -1,43 +1,28 @@
-#include <deal.II/base/parameter_handler.h>
-
 #include <rolling_contact/base/choices.h>
+#include <rolling_contact/scene/entries.h>
 #include <rolling_contact/scene/solver_parameters.h>
 
 namespace RollingContact
 {
-  using namespace dealii;
-
-  void
-  SolverParameters::declare(ParameterHandler &prm)
+  void SolverParameters::declare(Entries &entries)
   {
-    prm.enter_subsection("Contact");
-    prm.add_parameter("Solver",
-                      solver,
-                      choice_help(contact_solver_kinds()),
-                      Patterns::Selection(
-                        choice_names(contact_solver_kinds())));
-    prm.add_parameter(
-      "Tolerance",
-      controls.tolerance,
-      "Largest natural residual of a solved state, over N and mu N. "
-      "Units: 1.",
-      Patterns::Double(1e-15, 1.));
-    prm.add_parameter("Maximal iterations",
-                      controls.max_iterations,
-                      "Limit of each iterative solver. Units: 1.",
-                      Patterns::Integer(1));
-    prm.add_parameter(
-      "Normal augmentation",
-      controls.normal_augmentation,
-      "rho_n of the fixed point times ||W_nn H||; it converges below 2. "
-      "Units: 1.",
-      Patterns::Double(1e-12, 1e6));
-    prm.add_parameter(
-      "Tangential augmentation",
-      controls.tangential_augmentation,
-      "rho_t of the fixed point and the active set times ||B1 W_tt H||. "
-      "Units: 1.",
-      Patterns::Double(1e-12, 1e6));
-    prm.leave_subsection();
+    entries.section("Contact");
+    entries.add("Solver", solver)
+      .one_of(choice_names(contact_solver_kinds()))
+      .help = choice_help(contact_solver_kinds());
+    entries.add("Tolerance", controls.tolerance, "1").between(1e-15, 1.).help =
+      "Largest natural residual of a solved state, over N and mu N.";
+    entries.add("Maximal iterations", controls.max_iterations, "1")
+      .at_least(1)
+      .help = "Limit of each iterative solver.";
+    entries.add("Normal augmentation", controls.normal_augmentation, "1")
+      .between(1e-12, 1e6)
+      .help =
+      "rho_n of the fixed point times ||W_nn H||; it converges below 2.";
+    entries
+      .add("Tangential augmentation", controls.tangential_augmentation, "1")
+      .between(1e-12, 1e6)
+      .help =
+      "rho_t of the fixed point and the active set times ||B1 W_tt H||.";
   }
 } // namespace RollingContact

@@ -1,8 +1,8 @@
-#include <deal.II/base/parameter_handler.h>
-
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/input/prm_declarations.h>
+#include <rolling_contact/scene/entries.h>
+#include <rolling_contact/scene/scene_parameters.h>
 #include <rolling_contact/scene/sound_parameters.h>
 #include <rolling_contact/scene/time_parameters.h>
 
@@ -10,68 +10,65 @@
 
 namespace RollingContact
 {
-  using namespace dealii;
-
-  void
-  SoundParameters::declare(ParameterHandler &prm)
+  void SoundParameters::declare(Entries &entries)
   {
-    const Patterns::Double not_negative(0.);
-    prm.enter_subsection("Sound");
-    prm.add_parameter(
-      "Estimate",
-      estimate,
+    EntrySection &section =
+      entries.section("Sound").read_by_analyses("transient");
+    const Reader estimates{[](const SceneParameters &scene) {
+                             return scene.sound.estimate;
+                           },
+                           "Sound/Estimate = false"},
+      writes{[](const SceneParameters &scene) { return scene.sound.wav_file; },
+             "Sound/WAV file = false"};
+    entries.add("Estimate", estimate).help =
       "Whether a transient run of bodies by their modes (Time/Bodies = "
       "reduced, Dimension = 3) ends with an estimate of the sound that wheel "
       "and rail radiate. It keeps the velocities of all modes up to "
-      "Modes/Maximum frequency at each step, in modal_velocities.csv.");
-    prm.add_parameter("Density of air",
-                      air_density,
-                      "Density of the air around. Units: kg/m^3.",
-                      not_negative);
-    prm.add_parameter("Speed of sound",
-                      speed_of_sound,
-                      "Speed of sound in the air around. Units: m/s.",
-                      not_negative);
-    prm.add_parameter(
-      "Distance",
-      distance,
+      "Modes/Maximum frequency at each step, in modal_velocities.csv.";
+    section.free_on_resume = in_all_scenes;
+    entries.add("Density of air", air_density, "kg/m^3")
+      .at_least(0.)
+      .read_by(estimates)
+      .help = "Density of the air around.";
+    entries.add("Speed of sound", speed_of_sound, "m/s")
+      .at_least(0.)
+      .read_by(estimates)
+      .help = "Speed of sound in the air around.";
+    entries.add("Distance", distance, "m")
+      .at_least(0.)
+      .read_by(estimates)
+      .help =
       "Distance from the contact at which the sound pressure is told, over "
-      "ground that reflects all sound and alike in all directions. Units: m.",
-      not_negative);
-    prm.add_parameter("Skipped time",
-                      skipped_time,
-                      "Beginning of the run that the sound leaves out: what is "
-                      "left of the start. Units: s.",
-                      not_negative);
-    prm.add_parameter("WAV file",
-                      wav_file,
-                      "Whether the sound pressure at that distance is written "
-                      "to be listened to, in pressure.wav: 24 bit, one "
-                      "channel.");
-    prm.add_parameter("Sampling rate",
-                      sampling_rate,
-                      "Sampling rate of the WAV file. Units: Hz.",
-                      Patterns::Integer(1000, 384000));
-    declare_number(
-      prm,
-      "Sound/Full scale pressure",
-      full_scale_pressure,
-      "Pa",
-      "Sound pressure that the largest number of the WAV file stands for. Give "
-      "it to compare files of several runs. Left empty: the next of 1, 2, 5, "
-      "10, ... above the highest pressure. The summary, results.csv and a "
-      "comment within the file say what it is. Units: Pa.");
-    prm.leave_subsection();
+      "ground that reflects all sound and alike in all directions.";
+    entries.add("Skipped time", skipped_time, "s")
+      .at_least(0.)
+      .read_by(estimates)
+      .help =
+      "Beginning of the run that the sound leaves out: what is left of the "
+      "start.";
+    entries.add("WAV file", wav_file).read_by(estimates).help =
+      "Whether the sound pressure at that distance is written to be listened "
+      "to, in pressure.wav: 24 bit, one channel.";
+    entries.add("Sampling rate", sampling_rate, "Hz")
+      .between(1000, 384000)
+      .read_by(estimates)
+      .read_by(writes)
+      .help = "Sampling rate of the WAV file.";
+    entries.add("Full scale pressure", full_scale_pressure, "Pa")
+      .read_by(estimates)
+      .read_by(writes)
+      .help =
+      "Sound pressure that the largest number of the WAV file stands for. "
+      "Give it to compare files of several runs. Left empty: the next of 1, "
+      "2, 5, 10, ... above the highest pressure. The summary, results.csv and "
+      "a comment within the file say what it is.";
   }
-
-
 
   namespace
   {
-    void
-    require_positive(const std::string &entry,
-                     const double       value,
-                     const std::string &advice)
+    void require_positive(const std::string &entry,
+                          const double       value,
+                          const std::string &advice)
     {
       if (!(value > 0.))
         throw InputError("Sound/" + entry + " = " + text_of(value) +
@@ -79,11 +76,8 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  void
-  SoundParameters::check(const TimeSteps &steps,
-                         const double     maximum_frequency) const
+  void SoundParameters::check(const TimeSteps &steps,
+                              const double     maximum_frequency) const
   {
     require_positive("Density of air",
                      air_density,
@@ -119,10 +113,7 @@ namespace RollingContact
         "run.");
   }
 
-
-
-  std::size_t
-  SoundParameters::skipped_rows(const double time_step) const
+  std::size_t SoundParameters::skipped_rows(const double time_step) const
   {
     return std::llround(skipped_time / time_step);
   }

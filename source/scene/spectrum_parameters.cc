@@ -1,7 +1,7 @@
-#include <deal.II/base/parameter_handler.h>
-
+#include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/input/prm_declarations.h>
+#include <rolling_contact/scene/entries.h>
+#include <rolling_contact/scene/scene_parameters.h>
 #include <rolling_contact/scene/spectrum_parameters.h>
 #include <rolling_contact/scene/time_parameters.h>
 
@@ -10,8 +10,6 @@
 
 namespace RollingContact
 {
-  using namespace dealii;
-
   namespace
   {
     const std::vector<NamedValue<WriteSpectrum>> named_ways{
@@ -19,102 +17,88 @@ namespace RollingContact
       {"always", WriteSpectrum::always},
       {"never", WriteSpectrum::never}};
 
+    const std::vector<Reader> runs_with_spectra{
+      {[](const SceneParameters &scene) {
+         return scene.spectrum.write != WriteSpectrum::never;
+       },
+       "Spectrum/Write = never"},
+      {[](const SceneParameters &scene) { return scene.wants_spectra(); },
+       "no surface moves, no vibration is excited and no points are named; "
+       "take Spectrum/Write = always"}};
+    const Reader spectrograms{[](const SceneParameters &scene) {
+                                return scene.spectrum.spectrogram;
+                              },
+                              "Spectrum/Spectrogram = false"};
+
     /// of a spectrogram: tells times and lines of squeal apart, s
     const double usual_window = 0.01;
   } // namespace
 
-
-
-  void
-  SpectrumParameters::declare(ParameterHandler &prm)
+  void SpectrumParameters::declare(Entries &entries)
   {
-    const Patterns::Double not_negative(0.);
-    prm.enter_subsection("Spectrum");
-    declare_choice(
-      prm,
-      "Write",
-      write,
-      named_ways,
+    entries.section("Spectrum").read_by_analyses("transient").free_on_resume =
+      in_all_scenes;
+    entries.choice("Write", write, named_ways).help =
       "Whether a transient run ends with spectra, third octaves and lines of "
       "its forces and velocities: `automatic`, when a surface moves (section "
-      "Surfaces), a vibration is excited (Time/Excite mode) or points are named "
-      "(Velocity points of Wheel and Rail), `always` or `never`.");
-    prm.add_parameter("Skipped time",
-                      skipped_time,
-                      "Beginning of the run that spectra leave out: what is "
-                      "left of the start. Units: s.",
-                      not_negative);
-    prm.add_parameter(
-      "Segment length",
-      segment_length,
-      "Length of the segments, which overlap by half, that a "
-      "spectrum is the mean of; 0 takes a quarter of what there "
-      "is. Units: s.",
-      not_negative);
-    declare_lines(prm);
-    prm.leave_subsection();
-  }
-
-
-
-  void
-  SpectrumParameters::declare_lines(ParameterHandler &prm)
-  {
-    const Patterns::Double not_negative(0.);
-    prm.add_parameter(
-      "Highest frequency",
-      highest_frequency,
+      "Surfaces), a vibration is excited (Time/Excite mode) or points are "
+      "named (Velocity points of Wheel and Rail), `always` or `never`.";
+    entries.add("Skipped time", skipped_time, "s")
+      .at_least(0.)
+      .read_by(runs_with_spectra)
+      .help =
+      "Beginning of the run that spectra leave out: what is left of the start.";
+    entries.add("Segment length", segment_length, "s")
+      .at_least(0.)
+      .read_by(runs_with_spectra)
+      .help =
+      "Length of the segments, which overlap by half, that a spectrum is the "
+      "mean of; 0 takes a quarter of what there is.";
+    entries.add("Highest frequency", highest_frequency, "Hz")
+      .read_by(runs_with_spectra)
+      .at_least(0.)
+      .help =
       "Up to which lines are looked for and spectrograms reach; 0 takes "
-      "Modes/Maximum frequency for bodies by their modes, and all there is for "
-      "full ones. Units: Hz.",
-      not_negative);
-    prm.add_parameter(
-      "Line prominence",
-      line_prominence,
+      "Modes/Maximum frequency for bodies by their modes, and all there is "
+      "for full ones.";
+    entries.add("Line prominence", line_prominence, "dB")
+      .read_by(runs_with_spectra)
+      .at_least(0.)
+      .help =
       "What a peak of a spectrum rises at least, above the deeper ground "
-      "between it and higher ones, to be a line of lines.csv. Units: dB.",
-      not_negative);
-    prm.add_parameter(
-      "Spectrogram",
-      spectrogram,
+      "between it and higher ones, to be a line of lines.csv.";
+    entries.add("Spectrogram", spectrogram).read_by(runs_with_spectra).help =
       "Whether the spectrum over time of one signal is written and drawn, "
-      "spectrogram.csv and spectrogram.svg.");
-    prm.add_parameter(
-      "Spectrogram signal",
-      spectrogram_signal,
+      "spectrogram.csv and spectrogram.svg.";
+    entries.add("Spectrogram signal", spectrogram_signal)
+      .read_by(runs_with_spectra)
+      .read_by(spectrograms)
+      .help =
       "A column of history.csv with a force, a velocity or the height of the "
-      "surfaces, such as velocity_y_m/s; empty takes the velocity of the contact "
-      "across, in 2D along.");
-    prm.add_parameter(
-      "Spectrogram window",
-      spectrogram_window,
+      "surfaces, such as velocity_y_m/s; empty takes the velocity of the "
+      "contact across, in 2D along.";
+    entries.add("Spectrogram window", spectrogram_window, "s")
+      .read_by(runs_with_spectra)
+      .read_by(spectrograms)
+      .at_least(0.)
+      .help =
       "Length of the windows, which overlap by three quarters, that a column "
       "of the spectrogram is of; its lines are as far apart as the inverse of "
-      "it. 0 takes 0.01 s, or a quarter of what there is if that is less. Units: s.",
-      not_negative);
+      "it. 0 takes 0.01 s, or a quarter of what there is if that is less.";
   }
 
-
-
-  std::size_t
-  SpectrumParameters::skipped_rows(const double time_step) const
+  std::size_t SpectrumParameters::skipped_rows(const double time_step) const
   {
     return std::llround(skipped_time / time_step);
   }
 
-
-
-  std::size_t
-  SpectrumParameters::rows_in_segment(const double time_step) const
+  std::size_t SpectrumParameters::rows_in_segment(const double time_step) const
   {
     return std::llround(segment_length / time_step);
   }
 
-
-
-  std::size_t
-  SpectrumParameters::rows_in_window(const double      time_step,
-                                     const std::size_t n_rows) const
+  std::size_t SpectrumParameters::rows_in_window(const double      time_step,
+                                                 const std::size_t n_rows) const
   {
     return spectrogram_window > 0.
              ? std::llround(spectrogram_window / time_step)
@@ -123,10 +107,7 @@ namespace RollingContact
                                        std::max(least_rows, n_rows / 4));
   }
 
-
-
-  std::string
-  SpectrumParameters::why_none(const TimeSteps &steps) const
+  std::string SpectrumParameters::why_none(const TimeSteps &steps) const
   {
     const double length  = steps.length * steps.number;
     const bool   is_long = skipped_time > length || segment_length > length;

@@ -1,54 +1,45 @@
-#include <deal.II/base/parameter_handler.h>
-
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/input/prm_declarations.h>
+#include <rolling_contact/base/number_text.h>
+#include <rolling_contact/scene/entries.h>
+#include <rolling_contact/scene/scene_parameters.h>
 #include <rolling_contact/scene/stability_parameters.h>
 
 namespace RollingContact
 {
-  using namespace dealii;
-
-  void
-  StabilityParameters::declare(ParameterHandler &prm)
+  void StabilityParameters::declare(Entries &entries)
   {
-    const Patterns::Double not_negative(0.);
-    prm.enter_subsection("Stability");
-    prm.add_parameter("Lowest frequency",
-                      lowest_frequency,
-                      "Vibrations from this frequency up to Modes/Maximum "
-                      "frequency are looked at. Units: Hz.",
-                      not_negative);
-    prm.add_parameter(
-      "Rotation",
-      rotation,
+    EntrySection &section = entries.section("Stability");
+    section.read_by({[](const SceneParameters &scene) {
+                       return scene.analysis.reads("Stability") ||
+                              scene.has_reduced_bodies();
+                     },
+                     "Analysis = stability or stability map reads that "
+                     "section"});
+    section.renews = Renews::loads;
+    section.varies = [](const SceneParameters &scene) {
+      return scene.analysis.has_many_states && scene.analysis.linearises;
+    };
+    entries.add("Lowest frequency", lowest_frequency, "Hz").at_least(0.).help =
+      "Vibrations from this frequency up to Modes/Maximum frequency are "
+      "looked at.";
+    entries.add("Rotation", rotation).help =
       "Whether the wheel turns under the contact as it vibrates, which splits "
-      "its pairs of modes; Contact/Speed over its radius.");
-    prm.add_parameter("Added damping",
-                      added_damping,
-                      "Damping ratio that all modes of both bodies have in "
-                      "addition, as by a damper. Units: 1.",
-                      not_negative);
-    prm.add_parameter("Count check",
-                      count,
-                      "Count the unstable vibrations by the argument principle "
-                      "as well, independent of the eigenvalues.");
-    prm.add_parameter(
-      "Full model",
-      correct,
+      "its pairs of modes; Contact/Speed over its radius.";
+    entries.add("Added damping", added_damping, "1").at_least(0.).help =
+      "Damping ratio that all modes of both bodies have in addition, as by a "
+      "damper.";
+    entries.add("Count check", count).help =
+      "Count the unstable vibrations by the argument principle as well, "
+      "independent of the eigenvalues.";
+    entries.add("Full model", correct).help =
       "Correct each unstable vibration by the equations of the whole bodies, "
-      "and tell how far it is from them.");
-    prm.add_parameter("Damping margin",
-                      damping_margin,
-                      "Damping ratio that a cured mode shall have beyond being "
-                      "stable, for the damping that is needed. Units: 1.",
-                      not_negative);
-    prm.leave_subsection();
+      "and tell how far it is from them.";
+    entries.add("Damping margin", damping_margin, "1").at_least(0.).help =
+      "Damping ratio that a cured mode shall have beyond being stable, for "
+      "the damping that is needed.";
   }
 
-
-
-  void
-  StabilityParameters::check() const
+  void StabilityParameters::check() const
   {
     if (!(lowest_frequency > 0.))
       throw InputError(

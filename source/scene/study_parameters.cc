@@ -1,9 +1,8 @@
-#include <deal.II/base/parameter_handler.h>
-
 #include <rolling_contact/base/choices.h>
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/input/prm_declarations.h>
+#include <rolling_contact/scene/entries.h>
 #include <rolling_contact/scene/study_parameters.h>
 #include <rolling_contact/solvers/contact_solver.h>
 
@@ -14,164 +13,103 @@ namespace RollingContact
 {
   using namespace dealii;
 
-  void
-  StudyParameters::declare(ParameterHandler &prm)
+  void StudyParameters::declare(Entries &entries)
   {
-    prm.enter_subsection("Accuracy study");
+    entries.section("Accuracy study").read_by_analyses("accuracy study");
     const std::vector<NamedValue<bool>> varied{{"mesh", false},
                                                {"time step", true}};
-    declare_choice(prm,
-                   "Vary",
-                   varies_time_step,
-                   varied,
-                   "`mesh`: steady states on many meshes; `time step`: the "
-                   "transient scene of section Time with many steps.");
-    declare_meshes(prm);
-    declare_cases(prm);
-    declare_methods(prm);
-    declare_time(prm);
-    prm.leave_subsection();
+    entries.choice("Vary", varies_time_step, varied).help =
+      "`mesh`: steady states on many meshes; `time step`: the transient scene "
+      "of section Time with many steps.";
+    declare_meshes(entries);
+    declare_methods(entries);
   }
 
-
-
-  void
-  StudyParameters::declare_meshes(ParameterHandler &prm)
+  void StudyParameters::declare_meshes(Entries &entries)
   {
-    const Patterns::List numbers(Patterns::Integer(1), 1);
-    prm.add_parameter("Elements across patch",
-                      elements,
-                      "Meshes to compare. Units: 1.",
-                      numbers);
-    prm.add_parameter(
-      "Offsets",
-      n_offsets,
+    entries.add("Elements across patch", elements, "1")
+      .at_least(1)
+      .several()
+      .help = "Meshes to compare.";
+    entries.add("Offsets", n_offsets, "1").between(1, 1000).help =
       "Positions of each mesh under the patch, equally spaced over one "
-      "element. Units: 1.",
-      Patterns::Integer(1, 1000));
-    prm.add_parameter(
-      "Reference elements across patch",
-      reference_elements,
-      "Mesh of the converged solution that forces are compared with, "
-      "mean over the offsets with `calibrated`; finer than the others. "
-      "Units: 1.",
-      Patterns::Integer(1));
-    prm.add_parameter("Extrapolate reference",
-                      extrapolate_reference,
-                      "Whether the converged solution is extrapolated from the "
-                      "reference mesh and those of half and a quarter of its "
-                      "elements, with the order they show.");
-    prm.add_parameter("Rim levels",
-                      rim_levels,
-                      "Halvings of the element size at the leading edge on "
-                      "`graded` meshes. Units: 1.",
-                      Patterns::Integer(1, 10));
-    prm.add_parameter(
-      "Adaptive levels",
-      adaptive_levels,
-      "Levels of `adaptive` meshes; Mesh/Contact node budget may "
-      "end them before. Units: 1.",
-      Patterns::Integer(1, 20));
-    prm.add_parameter("Adaptive starts",
-                      adaptive_starts,
-                      "Elements across the patch that those levels start from; "
-                      "empty: as Elements across patch. Units: 1.",
-                      Patterns::List(Patterns::Integer(1), 0));
-  }
-
-
-
-  void
-  StudyParameters::declare_cases(ParameterHandler &prm)
-  {
-    prm.add_parameter(
-      "Creepages over saturation",
-      creepages,
-      "Creepages, in 2D over mu a/R of the Hertz estimate, in 3D "
-      "over that at which Kalker's linear force is 3 mu N, on profiles that of "
-      "the ellipse as long and as wide as the patch. Units: 1.",
-      Patterns::List(Patterns::Double(), 1));
-    prm.add_parameter(
-      "Directions",
-      directions,
+      "element.";
+    entries.add("Reference elements across patch", reference_elements, "1")
+      .at_least(1)
+      .help =
+      "Mesh of the converged solution that forces are compared with, mean "
+      "over the offsets with `calibrated`; finer than the others.";
+    entries.add("Extrapolate reference", extrapolate_reference).help =
+      "Whether the converged solution is extrapolated from the reference mesh "
+      "and those of half and a quarter of its elements, with the order they "
+      "show.";
+    entries.add("Rim levels", rim_levels, "1").between(1, 10).help =
+      "Halvings of the element size at the leading edge on `graded` meshes.";
+    entries.add("Adaptive levels", adaptive_levels, "1").between(1, 20).help =
+      "Levels of `adaptive` meshes; Mesh/Contact node budget may end them "
+      "before.";
+    entries.add("Adaptive starts", adaptive_starts, "1")
+      .at_least(1)
+      .several(0)
+      .help =
+      "Elements across the patch that those levels start from; empty: as "
+      "Elements across patch.";
+    entries.add("Creepages over saturation", creepages, "1").several().help =
+      "Creepages, in 2D over mu a/R of the Hertz estimate, in 3D over that at "
+      "which Kalker's linear force is 3 mu N, on profiles that of the ellipse "
+      "as long and as wide as the patch.";
+    entries.add("Directions", directions)
+      .one_of("longitudinal|lateral|spin|combined")
+      .several()
+      .help =
       "Of the creepage: `longitudinal`, and in 3D `lateral`, `spin` (its "
-      "lateral force is judged) or `combined`, all three, each over sqrt(3).",
-      Patterns::List(Patterns::Selection("longitudinal|lateral|spin|combined"),
-                     1));
+      "lateral force is judged) or `combined`, all three, each over sqrt(3).";
   }
 
-
-
-  void
-  StudyParameters::declare_methods(ParameterHandler &prm)
+  void StudyParameters::declare_methods(Entries &entries)
   {
-    prm.add_parameter(
-      "Meshes",
-      meshes,
-      "Kinds of meshes: `uniform`, `graded` (finer at the leading "
-      "edge, by Rim levels) or `adaptive`.",
-      Patterns::List(Patterns::Selection("uniform|graded|adaptive"), 1));
-    prm.add_parameter(
-      "Slip operators",
-      slip_operators,
+    entries.add("Meshes", meshes)
+      .one_of("uniform|graded|adaptive")
+      .several()
+      .help =
+      "Kinds of meshes: `uniform`, `graded` (finer at the leading edge, by "
+      "Rim levels) or `adaptive`.";
+    entries.add("Slip operators", slip_operators)
+      .one_of(choice_names(slip_operator_choices()) + "|paper")
+      .several()
+      .help =
       "Operators to compare, as Contact/Slip operator, and `paper`: galerkin "
       "with consistent contact matrices, by the extragradient iteration where "
-      "the solver is `automatic` (Lai et al. 2017).",
-      Patterns::List(Patterns::Selection(choice_names(slip_operator_choices()) +
-                                         "|paper"),
-                     1));
-    prm.add_parameter("Solvers",
-                      solvers,
-                      "Contact solvers to compare, as Contact/Solver.",
-                      Patterns::List(Patterns::Selection(
-                                       choice_names(contact_solver_kinds())),
-                                     1));
+      "the solver is `automatic` (Lai et al. 2017).";
+    entries.add("Solvers", solvers)
+      .one_of(choice_names(contact_solver_kinds()))
+      .several()
+      .help = "Contact solvers to compare, as Contact/Solver.";
     const std::vector<NamedValue<bool>> combined{{"one at a time", false},
                                                  {"all", true}};
-    declare_choice(prm,
-                   "Combinations",
-                   combines_all,
-                   combined,
-                   "`one at a time`: the first mesh, operator and solver, and "
-                   "what differs from them in one; `all` of them.");
-    prm.add_parameter(
-      "Paper tolerance",
-      paper_tolerance,
-      "Tolerance for `paper`, which no solver takes to that of the "
-      "others. Units: 1.",
-      Patterns::Double(1e-15, 1.));
+    entries.choice("Combinations", combines_all, combined).help =
+      "`one at a time`: the first mesh, operator and solver, and what differs "
+      "from them in one; `all` of them.";
+    entries.add("Paper tolerance", paper_tolerance, "1")
+      .between(1e-15, 1.)
+      .help =
+      "Tolerance for `paper`, which no solver takes to that of the others.";
+    entries.add("Time steps", time_steps, "s").at_least(0.).several().help =
+      "Steps to compare, in place of Time/Time step: multiples of twice the "
+      "reference.";
+    entries.add("Thetas", thetas, "1").between(0.5, 1.).several().help =
+      "Values of Time/Theta to compare.";
+    entries.add("Reference time step", reference_time_step, "s")
+      .at_least(0.)
+      .help =
+      "The reference is extrapolated to first order from this step and twice "
+      "this, with the first of Thetas.";
   }
-
-
-
-  void
-  StudyParameters::declare_time(ParameterHandler &prm)
-  {
-    prm.add_parameter(
-      "Time steps",
-      time_steps,
-      "Steps to compare, in place of Time/Time step: multiples of "
-      "twice the reference. Units: s.",
-      Patterns::List(Patterns::Double(0.), 1));
-    prm.add_parameter("Thetas",
-                      thetas,
-                      "Values of Time/Theta to compare. Units: 1.",
-                      Patterns::List(Patterns::Double(0.5, 1.), 1));
-    prm.add_parameter(
-      "Reference time step",
-      reference_time_step,
-      "The reference is extrapolated to first order from this step "
-      "and twice this, with the first of Thetas. Units: s.",
-      Patterns::Double(0.));
-  }
-
-
 
   namespace
   {
     template <typename Value>
-    void
-    require_different(const std::string &entry, std::vector<Value> values)
+    void require_different(const std::string &entry, std::vector<Value> values)
     {
       std::sort(values.begin(), values.end());
       const auto same = std::adjacent_find(values.begin(), values.end());
@@ -182,10 +120,7 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  void
-  StudyParameters::check_meshes() const
+  void StudyParameters::check_meshes() const
   {
     for (const auto *list : {&elements, &starts_of_levels()})
       for (const unsigned int n : *list)
@@ -206,10 +141,7 @@ namespace RollingContact
                        "Extrapolate reference = false.");
   }
 
-
-
-  void
-  StudyParameters::check_time_steps() const
+  void StudyParameters::check_time_steps() const
   {
     if (reference_time_step <= 0.)
       throw InputError("Accuracy study/Reference time step = 0: give a step "
@@ -227,10 +159,7 @@ namespace RollingContact
       }
   }
 
-
-
-  void
-  StudyParameters::check(const unsigned int dimension) const
+  void StudyParameters::check(const unsigned int dimension) const
   {
     require_different("Elements across patch", elements);
     require_different("Adaptive starts", adaptive_starts);

@@ -1,36 +1,42 @@
-#include <deal.II/base/parameter_handler.h>
-
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/input/prm_declarations.h>
+#include <rolling_contact/base/number_text.h>
+#include <rolling_contact/scene/entries.h>
+#include <rolling_contact/scene/scene_parameters.h>
 #include <rolling_contact/scene/surface_parameters.h>
 #include <rolling_contact/surfaces/height_expression.h>
 
 namespace RollingContact
 {
-  using namespace dealii;
-
   namespace
   {
+    const char smooth[] = "Surfaces/Wheel height and Rail height are empty";
+
+    const std::vector<Reader> files{
+      {[](const SceneParameters &scene) { return scene.surfaces.in_use(); },
+       smooth},
+      {[](const SceneParameters &scene) {
+         return names_a_record(scene.surfaces.height.wheel) ||
+                names_a_record(scene.surfaces.height.rail);
+       },
+       "it is that of a file, and an expression gives the heights"}};
+
     const char share_otherwise[] =
       " for heights, if(abs(y) < 2e-3, 0.2, 1) for shares, or leave it empty.";
-  }
+  } // namespace
 
-
-  void
-  SurfaceParameters::declare(ParameterHandler &prm)
+  void SurfaceParameters::declare(Entries &entries)
   {
-    prm.enter_subsection("Surfaces");
+    entries.section("Surfaces")
+      .read_by(analyses_with_elements())
+      .read_by(analyses_of_contact());
     const auto declare_height =
       [&](const Side side, const std::string &name, const std::string &help) {
-        prm.add_parameter(
-          name,
-          height[side],
+        entries.add(name, height[side], "m").help =
           help + " An expression in x and y (m), the frame's at "
                  "`Position` 0, which moves with the material, or "
                  "`FILE.csv` or `table: FILE column`, whose positions "
                  "count as the wheel runs (file relative to this one); "
-                 "empty for a smooth one. Units: m.",
-          Patterns::Anything());
+                 "empty for a smooth one.";
       };
     declare_height(Side::wheel,
                    "Wheel height",
@@ -40,51 +46,44 @@ namespace RollingContact
                    "Rail height",
                    "Height of the rail's surface, out of it, over the length "
                    "along the track (a disc's comes again after a turn).");
-    prm.add_parameter(
-      "Friction share",
-      friction_share,
+    entries.add("Friction share", friction_share, "1").help =
       "What share of Contact/Friction coefficient there is, from 0 to 1: an "
       "expression in x and y (m), the frame's at `Position` 0, which moves "
-      "with the rail's material; empty for 1. A strip of grease: "
-      "if(abs(y) < 2e-3, 0.2, 1). Units: 1.",
-      Patterns::Anything());
-    prm.add_parameter("Position",
-                      position,
-                      "Distance rolled before t = 0: where the surfaces are at "
-                      "the start and in steady states. Units: m.",
-                      Patterns::Double());
-    prm.add_parameter(
-      "Shortest wavelength",
-      shortest_wavelength,
+      "with the rail's material; empty for 1. A strip of grease: if(abs(y) < "
+      "2e-3, 0.2, 1).";
+    entries.add("Position", position, "m")
+      .read_by({[](const SceneParameters &scene) {
+                  return scene.surfaces.in_use() ||
+                         !scene.surfaces.friction_share.empty();
+                },
+                smooth})
+      .help =
+      "Distance rolled before t = 0: where the surfaces are at the start and "
+      "in steady states.";
+    entries.add("Shortest wavelength", shortest_wavelength, "m")
+      .read_by(files)
+      .at_least(0.)
+      .help =
       "Waves of a file at least so long pass, down to half of it ever less; 0 "
-      "takes 4 elements, the least there is. Units: m.",
-      Patterns::Double(0.));
-    prm.add_parameter("Position unit",
-                      units.position,
-                      "Of the numbers in the first column of a file, 1e-3 for "
-                      "millimetres. Units: m.",
-                      Patterns::Double(0.));
-    prm.add_parameter("Height unit",
-                      units.height,
-                      "Of the heights in a file, 1e-6 for micrometres. Units: "
-                      "m.",
-                      Patterns::Double(0.));
-    prm.leave_subsection();
+      "takes 4 elements, the least there is.";
+    entries.add("Position unit", units.position, "m")
+      .at_least(0.)
+      .read_by(files)
+      .help =
+      "Of the numbers in the first column of a file, 1e-3 for millimetres.";
+    entries.add("Height unit", units.height, "m")
+      .at_least(0.)
+      .read_by(files)
+      .help = "Of the heights in a file, 1e-6 for micrometres.";
   }
 
-
-
-  std::string
-  SurfaceParameters::entry(const Side side)
+  std::string SurfaceParameters::entry(const Side side)
   {
     return side == Side::wheel ? "Surfaces/Wheel height"
                                : "Surfaces/Rail height";
   }
 
-
-
-  void
-  SurfaceParameters::check(const unsigned int dimension) const
+  void SurfaceParameters::check(const unsigned int dimension) const
   {
     for (const auto &[name, unit] : {std::pair("Position unit", units.position),
                                      std::pair("Height unit", units.height)})
@@ -118,10 +117,7 @@ namespace RollingContact
         }
   }
 
-
-
-  void
-  SurfaceParameters::read(const std::filesystem::path &folder)
+  void SurfaceSpec::read(const std::filesystem::path &folder)
   {
     share =
       friction_share.empty()
@@ -131,8 +127,6 @@ namespace RollingContact
                                                    share_otherwise);
     for (const Side side : both_sides)
       {
-        records[side].reset();
-        expressions[side].reset();
         if (height[side].empty())
           continue;
         if (names_a_record(height[side]))

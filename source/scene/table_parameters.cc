@@ -1,9 +1,8 @@
-#include <deal.II/base/parameter_handler.h>
-
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/number_text.h>
+#include <rolling_contact/base/text.h>
 #include <rolling_contact/input/number_list.h>
-#include <rolling_contact/input/prm_declarations.h>
+#include <rolling_contact/scene/entries.h>
 #include <rolling_contact/scene/table_parameters.h>
 
 #include <algorithm>
@@ -11,41 +10,22 @@
 
 namespace RollingContact
 {
-  using namespace dealii;
-
   namespace
   {
     const char form_of_axis[] =
       "give it as Section/Entry = numbers separated by commas, or Section/Entry "
       "= first : last : number of points.";
 
-
-
-    std::string
-    name_of_axis(const std::size_t k)
+    std::string name_of_axis(const std::size_t k)
     {
       return "Axis " + std::to_string(k + 1);
     }
-
-
-
-    std::string
-    trimmed(const std::string &text)
-    {
-      const std::size_t begin = text.find_first_not_of(' '),
-                        end   = text.find_last_not_of(' ');
-      return begin == std::string::npos ? ""
-                                        : text.substr(begin, end - begin + 1);
-    }
-
-
 
     /**
      * Without the rounding of a range: 15 digits, and 0 for what is nothing to
      * the largest value.
      */
-    void
-    tidy(std::vector<double> &values)
+    void tidy(std::vector<double> &values)
     {
       double largest = 0.;
       for (const double value : values)
@@ -56,10 +36,7 @@ namespace RollingContact
                   : number_of(text_of(value)).value_or(value);
     }
 
-
-
-    TableAxis
-    axis_of(const std::string &name, const std::string &text)
+    TableAxis axis_of(const std::string &name, const std::string &text)
     {
       const std::size_t equals = text.find('=');
       TableAxis         axis{name, trimmed(text.substr(0, equals)), {}};
@@ -78,16 +55,11 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  void
-  TableParameters::declare(ParameterHandler &prm)
+  void TableParameters::declare(Entries &entries)
   {
-    prm.enter_subsection("Table");
+    entries.section("Table").read_by_analyses("table or stability map");
     for (std::size_t k = 0; k < max_axes; ++k)
-      prm.add_parameter(
-        name_of_axis(k),
-        axis_texts[k],
+      entries.add(name_of_axis(k), axis_texts[k]).help =
         k == 0
           ? "An axis of a full grid of states: Section/Entry = its values, such "
             "as Contact/Creepage x = -0.01 : 0.01 : 21, " +
@@ -96,28 +68,19 @@ namespace RollingContact
               "Contact, Mesh and Profiles, in place of what the scene gives "
               "there. Numbers of section Contact change the load on bodies "
               "that are kept, all others make new bodies. Empty for none."
-          : std::string("As `Axis 1`."),
-        Patterns::Anything());
-    prm.add_parameter(
-      "File of rows",
-      file_of_rows,
-      "In place of axes: a CSV file (columns separated by commas, semicolons or tabs) whose first "
-      "line names entries, Section/Entry, and whose other lines are a state "
-      "each. Relative to the folder of the .prm file.",
-      Patterns::Anything());
-    prm.add_parameter(
-      "Threads",
-      threads,
-      "Threads that solve states, with the same numbers whatever their number; "
-      "0: as many as there are processors. Units: 1.",
-      Patterns::Integer(0, 1024));
-    prm.leave_subsection();
+          : std::string("As `Axis 1`.");
+    entries.add("File of rows", file_of_rows).help =
+      "In place of axes: a CSV file (columns separated by commas, semicolons "
+      "or tabs) whose first line names entries, Section/Entry, and whose "
+      "other lines are a state each. Relative to the folder of the .prm file.";
+    entries.add("Threads", threads, "1")
+      .resumed_if(in_all_scenes)
+      .between(0, 1024)
+      .help = "Threads that solve states, with the same numbers whatever their "
+              "number; 0: as many as there are processors.";
   }
 
-
-
-  std::vector<TableAxis>
-  TableParameters::axes() const
+  std::vector<TableAxis> TableParameters::axes() const
   {
     std::vector<TableAxis> axes;
     for (std::size_t k = 0; k < max_axes; ++k)
@@ -136,10 +99,7 @@ namespace RollingContact
     return axes;
   }
 
-
-
-  void
-  TableParameters::check() const
+  void TableParameters::check() const
   {
     const bool has_axes = !axes().empty();
     if (has_axes && !file_of_rows.empty())

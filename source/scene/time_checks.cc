@@ -1,6 +1,6 @@
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/input/prm_declarations.h>
 #include <rolling_contact/scene/time_parameters.h>
 
 #include <algorithm>
@@ -11,11 +11,10 @@ namespace RollingContact
 {
   namespace
   {
-    void
-    require_one_of(const std::string &first,
-                   const double       first_value,
-                   const std::string &second,
-                   const double       second_value)
+    void require_one_of(const std::string &first,
+                        const double       first_value,
+                        const std::string &second,
+                        const double       second_value)
     {
       if ((first_value > 0.) == (second_value > 0.))
         throw InputError("Time/" + first + " = " + text_of(first_value) +
@@ -24,12 +23,9 @@ namespace RollingContact
                          "and the other 0.");
     }
 
-
-
-    void
-    check_forces(const DrivingFunctions  &histories,
-                 const ContactParameters &contact,
-                 const double             time)
+    void check_forces(const DrivingFunctions  &histories,
+                      const ContactParameters &contact,
+                      const double             time)
     {
       const AskedForces asked = histories.forces(time);
       if (!histories.normal_load || !(asked.x || asked.y))
@@ -45,13 +41,10 @@ namespace RollingContact
                          text_of(most) + " N then.");
     }
 
-
-
     /** The rules that hold at every time. */
-    void
-    check_values(const DrivingFunctions  &histories,
-                 const ContactParameters &contact,
-                 const double             time)
+    void check_values(const DrivingFunctions  &histories,
+                      const ContactParameters &contact,
+                      const double             time)
     {
       const auto at_time = [&]() {
         return " at t = " + significant(time, 6) + " s: ";
@@ -74,11 +67,8 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  void
-  TimeParameters::check_entries(const ContactParameters &contact,
-                                const unsigned int       dimension) const
+  void TimeParameters::check_entries(const ContactParameters &contact,
+                                     const unsigned int       dimension) const
   {
     require_one_of("End time", end_time, "Rolled distance", rolled_distance);
     require_one_of("Time step", time_step, "Step length", step_length);
@@ -132,12 +122,9 @@ namespace RollingContact
         "Dimension = 3.");
   }
 
-
-
-  void
-  TimeParameters::check(const ContactParameters     &contact,
-                        const unsigned int           dimension,
-                        const std::filesystem::path &prm_folder) const
+  void TimeParameters::check(const ContactParameters     &contact,
+                             const unsigned int           dimension,
+                             const std::filesystem::path &prm_folder) const
   {
     check_entries(contact, dimension);
     const DrivingFunctions driving = histories(contact, prm_folder);
@@ -146,5 +133,24 @@ namespace RollingContact
     const unsigned int     n       = std::min<std::uint64_t>(all.number, 1000);
     for (unsigned int i = 0; i <= n; ++i)
       check_values(driving, contact, end * i / n);
+  }
+
+  void TimeParameters::check_cycles(const TimeSteps   &all,
+                                    const std::string &why) const
+  {
+    const std::uint64_t least_steps = 1000; // enough for a dozen periods
+    if (!inertia)
+      throw InputError(why + "Time/Inertia = false has no vibration; set it to "
+                             "true.");
+    const double end = all.length * all.number;
+    if (periodic_after >= end)
+      throw InputError("Time/Periodic after = " + text_of(periodic_after) +
+                       ": the run ends at " + significant(end, 6) +
+                       " s; leave less of it out, or take a later Time/End "
+                       "time.");
+    if (all.number < least_steps)
+      throw InputError(why + "the run has " + std::to_string(all.number) +
+                       " steps, and periods are looked for in the last quarter "
+                       "of at least 1000; take a later Time/End time.");
   }
 } // namespace RollingContact

@@ -8,11 +8,11 @@
 #include <rolling_contact/base/files.h>
 #include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/text.h>
+#include <rolling_contact/input/text_table.h>
 #include <rolling_contact/scene/time_function.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <sstream>
 
@@ -23,12 +23,9 @@ namespace RollingContact
 
   namespace
   {
-    const std::string blanks = " \t\r\n\v\f";
-
-    [[noreturn]] void
-    reject(const std::string &entry,
-           const std::string &text,
-           const std::string &reason)
+    [[noreturn]] void reject(const std::string &entry,
+                             const std::string &text,
+                             const std::string &reason)
     {
       throw InputError(entry + " = " + text + ": " + reason +
                        " Give a number, an expression in t (s) such as "
@@ -36,22 +33,8 @@ namespace RollingContact
                        "table: FILE column.");
     }
 
-
-
-    std::string
-    trimmed(const std::string &text)
-    {
-      const std::size_t begin = text.find_first_not_of(blanks),
-                        end   = text.find_last_not_of(blanks);
-      return begin == std::string::npos ? ""
-                                        : text.substr(begin, end - begin + 1);
-    }
-
-
-
     /** What is wrong with an expression; empty if nothing. */
-    std::string
-    parse(const std::string &text, FunctionParser<1> &expression)
+    std::string parse(const std::string &text, FunctionParser<1> &expression)
     {
       try
         {
@@ -74,45 +57,19 @@ namespace RollingContact
         }
     }
 
-
-
     /** Whether the whole text is a number. */
-    bool
-    is_number(const std::string &text, double &value)
+    bool is_number(const std::string &text, double &value)
     {
       const auto found = number_of(text);
       value            = found.value_or(0.);
       return found.has_value();
     }
 
-
-
-    std::vector<std::string>
-    cells_of(const std::string &line)
-    {
-      const std::size_t        found = line.find_first_of(",;");
-      std::vector<std::string> cells;
-      if (found == std::string::npos)
-        {
-          std::istringstream words(line);
-          for (std::string word; words >> word;)
-            cells.push_back(word);
-          return cells;
-        }
-      std::istringstream parts(line);
-      for (std::string part; std::getline(parts, part, line[found]);)
-        cells.push_back(trimmed(part));
-      return cells;
-    }
-
-
-
     /** Index of a column given by its number from 1 or by its name; the number
      * of columns if there is no such one. */
-    std::size_t
-    index_of_column(const std::string              &column,
-                    const std::vector<std::string> &names,
-                    const std::size_t               n_columns)
+    std::size_t index_of_column(const std::string              &column,
+                                const std::vector<std::string> &names,
+                                const std::size_t               n_columns)
     {
       double number = 0.;
       if (is_number(column, number))
@@ -126,13 +83,9 @@ namespace RollingContact
     }
   } // namespace
 
-
-
   TimeFunction::TimeFunction(const double constant)
     : points{{0., constant}}
   {}
-
-
 
   TimeFunction::TimeFunction(
     const std::string                            &entry,
@@ -154,8 +107,6 @@ namespace RollingContact
       }
   }
 
-
-
   TimeFunction::TimeFunction(const std::string &entry,
                              const std::string &given_text,
                              const fs::path    &folder)
@@ -173,7 +124,7 @@ namespace RollingContact
     else if (text.compare(0, keyword.size(), keyword) == 0)
       {
         const std::string rest  = trimmed(text.substr(keyword.size()));
-        const std::size_t space = rest.find_last_of(blanks);
+        const std::size_t space = rest.find_last_of(" \t\r\n\v\f");
         if (space == std::string::npos)
           read_table(folder / rest, "2");
         else
@@ -187,10 +138,7 @@ namespace RollingContact
       read_expression();
   }
 
-
-
-  void
-  TimeFunction::read_expression()
+  void TimeFunction::read_expression()
   {
     if (text.empty())
       reject(entry, text, "it is empty.");
@@ -206,28 +154,20 @@ namespace RollingContact
       reject(entry, text, unknown.empty() ? problem : unknown);
   }
 
-
-
-  void
-  TimeFunction::read_table(fs::path file, const std::string &column)
+  void TimeFunction::read_table(fs::path file, const std::string &column)
   {
     const std::string problem = why_unreadable(file);
     if (!problem.empty())
       reject(entry,
              text,
              "\"" + file.string() + "\" cannot be read: " + problem + '.');
-    std::ifstream            stream(file);
+    TextLines                lines(file);
     std::vector<std::string> names;
-    unsigned int             line_number = 0;
-    for (std::string line; std::getline(stream, line);)
+    while (lines.next())
       {
-        ++line_number;
-        line = trimmed(line);
-        if (line.empty() || line[0] == '#')
-          continue;
-        const auto        cells = cells_of(line);
+        const auto        cells = cells_of(lines.text);
         const std::string place = '"' + file.string() + "\", line " +
-                                  std::to_string(line_number) + ": ";
+                                  std::to_string(lines.number) + ": ";
         double time = 0., value = 0.;
         if (points.empty() && names.empty() && !is_number(cells[0], time))
           {
@@ -248,10 +188,7 @@ namespace RollingContact
       reject(entry, text, '"' + file.string() + "\" has less than two rows.");
   }
 
-
-
-  bool
-  TimeFunction::jumps_between(const double begin, const double end) const
+  bool TimeFunction::jumps_between(const double begin, const double end) const
   {
     if (is_constant())
       return false;
@@ -272,10 +209,7 @@ namespace RollingContact
     return largest > rounding && largest > sum / 2;
   }
 
-
-
-  double
-  TimeFunction::value(const double time) const
+  double TimeFunction::value(const double time) const
   {
     if (expression)
       {
@@ -303,18 +237,12 @@ namespace RollingContact
     return (1 - weight) * first + weight * next->second;
   }
 
-
-
-  bool
-  TimeFunction::is_constant() const
+  bool TimeFunction::is_constant() const
   {
     return expression ? !depends_on_time : !is_table();
   }
 
-
-
-  std::string
-  TimeFunction::table_fingerprint() const
+  std::string TimeFunction::table_fingerprint() const
   {
     boost::crc_32_type crc;
     for (const auto &[time, value] : points)

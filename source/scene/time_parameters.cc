@@ -1,8 +1,8 @@
-#include <deal.II/base/parameter_handler.h>
-
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/input/prm_declarations.h>
+#include <rolling_contact/scene/entries.h>
+#include <rolling_contact/scene/scene_parameters.h>
 #include <rolling_contact/scene/time_parameters.h>
 
 #include <algorithm>
@@ -27,257 +27,188 @@ namespace RollingContact
     const std::vector<NamedValue<ContactLaw>> named_contact_laws{
       {"shifted", ContactLaw::shifted},
       {"gap", ContactLaw::gap}};
+
+    /** Where a run that is resumed goes on from where it was. */
+    bool in_one_run(const SceneParameters &scene)
+    {
+      return scene.analysis.records_run;
+    }
+
+    const Reader recorded_runs{
+      [](const SceneParameters &scene) {
+        return !scene.analysis.until_periodic;
+      },
+      "Analysis = limit cycle always stops when the motion is periodic, and has "
+      "a row for each run"};
+    const Reader runs_until_periodic{[](const SceneParameters &scene) {
+                                       return !scene.analysis.records_run ||
+                                              scene.looks_for_cycles();
+                                     },
+                                     "Time/Stop when periodic = true reads it"};
   } // namespace
 
-
-
-  void
-  TimeParameters::declare(ParameterHandler &prm)
+  void TimeParameters::declare(Entries &entries)
   {
-    prm.enter_subsection("Time");
-    declare_steps(prm);
-    declare_scheme(prm);
-    declare_start(prm);
-    declare_histories(prm);
-    declare_output(prm);
-    declare_end(prm);
-    prm.leave_subsection();
+    entries.section("Time")
+      .read_by({[](const SceneParameters &scene) {
+                  return !scene.analysis.has_own_meshes ||
+                         scene.study.varies_time_step;
+                },
+                "Accuracy study/Vary = time step reads that section"})
+      .read_by({[](const SceneParameters &scene) { return scene.marches(); },
+                "Analysis = transient reads that section"});
+    declare_steps(entries);
+    declare_start(entries);
+    declare_histories(entries);
+    declare_output(entries);
   }
 
-
-
-  void
-  TimeParameters::declare_steps(ParameterHandler &prm)
+  void TimeParameters::declare_steps(Entries &entries)
   {
-    const Patterns::Double not_negative(0.);
-    prm.add_parameter(
-      "End time",
-      end_time,
-      "Time at which a transient run ends. Give this or `Rolled "
-      "distance`, 0 for the other. Units: s.",
-      not_negative);
-    prm.add_parameter(
-      "Rolled distance",
-      rolled_distance,
-      "Rolled distance at which a transient run ends, at constant "
-      "speed. Units: m.",
-      not_negative);
-    prm.add_parameter("Time step",
-                      time_step,
-                      "Length of a step. Give this or `Step length`, 0 for the "
-                      "other. Units: s.",
-                      not_negative);
-    prm.add_parameter(
-      "Step length",
-      step_length,
-      "Distance rolled in one step, at constant speed. Units: m.",
-      not_negative);
-    prm.add_parameter(
-      "Maximum halvings",
-      maximum_halvings,
-      "How many times in a row the step is halved when the contact "
-      "solve fails, before the run stops. Units: 1.",
-      Patterns::Integer(0, 30));
-  }
-
-
-
-  void
-  TimeParameters::declare_scheme(ParameterHandler &prm)
-  {
-    const Patterns::Double not_negative(0.);
-    prm.add_parameter(
-      "Theta",
-      theta,
-      "The theta-scheme's parameter: 0.5 keeps the energy, 1 damps "
-      "most. Units: 1.",
-      Patterns::Double(0.5, 1.));
-    declare_choice(
-      prm,
-      "Bodies",
-      bodies,
-      named_bodies,
+    entries.add("End time", end_time, "s")
+      .at_least(0.)
+      .resumed_if(in_one_run)
+      .help =
+      "Time at which a transient run ends. Give this or `Rolled distance`, 0 "
+      "for the other.";
+    entries.add("Rolled distance", rolled_distance, "m")
+      .at_least(0.)
+      .resumed_if(in_one_run)
+      .help =
+      "Rolled distance at which a transient run ends, at constant speed.";
+    entries.add("Time step", time_step, "s").at_least(0.).help =
+      "Length of a step. Give this or `Step length`, 0 for the other.";
+    entries.add("Step length", step_length, "m").at_least(0.).help =
+      "Distance rolled in one step, at constant speed.";
+    entries.add("Maximum halvings", maximum_halvings, "1").between(0, 30).help =
+      "How many times in a row the step is halved when the contact solve "
+      "fails, before the run stops.";
+    entries.add("Theta", theta, "1").between(0.5, 1.).help =
+      "The theta-scheme's parameter: 0.5 keeps the energy, 1 damps most.";
+    entries.choice("Bodies", bodies, named_bodies).help =
       "`full`: all unknowns of the bodies. `reduced`: their modes up to "
       "Modes/Cut-off ratio times Modes/Maximum frequency, and the static "
-      "compliance of what these leave out.");
-    prm.add_parameter("Inertia",
-                      inertia,
-                      "Whether the bodies have mass; without it, quasi-static "
-                      "rolling in time.");
-    declare_choice(prm,
-                   "Mass",
-                   mass,
-                   named_masses,
-                   "Mass matrix: `lumped` or `consistent`.");
-    prm.add_parameter("Rayleigh alpha",
-                      rayleigh_alpha,
-                      "Damping C = alpha M + beta K. Units: 1/s.",
-                      not_negative);
-    prm.add_parameter("Rayleigh beta",
-                      rayleigh_beta,
-                      "Damping C = alpha M + beta K. Units: s.",
-                      not_negative);
-    declare_choice(
-      prm,
-      "Contact law",
-      contact_law,
-      named_contact_laws,
+      "compliance of what these leave out.";
+    entries.add("Inertia", inertia).help =
+      "Whether the bodies have mass; without it, quasi-static rolling in time.";
+    entries.choice("Mass", mass, named_masses).help =
+      "Mass matrix: `lumped` or `consistent`.";
+    entries.add("Rayleigh alpha", rayleigh_alpha, "1/s").at_least(0.).help =
+      "Damping C = alpha M + beta K.";
+    entries.add("Rayleigh beta", rayleigh_beta, "s").at_least(0.).help =
+      "Damping C = alpha M + beta K.";
+    entries.choice("Contact law", contact_law, named_contact_laws).help =
       "Unilateral contact in time: `shifted` (gap of Jean's shifted "
-      "configuration) or `gap` (gap plus step times velocity).");
+      "configuration) or `gap` (gap plus step times velocity).";
   }
 
-
-
-  void
-  TimeParameters::declare_start(ParameterHandler &prm)
+  void TimeParameters::declare_start(Entries &entries)
   {
-    declare_choice(prm,
-                   "Initial state",
-                   initial_state,
-                   named_initial_states,
-                   "`rest`, undeformed and without traction, or `steady`, the "
-                   "steady rolling state at t = 0.");
-    prm.add_parameter(
-      "Hold approach",
-      hold_approach,
+    entries.choice("Initial state", initial_state, named_initial_states).help =
+      "`rest`, undeformed and without traction, or `steady`, the steady "
+      "rolling state at t = 0.";
+    entries.add("Hold approach", hold_approach).help =
       "Whether Contact/Normal load is that of the steady initial state alone, "
-      "and the approach stays what it is there.");
-    prm.add_parameter(
-      "Excite mode",
-      excite_mode,
+      "and the approach stays what it is there.";
+    entries.add("Excite mode", excite_mode, "Hz").at_least(0.).help =
       "With Bodies = reduced the run starts in the vibration about the steady "
-      "state that grows and is nearest to this frequency, or in the nearest if "
-      "none grows, see Analysis = stability; 0 for none. Units: Hz.",
-      Patterns::Double(0.));
-    prm.add_parameter("Excite velocity",
-                      excite_velocity,
-                      "Largest velocity of wheel over rail in the contact that "
-                      "`Excite mode` starts with. Units: m/s.",
-                      Patterns::Double(0.));
-    prm.add_parameter(
-      "Initial velocity",
-      initial_velocity,
+      "state that grows and is nearest to this frequency, or in the nearest "
+      "if none grows, see Analysis = stability; 0 for none.";
+    entries.add("Excite velocity", excite_velocity, "m/s").at_least(0.).help =
+      "Largest velocity of wheel over rail in the contact that `Excite mode` "
+      "starts with.";
+    entries.add("Initial velocity", initial_velocity, "m/s").help =
       "Velocity of a wheel with Hub = free or mass at the start, along z: "
-      "negative towards the rail. Units: m/s.",
-      Patterns::Double());
+      "negative towards the rail.";
   }
 
-
-
-  void
-  TimeParameters::declare_histories(ParameterHandler &prm)
+  void TimeParameters::declare_histories(Entries &entries)
   {
     const std::string forms =
       ", a number, an expression in t (s), `FILE.csv` or `table: FILE column` "
       "(time in s first; file relative to this one); empty: as in section "
-      "Contact. ";
-    const auto declare =
-      [&](const std::string &name, std::string &text, const std::string &help) {
-        prm.add_parameter(name, text, help, Patterns::Anything());
-      };
-    declare("Approach",
-            approach,
-            "Approach over time" + forms +
-              "Contact/Approach must be given too, the mesh is made for it. "
-              "Units: m.");
-    declare("Normal load",
-            normal_load,
-            "Normal load over time" + forms +
-              "Contact/Normal load must be given too, the mesh is made for it. "
-              "Units: N.");
-    declare("Creepage x",
-            creepage_x,
-            "Longitudinal creepage over time" + forms + "Units: 1.");
-    declare("Creepage y",
-            creepage_y,
-            "Lateral creepage over time, 3D only" + forms + "Units: 1.");
-    declare("Spin",
-            spin,
-            "Spin creepage over time, 3D only" + forms + "Units: 1/m.");
+      "Contact.";
     const std::string instead =
       " on the wheel over time, in place of the creepage, which is found for "
       "it" +
       forms;
-    declare("Longitudinal force",
-            longitudinal_force,
-            "Force of friction along x" + instead + "Units: N.");
-    declare("Lateral force",
-            lateral_force,
-            "Force of friction along y, 3D only," + instead + "Units: N.");
-    declare("Spin moment",
-            spin_moment,
-            "Moment of friction about the normal, 3D only," + instead +
-              "Units: N m.");
-    declare("Speed",
-            speed,
-            "Rolling speed over time, of the sign of Contact/Speed" + forms +
-              "Units: m/s.");
+    entries.add("Approach", approach, "m").help =
+      "Approach over time" + forms +
+      " Contact/Approach must be given too, the mesh is made for it.";
+    entries.add("Normal load", normal_load, "N").help =
+      "Normal load over time" + forms +
+      " Contact/Normal load must be given too, the mesh is made for it.";
+    entries.add("Creepage x", creepage_x, "1").help =
+      "Longitudinal creepage over time" + forms;
+    entries.add("Creepage y", creepage_y, "1").help =
+      "Lateral creepage over time, 3D only" + forms;
+    entries.add("Spin", spin, "1/m").help =
+      "Spin creepage over time, 3D only" + forms;
+    entries.add("Longitudinal force", longitudinal_force, "N").help =
+      "Force of friction along x" + instead;
+    entries.add("Lateral force", lateral_force, "N").help =
+      "Force of friction along y, 3D only," + instead;
+    entries.add("Spin moment", spin_moment, "N m").help =
+      "Moment of friction about the normal, 3D only," + instead;
+    entries.add("Speed", speed, "m/s").help =
+      "Rolling speed over time, of the sign of Contact/Speed" + forms;
   }
 
-
-
-  void
-  TimeParameters::declare_output(ParameterHandler &prm)
+  void TimeParameters::declare_output(Entries &entries)
   {
-    prm.add_parameter("Field interval",
-                      field_interval,
-                      "Fields are written every so many steps; 0 for none. "
-                      "Units: 1.",
-                      Patterns::Integer(0));
-    prm.add_parameter(
-      "Checkpoint interval",
-      checkpoint_interval,
-      "A checkpoint for --resume is written every so many steps; "
-      "0 leaves it to `Checkpoint seconds`. Units: 1.",
-      Patterns::Integer(0));
-    prm.add_parameter(
-      "Checkpoint seconds",
-      checkpoint_seconds,
+    entries.add("Field interval", field_interval, "1")
+      .at_least(0)
+      .read_by(recorded_runs)
+      .help = "Fields are written every so many steps; 0 for none.";
+    entries.add("Checkpoint interval", checkpoint_interval, "1")
+      .read_by(recorded_runs)
+      .resumed_if(in_one_run)
+      .at_least(0)
+      .help =
+      "A checkpoint for --resume is written every so many steps; 0 leaves it "
+      "to `Checkpoint seconds`.";
+    entries.add("Checkpoint seconds", checkpoint_seconds, "s")
+      .read_by(recorded_runs)
+      .resumed_if(in_one_run)
+      .at_least(0.)
+      .help =
       "A checkpoint is written after so much wall time, the first ones "
       "sooner, and later where they would take more than 3 % of it; 0 leaves "
-      "it to `Checkpoint interval`. Units: s.",
-      Patterns::Double(0.));
-    prm.add_parameter("Damping frequency",
-                      damping_frequency,
-                      "Frequency f for which the numerical damping "
-                      "(theta - 1/2) 2 pi f dt is said; 0 for none. Units: Hz.",
-                      Patterns::Double(0.));
-  }
-
-
-
-  void
-  TimeParameters::declare_end(ParameterHandler &prm)
-  {
-    prm.add_parameter(
-      "Stop when periodic",
-      stop_when_periodic,
+      "it to `Checkpoint interval`.";
+    entries.add("Damping frequency", damping_frequency, "Hz")
+      .at_least(0.)
+      .help =
+      "Frequency f for which the numerical damping (theta - 1/2) 2 pi f dt is "
+      "said; 0 for none.";
+    entries.add("Stop when periodic", stop_when_periodic)
+      .read_by(recorded_runs)
+      .resumed_if(in_one_run)
+      .help =
       "Whether the run ends before `End time` once the motion repeats itself, "
       "or nothing moves any more, and its limit cycle is measured: cycle.csv, "
-      "cycle.svg, cycle_patch.csv.");
-    prm.add_parameter(
-      "Periodic tolerance",
-      periodic_tolerance,
+      "cycle.svg, cycle_patch.csv.";
+    entries.add("Periodic tolerance", periodic_tolerance, "1")
+      .between(1e-6, 0.1)
+      .read_by(runs_until_periodic)
+      .resumed_if(in_one_run)
+      .help =
       "What a period may differ by from those before it, as a part of the "
       "range of each velocity and force, and by how much the amplitude may "
-      "still be away from where it is going. Units: 1.",
-      Patterns::Double(1e-6, 0.1));
-    prm.add_parameter("Periodic after",
-                      periodic_after,
-                      "Beginning of the run that is left out when periods are "
-                      "looked for. Units: s.",
-                      Patterns::Double(0.));
+      "still be away from where it is going.";
+    entries.add("Periodic after", periodic_after, "s")
+      .at_least(0.)
+      .read_by(runs_until_periodic)
+      .resumed_if(in_one_run)
+      .help =
+      "Beginning of the run that is left out when periods are looked for.";
   }
-
-
 
   namespace
   {
-    void
-    require_constant(const TimeFunction &speed,
-                     const std::string  &entry,
-                     const double        value,
-                     const std::string  &instead)
+    void require_constant(const TimeFunction &speed,
+                          const std::string  &entry,
+                          const double        value,
+                          const std::string  &instead)
     {
       if (!speed.is_constant() || speed.value(0.) == 0.)
         throw InputError("Time/" + entry + " = " + text_of(value) +
@@ -286,8 +217,6 @@ namespace RollingContact
                          instead + '.');
     }
   } // namespace
-
-
 
   DrivingFunctions
   TimeParameters::histories(const ContactParameters     &contact,
@@ -337,10 +266,7 @@ namespace RollingContact
     return driving;
   }
 
-
-
-  TimeSteps
-  TimeParameters::steps(const TimeFunction &speed) const
+  TimeSteps TimeParameters::steps(const TimeFunction &speed) const
   {
     TimeSteps result{time_step, 0};
     double    end = end_time;
@@ -363,35 +289,8 @@ namespace RollingContact
     return result;
   }
 
-
-
-  double
-  TimeParameters::numerical_damping(const double step) const
+  double TimeParameters::numerical_damping(const double step) const
   {
     return (theta - 0.5) * 2 * numbers::PI * damping_frequency * step;
-  }
-
-
-
-  std::set<std::string>
-  TimeParameters::free_on_resume()
-  {
-    return {"Output/",
-            "Spectrum/",
-            "Sound/Density of air",
-            "Sound/Speed of sound",
-            "Sound/Distance",
-            "Sound/Skipped time",
-            "Sound/WAV file",
-            "Sound/Sampling rate",
-            "Sound/Full scale pressure",
-            "Body solver",
-            "Time/End time",
-            "Time/Rolled distance",
-            "Time/Stop when periodic",
-            "Time/Periodic tolerance",
-            "Time/Periodic after",
-            "Time/Checkpoint interval",
-            "Time/Checkpoint seconds"};
   }
 } // namespace RollingContact

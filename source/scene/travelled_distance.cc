@@ -12,19 +12,13 @@ namespace RollingContact
     , panel(panel)
   {}
 
-
-
-  double
-  TravelledDistance::between(const double begin, const double end) const
+  double TravelledDistance::between(const double begin, const double end) const
   {
     return boost::math::quadrature::gauss<double, 7>::integrate(
       [&](const double time) { return speed.value(time); }, begin, end);
   }
 
-
-
-  double
-  TravelledDistance::value(const double time) const
+  double TravelledDistance::value(const double time) const
   {
     if (speed.is_constant())
       return speed.value(0.) * time;

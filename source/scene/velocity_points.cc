@@ -1,8 +1,8 @@
 #include <deal.II/base/utilities.h>
 
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/input/prm_declarations.h>
 #include <rolling_contact/scene/velocity_points.h>
 
 #include <algorithm>
@@ -18,8 +18,7 @@ namespace RollingContact
     const std::string in_names = letters + "0123456789_-";
 
     /** What a point of a body is given by, with an example. */
-    std::string
-    form_of(const std::string &section)
+    std::string form_of(const std::string &section)
     {
       return section == "Wheel"
                ? "name: radius in m, angle from the contact in degrees, "
@@ -29,12 +28,9 @@ namespace RollingContact
                  "separated by semicolons, such as \"foot: 0.3, 0, -0.17\"";
     }
 
-
-
-    VelocityPoint
-    read_point(const std::string &section,
-               const std::string &text,
-               const unsigned int dimension)
+    VelocityPoint read_point(const std::string &section,
+                             const std::string &text,
+                             const unsigned int dimension)
     {
       const auto fail = [&](const std::string &what) {
         throw InputError(section + "/Velocity points: \"" + quotable(text) +
@@ -68,12 +64,9 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  std::vector<VelocityPoint>
-  read_velocity_points(const std::string &section,
-                       const std::string &text,
-                       const unsigned int dimension)
+  std::vector<VelocityPoint> read_velocity_points(const std::string &section,
+                                                  const std::string &text,
+                                                  const unsigned int dimension)
   {
     std::vector<VelocityPoint> points;
     for (const std::string &part : Utilities::split_string_list(text, ';'))
@@ -95,10 +88,7 @@ namespace RollingContact
     return points;
   }
 
-
-
-  std::string
-  velocity_column(const std::string &point, const char axis)
+  std::string velocity_column(const std::string &point, const char axis)
   {
     return "velocity_" + point + '_' + axis + "_m/s";
   }

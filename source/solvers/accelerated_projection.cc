@@ -3,9 +3,8 @@
 
 namespace RollingContact
 {
-  SolverReport
-  AcceleratedProjection::solve(const TangentialProblem &problem,
-                               ContactState            &state) const
+  SolverReport AcceleratedProjection::solve(const TangentialProblem &problem,
+                                            ContactState &state) const
   {
     const unsigned int depth = 10;
     Anderson           anderson(depth);

@@ -12,8 +12,8 @@
 
 namespace RollingContact
 {
-  bool
-  SolverReport::ends_with(const NaturalResidual &now, const double tolerance)
+  bool SolverReport::ends_with(const NaturalResidual &now,
+                               const double           tolerance)
   {
     residual = now;
     history.push_back(now);
@@ -25,20 +25,14 @@ namespace RollingContact
     return converged || is_lost;
   }
 
-
-
-  bool
-  TangentialSolver::ends_with(const double  tangential_residual,
-                              SolverReport &report) const
+  bool TangentialSolver::ends_with(const double  tangential_residual,
+                                   SolverReport &report) const
   {
     return report.ends_with({0., tangential_residual},
                             0.5 * controls.tolerance);
   }
 
-
-
-  void
-  SolverReport::add_work(const SolverReport &part)
+  void SolverReport::add_work(const SolverReport &part)
   {
     iterations += part.iterations;
     normal_solves += part.normal_solves;
@@ -50,8 +44,6 @@ namespace RollingContact
     history.insert(history.end(), part.history.begin(), part.history.end());
   }
 
-
-
   namespace
   {
     /**
@@ -59,8 +51,8 @@ namespace RollingContact
      * converges, in turn.
      */
     template <class... Tangential>
-    std::unique_ptr<ContactSolver>
-    alternating(const SolverControls &controls, const bool economical)
+    std::unique_ptr<ContactSolver> alternating(const SolverControls &controls,
+                                               const bool            economical)
     {
       std::vector<std::unique_ptr<TangentialSolver>> tangential;
       (tangential.push_back(std::make_unique<Tangential>(controls)), ...);
@@ -71,17 +63,12 @@ namespace RollingContact
         economical);
     }
 
-
-
-    std::unique_ptr<ContactSolver>
-    automatic(const SolverControls &controls)
+    std::unique_ptr<ContactSolver> automatic(const SolverControls &controls)
     {
       return std::make_unique<SolverChain>(
         alternating<TangentialActiveSet, Extragradient>(controls, false),
         controls);
     }
-
-
 
     /**
      * The second solver where the first finds nothing, or edges that did not
@@ -96,8 +83,8 @@ namespace RollingContact
         , second(std::move(second))
       {}
 
-      SolverReport
-      solve(const ContactProblem &problem, ContactState &state) const override
+      SolverReport solve(const ContactProblem &problem,
+                         ContactState         &state) const override
       {
         const ContactState start  = state;
         const SolverReport report = first->solve(problem, state);
@@ -113,10 +100,7 @@ namespace RollingContact
       const std::unique_ptr<ContactSolver> first, second;
     };
 
-
-
-    std::unique_ptr<ContactSolver>
-    economical(const SolverControls &controls)
+    std::unique_ptr<ContactSolver> economical(const SolverControls &controls)
     {
       return std::make_unique<SolverChain>(
         std::make_unique<IfUnsettled>(
@@ -125,29 +109,20 @@ namespace RollingContact
         controls);
     }
 
-
-
     template <class Tangential>
-    std::unique_ptr<ContactSolver>
-    alternating(const SolverControls &controls)
+    std::unique_ptr<ContactSolver> alternating(const SolverControls &controls)
     {
       return alternating<Tangential>(controls, false);
     }
 
-
-
     template <class Solver>
-    std::unique_ptr<ContactSolver>
-    make(const SolverControls &controls)
+    std::unique_ptr<ContactSolver> make(const SolverControls &controls)
     {
       return std::make_unique<Solver>(controls);
     }
   } // namespace
 
-
-
-  const std::vector<ContactSolverKind> &
-  contact_solver_kinds()
+  const std::vector<ContactSolverKind> &contact_solver_kinds()
   {
     static const std::vector<ContactSolverKind> kinds{
       {"automatic",
@@ -170,8 +145,6 @@ namespace RollingContact
       {"fixed point", "Lai et al. 2017", &make<FixedPoint>}};
     return kinds;
   }
-
-
 
   std::unique_ptr<ContactSolver>
   make_contact_solver(const std::string &name, const SolverControls &controls)

@@ -1,4 +1,4 @@
-#include <rolling_contact/parallel/interrupt.h>
+#include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/solvers/coupled_newton.h>
 #include <rolling_contact/solvers/newton_system.h>
 
@@ -10,15 +10,13 @@ namespace RollingContact
 {
   namespace
   {
-    NaturalResidual
-    residual_of(const ContactProblem &problem, const ContactState &state)
+    NaturalResidual residual_of(const ContactProblem &problem,
+                                const ContactState   &state)
     {
       return natural_residual(problem,
                               tangential_problem(problem, state),
                               state);
     }
-
-
 
     /**
      * The given part of the way from one state to another, without pulls.
@@ -37,17 +35,14 @@ namespace RollingContact
       return state;
     }
 
-
-
     /**
      * Step by the part 1, 1/2, ..., 1/64: the first that lowers the residual by
      * a tenth of the part, else the best of them. Returns the new residual.
      */
-    NaturalResidual
-    take_damped_step(const ContactProblem  &problem,
-                     const ContactState    &target,
-                     const NaturalResidual &before,
-                     ContactState          &state)
+    NaturalResidual take_damped_step(const ContactProblem  &problem,
+                                     const ContactState    &target,
+                                     const NaturalResidual &before,
+                                     ContactState          &state)
     {
       const ContactState start = state;
       NaturalResidual    best{std::numeric_limits<double>::infinity(), 0.};
@@ -67,10 +62,8 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  SolverReport
-  CoupledNewton::solve(const ContactProblem &problem, ContactState &state) const
+  SolverReport CoupledNewton::solve(const ContactProblem &problem,
+                                    ContactState         &state) const
   {
     const unsigned int max_steps = 100, patience = 15;
     SolverReport       report;

@@ -10,32 +10,25 @@ namespace RollingContact
     /**
      * Proj(q - rho s).
      */
-    NodalField
-    projected_step(const TangentialProblem &problem,
-                   NodalField               traction,
-                   const NodalField        &slip,
-                   const double             rho)
+    NodalField projected_step(const TangentialProblem &problem,
+                              NodalField               traction,
+                              const NodalField        &slip,
+                              const double             rho)
     {
       traction.add(-rho, slip);
       problem.project(traction);
       return traction;
     }
 
-
-
-    double
-    distance(NodalField x, const NodalField &y)
+    double distance(NodalField x, const NodalField &y)
     {
       x -= y;
       return std::sqrt(dot(x, x));
     }
   } // namespace
 
-
-
-  SolverReport
-  Extragradient::solve(const TangentialProblem &problem,
-                       ContactState            &state) const
+  SolverReport Extragradient::solve(const TangentialProblem &problem,
+                                    ContactState            &state) const
   {
     SolverReport report;
     report.solver     = "extragradient";

@@ -1,6 +1,7 @@
+#include <rolling_contact/algebra/lapack.h>
+#include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/contact/friction_memory.h>
 #include <rolling_contact/contact/sliding_response.h>
-#include <rolling_contact/parallel/interrupt.h>
 #include <rolling_contact/solvers/falling_friction.h>
 
 #include <algorithm>
@@ -19,17 +20,12 @@ namespace RollingContact
     NaturalResidual     residual;
   };
 
-
-
   namespace
   {
     /// decay speeds after which nothing of a law is left to change
     const double fast = 1e9;
 
-
-
-    void
-    add_outer_iteration(const SolverReport &fixed_mu, SolverReport &report)
+    void add_outer_iteration(const SolverReport &fixed_mu, SolverReport &report)
     {
       report.solver        = fixed_mu.solver;
       report.used_fallback = fixed_mu.used_fallback;
@@ -40,21 +36,16 @@ namespace RollingContact
       report.reason   = fixed_mu.reason;
     }
 
-
-
     /**
      * The largest mu that the law gives a node: at rest, or sliding fast if mu
      * rises.
      */
-    double
-    highest_friction(const ContactLoads &loads, const unsigned int node)
+    double highest_friction(const ContactLoads &loads, const unsigned int node)
     {
       const FrictionLaw &law = *loads.friction_law;
       return loads.friction[node] *
              std::max(1., 1 - law.drop(fast * law.decay_speed()));
     }
-
-
 
     /**
      * newton_target() where mu at a node depends on how all nodes before it
@@ -68,44 +59,31 @@ namespace RollingContact
                               const DenseMatrix               &R,
                               std::vector<double>              own)
     {
-      const std::size_t n = nodes.size();
       const DenseMatrix D = FrictionMemory(problem, speeds).derivative(nodes);
-      DenseMatrix       matrix(n, n), d(n, 1);
-      for (std::size_t k = 0; k < n; ++k)
-        {
-          const unsigned int i = nodes[k];
-          d(k, 0)              = own[i] - state.friction[i];
-          for (std::size_t l = 0; l < n; ++l)
-            {
-              double sum = 0.;
-              for (std::size_t m = 0; m < n; ++m)
-                sum += D(k, m) * R(m, l);
-              matrix(k, l) = (k == l ? 1. : 0.) + problem.loads.speed * sum *
-                                                    state.pressure[nodes[l]];
-            }
-        }
+      DenseMatrix       matrix = problem.loads.speed * D * R *
+                           as_vector(state.pressure)(nodes).asDiagonal();
+      matrix.diagonal().array() += 1.;
+      Eigen::VectorXd d =
+        as_vector(own)(nodes) - as_vector(state.friction)(nodes);
       if (!solve_general(matrix, d))
         return own;
-      for (std::size_t k = 0; k < n; ++k)
+      for (std::size_t k = 0; k < nodes.size(); ++k)
         {
           const unsigned int i = nodes[k];
-          own[i] = std::min(std::max(state.friction[i] + d(k, 0), 0.),
+          own[i] = std::min(std::max(state.friction[i] + d[k], 0.),
                             highest_friction(problem.loads, i));
         }
       return own;
     }
-
-
 
     /**
      * held + d with (1 - G) d = own - held on the slipping nodes, G = d own /
      * d held: less mu_j p_j lets node i slide R_ij faster, see
      * sliding_response(). Elsewhere own.
      */
-    std::vector<double>
-    newton_target(const ContactProblem      &problem,
-                  const ContactState        &state,
-                  const std::vector<double> &own)
+    std::vector<double> newton_target(const ContactProblem      &problem,
+                                      const ContactState        &state,
+                                      const std::vector<double> &own)
     {
       const TangentialProblem tangential = tangential_problem(problem, state);
       const auto nodes = slipping_nodes(tangential, state.traction);
@@ -113,33 +91,28 @@ namespace RollingContact
         tangential.sliding_speeds(tangential.slip(state.traction));
       const DenseMatrix R = sliding_response(tangential, state.traction, nodes);
       std::vector<double> target = own;
-      if (R.n_rows() == 0)
+      if (R.size() == 0)
         return target;
-      DenseMatrix matrix(nodes.size(), nodes.size()), d(nodes.size(), 1);
       if (problem.loads.memory_length > 0.)
         return newton_target_with_memory(problem, state, nodes, speeds, R, own);
+      DenseMatrix matrix = R * as_vector(state.pressure)(nodes).asDiagonal();
       for (std::size_t k = 0; k < nodes.size(); ++k)
-        {
-          const unsigned int i = nodes[k];
-          const double fall = problem.loads.friction[i] * problem.loads.speed *
-                              problem.loads.friction_law->slope(speeds[i]);
-          for (std::size_t l = 0; l < nodes.size(); ++l)
-            matrix(k, l) =
-              (k == l ? 1. : 0.) - fall * R(k, l) * state.pressure[nodes[l]];
-          d(k, 0) = own[i] - state.friction[i];
-        }
+        matrix.row(k) *= -problem.loads.friction[nodes[k]] *
+                         problem.loads.speed *
+                         problem.loads.friction_law->slope(speeds[nodes[k]]);
+      matrix.diagonal().array() += 1.;
+      Eigen::VectorXd d =
+        as_vector(own)(nodes) - as_vector(state.friction)(nodes);
       if (!solve_general(matrix, d))
         return target;
       for (std::size_t k = 0; k < nodes.size(); ++k)
         {
           const unsigned int i = nodes[k];
-          target[i] = std::min(std::max(state.friction[i] + d(k, 0), 0.),
+          target[i] = std::min(std::max(state.friction[i] + d[k], 0.),
                                highest_friction(problem.loads, i));
         }
       return target;
     }
-
-
 
     /**
      * Outer iterations at most, and how many may pass without halving the
@@ -148,14 +121,11 @@ namespace RollingContact
      */
     const unsigned int max_iterations = 200, patience = 50;
 
-
-
     /**
      * mu of the friction law where everything slides fast: so many decay speeds
      * that nothing is left to fall.
      */
-    std::vector<double>
-    friction_of_fast_sliding(const ContactProblem &problem)
+    std::vector<double> friction_of_fast_sliding(const ContactProblem &problem)
     {
       const FrictionLaw  &law      = *problem.loads.friction_law;
       std::vector<double> friction = problem.loads.friction;
@@ -165,13 +135,10 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  bool
-  FallingFriction::solve_with(const std::vector<double> &friction,
-                              const ContactProblem      &problem,
-                              Iterate                   &iterate,
-                              SolverReport              &report) const
+  bool FallingFriction::solve_with(const std::vector<double> &friction,
+                                   const ContactProblem      &problem,
+                                   Iterate                   &iterate,
+                                   SolverReport              &report) const
   {
     throw_if_interrupted();
     ContactState &state         = iterate.state;
@@ -191,12 +158,9 @@ namespace RollingContact
     return true;
   }
 
-
-
-  bool
-  FallingFriction::try_newton(const ContactProblem &problem,
-                              Iterate              &iterate,
-                              SolverReport         &report) const
+  bool FallingFriction::try_newton(const ContactProblem &problem,
+                                   Iterate              &iterate,
+                                   SolverReport         &report) const
   {
     Iterate trial = iterate;
     if (!solve_with(newton_target(problem, iterate.state, iterate.own),
@@ -209,13 +173,10 @@ namespace RollingContact
     return true;
   }
 
-
-
-  void
-  FallingFriction::settle(const ContactProblem &problem,
-                          const double          part,
-                          ContactState         &state,
-                          SolverReport         &report) const
+  void FallingFriction::settle(const ContactProblem &problem,
+                               const double          part,
+                               ContactState         &state,
+                               SolverReport         &report) const
   {
     double       lowest    = std::numeric_limits<double>::infinity();
     unsigned int n_stalled = 0, pause = 1, n_plain = 1;
@@ -258,11 +219,8 @@ namespace RollingContact
                       "fall too steeply";
   }
 
-
-
-  SolverReport
-  FallingFriction::solve(const ContactProblem &problem,
-                         ContactState         &state) const
+  SolverReport FallingFriction::solve(const ContactProblem &problem,
+                                      ContactState         &state) const
   {
     if (!problem.loads.friction_law || problem.n_tangential() == 0)
       return fixed_mu_solver->solve(problem, state);

@@ -12,10 +12,9 @@ namespace RollingContact
      * approach)) is the given one: it is piecewise linear and increasing in the
      * approach.
      */
-    double
-    approach_for_load(const ContactProblem      &problem,
-                      const std::vector<double> &trial,
-                      const double               rho)
+    double approach_for_load(const ContactProblem      &problem,
+                             const std::vector<double> &trial,
+                             const double               rho)
     {
       const ContactOperators &operators = problem.operators;
       // where a node leaves contact
@@ -39,12 +38,9 @@ namespace RollingContact
       return -level / rho;
     }
 
-
-
-    void
-    project_pressure(const ContactProblem &problem,
-                     const double          rho,
-                     ContactState         &state)
+    void project_pressure(const ContactProblem &problem,
+                          const double          rho,
+                          ContactState         &state)
     {
       const auto share = [&](const unsigned int i) {
         return problem.operators.approach_share(i);
@@ -62,10 +58,8 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  SolverReport
-  FixedPoint::solve(const ContactProblem &problem, ContactState &state) const
+  SolverReport FixedPoint::solve(const ContactProblem &problem,
+                                 ContactState         &state) const
   {
     SolverReport report;
     report.solver = "fixed point";

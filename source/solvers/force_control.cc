@@ -1,9 +1,10 @@
+#include <rolling_contact/algebra/lapack.h>
+#include <rolling_contact/base/broadcast.h>
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/parallel/broadcast.h>
-#include <rolling_contact/parallel/interrupt.h>
-#include <rolling_contact/patch/friction_limit.h>
-#include <rolling_contact/patch/resultants.h>
+#include <rolling_contact/contact/friction_limit.h>
+#include <rolling_contact/contact/resultants.h>
 #include <rolling_contact/solvers/force_control.h>
 #include <rolling_contact/solvers/scaled_forces.h>
 
@@ -18,13 +19,10 @@ namespace RollingContact
     using Vector = std::vector<double>;
     using Asked  = std::vector<std::pair<unsigned int, double>>;
 
-    double &
-    component(Creepages &creepages, const unsigned int k)
+    double &component(Creepages &creepages, const unsigned int k)
     {
       return k == 0 ? creepages.x : k == 1 ? creepages.y : creepages.spin;
     }
-
-
 
     /**
      * The creepages on their way to the asked forces.
@@ -44,8 +42,7 @@ namespace RollingContact
         , saturation(problem.n_tangential() + 1.)
       {}
 
-      SolverReport
-      find();
+      SolverReport find();
 
     private:
       struct Point
@@ -57,38 +54,29 @@ namespace RollingContact
         double       distance = 0.; ///< of G from that of the asked forces
       };
 
-      bool
-      solve_here(Point &point);
+      bool solve_here(Point &point);
 
-      void
-      set_scales();
+      void set_scales();
 
-      void
-      refuse_beyond_friction() const;
+      void refuse_beyond_friction() const;
 
-      Vector
-      newton_step(const Point &point) const;
+      Vector newton_step(const Point &point) const;
 
-      bool
-      step(Point &point);
+      bool step(Point &point);
 
       /**
        * Steps from a point as long as they come closer.
        */
-      void
-      go_on(bool works, Point &point);
+      void go_on(bool works, Point &point);
 
-      bool
-      hold_edges(const Point &point);
+      bool hold_edges(const Point &point);
 
-      bool
-      bracket(Point &point);
+      bool bracket(Point &point);
 
-      bool
-      is_there(const Point &point) const;
+      bool is_there(const Point &point) const;
 
-      std::string
-      described(const Creepages &creepages, const Vector &forces) const;
+      std::string described(const Creepages &creepages,
+                            const Vector    &forces) const;
 
       const std::function<SolverReport()> &solve;
       const SolverControls                &controls;
@@ -100,14 +88,12 @@ namespace RollingContact
       SolverReport                         report;
     };
 
-
-
     /**
      * Solve for the creepages of the problem; false if there is no state or
-     * its forces do not answer to creepages.
+     * its forces do not answer to creepages. All that is decided by a point
+     * comes from rank 0. Collective.
      */
-    bool
-    CreepageSearch::solve_here(Point &point)
+    bool CreepageSearch::solve_here(Point &point)
     {
       throw_if_interrupted();
       const SolverReport now = solve();
@@ -126,32 +112,36 @@ namespace RollingContact
       point.creepages                = problem.loads.creepages;
       point.state                    = state;
       std::tie(target, point.forces) = scaled_forces(problem, state, scales);
-      G                              = saturation.value(target);
-      const Vector now_G             = saturation.value(point.forces);
-      double       sum               = 0.;
+      // ranks on unlike processors have other last digits
+      Ranks::broadcast(target);
+      Ranks::broadcast(point.forces);
+      G                  = saturation.value(target);
+      const Vector now_G = saturation.value(point.forces);
+      double       sum   = 0.;
       for (std::size_t k = 0; k < asked.size(); ++k)
         sum += std::pow(now_G[k] - G[k], 2);
       point.distance = std::sqrt(sum);
-      if (is_there(point))
-        return true;
-      point.derivative = scaled_derivative(problem, controls, state, scales);
-      return point.derivative.n_rows() > 0 && !newton_step(point).empty();
+      bool answers   = is_there(point);
+      if (!answers)
+        {
+          point.derivative =
+            scaled_derivative(problem, controls, state, scales);
+          answers = point.derivative.size() > 0 && !newton_step(point).empty();
+        }
+      Vector decisive{point.distance, answers ? 1. : 0.};
+      Ranks::broadcast(decisive);
+      point.distance = decisive[0];
+      return decisive[1] > 0.;
     }
 
-
-
-    void
-    CreepageSearch::set_scales()
+    void CreepageSearch::set_scales()
     {
       refuse_beyond_friction();
       scales = force_scales(problem, state);
     }
 
-
-
     /** "Longitudinal force = 5 N, Spin moment = 2 N m" */
-    std::string
-    named(const Asked &forces)
+    std::string named(const Asked &forces)
     {
       const char *names[] = {"Longitudinal force",
                              "Lateral force",
@@ -163,10 +153,7 @@ namespace RollingContact
       return text;
     }
 
-
-
-    void
-    CreepageSearch::refuse_beyond_friction() const
+    void CreepageSearch::refuse_beyond_friction() const
     {
       const double friction = sliding_resultant(problem, state.pressure, 0),
                    share    = largest_share_of_forces(problem, state.pressure);
@@ -184,10 +171,7 @@ namespace RollingContact
                          "force. Give a load or an approach, or creepages."));
     }
 
-
-
-    bool
-    CreepageSearch::is_there(const Point &point) const
+    bool CreepageSearch::is_there(const Point &point) const
     {
       double off = 0.;
       for (std::size_t k = 0; k < asked.size(); ++k)
@@ -195,36 +179,24 @@ namespace RollingContact
       return off <= std::max(1e-9, 0.1 * controls.tolerance);
     }
 
-
-
     /**
      * Empty if the forces do not answer to the creepages.
      */
-    Vector
-    CreepageSearch::newton_step(const Point &point) const
+    Vector CreepageSearch::newton_step(const Point &point) const
     {
-      const std::size_t n  = asked.size();
-      const Vector      at = saturation.value(point.forces);
-      DenseMatrix       right(n, 1),
-        matrix = product(saturation.derivative(point.forces), point.derivative);
-      for (std::size_t i = 0; i < n; ++i)
-        right(i, 0) = G[i] - at[i];
-      if (!solve_general(matrix, right))
+      DenseMatrix matrix =
+        saturation.derivative(point.forces) * point.derivative;
+      Vector step = sum(G, -1., saturation.value(point.forces));
+      if (!solve_general(matrix, as_vector(step)) ||
+          !as_vector(step).allFinite())
         return {};
-      Vector step(right.data(), right.data() + n);
-      for (const double part : step)
-        if (!std::isfinite(part))
-          return {};
       return step;
     }
-
-
 
     /**
      * Take the Newton step or the largest of its halves that comes closer.
      */
-    bool
-    CreepageSearch::step(Point &point)
+    bool CreepageSearch::step(Point &point)
     {
       const unsigned int max_halvings = point.state.holds_scheme ? 14 : 4;
       Vector             whole        = newton_step(point);
@@ -250,11 +222,8 @@ namespace RollingContact
       return false;
     }
 
-
-
-    std::string
-    CreepageSearch::described(const Creepages &creepages,
-                              const Vector    &forces) const
+    std::string CreepageSearch::described(const Creepages &creepages,
+                                          const Vector    &forces) const
     {
       auto reached = asked;
       for (std::size_t k = 0; k < asked.size(); ++k)
@@ -264,24 +233,18 @@ namespace RollingContact
              significant(creepages.spin, 5) + " 1/m";
     }
 
-
-
-    void
-    CreepageSearch::go_on(bool works, Point &point)
+    void CreepageSearch::go_on(bool works, Point &point)
     {
       const unsigned int max_steps = 30;
       for (unsigned int k = 0; works && k < max_steps && !is_there(point); ++k)
         works = step(point);
     }
 
-
-
     /**
      * On a mesh the force jumps where the edge law gets an edge or loses one;
      * with those that the state of a point has it does not.
      */
-    bool
-    CreepageSearch::hold_edges(const Point &point)
+    bool CreepageSearch::hold_edges(const Point &point)
     {
       state                   = point.state;
       state.holds_scheme      = true;
@@ -292,15 +255,12 @@ namespace RollingContact
       return report.converged && is_there(held);
     }
 
-
-
     /**
      * Where all nodes slide, some forwards and some backwards, a force does not
      * answer to its creepage: go against it in growing steps until the force
      * is passed, then bisect, with Newton's steps from wherever it answers.
      */
-    bool
-    CreepageSearch::bracket(Point &point)
+    bool CreepageSearch::bracket(Point &point)
     {
       if (asked.size() != 1 || point.forces.empty())
         return false;
@@ -331,10 +291,7 @@ namespace RollingContact
       return false;
     }
 
-
-
-    SolverReport
-    CreepageSearch::find()
+    SolverReport CreepageSearch::find()
     {
       Point point;
       bool  works = solve_here(point);
@@ -363,13 +320,10 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  SolverReport
-  solve_for_forces(const std::function<SolverReport()> &solve,
-                   const SolverControls                &controls,
-                   ContactProblem                      &problem,
-                   ContactState                        &state)
+  SolverReport solve_for_forces(const std::function<SolverReport()> &solve,
+                                const SolverControls                &controls,
+                                ContactProblem                      &problem,
+                                ContactState                        &state)
   {
     return CreepageSearch(solve, controls, problem, state).find();
   }

@@ -1,3 +1,4 @@
+#include <rolling_contact/algebra/lapack.h>
 #include <rolling_contact/contact/friction_memory.h>
 #include <rolling_contact/solvers/newton_system.h>
 
@@ -11,10 +12,9 @@ namespace RollingContact
     /**
      * The state without tractions where p - rho u_n <= 0.
      */
-    ContactState
-    released(const ContactProblem &problem,
-             const ContactState   &state,
-             const double          rho)
+    ContactState released(const ContactProblem &problem,
+                          const ContactState   &state,
+                          const double          rho)
     {
       const std::vector<double> u_n    = normal_gap(problem, state);
       ContactState              result = state;
@@ -28,8 +28,6 @@ namespace RollingContact
       return result;
     }
   } // namespace
-
-
 
   NewtonSystem::NewtonSystem(const ContactProblem &problem,
                              const SolverControls &controls,
@@ -60,18 +58,15 @@ namespace RollingContact
       n_components > n_tangential && problem.loads.normal_load;
     const std::size_t n =
       nodes.size() * n_components + (finds_approach ? 1 : 0);
-    matrix = DenseMatrix(n, n);
-    right  = DenseMatrix(n, 1);
+    matrix = DenseMatrix::Zero(n, n);
+    right  = DenseMatrix::Zero(n, 1);
   }
-
-
 
   /**
    * What one unknown does to gap and slip of the touching nodes.
    */
-  void
-  NewtonSystem::add_column(const std::size_t  touching,
-                           const unsigned int component)
+  void NewtonSystem::add_column(const std::size_t  touching,
+                                const unsigned int component)
   {
     const unsigned int N = problem.n_nodes();
     const NodalField   w =
@@ -82,20 +77,14 @@ namespace RollingContact
         matrix(place(k, c), column) = friction.slip_of(w, {c, nodes[k]});
     if (n_components == n_tangential)
       return;
-    std::vector<double> u_normal(N, 0.);
-    for (const auto &entry : problem.operators.H_column(nodes[touching]))
-      for (std::size_t i = 0; i < N; ++i)
-        u_normal[i] += problem.operators.W()(n_tangential * N + i,
-                                             component * N + entry.first) *
-                       entry.second;
+    Eigen::VectorXd u_normal = Eigen::VectorXd::Zero(N);
+    for (const auto &[j, value] : problem.operators.H_column(nodes[touching]))
+      u_normal += problem.operators.W().col(component * N + j).tail(N) * value;
     for (std::size_t k = 0; k < nodes.size(); ++k)
       matrix(place(k, n_tangential), column) = u_normal[nodes[k]];
   }
 
-
-
-  void
-  NewtonSystem::add_edge_rows()
+  void NewtonSystem::add_edge_rows()
   {
     for (unsigned int c = 0; c < friction.rows.edge_rows.size(); ++c)
       for (std::size_t k = 0; k < nodes.size(); ++k)
@@ -104,10 +93,7 @@ namespace RollingContact
             matrix(place(k, c), place(number[entry.first], c)) += entry.second;
   }
 
-
-
-  void
-  NewtonSystem::add_columns()
+  void NewtonSystem::add_columns()
   {
     for (std::size_t k = 0; k < nodes.size(); ++k)
       for (unsigned int c = 0; c < n_components; ++c)
@@ -115,23 +101,17 @@ namespace RollingContact
     add_edge_rows();
   }
 
-
-
-  double
-  NewtonSystem::coefficient(const std::size_t touching) const
+  double NewtonSystem::coefficient(const std::size_t touching) const
   {
     const unsigned int i = nodes[touching];
     const double       p = now.pressure[i];
     return p > 0. ? friction.bound[i] / p : friction.friction[i];
   }
 
-
-
-  bool
-  NewtonSystem::slides(const std::size_t      touching,
-                       std::array<double, 2> &direction,
-                       double                &size,
-                       double                &bound) const
+  bool NewtonSystem::slides(const std::size_t      touching,
+                            std::array<double, 2> &direction,
+                            double                &size,
+                            double                &bound) const
   {
     const unsigned int i = nodes[touching];
     bound =
@@ -146,10 +126,7 @@ namespace RollingContact
     return true;
   }
 
-
-
-  double
-  NewtonSystem::fall(const std::size_t touching) const
+  double NewtonSystem::fall(const std::size_t touching) const
   {
     const ContactLoads &loads = problem.loads;
     const unsigned int  i     = nodes[touching];
@@ -160,17 +137,15 @@ namespace RollingContact
            (immediate.empty() ? 1. : immediate[i]);
   }
 
-
-
-  void
-  NewtonSystem::set_friction_rows(const std::size_t touching, const double fall)
+  void NewtonSystem::set_friction_rows(const std::size_t touching,
+                                       const double      fall)
   {
     std::array<double, 2> direction{};
     double                size = 0., bound = 0.;
     if (!slides(touching, direction, size, bound))
       return;
     // dq - b' direction - b/|z| (1 - direction direction^T) (dq - rho ds)
-    const std::size_t n  = matrix.n_columns();
+    const std::size_t n  = matrix.cols();
     const double      mu = coefficient(touching),
                  falls   = fall * now.pressure[nodes[touching]];
     for (std::size_t column = 0; column < n; ++column)
@@ -202,10 +177,7 @@ namespace RollingContact
       }
   }
 
-
-
-  void
-  NewtonSystem::set_right(const std::size_t touching)
+  void NewtonSystem::set_right(const std::size_t touching)
   {
     const unsigned int i                    = nodes[touching];
     right(place(touching, n_tangential), 0) = -u_n[i];
@@ -219,12 +191,9 @@ namespace RollingContact
               : -slip(c, i);
   }
 
-
-
-  void
-  NewtonSystem::set_load_rows()
+  void NewtonSystem::set_load_rows()
   {
-    const std::size_t n = matrix.n_rows();
+    const std::size_t n = matrix.rows();
     if (n == nodes.size() * n_components)
       return;
     for (std::size_t k = 0; k < nodes.size(); ++k)
@@ -238,10 +207,7 @@ namespace RollingContact
       *problem.loads.normal_load - problem.operators.load(now.pressure);
   }
 
-
-
-  bool
-  NewtonSystem::solve(ContactState &target)
+  bool NewtonSystem::solve(ContactState &target)
   {
     add_columns();
     for (std::size_t k = 0; k < nodes.size(); ++k)
@@ -250,7 +216,7 @@ namespace RollingContact
         set_friction_rows(k, 0.);
       }
     set_load_rows();
-    const std::size_t n = matrix.n_rows();
+    const std::size_t n = matrix.rows();
     if (n == 0 || !solve_general(matrix, right))
       return false;
     target = now;
@@ -265,8 +231,6 @@ namespace RollingContact
     return true;
   }
 
-
-
   std::vector<ContactState>
   NewtonSystem::response(const std::vector<NodalField> &slips)
   {
@@ -278,8 +242,8 @@ namespace RollingContact
       }
     add_columns();
     set_load_rows();
-    const std::size_t n = matrix.n_rows();
-    right               = DenseMatrix(n, slips.size());
+    const std::size_t n = matrix.rows();
+    right               = DenseMatrix::Zero(n, slips.size());
     for (std::size_t j = 0; j < slips.size(); ++j)
       {
         const NodalField change = friction.rows.B2 * slips[j];

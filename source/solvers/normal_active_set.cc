@@ -1,3 +1,4 @@
+#include <rolling_contact/algebra/lapack.h>
 #include <rolling_contact/solvers/normal_active_set.h>
 
 #include <algorithm>
@@ -13,22 +14,18 @@ namespace RollingContact
      * Pressure and approach with zero gap on the active nodes. Returns false
      * when the dense solve breaks down.
      */
-    bool
-    solve_on(const ContactProblem      &problem,
-             const std::vector<double> &gap,
-             const ActiveSet           &active,
-             const DenseMatrix         &pressure_compliance,
-             ContactState              &state)
+    bool solve_on(const ContactProblem      &problem,
+                  const std::vector<double> &gap,
+                  const ActiveSet           &active,
+                  const DenseMatrix         &pressure_compliance,
+                  ContactState              &state)
     {
       std::vector<unsigned int> nodes;
       for (unsigned int i = 0; i < problem.n_nodes(); ++i)
         if (active[i])
           nodes.push_back(i);
       const std::size_t n = nodes.size();
-      DenseMatrix       matrix(n, n), columns(n, 2);
-      for (std::size_t j = 0; j < n; ++j)
-        for (std::size_t i = 0; i < n; ++i)
-          matrix(i, j) = pressure_compliance(nodes[i], nodes[j]);
+      DenseMatrix matrix  = pressure_compliance(nodes, nodes), columns(n, 2);
       for (std::size_t i = 0; i < n; ++i)
         {
           columns(i, 0) = problem.operators.approach_share(nodes[i]);
@@ -54,15 +51,12 @@ namespace RollingContact
       return true;
     }
 
-
-
     /**
      * Nodes to start from: those in contact now, else those nearest to it.
      */
-    ActiveSet
-    initial_set(const ContactProblem      &problem,
-                const std::vector<double> &gap,
-                const ContactState        &state)
+    ActiveSet initial_set(const ContactProblem      &problem,
+                          const std::vector<double> &gap,
+                          const ContactState        &state)
     {
       ActiveSet active(problem.n_nodes());
       for (unsigned int i = 0; i < problem.n_nodes(); ++i)
@@ -78,18 +72,15 @@ namespace RollingContact
       return active;
     }
 
-
-
     /**
      * The nodes whose sign condition is broken: a pull on an active node, an
      * overlap on another. Rounding of the size of the solve itself is no
      * overlap.
      */
-    std::vector<unsigned int>
-    violations(const ActiveSet           &active,
-               const std::vector<double> &u_n,
-               const ContactState        &state,
-               const double               overlap_tolerance)
+    std::vector<unsigned int> violations(const ActiveSet           &active,
+                                         const std::vector<double> &u_n,
+                                         const ContactState        &state,
+                                         const double overlap_tolerance)
     {
       std::vector<unsigned int> nodes;
       for (unsigned int i = 0; i < active.size(); ++i)
@@ -99,11 +90,8 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  SolverReport
-  NormalActiveSet::solve(const ContactProblem &problem,
-                         ContactState         &state) const
+  SolverReport NormalActiveSet::solve(const ContactProblem &problem,
+                                      ContactState         &state) const
   {
     SolverReport report;
     report.solver           = "active set";

@@ -19,13 +19,10 @@ namespace RollingContact
     , economical(economical)
   {}
 
-
-
-  bool
-  NormalTangentialSplit::solve_with_any(const TangentialProblem &problem,
-                                        const std::size_t        n_solvers,
-                                        ContactState            &state,
-                                        SolverReport            &report) const
+  bool NormalTangentialSplit::solve_with_any(const TangentialProblem &problem,
+                                             const std::size_t        n_solvers,
+                                             ContactState            &state,
+                                             SolverReport &report) const
   {
     for (std::size_t k = 0; k < n_solvers; ++k)
       {
@@ -47,8 +44,6 @@ namespace RollingContact
       }
     return false;
   }
-
-
 
   namespace
   {
@@ -74,11 +69,8 @@ namespace RollingContact
                        max_passes = 200;
   } // namespace
 
-
-
-  SolverReport
-  NormalTangentialSplit::solve(const ContactProblem &problem,
-                               ContactState         &state) const
+  SolverReport NormalTangentialSplit::solve(const ContactProblem &problem,
+                                            ContactState         &state) const
   {
     SolverReport report;
     report.solver = "active set";
@@ -149,8 +141,6 @@ namespace RollingContact
     return report;
   }
 
-
-
   double
   NormalTangentialSplit::tolerance_of_round(const ContactProblem &problem,
                                             const double          change) const
@@ -161,14 +151,11 @@ namespace RollingContact
              : controls.tolerance;
   }
 
-
-
-  SlipScheme
-  NormalTangentialSplit::alternate(const ContactProblem &problem,
-                                   const std::size_t     n_solvers,
-                                   const double          tolerance,
-                                   ContactState         &state,
-                                   SolverReport         &report) const
+  SlipScheme NormalTangentialSplit::alternate(const ContactProblem &problem,
+                                              const std::size_t     n_solvers,
+                                              const double          tolerance,
+                                              ContactState         &state,
+                                              SolverReport &report) const
   {
     double       lowest    = std::numeric_limits<double>::infinity();
     unsigned int n_stalled = 0;

@@ -1,4 +1,4 @@
-#include <rolling_contact/parallel/interrupt.h>
+#include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/solvers/rolling_march.h>
 
 #include <algorithm>
@@ -11,8 +11,8 @@ namespace RollingContact
     /**
      * Length along x of the nodes that touch, at least that of one element.
      */
-    double
-    patch_length(const ContactProblem &problem, const ContactState &state)
+    double patch_length(const ContactProblem &problem,
+                        const ContactState   &state)
     {
       double lower = std::numeric_limits<double>::max(), upper = -lower;
       for (unsigned int i = 0; i < problem.n_nodes(); ++i)
@@ -25,8 +25,6 @@ namespace RollingContact
                            : problem.operators.positions().back()[0] -
                                problem.operators.positions().front()[0];
     }
-
-
 
     /**
      * The first step and the growth of the next ones, in lengths of the patch:
@@ -44,10 +42,8 @@ namespace RollingContact
     const unsigned int between_trials = 10, max_halvings = 8, max_steps = 80;
   } // namespace
 
-
-
-  SolverReport
-  RollingMarch::solve(const ContactProblem &problem, ContactState &state) const
+  SolverReport RollingMarch::solve(const ContactProblem &problem,
+                                   ContactState         &state) const
   {
     SolverReport report;
     report.solver = "rolling march";

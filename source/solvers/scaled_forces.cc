@@ -1,5 +1,6 @@
-#include <rolling_contact/patch/friction_limit.h>
-#include <rolling_contact/patch/resultants.h>
+#include <rolling_contact/algebra/lapack.h>
+#include <rolling_contact/contact/friction_limit.h>
+#include <rolling_contact/contact/resultants.h>
 #include <rolling_contact/solvers/newton_system.h>
 #include <rolling_contact/solvers/scaled_forces.h>
 
@@ -8,58 +9,40 @@
 
 namespace RollingContact
 {
-  std::vector<double>
-  Saturation::value(const std::vector<double> &F) const
+  std::vector<double> Saturation::value(const std::vector<double> &F) const
   {
     const double        size  = norm(F);
     std::vector<double> value = F;
-    for (double &entry : value)
-      entry *= size > 0. ? grown(size) / size : 1.;
+    as_vector(value) *= size > 0. ? grown(size) / size : 1.;
     return value;
   }
 
-
-
-  DenseMatrix
-  Saturation::derivative(const std::vector<double> &F) const
+  DenseMatrix Saturation::derivative(const std::vector<double> &F) const
   {
     // g/|F| (1 - e e^T) + g' e e^T
-    const double      size  = norm(F);
-    const std::size_t n     = F.size();
-    const double      ratio = size > 0. ? grown(size) / size : 1.;
-    DenseMatrix       result(n, n);
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = 0; j < n; ++j)
-        result(i, j) =
-          (i == j ? ratio : 0.) +
-          (size > 0. ? (growth(size) - ratio) * F[i] * F[j] / (size * size)
-                     : 0.);
-    return result;
+    const double size   = norm(F);
+    DenseMatrix  result = DenseMatrix::Identity(F.size(), F.size());
+    if (size == 0.)
+      return result;
+    const double          ratio = grown(size) / size;
+    const Eigen::VectorXd e     = as_vector(F) / size;
+    return ratio * result + (growth(size) - ratio) * e * e.transpose();
   }
 
-
-
-  double
-  Saturation::growth(const double size) const
+  double Saturation::growth(const double size) const
   {
     return std::pow(1 - std::min(size, last), 1 / m - 1);
   }
 
-
-
-  double
-  Saturation::grown(const double size) const
+  double Saturation::grown(const double size) const
   {
     const double known = std::min(size, last);
     return m * (1 - std::pow(1 - known, 1 / m)) + growth(size) * (size - known);
   }
 
-
-
-  DenseMatrix
-  force_derivative(const ContactProblem &problem,
-                   const SolverControls &controls,
-                   const ContactState   &state)
+  DenseMatrix force_derivative(const ContactProblem &problem,
+                               const SolverControls &controls,
+                               const ContactState   &state)
   {
     const auto              asked = asked_components(problem.loads.forces);
     std::vector<NodalField> slips;
@@ -70,7 +53,7 @@ namespace RollingContact
                             : NewtonSystem::Unknowns::traction;
     const std::vector<ContactState> changes =
       NewtonSystem(problem, controls, state, unknowns).response(slips);
-    DenseMatrix derivative(changes.size(), changes.size());
+    DenseMatrix derivative = DenseMatrix::Zero(changes.size(), changes.size());
     for (std::size_t l = 0; l < changes.size(); ++l)
       {
         const auto change =
@@ -81,10 +64,8 @@ namespace RollingContact
     return derivative;
   }
 
-
-
-  std::vector<double>
-  force_scales(const ContactProblem &problem, const ContactState &state)
+  std::vector<double> force_scales(const ContactProblem &problem,
+                                   const ContactState   &state)
   {
     std::vector<double> scales;
     for (const auto &it : asked_components(problem.loads.forces))
@@ -94,8 +75,6 @@ namespace RollingContact
       }
     return scales;
   }
-
-
 
   std::pair<std::vector<double>, std::vector<double>>
   scaled_forces(const ContactProblem      &problem,
@@ -115,42 +94,21 @@ namespace RollingContact
     return {target, present};
   }
 
-
-
-  DenseMatrix
-  scaled_derivative(const ContactProblem      &problem,
-                    const SolverControls      &controls,
-                    const ContactState        &state,
-                    const std::vector<double> &scales)
+  DenseMatrix scaled_derivative(const ContactProblem      &problem,
+                                const SolverControls      &controls,
+                                const ContactState        &state,
+                                const std::vector<double> &scales)
   {
     DenseMatrix derivative = force_derivative(problem, controls, state);
-    for (std::size_t k = 0; k < derivative.n_rows(); ++k)
-      for (std::size_t l = 0; l < derivative.n_columns(); ++l)
-        derivative(k, l) /= scales[k];
+    for (Eigen::Index k = 0; k < derivative.rows(); ++k)
+      derivative.row(k) /= scales[k];
     return derivative;
   }
 
-
-
-  DenseMatrix
-  product(const DenseMatrix &first, const DenseMatrix &second)
-  {
-    const std::size_t n = first.n_rows();
-    DenseMatrix       result(n, n);
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = 0; j < n; ++j)
-        for (std::size_t k = 0; k < n; ++k)
-          result(i, j) += first(i, k) * second(k, j);
-    return result;
-  }
-
-
-
-  std::vector<double>
-  creepage_margins(const ContactProblem &problem,
-                   const SolverControls &controls,
-                   const ContactState   &state,
-                   const double          part)
+  std::vector<double> creepage_margins(const ContactProblem &problem,
+                                       const SolverControls &controls,
+                                       const ContactState   &state,
+                                       const double          part)
   {
     const Saturation          saturation(problem.n_tangential() + 1.);
     const std::vector<double> scales = force_scales(problem, state),
@@ -159,22 +117,18 @@ namespace RollingContact
     const double      size = norm(forces);
     const DenseMatrix derivative =
       scaled_derivative(problem, controls, state, scales);
-    if (size + part >= 1. || derivative.n_rows() == 0)
+    if (size + part >= 1. || derivative.rows() == 0)
       return {};
-    const std::size_t n = forces.size();
-    DenseMatrix       inverse(n, n),
-      matrix = product(saturation.derivative(forces), derivative);
-    for (std::size_t i = 0; i < n; ++i)
-      inverse(i, i) = 1.;
+    const std::size_t n       = forces.size();
+    DenseMatrix       inverse = DenseMatrix::Identity(n, n),
+                matrix        = saturation.derivative(forces) * derivative;
     if (!solve_general(matrix, inverse))
       return {};
     const double change =
       saturation.value(std::vector<double>{size + part})[0] -
       saturation.value(std::vector<double>{size})[0];
-    std::vector<double> margins(n, 0.);
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = 0; j < n; ++j)
-        margins[i] += std::abs(inverse(i, j)) * change;
+    std::vector<double> margins(n);
+    as_vector(margins) = change * inverse.cwiseAbs().rowwise().sum();
     return margins;
   }
 } // namespace RollingContact

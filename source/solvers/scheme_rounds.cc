@@ -15,8 +15,7 @@ namespace RollingContact
     const unsigned int full_rounds = 2, last_growth = 8, max_withdrawals = 2;
     const double       part_of_step = 0.7;
 
-    NodalField
-    coefficients(const EdgeExtrapolations &edges)
+    NodalField coefficients(const EdgeExtrapolations &edges)
     {
       NodalField values(edges.size(), 4);
       for (std::size_t k = 0; k < edges.size(); ++k)
@@ -30,10 +29,7 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  SlipScheme
-  SchemeRounds::admitted(const SlipScheme &now, SlipScheme asked)
+  SlipScheme SchemeRounds::admitted(const SlipScheme &now, SlipScheme asked)
   {
     if (n_rounds >= full_rounds)
       asked = without_new_sliding(now, asked);
@@ -50,10 +46,7 @@ namespace RollingContact
     return asked;
   }
 
-
-
-  SlipScheme
-  SchemeRounds::next(const SlipScheme &now, const SlipScheme &asked)
+  SlipScheme SchemeRounds::next(const SlipScheme &now, const SlipScheme &asked)
   {
     const unsigned int round = n_rounds++;
     for (const EdgeExtrapolation &edge : now.edges)
@@ -73,10 +66,8 @@ namespace RollingContact
     return moved(now, asked, part_of_step);
   }
 
-
-
-  SlipScheme
-  SchemeRounds::accelerated(const SlipScheme &now, const SlipScheme &asked)
+  SlipScheme SchemeRounds::accelerated(const SlipScheme &now,
+                                       const SlipScheme &asked)
   {
     const NodalField values =
       anderson.next(coefficients(now.edges), coefficients(asked.edges));
@@ -91,11 +82,8 @@ namespace RollingContact
     return result;
   }
 
-
-
-  bool
-  SchemeRounds::exclude_new_edges(const SlipScheme &solved,
-                                  const SlipScheme &failed)
+  bool SchemeRounds::exclude_new_edges(const SlipScheme &solved,
+                                       const SlipScheme &failed)
   {
     bool any = false;
     for (const EdgeExtrapolation &edge : failed.edges)

@@ -1,3 +1,4 @@
+#include <rolling_contact/algebra/lapack.h>
 #include <rolling_contact/solvers/extragradient.h>
 #include <rolling_contact/solvers/semismooth_newton.h>
 
@@ -13,8 +14,7 @@ namespace RollingContact
     /**
      * The touching unknowns, both components of a node side by side.
      */
-    std::vector<NodalIndex>
-    touching_unknowns(const TangentialProblem &problem)
+    std::vector<NodalIndex> touching_unknowns(const TangentialProblem &problem)
     {
       std::vector<NodalIndex> unknowns;
       for (unsigned int i = 0; i < problem.contact.n_nodes(); ++i)
@@ -24,10 +24,8 @@ namespace RollingContact
       return unknowns;
     }
 
-
-
-    std::vector<double>
-    gathered(const std::vector<NodalIndex> &unknowns, const NodalField &field)
+    std::vector<double> gathered(const std::vector<NodalIndex> &unknowns,
+                                 const NodalField              &field)
     {
       std::vector<double> values;
       for (const NodalIndex &unknown : unknowns)
@@ -35,18 +33,13 @@ namespace RollingContact
       return values;
     }
 
-
-
-    void
-    scatter(const std::vector<NodalIndex> &unknowns,
-            const std::vector<double>     &values,
-            NodalField                    &field)
+    void scatter(const std::vector<NodalIndex> &unknowns,
+                 const std::vector<double>     &values,
+                 NodalField                    &field)
     {
       for (std::size_t k = 0; k < unknowns.size(); ++k)
         field[unknowns[k]] = values[k];
     }
-
-
 
     /**
      * The frictional problem on the touching unknowns alone.
@@ -68,21 +61,15 @@ namespace RollingContact
           }
       }
 
-      std::vector<double>
-      slip(const std::vector<double> &traction) const
+      std::vector<double> slip(const std::vector<double> &traction) const
       {
-        std::vector<double> s(traction.size());
-        slip_compliance.multiply_block(0, 0, traction, s);
-        for (std::size_t k = 0; k < s.size(); ++k)
-          s[k] += slip_at_zero[k];
-        return s;
+        return sum(slip_compliance * traction, 1., slip_at_zero);
       }
 
       /**
        * Cut the nodal tractions back to the traction bound.
        */
-      void
-      project(std::vector<double> &traction) const
+      void project(std::vector<double> &traction) const
       {
         for (std::size_t k = 0; k < traction.size(); k += 2)
           {
@@ -96,8 +83,7 @@ namespace RollingContact
       /**
        * The natural residual, over mu N.
        */
-      double
-      residual(const std::vector<double> &traction) const
+      double residual(const std::vector<double> &traction) const
       {
         const std::vector<double> s   = slip(traction);
         double                    sum = 0.;
@@ -120,8 +106,6 @@ namespace RollingContact
       std::vector<double>     slip_at_zero, bound, area;
     };
 
-
-
     /**
      * An unknown of a Newton step: how far the traction of a node goes in a
      * direction. A node that sticks has two of them, one that slides the one
@@ -133,14 +117,11 @@ namespace RollingContact
       std::array<double, 2> direction;
       double                weight, diagonal; ///< of its row
 
-      double
-      along(const std::vector<double> &values) const
+      double along(const std::vector<double> &values) const
       {
         return direction[0] * values[first] + direction[1] * values[first + 1];
       }
     };
-
-
 
     /**
      * The unknowns, and @p right: of nodes that stick -rho s, of those that
@@ -179,8 +160,6 @@ namespace RollingContact
       return unknowns;
     }
 
-
-
     /**
      * The Newton step of the traction; false if the matrix is singular. With r
      * the right hand side, A the compliance and D = mu p/|z| t t^T the
@@ -188,45 +167,39 @@ namespace RollingContact
      * that stick, and dq + D (rho A dq - dq) = r, so dq = r + alpha t, of those
      * that slide.
      */
-    bool
-    newton_step(const TouchingProblem     &problem,
-                const std::vector<double> &traction,
-                const double               rho,
-                DenseMatrix               &step)
+    bool newton_step(const TouchingProblem     &problem,
+                     const std::vector<double> &traction,
+                     const double               rho,
+                     std::vector<double>       &step)
     {
       const DenseMatrix  &A = problem.slip_compliance;
       std::vector<double> right, known;
       const auto          unknowns =
         newton_unknowns(problem, traction, rho, right, known);
-      const std::size_t   n = traction.size(), m = unknowns.size();
-      std::vector<double> slip_of_known(n, 0.), column(n);
-      A.multiply_block(0, 0, known, slip_of_known);
-      DenseMatrix matrix(m, m), solution(m, 1);
+      const std::size_t         n = traction.size(), m = unknowns.size();
+      const std::vector<double> slip_of_known = A * known;
+      std::vector<double>       column(n);
+      DenseMatrix               matrix(m, m);
+      Eigen::VectorXd           solution(m);
       for (std::size_t j = 0; j < m; ++j)
         {
           const NewtonUnknown &of = unknowns[j];
-          for (std::size_t i = 0; i < n; ++i)
-            column[i] = of.direction[0] * A(i, of.first) +
-                        of.direction[1] * A(i, of.first + 1);
+          as_vector(column)       = of.direction[0] * A.col(of.first) +
+                              of.direction[1] * A.col(of.first + 1);
           for (std::size_t i = 0; i < m; ++i)
             matrix(i, j) = unknowns[i].weight * rho * unknowns[i].along(column);
           matrix(j, j) += of.diagonal;
-          solution(j, 0) =
+          solution[j] =
             of.weight * (of.along(right) - rho * of.along(slip_of_known));
         }
       if (!solve_general(matrix, solution))
         return false;
-      step = DenseMatrix(n, 1);
-      for (std::size_t k = 0; k < n; ++k)
-        step(k, 0) = known[k];
+      step = known;
       for (std::size_t j = 0; j < m; ++j)
         for (unsigned int c = 0; c < 2; ++c)
-          step(unknowns[j].first + c, 0) +=
-            solution(j, 0) * unknowns[j].direction[c];
+          step[unknowns[j].first + c] += solution[j] * unknowns[j].direction[c];
       return true;
     }
-
-
 
     /**
      * Add the part 1, 1/2, ..., 1/64 of a step to the traction, cut back to the
@@ -235,11 +208,10 @@ namespace RollingContact
      * step may have tenfold, would be where the step's linearisation does not
      * hold.
      */
-    void
-    take_damped_step(const TouchingProblem &problem,
-                     const DenseMatrix     &step,
-                     const double           residual_now,
-                     std::vector<double>   &traction)
+    void take_damped_step(const TouchingProblem     &problem,
+                          const std::vector<double> &step,
+                          const double               residual_now,
+                          std::vector<double>       &traction)
     {
       const std::vector<double> start = traction;
       std::vector<double>       best_traction;
@@ -247,7 +219,7 @@ namespace RollingContact
       for (double part = 1.; part > 0.01; part /= 2)
         {
           for (std::size_t k = 0; k < traction.size(); ++k)
-            traction[k] = start[k] + part * step(k, 0);
+            traction[k] = start[k] + part * step[k];
           problem.project(traction);
           const double now = problem.residual(traction);
           if (now < (1 - 0.1 * part) * residual_now)
@@ -260,8 +232,6 @@ namespace RollingContact
         }
       traction = best_traction;
     }
-
-
 
     /**
      * The traction on the way down, and the best so far.
@@ -277,8 +247,7 @@ namespace RollingContact
       /**
        * The residual of q.
        */
-      void
-      note(const double residual)
+      void note(const double residual)
       {
         const bool lower = residual < best;
         n_stalled        = lower ? 0 : n_stalled + 1;
@@ -291,8 +260,7 @@ namespace RollingContact
       /**
        * Go on from another traction, whatever its residual.
        */
-      void
-      restart(std::vector<double> other)
+      void restart(std::vector<double> other)
       {
         q         = std::move(other);
         n_stalled = 0;
@@ -307,11 +275,8 @@ namespace RollingContact
     };
   } // namespace
 
-
-
-  SolverReport
-  SemismoothNewton::solve(const TangentialProblem &problem,
-                          ContactState            &state) const
+  SolverReport SemismoothNewton::solve(const TangentialProblem &problem,
+                                       ContactState            &state) const
   {
     const unsigned int max_steps = 60, patience = 6, max_rescues = 4;
     SolverReport       report;
@@ -353,7 +318,7 @@ namespace RollingContact
             way.restart(gathered(touching.unknowns, state.traction));
             continue;
           }
-        DenseMatrix step;
+        std::vector<double> step;
         if (!newton_step(touching, way.q, rho, step))
           break;
         take_damped_step(touching, step, now, way.q);
@@ -365,12 +330,9 @@ namespace RollingContact
     return report;
   }
 
-
-
-  unsigned int
-  SemismoothNewton::rescue(const TangentialProblem &problem,
-                           const unsigned int       n_steps,
-                           ContactState            &state) const
+  unsigned int SemismoothNewton::rescue(const TangentialProblem &problem,
+                                        const unsigned int       n_steps,
+                                        ContactState            &state) const
   {
     SolverControls few = controls;
     few.max_iterations = n_steps;

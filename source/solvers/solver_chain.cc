@@ -16,8 +16,8 @@ namespace RollingContact
         : solvers(std::move(solvers))
       {}
 
-      SolverReport
-      solve(const ContactProblem &problem, ContactState &state) const override
+      SolverReport solve(const ContactProblem &problem,
+                         ContactState         &state) const override
       {
         const ContactState start = state;
         SolverReport       report;
@@ -36,8 +36,6 @@ namespace RollingContact
     };
   } // namespace
 
-
-
   SolverChain::SolverChain(std::shared_ptr<const ContactSolver> split,
                            const SolverControls                &controls)
     : split(std::move(split))
@@ -45,14 +43,11 @@ namespace RollingContact
     , controls(controls)
   {}
 
-
-
-  bool
-  SolverChain::attempt(const ContactSolver  &solver,
-                       const ContactProblem &problem,
-                       ContactState          from,
-                       SolverReport         &report,
-                       ContactState         &state) const
+  bool SolverChain::attempt(const ContactSolver  &solver,
+                            const ContactProblem &problem,
+                            ContactState          from,
+                            SolverReport         &report,
+                            ContactState         &state) const
   {
     const SolverReport next = solver.solve(problem, from);
     report.add_work(next);
@@ -70,10 +65,8 @@ namespace RollingContact
     return true;
   }
 
-
-
-  SolverReport
-  SolverChain::solve(const ContactProblem &problem, ContactState &state) const
+  SolverReport SolverChain::solve(const ContactProblem &problem,
+                                  ContactState         &state) const
   {
     complete(problem, state);
     state.edge_law            = true;

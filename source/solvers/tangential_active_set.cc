@@ -1,3 +1,4 @@
+#include <rolling_contact/algebra/lapack.h>
 #include <rolling_contact/solvers/semismooth_newton.h>
 #include <rolling_contact/solvers/tangential_active_set.h>
 
@@ -21,11 +22,10 @@ namespace RollingContact
 
     using States = std::vector<NodeState>;
 
-    States
-    classify(const TangentialProblem &problem,
-             const NodalField        &traction,
-             const NodalField        &slip,
-             const double             rho)
+    States classify(const TangentialProblem &problem,
+                    const NodalField        &traction,
+                    const NodalField        &slip,
+                    const double             rho)
     {
       States states(traction.n_nodes());
       for (std::size_t i = 0; i < states.size(); ++i)
@@ -39,17 +39,14 @@ namespace RollingContact
       return states;
     }
 
-
-
     /**
      * Traction of the given states: the bound where slip, zero slip where
      * stick.
      */
-    bool
-    solve_on(const TangentialProblem &problem,
-             const DenseMatrix       &slip_compliance,
-             const States            &states,
-             NodalField              &traction)
+    bool solve_on(const TangentialProblem &problem,
+                  const DenseMatrix       &slip_compliance,
+                  const States            &states,
+                  NodalField              &traction)
     {
       std::vector<unsigned int> stick;
       for (unsigned int i = 0; i < states.size(); ++i)
@@ -61,27 +58,19 @@ namespace RollingContact
             : states[i] == NodeState::slip_negative ? -problem.bound[i]
                                                     : 0.;
         }
-      const NodalField  known = problem.slip(traction);
-      const std::size_t n     = stick.size();
-      DenseMatrix       matrix(n, n), column(n, 1);
-      for (std::size_t j = 0; j < n; ++j)
-        for (std::size_t i = 0; i < n; ++i)
-          matrix(i, j) = slip_compliance(stick[i], stick[j]);
-      for (std::size_t i = 0; i < n; ++i)
-        column(i, 0) = -known(0, stick[i]);
+      const NodalField known  = problem.slip(traction);
+      DenseMatrix      matrix = slip_compliance(stick, stick);
+      Eigen::VectorXd  column = -as_vector(known.values())(stick);
       if (!solve_general(matrix, column))
         return false;
-      for (std::size_t i = 0; i < n; ++i)
-        traction(0, stick[i]) = column(i, 0);
+      for (std::size_t i = 0; i < stick.size(); ++i)
+        traction(0, stick[i]) = column[i];
       return true;
     }
   } // namespace
 
-
-
-  SolverReport
-  TangentialActiveSet::solve(const TangentialProblem &problem,
-                             ContactState            &state) const
+  SolverReport TangentialActiveSet::solve(const TangentialProblem &problem,
+                                          ContactState            &state) const
   {
     if (problem.contact.n_tangential() == 2)
       return SemismoothNewton(controls).solve(problem, state);

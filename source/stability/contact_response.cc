@@ -1,4 +1,4 @@
-#include <rolling_contact/linear_algebra/dense_eigenvalues.h>
+#include <rolling_contact/algebra/lapack.h>
 #include <rolling_contact/stability/contact_response.h>
 
 #include <algorithm>
@@ -12,63 +12,42 @@ namespace RollingContact
     , viscosity(contact.N_v * (W_res * contact.forces))
     , motion(contact.N_u * U)
     , velocity(contact.N_v * U)
-    , reaction(transposed(U) * contact.forces)
+    , reaction((U.transpose() * contact.forces).cast<std::complex<double>>())
   {
-    const std::size_t n = contact.n_unknowns();
-    for (std::size_t j = 0; j < n; ++j)
-      for (std::size_t i = 0; i < n; ++i)
-        {
-          statics(i, j) += contact.N_r(i, j);
-          viscosity(i, j) += contact.N_s(i, j);
-        }
+    statics += contact.N_r;
+    viscosity += contact.N_s;
     scale_rows();
   }
 
-
-
-  void
-  ContactResponse::scale_rows()
+  void ContactResponse::scale_rows()
   {
     const double rate = 1e4; // of squeal, 1/s
-    for (std::size_t i = 0; i < statics.n_rows(); ++i)
+    for (Eigen::Index i = 0; i < statics.rows(); ++i)
       {
-        double largest = 0.;
-        for (std::size_t j = 0; j < statics.n_columns(); ++j)
-          largest = std::max({largest,
-                              std::abs(statics(i, j)),
-                              rate * std::abs(viscosity(i, j))});
+        const double largest = statics.row(i)
+                                 .cwiseAbs()
+                                 .cwiseMax(rate * viscosity.row(i).cwiseAbs())
+                                 .maxCoeff();
         for (DenseMatrix *M : {&statics, &viscosity, &motion, &velocity})
-          for (std::size_t j = 0; j < M->n_columns() && largest > 0.; ++j)
-            (*M)(i, j) /= largest;
+          if (largest > 0.)
+            M->row(i) /= largest;
       }
   }
 
-
-
-  ComplexMatrix
-  ContactResponse::operator()(const std::complex<double> s) const
+  ComplexMatrix ContactResponse::operator()(const std::complex<double> s) const
   {
-    const ComplexLU factors(ComplexMatrix(statics, s, viscosity));
-    ComplexMatrix   driven(motion, s, velocity);
-    factors.solve(driven);
-    ComplexMatrix G = reaction * driven;
-    for (std::size_t k = 0; k < G.n_rows() * G.n_columns(); ++k)
-      G.data()[k] *= -1.;
-    return G;
+    ComplexMatrix driven = motion + s * velocity;
+    ComplexLU(statics + s * viscosity).solve(driven);
+    return -reaction * driven;
   }
 
-
-
-  ComplexVector
-  ContactResponse::poles(const double shift) const
+  ComplexValues ContactResponse::poles(const double shift) const
   {
     const double at_infinity = 1e-9; // of the nearest pole
-    DenseMatrix  shifted = statics, inverse = viscosity;
-    for (std::size_t k = 0; k < shifted.n_rows() * shifted.n_rows(); ++k)
-      shifted.data()[k] += shift * viscosity.data()[k];
+    DenseMatrix  shifted = statics + shift * viscosity, inverse = viscosity;
     solve_general(shifted, inverse);
-    const ComplexVector values = eigenvalues(std::move(inverse));
-    ComplexVector       finite;
+    const ComplexValues values = eigenvalues(std::move(inverse));
+    ComplexValues       finite;
     double              largest = 0.;
     for (const auto &value : values)
       largest = std::max(largest, std::abs(value));

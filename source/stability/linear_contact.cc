@@ -8,18 +8,15 @@
 
 namespace RollingContact
 {
-  unsigned int
-  LinearContact::n_slip() const
+  unsigned int LinearContact::n_slip() const
   {
     return std::count(slips.begin(), slips.end(), true);
   }
 
-
-
   namespace
   {
-    void
-    check_operators(const ContactProblem &problem, const ContactState &state)
+    void check_operators(const ContactProblem &problem,
+                         const ContactState   &state)
     {
       const ContactOperators &operators = problem.operators;
       const SlipOperatorKind  kind      = operators.slip_operator().kind();
@@ -37,11 +34,8 @@ namespace RollingContact
                          "steady states have one.");
     }
 
-
-
-    void
-    check_options(const ContactProblem       &problem,
-                  const LinearContactOptions &options)
+    void check_options(const ContactProblem       &problem,
+                       const LinearContactOptions &options)
     {
       if (!(options.speed > 0.) || !std::isfinite(options.speed))
         throw InputError("Contact/Speed = " + significant(options.speed, 6) +
@@ -62,8 +56,6 @@ namespace RollingContact
                          " s: it must be > 0 s.");
     }
 
-
-
     /**
      * Builds the rows node by node.
      */
@@ -74,42 +66,32 @@ namespace RollingContact
                     const ContactState         &state,
                     const LinearContactOptions &options);
 
-      LinearContact
-      build();
+      LinearContact build();
 
     private:
-      void
-      find_touching();
+      void find_touching();
 
-      void
-      find_slip();
+      void find_slip();
 
-      void
-      add_forces();
+      void add_forces();
 
-      void
-      add_normal_rows();
+      void add_normal_rows();
 
-      void
-      add_slip_rows(const unsigned int k);
+      void add_slip_rows(const unsigned int k);
 
-      void
-      add_stick_rows(const unsigned int k);
+      void add_stick_rows(const unsigned int k);
 
-      void
-      add_memory();
+      void add_memory();
 
       /**
        * Add @p factor times dv_c of node @p i to a row.
        */
-      void
-      add_sliding(const std::size_t  row,
-                  const unsigned int c,
-                  const unsigned int i,
-                  const double       factor);
+      void add_sliding(const std::size_t  row,
+                       const unsigned int c,
+                       const unsigned int i,
+                       const double       factor);
 
-      double
-      sliding_speed(const unsigned int i) const
+      double sliding_speed(const unsigned int i) const
       {
         return slip.norm_at(i) * options.speed;
       }
@@ -117,8 +99,7 @@ namespace RollingContact
       /**
        * Direction of the sliding velocity.
        */
-      double
-      direction(const unsigned int c, const unsigned int i) const
+      double direction(const unsigned int c, const unsigned int i) const
       {
         return slip(c, i) / slip.norm_at(i);
       }
@@ -134,8 +115,6 @@ namespace RollingContact
       std::size_t                 n_touching = 0;
       LinearContact               contact;
     };
-
-
 
     Linearisation::Linearisation(const ContactProblem       &problem,
                                  const ContactState         &state,
@@ -154,10 +133,7 @@ namespace RollingContact
       , T(problem.n_tangential())
     {}
 
-
-
-    void
-    Linearisation::find_touching()
+    void Linearisation::find_touching()
     {
       const std::vector<double> gap = normal_gap(problem, state);
       const double              largest =
@@ -179,10 +155,7 @@ namespace RollingContact
                          "stability could be asked for.");
     }
 
-
-
-    void
-    Linearisation::find_slip()
+    void Linearisation::find_slip()
     {
       contact.slips.assign(n_touching, false);
       if (T == 0)
@@ -203,10 +176,7 @@ namespace RollingContact
         }
     }
 
-
-
-    void
-    Linearisation::add_forces()
+    void Linearisation::add_forces()
     {
       std::vector<std::size_t> place(N, n_touching);
       for (std::size_t k = 0; k < n_touching; ++k)
@@ -219,22 +189,16 @@ namespace RollingContact
                 entry.second;
     }
 
-
-
-    void
-    Linearisation::add_normal_rows()
+    void Linearisation::add_normal_rows()
     {
       for (std::size_t k = 0; k < n_touching; ++k)
         contact.N_u(k, T * N + contact.touching[k]) = 1.;
     }
 
-
-
-    void
-    Linearisation::add_sliding(const std::size_t  row,
-                               const unsigned int c,
-                               const unsigned int i,
-                               const double       factor)
+    void Linearisation::add_sliding(const std::size_t  row,
+                                    const unsigned int c,
+                                    const unsigned int i,
+                                    const double       factor)
     {
       const double flow = operators.slip_operator().flow_direction();
       for (const auto &entry : tangential.rows.B1[i])
@@ -244,10 +208,7 @@ namespace RollingContact
         contact.N_v(row, c * N + entry.first) += factor * entry.second;
     }
 
-
-
-    void
-    Linearisation::add_slip_rows(const unsigned int k)
+    void Linearisation::add_slip_rows(const unsigned int k)
     {
       const unsigned int i        = contact.touching[k];
       const double       pressure = state.pressure[i];
@@ -282,10 +243,7 @@ namespace RollingContact
         }
     }
 
-
-
-    void
-    Linearisation::add_stick_rows(const unsigned int k)
+    void Linearisation::add_stick_rows(const unsigned int k)
     {
       for (std::size_t c = 0; c < T; ++c)
         add_sliding(n_touching + c * n_touching + k,
@@ -294,10 +252,7 @@ namespace RollingContact
                     1.);
     }
 
-
-
-    void
-    Linearisation::add_memory()
+    void Linearisation::add_memory()
     {
       const std::vector<double> &pressure = state.pressure;
       std::vector<double>        weights(N, 0.);
@@ -327,19 +282,16 @@ namespace RollingContact
         }
     }
 
-
-
-    LinearContact
-    Linearisation::build()
+    LinearContact Linearisation::build()
     {
       contact.n_nodes      = N;
       contact.n_tangential = T;
       find_touching();
       find_slip();
       const std::size_t n = (T + 1) * n_touching + (remembers ? 1 : 0);
-      contact.N_u = contact.N_v = DenseMatrix(n, (T + 1) * N);
-      contact.N_r = contact.N_s = DenseMatrix(n, n);
-      contact.forces            = DenseMatrix((T + 1) * N, n);
+      contact.N_u = contact.N_v = DenseMatrix::Zero(n, (T + 1) * N);
+      contact.N_r = contact.N_s = DenseMatrix::Zero(n, n);
+      contact.forces            = DenseMatrix::Zero((T + 1) * N, n);
       add_forces();
       add_normal_rows();
       for (std::size_t k = 0; T > 0 && k < n_touching; ++k)
@@ -353,12 +305,9 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  LinearContact
-  linear_contact(const ContactProblem       &problem,
-                 const ContactState         &state,
-                 const LinearContactOptions &options)
+  LinearContact linear_contact(const ContactProblem       &problem,
+                               const ContactState         &state,
+                               const LinearContactOptions &options)
   {
     check_operators(problem, state);
     check_options(problem, options);

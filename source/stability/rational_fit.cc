@@ -1,4 +1,4 @@
-#include <rolling_contact/linear_algebra/dense_eigenvalues.h>
+#include <rolling_contact/algebra/lapack.h>
 #include <rolling_contact/stability/rational_fit.h>
 
 #include <algorithm>
@@ -12,45 +12,32 @@ namespace RollingContact
      * A few random combinations of the columns, each scaled to largest entry 1:
      * what fits them fits all.
      */
-    ComplexMatrix
-    combinations(const ComplexMatrix &values)
+    ComplexMatrix combinations(const ComplexMatrix &values)
     {
-      const std::size_t n = values.n_rows(), n_functions = values.n_columns(),
-                        n_kept = std::min<std::size_t>(n_functions, 16);
-      std::mt19937                     generator(1);
+      const Eigen::Index n_kept = std::min<Eigen::Index>(values.cols(), 16);
+      std::mt19937       generator(1);
       std::normal_distribution<double> normal;
-      std::vector<double>              sizes(n_functions, 0.);
-      for (std::size_t j = 0; j < n_functions; ++j)
-        for (std::size_t i = 0; i < n; ++i)
-          sizes[j] = std::max(sizes[j], std::abs(values(i, j)));
-      const double least = 1e-9 * *std::max_element(sizes.begin(), sizes.end());
-      ComplexMatrix mixed(n, n_kept);
-      for (std::size_t j = 0; j < n_functions; ++j)
-        for (std::size_t k = 0; k < n_kept; ++k)
-          {
-            const double factor =
-              sizes[j] > 0. ? normal(generator) / std::max(sizes[j], least)
-                            : 0.;
-            for (std::size_t i = 0; i < n; ++i)
-              mixed(i, k) += factor * values(i, j);
-          }
+      const Eigen::RowVectorXd sizes = values.cwiseAbs().colwise().maxCoeff();
+      const double             least = 1e-9 * sizes.maxCoeff();
+      ComplexMatrix mixed = ComplexMatrix::Zero(values.rows(), n_kept);
+      for (Eigen::Index j = 0; j < values.cols(); ++j)
+        for (Eigen::Index k = 0; k < n_kept && sizes[j] > 0.; ++k)
+          mixed.col(k) +=
+            normal(generator) / std::max(sizes[j], least) * values.col(j);
       return mixed;
     }
-
-
 
     /**
      * The weights of the support points that solve the linearised problem of
      * least squares at the other points.
      */
-    ComplexVector
-    best_weights(const ComplexVector            &points,
-                 const ComplexMatrix            &values,
-                 const std::vector<std::size_t> &support,
-                 const std::vector<bool>        &is_support)
+    ComplexVector best_weights(const ComplexValues            &points,
+                               const ComplexMatrix            &values,
+                               const std::vector<std::size_t> &support,
+                               const std::vector<bool>        &is_support)
     {
       const std::size_t n_rest    = points.size() - support.size(),
-                        n_columns = values.n_columns();
+                        n_columns = values.cols();
       ComplexMatrix loewner(n_rest * n_columns, support.size());
       for (std::size_t l = 0; l < support.size(); ++l)
         {
@@ -65,38 +52,23 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  RationalFit::RationalFit(const ComplexVector &points,
+  RationalFit::RationalFit(const ComplexValues &points,
                            const ComplexMatrix &values,
                            const double         tolerance,
                            const unsigned int   most_points)
   {
-    const std::size_t   n         = points.size();
-    const ComplexMatrix mixed     = combinations(values);
-    const std::size_t   n_columns = mixed.n_columns();
-    ComplexMatrix       fitted(n, n_columns);
-    double              largest = 0.;
-    for (std::size_t k = 0; k < n_columns; ++k)
-      for (std::size_t i = 0; i < n; ++i)
-        {
-          largest = std::max(largest, std::abs(mixed(i, k)));
-          for (std::size_t j = 0; j < n; ++j)
-            fitted(j, k) += mixed(i, k) / static_cast<double>(n);
-        }
+    const std::size_t        n       = points.size();
+    const ComplexMatrix      mixed   = combinations(values);
+    const double             largest = mixed.cwiseAbs().maxCoeff();
+    ComplexMatrix            fitted  = mixed.colwise().mean().replicate(n, 1);
     std::vector<std::size_t> chosen;
     std::vector<bool>        is_chosen(n, false);
     while (true)
       {
-        std::size_t worst = 0;
-        double      error = 0.;
-        for (std::size_t i = 0; i < n; ++i)
-          for (std::size_t k = 0; k < n_columns && !is_chosen[i]; ++k)
-            if (std::abs(mixed(i, k) - fitted(i, k)) > error)
-              {
-                error = std::abs(mixed(i, k) - fitted(i, k));
-                worst = i;
-              }
+        // no error where points are chosen
+        Eigen::Index worst = 0;
+        const double error =
+          (mixed - fitted).cwiseAbs().rowwise().maxCoeff().maxCoeff(&worst);
         largest_error     = largest > 0. ? error / largest : 0.;
         const bool enough = largest_error <= tolerance && !chosen.empty();
         if (enough || chosen.size() >= most_points || 2 * chosen.size() + 2 > n)
@@ -106,32 +78,28 @@ namespace RollingContact
         weights          = best_weights(points, mixed, chosen, is_chosen);
         for (std::size_t i = 0; i < n; ++i)
           {
+            if (is_chosen[i])
+              {
+                fitted.row(i) = mixed.row(i);
+                continue;
+              }
             std::complex<double> sum = 0.;
-            ComplexVector        numerator(n_columns);
-            for (std::size_t l = 0; l < chosen.size() && !is_chosen[i]; ++l)
+            fitted.row(i).setZero();
+            for (std::size_t l = 0; l < chosen.size(); ++l)
               {
                 const auto part = weights[l] / (points[i] - points[chosen[l]]);
                 sum += part;
-                for (std::size_t k = 0; k < n_columns; ++k)
-                  numerator[k] += part * mixed(chosen[l], k);
+                fitted.row(i) += part * mixed.row(chosen[l]);
               }
-            for (std::size_t k = 0; k < n_columns; ++k)
-              fitted(i, k) = is_chosen[i] ? mixed(i, k) : numerator[k] / sum;
+            fitted.row(i) /= sum;
           }
       }
-    at_support = ComplexMatrix(values.n_columns(), chosen.size());
-    for (std::size_t l = 0; l < chosen.size(); ++l)
-      {
-        support.push_back(points[chosen[l]]);
-        for (std::size_t j = 0; j < values.n_columns(); ++j)
-          at_support(j, l) = values(chosen[l], j);
-      }
+    at_support = values(chosen, Eigen::all).transpose();
+    for (const std::size_t k : chosen)
+      support.push_back(points[k]);
   }
 
-
-
-  ComplexVector
-  RationalFit::operator()(const std::complex<double> s) const
+  ComplexVector RationalFit::operator()(const std::complex<double> s) const
   {
     ComplexVector        parts(support.size());
     std::complex<double> sum = 0.;
@@ -140,14 +108,12 @@ namespace RollingContact
         const std::complex<double> distance = s - support[l];
         if (std::abs(distance) <= 1e-13 * std::abs(s))
           {
-            std::fill(parts.begin(), parts.end(), 0.);
+            parts.setZero();
             parts[l] = sum = 1.;
             break;
           }
         sum += parts[l] = weights[l] / distance;
       }
-    for (auto &part : parts)
-      part /= sum;
-    return at_support * parts;
+    return at_support * (parts / sum);
   }
 } // namespace RollingContact

@@ -1,6 +1,6 @@
+#include <rolling_contact/algebra/lapack.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/linear_algebra/dense_eigenvalues.h>
 #include <rolling_contact/stability/reduced_pair.h>
 
 #include <cmath>
@@ -9,30 +9,25 @@ namespace RollingContact
 {
   namespace
   {
-    void
-    check_size(const DenseMatrix &M,
-               const std::string &name,
-               const std::size_t  n_rows,
-               const std::size_t  n_columns)
+    void check_size(const DenseMatrix &M,
+                    const std::string &name,
+                    const Eigen::Index n_rows,
+                    const Eigen::Index n_columns)
     {
-      if (M.n_rows() != n_rows || M.n_columns() != n_columns)
+      if (M.rows() != n_rows || M.cols() != n_columns)
         throw InputError(
-          name + " of the reduced bodies has " + std::to_string(M.n_rows()) +
-          " x " + std::to_string(M.n_columns()) + " entries; it needs " +
+          name + " of the reduced bodies has " + std::to_string(M.rows()) +
+          " x " + std::to_string(M.cols()) + " entries; it needs " +
           std::to_string(n_rows) + " x " + std::to_string(n_columns) + ".");
-      for (std::size_t k = 0; k < n_rows * n_columns; ++k)
-        if (!std::isfinite(M.data()[k]))
-          throw InputError(name + " of the reduced bodies has an entry that is "
-                                  "no number.");
+      if (!M.allFinite())
+        throw InputError(name + " of the reduced bodies has an entry that is "
+                                "no number.");
     }
   } // namespace
 
-
-
-  void
-  check(const ReducedPair &pair)
+  void check(const ReducedPair &pair)
   {
-    const std::size_t m = pair.n_modes(), n = pair.W_res.n_rows();
+    const std::size_t m = pair.n_modes(), n = pair.W_res.rows();
     check_size(pair.K_m, "The stiffness", m, m);
     check_size(pair.C_m, "The damping", m, m);
     check_size(pair.Phi, "The modes at the contact", n, m);
@@ -46,10 +41,8 @@ namespace RollingContact
 
     const std::vector<double> values  = symmetric_eigenvalues(pair.W_res);
     const double              largest = values.back();
-    double                    skew    = 0.;
-    for (std::size_t j = 0; j < n; ++j)
-      for (std::size_t i = 0; i < j; ++i)
-        skew = std::max(skew, std::abs(pair.W_res(i, j) - pair.W_res(j, i)));
+    const double              skew =
+      (pair.W_res - pair.W_res.transpose()).lpNorm<Eigen::Infinity>();
     if (skew > 1e-8 * std::abs(largest))
       throw InputError("The residual compliance is not symmetric: entries "
                        "differ by " +
@@ -63,19 +56,11 @@ namespace RollingContact
         "come from the same stiffness matrix.");
   }
 
-
-
-  void
-  add_rotation(ReducedPair &pair, const DenseMatrix &S, const double rate)
+  void add_rotation(ReducedPair &pair, const DenseMatrix &S, const double rate)
   {
     const std::size_t m = pair.n_modes();
     check_size(S, "The matrix of rotation", m, m);
-    const DenseMatrix S_S = S * S, C_S = pair.C_m * S;
-    for (std::size_t j = 0; j < m; ++j)
-      for (std::size_t i = 0; i < m; ++i)
-        {
-          pair.C_m(i, j) += 2 * rate * S(i, j);
-          pair.K_m(i, j) += rate * rate * S_S(i, j) + rate * C_S(i, j);
-        }
+    pair.K_m += rate * rate * S * S + rate * pair.C_m * S;
+    pair.C_m += 2 * rate * S;
   }
 } // namespace RollingContact

@@ -1,7 +1,7 @@
+#include <rolling_contact/algebra/lapack.h>
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/linear_algebra/dense_eigenvalues.h>
 #include <rolling_contact/stability/contact_response.h>
 #include <rolling_contact/stability/rational_fit.h>
 #include <rolling_contact/stability/unstable_count.h>
@@ -16,28 +16,12 @@ namespace RollingContact
     const double largest_phase_step   = 0.8;
     const double largest_modulus_step = 1.;
 
-    double
-    size(const ComplexMatrix &M)
+    double relative_difference(const ComplexMatrix &A, const ComplexMatrix &B)
     {
-      double sum = 0.;
-      for (std::size_t k = 0; k < M.n_rows() * M.n_columns(); ++k)
-        sum += std::norm(M.data()[k]);
-      return std::sqrt(sum);
-    }
-
-
-
-    double
-    relative_difference(const ComplexMatrix &A, const ComplexMatrix &B)
-    {
-      ComplexMatrix C = A;
-      for (std::size_t k = 0; k < A.n_rows() * A.n_columns(); ++k)
-        C.data()[k] -= B.data()[k];
-      return size(B) > 0. ? size(C) / size(B) : size(C);
+      const double size = B.norm(), difference = (A - B).norm();
+      return size > 0. ? difference / size : difference;
     }
   } // namespace
-
-
 
   UnstableCounter::UnstableCounter(const ReducedPair  &pair,
                                    const CountOptions &options)
@@ -57,61 +41,41 @@ namespace RollingContact
     set_contour();
   }
 
-
-
-  void
-  UnstableCounter::find_motions(const ReducedPair &pair)
+  void UnstableCounter::find_motions(const ReducedPair &pair)
   {
     DenseMatrix  flexible = pair.Phi;
     const double lowest   = std::pow(2 * pi * options.lowest_frequency, 2.);
     for (std::size_t k = 0; k < pair.n_modes(); ++k)
-      for (std::size_t i = 0; i < flexible.n_rows(); ++i)
-        flexible(i, k) /= std::sqrt(std::max(std::abs(K_m(k, k)), lowest));
+      flexible.col(k) /= std::sqrt(std::max(std::abs(K_m(k, k)), lowest));
     std::vector<double> values;
     const DenseMatrix all = left_singular_vectors(std::move(flexible), values);
     std::size_t       p   = 0;
     while (p < values.size() &&
            values[p] > options.motion_tolerance * values[0])
       ++p;
-    U = DenseMatrix(all.n_rows(), p);
-    std::copy(all.data(), all.data() + all.n_rows() * p, U.data());
-    L = transposed(pair.Phi) * U;
+    U = all.leftCols(p);
+    L = pair.Phi.transpose() * U;
   }
 
-
-
-  void
-  UnstableCounter::find_poles(const ReducedPair &pair)
+  void UnstableCounter::find_poles(const ReducedPair &pair)
   {
     const std::size_t m = pair.n_modes();
     const double      rate =
       2 * pi * std::sqrt(options.lowest_frequency * options.highest_frequency);
     DenseMatrix first_order(2 * m, 2 * m);
-    for (std::size_t j = 0; j < m; ++j)
-      {
-        first_order(j, m + j) = rate;
-        for (std::size_t i = 0; i < m; ++i)
-          {
-            first_order(m + i, j)     = -K_m(i, j) / rate;
-            first_order(m + i, m + j) = -C_m(i, j);
-          }
-      }
+    first_order << DenseMatrix::Zero(m, m), rate * DenseMatrix::Identity(m, m),
+      -K_m / rate, -C_m;
     const Eigenpairs pairs = eigenpairs(std::move(first_order));
     poles                  = pairs.values;
-    ComplexMatrix shapes(m, 2 * m);
-    right = ComplexMatrix(2 * m, n_motions());
-    for (std::size_t j = 0; j < 2 * m; ++j)
-      for (std::size_t i = 0; i < m; ++i)
-        shapes(i, j) = pairs.vectors(i, j);
-    for (std::size_t j = 0; j < n_motions(); ++j)
-      for (std::size_t i = 0; i < m; ++i)
-        right(m + i, j) = L(i, j) / rate;
+    right                  = ComplexMatrix::Zero(2 * m, n_motions());
+    right.bottomRows(m)    = (L / rate).cast<std::complex<double>>();
     const ComplexLU factors(pairs.vectors);
     poles_hold = !factors.singular();
     if (poles_hold)
       {
         factors.solve(right);
-        left = ComplexMatrix(transposed(L)) * shapes;
+        left =
+          L.transpose().cast<std::complex<double>>() * pairs.vectors.topRows(m);
       }
     // vectors that nearly coincide, as those of rigid modes, give no residues
     for (const double share : {0.07, 0.31, 0.83})
@@ -125,22 +89,16 @@ namespace RollingContact
         }
   }
 
-
-
   ComplexMatrix
   UnstableCounter::solved_response(const std::complex<double> s) const
   {
-    ComplexMatrix     D(K_m, s, C_m);
-    const std::size_t m = K_m.n_rows();
-    for (std::size_t k = 0; k < m; ++k)
-      D(k, k) += s * s;
-    ComplexMatrix   X(L);
-    const ComplexLU factors(std::move(D));
-    factors.solve(X);
-    return ComplexMatrix(transposed(L)) * X;
+    ComplexMatrix D = K_m + s * C_m;
+    D.diagonal().array() += s * s;
+    const ComplexMatrix forces = L.cast<std::complex<double>>();
+    ComplexMatrix       X      = forces;
+    ComplexLU(std::move(D)).solve(X);
+    return forces.transpose() * X;
   }
-
-
 
   ComplexMatrix
   UnstableCounter::body_response(const std::complex<double> s) const
@@ -149,18 +107,11 @@ namespace RollingContact
       return solved_response(s);
     ComplexMatrix weighted = right;
     for (std::size_t i = 0; i < poles.size(); ++i)
-      {
-        const std::complex<double> factor = 1. / (s - poles[i]);
-        for (std::size_t j = 0; j < weighted.n_columns(); ++j)
-          weighted(i, j) *= factor;
-      }
+      weighted.row(i) /= s - poles[i];
     return left * weighted;
   }
 
-
-
-  void
-  UnstableCounter::set_contour()
+  void UnstableCounter::set_contour()
   {
     const double low  = 2 * pi * options.lowest_frequency,
                  high = 2 * pi * options.highest_frequency,
@@ -207,15 +158,12 @@ namespace RollingContact
       response.push_back(body_response(s));
   }
 
-
-
-  ComplexVector
-  UnstableCounter::fit_points() const
+  ComplexValues UnstableCounter::fit_points() const
   {
     const double low  = 2 * pi * options.lowest_frequency,
                  high = 2 * pi * options.highest_frequency,
                  from = options.least_growth;
-    ComplexVector points;
+    ComplexValues points;
     const int     n = 40;
     for (int k = 0; k <= n; ++k)
       {
@@ -233,10 +181,7 @@ namespace RollingContact
     return points;
   }
 
-
-
-  bool
-  UnstableCounter::inside(const std::complex<double> s) const
+  bool UnstableCounter::inside(const std::complex<double> s) const
   {
     return s.real() > options.least_growth &&
            s.real() <
@@ -244,8 +189,6 @@ namespace RollingContact
            s.imag() > 2 * pi * options.lowest_frequency &&
            s.imag() < 2 * pi * options.highest_frequency;
   }
-
-
 
   namespace
   {
@@ -264,11 +207,10 @@ namespace RollingContact
         , result(result)
       {}
 
-      double
-      between(const std::complex<double> a,
-              const std::complex<double> at_a,
-              const std::complex<double> b,
-              const std::complex<double> at_b)
+      double between(const std::complex<double> a,
+                     const std::complex<double> at_a,
+                     const std::complex<double> b,
+                     const std::complex<double> at_b)
       {
         const double step   = std::remainder(at_b.imag() - at_a.imag(), 2 * pi),
                      growth = std::abs(at_b.real() - at_a.real());
@@ -293,56 +235,31 @@ namespace RollingContact
       UnstableCount   &result;
     };
 
-
-
-    ComplexMatrix
-    reshaped(const ComplexVector &values, const std::size_t n)
-    {
-      ComplexMatrix M(n, n);
-      std::copy(values.begin(), values.end(), M.data());
-      return M;
-    }
-
-
-
-    RationalFit
-    fit_of(const ContactResponse &direct,
-           const ComplexVector   &points,
-           const std::size_t      p)
+    RationalFit fit_of(const ContactResponse &direct,
+                       const ComplexValues   &points,
+                       const std::size_t      p)
     {
       ComplexMatrix values(points.size(), p * p);
       for (std::size_t i = 0; i < points.size(); ++i)
-        {
-          const ComplexMatrix G = direct(points[i]);
-          for (std::size_t k = 0; k < p * p; ++k)
-            values(i, k) = G.data()[k];
-        }
+        values.row(i) = direct(points[i]).reshaped();
       return RationalFit(points, values);
     }
-
-
 
     /**
      * ln det(I - H G).
      */
-    std::complex<double>
-    log_determinant(const ComplexMatrix &H, const ComplexMatrix &G)
+    std::complex<double> log_determinant(const ComplexMatrix &H,
+                                         const ComplexMatrix &G)
     {
-      ComplexMatrix M = H * G;
-      for (std::size_t k = 0; k < M.n_rows() * M.n_rows(); ++k)
-        M.data()[k] *= -1.;
-      for (std::size_t k = 0; k < M.n_rows(); ++k)
-        M(k, k) += 1.;
+      ComplexMatrix M = -H * G;
+      M.diagonal().array() += 1.;
       return ComplexLU(std::move(M)).log_determinant();
     }
   } // namespace
 
-
-
-  UnstableCount
-  UnstableCounter::count(const LinearContact &contact) const
+  UnstableCount UnstableCounter::count(const LinearContact &contact) const
   {
-    if (contact.forces.n_rows() != W_res.n_rows())
+    if (contact.forces.rows() != W_res.rows())
       throw InputError("Bodies and contact of a count of unstable modes do not "
                        "have the same nodes.");
     UnstableCount         result;
@@ -351,17 +268,17 @@ namespace RollingContact
     const RationalFit     fit = fit_of(direct, fit_points(), p);
     // where no point of the fit is
     for (std::size_t k = 7; k < contour.size(); k += contour.size() / 23)
-      if (relative_difference(reshaped(fit(contour[k]), p),
+      if (relative_difference(fit(contour[k]).reshaped(p, p),
                               direct(contour[k])) > 1e-7)
         result.fitted = false;
     const MatrixFunction G = [&](const std::complex<double> s) {
-      return result.fitted ? reshaped(fit(s), p) : direct(s);
+      return result.fitted ? ComplexMatrix(fit(s).reshaped(p, p)) : direct(s);
     };
     const Turning::Logarithm logarithm = [&](const std::complex<double> s) {
       return log_determinant(body_response(s), G(s));
     };
 
-    ComplexVector logarithms;
+    ComplexValues logarithms;
     for (std::size_t k = 0; k < contour.size(); ++k)
       logarithms.push_back(log_determinant(response[k], G(contour[k])));
     result.n_points = contour.size();

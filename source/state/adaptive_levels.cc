@@ -1,6 +1,6 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/elasticity/error_indicator.h>
+#include <rolling_contact/bodies/error_indicator.h>
 #include <rolling_contact/state/adaptive_levels.h>
 
 #include <cmath>
@@ -17,16 +17,11 @@ namespace RollingContact
      */
     const double bulk_fraction = 0.3;
 
-    const unsigned int max_enlargements = 5;
-
-
-
     /**
      * Nodes of the uniform part of the contact zone, at least.
      */
     template <int dim>
-    double
-    estimated_contact_nodes(const Grading<dim> &grading)
+    double estimated_contact_nodes(const Grading<dim> &grading)
     {
       const double along = 2 * grading.zone_x / grading.element_size_x;
       if (dim == 2)
@@ -36,14 +31,11 @@ namespace RollingContact
              grading.element_size_y;
     }
 
-
-
     /**
      * A cell of the trace as a flat box of the chart.
      */
     template <int dim>
-    std::pair<Point<dim>, Point<dim>>
-    chart_box(const Trace::Cell &cell)
+    std::pair<Point<dim>, Point<dim>> chart_box(const Trace::Cell &cell)
     {
       std::pair<Point<dim>, Point<dim>> box;
       for (unsigned int d = 0; d < dim - 1; ++d)
@@ -54,11 +46,8 @@ namespace RollingContact
       return box;
     }
 
-
-
     template <int dim>
-    RefinedBox<dim>
-    halved(const Trace::Cell &cell, const Grading<dim> &grading)
+    RefinedBox<dim> halved(const Trace::Cell &cell, const Grading<dim> &grading)
     {
       RefinedBox<dim> box;
       std::tie(box.lower, box.upper) = chart_box<dim>(cell);
@@ -68,16 +57,13 @@ namespace RollingContact
       return box;
     }
 
-
-
     /**
      * How many times a face of the surface is split, itself and its parts.
      */
     template <int dim>
-    std::size_t
-    n_splits(const Point<dim>   &lower,
-             const Point<dim>   &upper,
-             const Grading<dim> &grading)
+    std::size_t n_splits(const Point<dim>   &lower,
+                         const Point<dim>   &upper,
+                         const Grading<dim> &grading)
     {
       if (!grading.refine(lower, upper))
         return 0;
@@ -95,15 +81,12 @@ namespace RollingContact
       return n;
     }
 
-
-
     /**
      * Contact nodes that a refined grading adds: in the inside of a refined
      * region, one for each split in 2D and three in 3D.
      */
     template <int dim>
-    std::size_t
-    n_new_nodes(const Trace &trace, const Grading<dim> &grading)
+    std::size_t n_new_nodes(const Trace &trace, const Grading<dim> &grading)
     {
       std::size_t n = 0;
       for (const Trace::Cell &cell : trace.cells)
@@ -114,11 +97,8 @@ namespace RollingContact
       return n * ((1u << (dim - 1)) - 1);
     }
 
-
-
     template <int dim>
-    LevelValues
-    level_values(const SteadyState<dim> &steady)
+    LevelValues level_values(const SteadyState<dim> &steady)
     {
       const Resultants &result = steady.result;
       LevelValues       level;
@@ -131,33 +111,8 @@ namespace RollingContact
     }
   } // namespace
 
-
-
   template <int dim>
-  ContactState
-  transferred_state(const SteadyState<dim> &previous,
-                    const ContactProblem   &problem)
-  {
-    const ContactState &old   = previous.state;
-    ContactState        state = open_state(problem);
-    state.approach            = old.approach;
-    for (unsigned int i = 0; i < problem.n_nodes(); ++i)
-      if (const auto weights = previous.pair->trace().interpolation(
-            problem.operators.positions()[i][0],
-            problem.operators.positions()[i][1]))
-        {
-          state.pressure[i] = apply(*weights, old.pressure);
-          for (unsigned int c = 0; c < problem.n_tangential(); ++c)
-            state.traction(c, i) = apply(*weights, old.traction, c);
-        }
-    return state;
-  }
-
-
-
-  template <int dim>
-  void
-  AdaptiveLevels<dim>::check_budget() const
+  void AdaptiveLevels<dim>::check_budget() const
   {
     if (scene.mesh.adaptive_levels == 0)
       return;
@@ -176,16 +131,14 @@ namespace RollingContact
                        "smaller Mesh/Candidate zone or a larger budget.");
   }
 
-
-
   template <int dim>
-  SteadyState<dim>
-  AdaptiveLevels<dim>::run(
+  SteadyState<dim> AdaptiveLevels<dim>::run(
     const std::function<void(const SteadyState<dim> &)> &on_level)
   {
     check_budget();
-    LevelHistory     history;
-    SteadyState<dim> steady = solve_steady_state<dim>(scene, demands, context);
+    LevelHistory           history;
+    const StateFinder<dim> finder(scene, demands, context);
+    SteadyState<dim>       steady = finder.find();
     history.add(level_values(steady));
     on_level(steady);
     Grading<dim> grading = steady.grading;
@@ -194,8 +147,11 @@ namespace RollingContact
            refine(steady, grading))
       {
         steady.pair->release_statics();
-        steady  = solve_next(steady, grading);
-        grading = steady.grading;
+        const unsigned int level = steady.level + 1;
+        steady =
+          finder.find_from(steady, grading, "Level " + std::to_string(level));
+        steady.level = level;
+        grading      = steady.grading;
         history.add(level_values(steady));
         steady.change = history.change();
         steady.limit  = history.limit();
@@ -211,45 +167,9 @@ namespace RollingContact
     return steady;
   }
 
-
-
   template <int dim>
-  SteadyState<dim>
-  AdaptiveLevels<dim>::solve_next(const SteadyState<dim> &previous,
-                                  Grading<dim>            grading)
-  {
-    for (unsigned int attempt = 0; attempt < max_enlargements; ++attempt)
-      {
-        SteadyState<dim> next = solve_on<dim>(
-          scene,
-          demands,
-          grading,
-          [&](const ContactProblem &problem) {
-            return transferred_state(previous, problem);
-          },
-          context);
-        next.level = previous.level + 1;
-        // the patch of a state that is none means nothing
-        if (!next.solver.converged || !zone_too_small(next))
-          return next;
-        grading.enlarge_zone(1u << attempt);
-        context.log.message(
-          "The patch reaches the border of the candidate zone; the zone is "
-          "enlarged to " +
-          significant(grading.zone_x, 3) + " m on both sides.");
-      }
-    throw ConvergenceError("Level " + std::to_string(previous.level + 1) +
-                           ": the patch still reaches the border of the "
-                           "candidate zone after " +
-                           std::to_string(max_enlargements) + " enlargements.");
-  }
-
-
-
-  template <int dim>
-  bool
-  AdaptiveLevels<dim>::refine(const SteadyState<dim> &steady,
-                              Grading<dim>           &grading)
+  bool AdaptiveLevels<dim>::refine(const SteadyState<dim> &steady,
+                                   Grading<dim>           &grading)
   {
     const bool refined = scene.mesh.level_marking == LevelMarking::uniform
                            ? refine_uniformly(steady, grading)
@@ -262,12 +182,9 @@ namespace RollingContact
     return refined;
   }
 
-
-
   template <int dim>
-  bool
-  AdaptiveLevels<dim>::refine_uniformly(const SteadyState<dim> &steady,
-                                        Grading<dim>           &grading)
+  bool AdaptiveLevels<dim>::refine_uniformly(const SteadyState<dim> &steady,
+                                             Grading<dim>           &grading)
   {
     if (steady.problem.n_nodes() << (dim - 1) > scene.mesh.contact_node_budget)
       return false;
@@ -277,12 +194,9 @@ namespace RollingContact
     return true;
   }
 
-
-
   template <int dim>
-  bool
-  AdaptiveLevels<dim>::refine_marked(const SteadyState<dim> &steady,
-                                     Grading<dim>           &grading)
+  bool AdaptiveLevels<dim>::refine_marked(const SteadyState<dim> &steady,
+                                          Grading<dim>           &grading)
   {
     const Trace &trace = steady.pair->trace();
     const auto   marks = refinement_marks(trace, steady.problem, steady.state);
@@ -308,12 +222,9 @@ namespace RollingContact
     return refined;
   }
 
-
-
   template <int dim>
-  void
-  AdaptiveLevels<dim>::add_bulk_boxes(const SteadyState<dim> &steady,
-                                      Grading<dim>           &grading)
+  void AdaptiveLevels<dim>::add_bulk_boxes(const SteadyState<dim> &steady,
+                                           Grading<dim>           &grading)
   {
     const RollingPair<dim> &pair = *steady.pair;
     for (const Side side : both_sides)
@@ -331,12 +242,6 @@ namespace RollingContact
         }
   }
 
-
-
   template class AdaptiveLevels<2>;
   template class AdaptiveLevels<3>;
-  template ContactState
-  transferred_state(const SteadyState<2> &, const ContactProblem &);
-  template ContactState
-  transferred_state(const SteadyState<3> &, const ContactProblem &);
 } // namespace RollingContact

@@ -1,5 +1,5 @@
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/pair/compliance_update.h>
+#include <rolling_contact/solvers/compliance_update.h>
 #include <rolling_contact/solvers/force_control.h>
 #include <rolling_contact/state/steady_state.h>
 
@@ -11,10 +11,9 @@ namespace RollingContact
   namespace
   {
     template <int dim>
-    void
-    solve_once(const SceneParameters &scene,
-               const StateDemands    &demands,
-               SteadyState<dim>      &steady)
+    void solve_once(const PairSpec     &scene,
+                    const StateDemands &demands,
+                    SteadyState<dim>   &steady)
     {
       steady.solver = solve_updating_compliance(
         *make_contact_solver(scene.solver.solver, scene.solver.controls),
@@ -28,8 +27,6 @@ namespace RollingContact
         steady.state);
     }
 
-
-
     /**
      * The load of the pressure by secants between those that gave too little
      * and too much: the force of friction changes little with it. On a mesh it
@@ -37,10 +34,9 @@ namespace RollingContact
      * the load or at a jump beyond which it lies.
      */
     template <int dim>
-    void
-    solve_inclined(const SceneParameters &scene,
-                   const StateDemands    &demands,
-                   SteadyState<dim>      &steady)
+    void solve_inclined(const PairSpec     &scene,
+                        const StateDemands &demands,
+                        SteadyState<dim>   &steady)
     {
       const InclinedLoad asked = *steady.problem.loads.inclined_load;
       const double cosine = std::cos(asked.angle), sine = std::sin(asked.angle),
@@ -92,13 +88,10 @@ namespace RollingContact
     }
   } // namespace
 
-
-
   template <int dim>
-  void
-  solve_contact(const SceneParameters &scene,
-                const StateDemands    &demands,
-                SteadyState<dim>      &steady)
+  void solve_contact(const PairSpec     &scene,
+                     const StateDemands &demands,
+                     SteadyState<dim>   &steady)
   {
     const auto solve = [&]() {
       steady.problem.loads.inclined_load
@@ -114,14 +107,8 @@ namespace RollingContact
                       : solve();
   }
 
-
-
   template void
-  solve_contact(const SceneParameters &,
-                const StateDemands &,
-                SteadyState<2> &);
+  solve_contact(const PairSpec &, const StateDemands &, SteadyState<2> &);
   template void
-  solve_contact(const SceneParameters &,
-                const StateDemands &,
-                SteadyState<3> &);
+  solve_contact(const PairSpec &, const StateDemands &, SteadyState<3> &);
 } // namespace RollingContact

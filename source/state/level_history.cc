@@ -7,8 +7,7 @@ namespace RollingContact
 {
   namespace
   {
-    double
-    difference(const LevelValues &a, const LevelValues &b)
+    double difference(const LevelValues &a, const LevelValues &b)
     {
       const auto relative = [&](const LevelValues::Quantity quantity) {
         const double scale = std::abs(a.values[quantity]);
@@ -28,13 +27,11 @@ namespace RollingContact
                        relative(LevelValues::approach)});
     }
 
-
-
     /**
      * Factor from one change to the next of the quantity that changes most.
      */
-    double
-    shrinkage(const std::vector<LevelValues> &levels, const std::size_t n)
+    double shrinkage(const std::vector<LevelValues> &levels,
+                     const std::size_t               n)
     {
       if (n < 3)
         return 1. / 3;
@@ -43,13 +40,11 @@ namespace RollingContact
       return before > 0. ? std::clamp(now / before, 1. / 8, 2. / 3) : 1. / 3;
     }
 
-
-
     /**
      * The limit of the first @p n levels.
      */
-    LevelValues
-    extrapolated(const std::vector<LevelValues> &levels, const std::size_t n)
+    LevelValues extrapolated(const std::vector<LevelValues> &levels,
+                             const std::size_t               n)
     {
       const double factor = shrinkage(levels, n),
                    weight = factor / (1 - factor);
@@ -61,20 +56,14 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  std::optional<double>
-  LevelHistory::change() const
+  std::optional<double> LevelHistory::change() const
   {
     if (levels.size() < 2)
       return {};
     return difference(levels.back(), levels[levels.size() - 2]);
   }
 
-
-
-  std::optional<LevelLimit>
-  LevelHistory::limit() const
+  std::optional<LevelLimit> LevelHistory::limit() const
   {
     const std::size_t n = levels.size();
     if (n < 2)

@@ -13,9 +13,8 @@ namespace RollingContact
      * patches of profiles that are wider, as their pressure varies across more
      * than that of an ellipse.
      */
-    unsigned int
-    elements_across_y(const PatchEstimate &patch,
-                      const unsigned int   elements_across_patch)
+    unsigned int elements_across_y(const PatchEstimate &patch,
+                                   const unsigned int   elements_across_patch)
     {
       const double       longest = 1.9; // over the width of an element
       const unsigned int least   = 6;
@@ -28,17 +27,14 @@ namespace RollingContact
                                     std::max<double>(least, enough));
     }
 
-
-
     /**
-     * Of several patches the shortest has at least half the elements along x
-     * that the longest should have, the narrowest at least six across.
+     * Give the shortest of several patches at least half the elements along x
+     * that the longest should have, and the narrowest at least six across.
      */
     template <int dim>
-    void
-    resolve_smallest_patch(const PatchEstimate &patch,
-                           const unsigned int   elements_across_patch,
-                           Grading<dim>        &grading)
+    void resolve_smallest_patch(const PatchEstimate &patch,
+                                const unsigned int   elements_across_patch,
+                                Grading<dim>        &grading)
     {
       grading.element_size_x =
         std::min(grading.element_size_x,
@@ -47,14 +43,11 @@ namespace RollingContact
         std::min(grading.element_size_y, 2 * patch.narrowest_y / 6);
     }
 
-
-
     /**
      * The boxes of the patch in place of its ellipse, with as much around them.
      */
     template <int dim>
-    void
-    set_zone_boxes(const PatchEstimate &patch, Grading<dim> &grading)
+    void set_zone_boxes(const PatchEstimate &patch, Grading<dim> &grading)
     {
       const double around_x = grading.zone_x - patch.half_width_x,
                    around_y = grading.zone_y - patch.half_width_y,
@@ -78,15 +71,12 @@ namespace RollingContact
     }
   } // namespace
 
-
-
   template <int dim>
-  Grading<dim>
-  make_grading(const SceneParameters &scene,
-               const StateDemands    &demands,
-               const PatchEstimate   &patch,
-               const unsigned int     elements_across_patch,
-               const double           offset)
+  Grading<dim> make_grading(const PairSpec      &scene,
+                            const StateDemands  &demands,
+                            const PatchEstimate &patch,
+                            const unsigned int   elements_across_patch,
+                            const double         offset)
   {
     const MeshParameters &mesh = scene.mesh;
     Grading<dim>          grading;
@@ -122,18 +112,14 @@ namespace RollingContact
     return grading;
   }
 
-
-
-  template Grading<2>
-  make_grading(const SceneParameters &,
-               const StateDemands &,
-               const PatchEstimate &,
-               const unsigned int,
-               const double);
-  template Grading<3>
-  make_grading(const SceneParameters &,
-               const StateDemands &,
-               const PatchEstimate &,
-               const unsigned int,
-               const double);
+  template Grading<2> make_grading(const PairSpec &,
+                                   const StateDemands &,
+                                   const PatchEstimate &,
+                                   const unsigned int,
+                                   const double);
+  template Grading<3> make_grading(const PairSpec &,
+                                   const StateDemands &,
+                                   const PatchEstimate &,
+                                   const unsigned int,
+                                   const double);
 } // namespace RollingContact

@@ -14,10 +14,7 @@ namespace RollingContact
     const double notable = 0.05, too_short = 0.05;
   } // namespace
 
-
-
-  std::string
-  judge(const Examined &it, const ShortWaves &found)
+  std::string judge(const Examined &it, const ShortWaves &found)
   {
     const std::string given = it.entry + " = " + it.text + ": ",
                       more  = " Take more Mesh/Elements across patch, or leave "
@@ -48,14 +45,11 @@ namespace RollingContact
     return "";
   }
 
-
-
-  void
-  check_seam(const HeightExpression &expression,
-             const Examined         &it,
-             const double            turn,
-             const double            begin,
-             const double            end)
+  void check_seam(const HeightExpression &expression,
+                  const Examined         &it,
+                  const double            turn,
+                  const double            begin,
+                  const double            end)
   {
     // half a turn from 0, where one turn ends and the next begins
     const double seam = turn * (std::floor(begin / turn + 0.5) + 0.5);

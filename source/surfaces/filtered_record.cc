@@ -14,18 +14,16 @@ namespace RollingContact
     using cardinal_cubic_b_spline::cardinal_cubic_b_spline;
   };
 
-
-
   namespace
   {
     const double closes = 0.01; // of the circumference
 
-    /** So many values of the other end in front and behind: what the spline
-     * takes its ends for has died away by 1e-11. */
+    /**
+     * Number of values repeated from the other end in front and behind, so many
+     * that the influence of the spline's end conditions has decayed to 1e-11.
+     */
     const std::size_t n_overlapping = 20;
   } // namespace
-
-
 
   FilteredRecord::FilteredRecord(const SurfaceRecord   &record,
                                  const Signals::CutOff &cut_off,
@@ -77,10 +75,7 @@ namespace RollingContact
                                           spacing);
   }
 
-
-
-  double
-  FilteredRecord::value(const double position) const
+  double FilteredRecord::value(const double position) const
   {
     if (period > 0.)
       return (*curve)(position -

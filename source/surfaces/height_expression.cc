@@ -12,16 +12,13 @@ namespace RollingContact
 {
   using namespace dealii;
 
-  void
-  HeightExpression::reject(const std::string &reason) const
+  void HeightExpression::reject(const std::string &reason) const
   {
     throw InputError(entry + " = " + text + ": " + reason +
                      " Give an expression in x and y (m) such as "
                      "2e-6*cos(2*pi*x/1e-3)" +
                      otherwise);
   }
-
-
 
   HeightExpression::HeightExpression(const std::string &entry,
                                      const std::string &text,
@@ -55,10 +52,7 @@ namespace RollingContact
                              : unknown);
   }
 
-
-
-  double
-  HeightExpression::value(const double x, const double y) const
+  double HeightExpression::value(const double x, const double y) const
   {
     if (!expression)
       return 0.;

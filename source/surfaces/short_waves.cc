@@ -1,5 +1,4 @@
-#include <rolling_contact/base/constants.h>
-#include <rolling_contact/signals/fourier.h>
+#include <rolling_contact/algebra/welch.h>
 #include <rolling_contact/surfaces/short_waves.h>
 
 #include <algorithm>
@@ -14,30 +13,15 @@ namespace RollingContact
     const std::size_t  longest_stretch = 256 * per_element,
                       shortest_stretch = 16 * per_element;
 
-
-
     /** Add what a stretch of samples has. */
-    void
-    examine(std::vector<double> samples, ShortWaves &found)
+    void examine(const std::vector<double> &samples, ShortWaves &found)
     {
-      const std::size_t n    = samples.size();
-      double            mean = 0., squares = 0.;
-      for (const double sample : samples)
-        mean += sample / n;
-      for (std::size_t j = 0; j < n; ++j)
+      const std::size_t n     = samples.size();
+      const auto        lines = Signals::segment_amplitudes(samples, n).front();
+      double            all = 0., two = 0., four = 0.;
+      for (std::size_t k = 1; k < lines.size(); ++k)
         {
-          const double window = (1 - std::cos(2 * pi * j / n)) / 2;
-          samples[j]          = window * (samples[j] - mean);
-          squares += window * window;
-        }
-      const auto sums = Signals::fourier_sums(std::move(samples));
-      double     all  = 0.;
-      double     two  = 0.;
-      double     four = 0.;
-      for (std::size_t k = 1; k < sums.size(); ++k)
-        {
-          const double power =
-            (2 * k < n ? 2 : 1) * std::norm(sums[k]) / (n * squares);
+          const double power = std::norm(lines[k]);
           // waves per element; the window spreads a wave over its neighbours
           const double waves = (k - 2.) / n * per_element;
           all += power;
@@ -50,13 +34,10 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  ShortWaves
-  short_waves(const std::function<double(const double)> &height,
-              const double                               begin,
-              const double                               end,
-              const double                               element)
+  ShortWaves short_waves(const std::function<double(const double)> &height,
+                         const double                               begin,
+                         const double                               end,
+                         const double                               element)
   {
     const double      step = element / per_element;
     const std::size_t n    = std::clamp<double>(std::ceil((end - begin) / step),
@@ -86,7 +67,7 @@ namespace RollingContact
                 found.steepest_from = from + (j - 1) * step;
               }
           }
-        examine(std::move(samples), found);
+        examine(samples, found);
       }
     return found;
   }

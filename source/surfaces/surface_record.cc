@@ -6,26 +6,24 @@
 #include <rolling_contact/base/files.h>
 #include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/text.h>
+#include <rolling_contact/input/text_table.h>
 #include <rolling_contact/surfaces/surface_record.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <optional>
-#include <sstream>
 
 namespace RollingContact
 {
   namespace
   {
-    const std::size_t least_points = 10, most_bytes = 200'000'000;
+    const std::size_t least_heights = 10, most_bytes = 200'000'000;
 
     const double largest_gap = 2.5;  // over the median of the spacings
     const double uneven      = 0.01; // of a spacing
 
     const std::string keyword = "table:";
-
-
 
     /** What the text of the entry names. */
     struct Source
@@ -33,8 +31,6 @@ namespace RollingContact
       std::string file;
       std::size_t column = 2;
     };
-
-
 
     /**
      * Reads a file into points and complains about its lines.
@@ -53,8 +49,8 @@ namespace RollingContact
         read(source.column);
       }
 
-      [[noreturn]] void
-      reject(const std::string &reason, const std::size_t line = 0) const
+      [[noreturn]] void reject(const std::string &reason,
+                               const std::size_t  line = 0) const
       {
         throw InputError(
           entry + " = " + quotable(text, 200) + ": " +
@@ -62,8 +58,7 @@ namespace RollingContact
           (line > 0 ? ", line " + std::to_string(line) : "") + ": " + reason);
       }
 
-      std::filesystem::path
-      file() const
+      std::filesystem::path file() const
       {
         return path;
       }
@@ -72,12 +67,11 @@ namespace RollingContact
       std::vector<std::size_t> lines;
 
     private:
-      Source
-      source_of_text() const
+      Source source_of_text() const
       {
         if (text.compare(0, keyword.size(), keyword) != 0)
           return {text};
-        std::string rest  = boost::trim_copy(text.substr(keyword.size()));
+        std::string rest  = trimmed(text.substr(keyword.size()));
         const auto  space = rest.find_last_of(" \t");
         if (space == std::string::npos)
           return {rest};
@@ -87,41 +81,16 @@ namespace RollingContact
             std::stoul(column) < 2)
           reject("the column of the height is a number from 2 on, not \"" +
                  quotable(column) + "\".");
-        return {boost::trim_copy(rest.substr(0, space)), std::stoul(column)};
+        return {trimmed(rest.substr(0, space)), std::stoul(column)};
       }
 
-      void
-      read(const std::size_t column);
+      void read(const std::size_t column);
 
       const std::string     entry, text;
       std::filesystem::path path;
     };
 
-
-
-    std::vector<std::string>
-    cells_of(const std::string &line)
-    {
-      std::vector<std::string> cells;
-      const auto               separator = line.find_first_of(",;");
-      if (separator == std::string::npos)
-        boost::split(cells,
-                     line,
-                     boost::is_any_of(" \t"),
-                     boost::token_compress_on);
-      else
-        boost::split(cells, line, [&](const char c) {
-          return c == line[separator];
-        });
-      for (std::string &cell : cells)
-        boost::trim(cell);
-      return cells;
-    }
-
-
-
-    void
-    RecordFile::read(const std::size_t column)
+    void RecordFile::read(const std::size_t column)
     {
       const std::string problem = why_unreadable(path);
       if (!problem.empty())
@@ -129,18 +98,13 @@ namespace RollingContact
       if (size_of(path) > most_bytes)
         reject("it has " + human_bytes(static_cast<double>(size_of(path))) +
                "; at most " + human_bytes(most_bytes) + " are read.");
-      std::istringstream content(read_bytes(path));
-      std::size_t        line_number = 0;
-      bool               has_names   = false;
-      for (std::string line; std::getline(content, line);)
+      TextLines file(path);
+      bool      has_names = false;
+      while (file.next())
         {
-          ++line_number;
-          line = boost::trim_copy(line.substr(0, line.find('#')));
-          if (line.empty())
-            continue;
-          const auto cells    = cells_of(line);
-          const auto position = number_of(cells[0]);
-          if (!position && positions.empty() && !has_names)
+          const auto cells    = cells_of(file.text);
+          const auto position = number(cells[0]);
+          if (!number_of(cells[0]) && positions.empty() && !has_names)
             {
               has_names = true;
               continue;
@@ -149,30 +113,26 @@ namespace RollingContact
             reject("there is no column " + std::to_string(column) +
                      "; give the position and the height, or the column of the "
                      "height as in \"table: FILE 3\".",
-                   line_number);
-          const auto height = number_of(cells[column - 1]);
-          if (!position || !height || !std::isfinite(*position) ||
-              !std::isfinite(*height))
+                   file.number);
+          const auto height = number(cells[column - 1]);
+          if (!position || !height)
             reject(
-              "\"" + quotable(line) +
+              "\"" + quotable(file.text) +
                 "\" has no finite position and height; mend or interpolate "
                 "what was not measured, decimals take a point.",
-              line_number);
+              file.number);
           if (!positions.empty() && *position <= positions.back())
-            reject("the position does not rise.", line_number);
+            reject("the position does not rise.", file.number);
           positions.push_back(*position);
           heights.push_back(*height);
-          lines.push_back(line_number);
+          lines.push_back(file.number);
         }
-      if (positions.size() < least_points)
+      if (positions.size() < least_heights)
         reject("it has " + std::to_string(positions.size()) + " points; " +
-               std::to_string(least_points) + " are the least.");
+               std::to_string(least_heights) + " are the least.");
     }
 
-
-
-    double
-    median_spacing(const std::vector<double> &positions)
+    double median_spacing(const std::vector<double> &positions)
     {
       std::vector<double> spacings(positions.size());
       std::adjacent_difference(positions.begin(),
@@ -183,10 +143,7 @@ namespace RollingContact
       return *middle;
     }
 
-
-
-    void
-    check_gaps(const RecordFile &file, const double unit)
+    void check_gaps(const RecordFile &file, const double unit)
     {
       const auto  &at     = file.positions;
       const double median = median_spacing(at);
@@ -200,12 +157,9 @@ namespace RollingContact
                       file.lines[k]);
     }
 
-
-
-    void
-    check_heights(const RecordFile  &file,
-                  const RecordUnits &units,
-                  const double       mean)
+    void check_heights(const RecordFile  &file,
+                       const RecordUnits &units,
+                       const double       mean)
     {
       const std::string hint =
         " Heights are taken as multiples of Surfaces/Height unit = " +
@@ -236,13 +190,10 @@ namespace RollingContact
         }
     }
 
-
-
     /** The points at equal spacing. */
-    void
-    space_evenly(std::vector<double> positions,
-                 std::vector<double> heights,
-                 SurfaceRecord      &record)
+    void space_evenly(std::vector<double> positions,
+                      std::vector<double> heights,
+                      SurfaceRecord      &record)
     {
       const double length    = positions.back() - positions.front();
       const auto   intervals = static_cast<std::size_t>(
@@ -268,22 +219,16 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  bool
-  names_a_record(const std::string &text)
+  bool names_a_record(const std::string &text)
   {
     return text.compare(0, keyword.size(), keyword) == 0 ||
            boost::ends_with(text, ".csv");
   }
 
-
-
-  SurfaceRecord
-  read_surface_record(const std::string           &entry,
-                      const std::string           &text,
-                      const std::filesystem::path &folder,
-                      const RecordUnits           &units)
+  SurfaceRecord read_surface_record(const std::string           &entry,
+                                    const std::string           &text,
+                                    const std::filesystem::path &folder,
+                                    const RecordUnits           &units)
   {
     const RecordFile file(entry, text, folder);
     check_gaps(file, units.position);
@@ -304,10 +249,7 @@ namespace RollingContact
     return record;
   }
 
-
-
-  std::string
-  SurfaceRecord::fingerprint() const
+  std::string SurfaceRecord::fingerprint() const
   {
     boost::crc_32_type crc;
     for (const double height : heights)

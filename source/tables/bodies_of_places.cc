@@ -1,21 +1,20 @@
 #include <rolling_contact/pair/places.h>
+#include <rolling_contact/scene/entries.h>
+#include <rolling_contact/scene/known_entries.h>
 #include <rolling_contact/tables/bodies_of_places.h>
 
 namespace RollingContact
 {
   template <int dim>
-  std::string
-  BodiesOfPlaces<dim>::structure_of(const LoadBand &band) const
+  std::string BodiesOfPlaces<dim>::structure_of(const LoadBand &band) const
   {
     const std::vector<double> &values = plan.values[band.largest];
     std::string                text;
     for (std::size_t d = 0; d < plan.entries.size(); ++d)
-      if (!is_load(plan.entries[d]) && !is_place(plan.entries[d]))
+      if (known_entries().find(plan.entries[d]).renews == Renews::bodies)
         text += plan.entries[d] + " = " + exact_text(values[d]) + ", ";
     return text;
   }
-
-
 
   template <int dim>
   std::vector<const LoadBand *>
@@ -28,11 +27,8 @@ namespace RollingContact
     return found;
   }
 
-
-
   template <int dim>
-  bool
-  BodiesOfPlaces<dim>::may_share() const
+  bool BodiesOfPlaces<dim>::may_share() const
   {
     bool sections = scene.profiles.in_use();
     for (const Side side : both_sides)
@@ -41,13 +37,10 @@ namespace RollingContact
     return sections;
   }
 
-
-
   template <int dim>
-  PairMaker<dim>
-  BodiesOfPlaces<dim>::pair_maker(const LoadBand     &band,
-                                  const StateDemands &demands,
-                                  RunContext         &context)
+  PairMaker<dim> BodiesOfPlaces<dim>::pair_maker(const LoadBand     &band,
+                                                 const StateDemands &demands,
+                                                 RunContext         &context)
   {
     const std::string wanted = structure_of(band);
     const auto        here   = sharing(wanted);
@@ -64,7 +57,7 @@ namespace RollingContact
         std::vector<PlaceOfContact<dim>> places;
         for (const LoadBand *other : here)
           {
-            const SceneParameters at = other->scene(plan, entries);
+            const Situation at = other->scene(plan, entries);
             places.push_back({at,
                               make_grading<dim>(at,
                                                 demands,
@@ -81,13 +74,11 @@ namespace RollingContact
                             " places of the contact: " +
                             std::to_string(kept->n_unknowns()) + " unknowns.");
       }
-    return [bodies = kept, pair = demands.pair](const SceneParameters &at,
+    return [bodies = kept, pair = demands.pair](const PairSpec     &at,
                                                 const Grading<dim> &grading) {
       return std::make_shared<RollingPair<dim>>(at, grading, pair, *bodies);
     };
   }
-
-
 
   template class BodiesOfPlaces<2>;
   template class BodiesOfPlaces<3>;

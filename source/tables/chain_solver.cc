@@ -1,40 +1,13 @@
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/parallel/interrupt.h>
-#include <rolling_contact/report/result_row.h>
-#include <rolling_contact/sessions/kept_bodies.h>
+#include <rolling_contact/base/interrupt.h>
+#include <rolling_contact/results/result_row.h>
 #include <rolling_contact/tables/chain_solver.h>
+#include <rolling_contact/tables/kept_bodies.h>
 
 namespace RollingContact
 {
-  void
-  begin_table_row(const TablePlan   &plan,
-                  const std::size_t  state,
-                  const std::string &status,
-                  ResultsTable      &rows)
-  {
-    rows.set("state", state);
-    for (std::size_t d = 0; d < plan.entries.size(); ++d)
-      rows.set(plan.entries[d], exact_text(plan.values[state][d]));
-    rows.set("status", status);
-  }
-
-
-
-  void
-  add_unsolved_row(const TablePlan   &plan,
-                   const std::size_t  state,
-                   const std::string &status,
-                   ResultsTable      &rows)
-  {
-    begin_table_row(plan, state, status, rows);
-    rows.set("converged", false);
-    rows.end_row();
-  }
-
-
-
   template <int dim>
-  ChainSolver<dim>::ChainSolver(const SceneParameters  &scene,
+  ChainSolver<dim>::ChainSolver(const Situation        &scene,
                                 const TablePlan        &plan,
                                 const SteadyState<dim> &base,
                                 const MoreColumns      &more_columns,
@@ -47,11 +20,8 @@ namespace RollingContact
     , steady(base)
   {}
 
-
-
   template <int dim>
-  bool
-  ChainSolver<dim>::solve_state(const SceneParameters &scene)
+  bool ChainSolver<dim>::solve_state(const Situation &scene)
   {
     solve_on_kept_bodies(scene, steady);
     if (!steady.solver.converged && is_continued)
@@ -64,44 +34,39 @@ namespace RollingContact
     return !steady.solver.converged || !zone_too_small(steady);
   }
 
-
-
   template <int dim>
-  void
-  ChainSolver<dim>::solve(const std::vector<std::size_t> &states,
-                          const bool                      keep_all,
-                          SolvedChain                    &chain)
+  void ChainSolver<dim>::solve(const std::vector<std::size_t> &states,
+                               const bool                      keep_all,
+                               SolvedChain                    &chain)
   {
     is_continued = false;
     for (const std::size_t state : states)
       {
         throw_if_interrupted();
         plan.set(state, entries);
-        SceneParameters scene = entries.scene();
+        Situation scene = entries.situation();
         take_economical_solver(scene);
         if (!is_continued)
           steady.state = base.state;
         const bool enclosed = solve_state(scene);
         if (enclosed || keep_all)
-          add_row(state, scene, enclosed, chain.rows);
+          add_row(state, scene, enclosed, chain);
         else
           chain.not_enclosed.push_back(state);
       }
   }
 
-
-
   template <int dim>
-  void
-  ChainSolver<dim>::add_row(const std::size_t      state,
-                            const SceneParameters &scene,
-                            const bool             enclosed,
-                            ResultsTable          &rows)
+  void ChainSolver<dim>::add_row(const std::size_t state,
+                                 const Situation  &scene,
+                                 const bool        enclosed,
+                                 SolvedChain      &chain)
   {
-    ResultsTable row;
-    RunContext   own{
+    ResultsTable &rows = chain.rows;
+    ResultsTable  row;
+    RunContext    own{
       context.folder, row, context.report, context.timer, context.log};
-    std::string status = !steady.solver.converged ? TableStatus::not_converged
+    TableStatus status = !steady.solver.converged ? TableStatus::not_converged
                          : !enclosed              ? TableStatus::not_enclosed
                                                   : TableStatus::solved;
     try
@@ -118,8 +83,6 @@ namespace RollingContact
       more_columns(scene, steady, rows);
     rows.end_row();
   }
-
-
 
   template class ChainSolver<2>;
   template class ChainSolver<3>;

@@ -1,5 +1,5 @@
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/sessions/kept_bodies.h>
+#include <rolling_contact/tables/kept_bodies.h>
 #include <rolling_contact/tables/load_bands.h>
 
 #include <algorithm>
@@ -13,25 +13,19 @@ namespace RollingContact
   {
     using Load = std::tuple<double, double, double>;
 
-
-
-    Load
-    load_of(const ContactParameters &contact)
+    Load load_of(const ContactParameters &contact)
     {
       return {contact.vertical_load ? 0. : contact.normal_load.value_or(0.),
               contact.vertical_load.value_or(0.),
               contact.approach.value_or(0.)};
     }
 
-
-
     /**
      * Half-widths of the patches of the states of a group.
      */
-    std::vector<double>
-    sizes_of(const TablePlan  &plan,
-             const TableGroup &group,
-             SceneEntries     &entries)
+    std::vector<double> sizes_of(const TablePlan  &plan,
+                                 const TableGroup &group,
+                                 SceneEntries     &entries)
     {
       std::map<Load, double> known;
       std::vector<double>    sizes;
@@ -40,7 +34,7 @@ namespace RollingContact
           plan.set(state, entries);
           try
             {
-              const SceneParameters scene = entries.scene();
+              const Situation &scene = entries.situation();
               const auto [place, is_new] =
                 known.emplace(load_of(scene.contact), 0.);
               if (is_new)
@@ -56,12 +50,9 @@ namespace RollingContact
       return sizes;
     }
 
-
-
-    void
-    take_states(const std::vector<std::size_t> &states,
-                const std::vector<double>      &sizes,
-                LoadBand                       &band)
+    void take_states(const std::vector<std::size_t> &states,
+                     const std::vector<double>      &sizes,
+                     LoadBand                       &band)
     {
       bool has_largest = false;
       for (std::size_t k = 0; k < states.size(); ++k)
@@ -78,13 +69,10 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  SceneParameters
-  LoadBand::scene(const TablePlan &plan, SceneEntries &entries) const
+  Situation LoadBand::scene(const TablePlan &plan, SceneEntries &entries) const
   {
     plan.set(largest, entries);
-    SceneParameters scene = entries.scene();
+    Situation scene = entries.situation();
     take_economical_solver(scene);
     const auto more = [&](const unsigned int n) {
       return static_cast<unsigned int>(
@@ -100,12 +88,9 @@ namespace RollingContact
     return scene;
   }
 
-
-
-  std::vector<LoadBand>
-  load_bands(const SceneParameters &scene,
-             const TablePlan       &plan,
-             const double           smallest)
+  std::vector<LoadBand> load_bands(const Situation &scene,
+                                   const TablePlan &plan,
+                                   const double     smallest)
   {
     std::vector<LoadBand> bands;
     SceneEntries          entries(scene);

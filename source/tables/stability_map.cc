@@ -1,7 +1,8 @@
+#include <rolling_contact/analyses/stability.h>
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/sessions/kept_bodies.h>
 #include <rolling_contact/tables/chain_solver.h>
+#include <rolling_contact/tables/kept_bodies.h>
 #include <rolling_contact/tables/stability_map.h>
 #include <rolling_contact/tables/stability_map_plot.h>
 
@@ -19,30 +20,33 @@ namespace RollingContact
     /// and its mirror image
     const double same_growth = 1e-6;
 
-
-
-    double
-    frequency_of(const std::complex<double> s)
+    double frequency_of(const std::complex<double> s)
     {
       return s.imag() / (2 * pi);
     }
 
-
+    ComplexValues::const_iterator fastest_of(const ComplexValues &vibrations)
+    {
+      return std::max_element(vibrations.begin(),
+                              vibrations.end(),
+                              [](const auto &a, const auto &b) {
+                                return a.real() < b.real();
+                              });
+    }
 
     /** The solved row with the largest growth above 0, of equal ones that of
      * the first state; n_rows if there is none. */
-    std::size_t
-    worst_row(const ResultsTable &results)
+    std::size_t worst_row(const ResultsTable &results)
     {
       std::size_t worst = results.n_rows(), first = 0;
       double      largest = 0.;
       for (std::size_t row = 0; row < results.n_rows(); ++row)
         {
-          const std::string growth = results.text(row, "largest_growth_1/s");
-          if (growth.empty() || !(std::stod(growth) > 0.))
+          const double here =
+            results.number(row, "largest_growth_1/s").value_or(0.);
+          const std::size_t state = state_of_row(results, row);
+          if (!(here > 0.))
             continue;
-          const double      here  = std::stod(growth);
-          const std::size_t state = std::stoul(results.text(row, "state"));
           if (here > largest * (1 + same_growth) ||
               (here > largest * (1 - same_growth) && state < first))
             {
@@ -55,22 +59,16 @@ namespace RollingContact
     }
   } // namespace
 
-
-
   template <int dim>
-  std::string
-  StabilityMap<dim>::sets(const std::size_t n) const
+  std::string StabilityMap<dim>::sets(const std::size_t n) const
   {
     return n > 1 && places.may_share()
              ? std::to_string(n) + " places or patches of the same bodies"
              : Table<dim>::sets(n);
   }
 
-
-
   template <int dim>
-  StateDemands
-  StabilityMap<dim>::demands() const
+  StateDemands StabilityMap<dim>::demands() const
   {
     StateDemands demands       = Table<dim>::demands();
     demands.pair.displacements = true;
@@ -79,12 +77,9 @@ namespace RollingContact
     return demands;
   }
 
-
-
   template <int dim>
-  void
-  StabilityMap<dim>::take_bodies(const SceneParameters  &scene,
-                                 const SteadyState<dim> &base)
+  void StabilityMap<dim>::take_bodies(const Situation        &scene,
+                                      const SteadyState<dim> &base)
   {
     rolling.reset();
     const BodyPair<dim> &now = base.pair->bodies();
@@ -93,12 +88,13 @@ namespace RollingContact
       {
         bodies.reset();
         touching = now;
-        bodies =
-          std::make_unique<ModalBodies<dim>>(scene,
-                                             now,
-                                             scene.modes.cut_off_ratio *
-                                               scene.modes.maximum_frequency,
-                                             context);
+        bodies   = std::make_unique<ModalBodies<dim>>(
+          scene,
+          scene.inputs->modes,
+          now,
+          scene.inputs->modes.cut_off_ratio *
+            scene.inputs->modes.maximum_frequency,
+          context);
       }
     PhaseTimer::Scope phase(context.timer, Phase::modes);
     rolling = std::make_unique<RollingModes<dim>>(*bodies,
@@ -106,19 +102,17 @@ namespace RollingContact
                                                   base.problem.operators.W());
   }
 
-
-
   template <int dim>
-  void
-  StabilityMap<dim>::add_columns(const SceneParameters  &scene,
-                                 const SteadyState<dim> &steady,
-                                 ResultsTable           &row) const
+  void StabilityMap<dim>::add_columns(const Situation        &scene,
+                                      const SteadyState<dim> &steady,
+                                      ResultsTable           &row) const
   {
-    const Vibrations    vibrations(scene,
-                                rolling->reduced(RollingConditions(scene)),
-                                steady.problem,
-                                steady.state);
-    const ComplexVector listed = vibrations.least_damped(n_listed);
+    const Vibrations vibrations(
+      scene,
+      rolling->reduced(RollingConditions(scene, scene.inputs->stability)),
+      steady.problem,
+      steady.state);
+    const ComplexValues listed = vibrations.least_damped(n_listed);
     row.set("n_unstable", vibrations.n_unstable());
     if (listed.empty())
       for (const char *column : {"largest_growth_1/s",
@@ -128,12 +122,7 @@ namespace RollingContact
         row.leave_empty(column);
     else
       {
-        const auto fastest =
-          *std::max_element(listed.begin(),
-                            listed.end(),
-                            [](const auto &a, const auto &b) {
-                              return a.real() < b.real();
-                            });
+        const auto fastest = *fastest_of(listed);
         row.set("largest_growth_1/s", fastest.real());
         row.set("fastest_Hz", frequency_of(fastest));
         row.set("least_damping_ratio", -listed[0].real() / std::abs(listed[0]));
@@ -141,21 +130,18 @@ namespace RollingContact
       }
     row.set("n_contact_unstable", vibrations.real_growth().size());
     row.set("n_border", vibrations.contact().n_border());
-    std::vector<ListedVibration> texts;
+    std::vector<ListedVibration> all;
     for (std::size_t k = 0; k < std::max(std::min(n_listed, listed.size()),
                                          vibrations.n_unstable());
          ++k)
-      texts.push_back({frequency_of(listed[k]), listed[k].real()});
-    row.set("vibrations", text_of(texts));
+      all.push_back({frequency_of(listed[k]), listed[k].real()});
+    row.set("vibrations", text_of(all), all);
   }
 
-
-
   template <int dim>
-  void
-  StabilityMap<dim>::leave_bodies(const LoadBand         &band,
-                                  const SceneParameters  &scene,
-                                  const SteadyState<dim> &base)
+  void StabilityMap<dim>::leave_bodies(const LoadBand         &band,
+                                       const Situation        &scene,
+                                       const SteadyState<dim> &base)
   {
     if (!places.keeps_bodies())
       prove_worst(band, scene, base);
@@ -166,61 +152,55 @@ namespace RollingContact
     touching.reset();
   }
 
-
-
   template <int dim>
-  void
-  StabilityMap<dim>::prove_worst(const LoadBand         &band,
-                                 const SceneParameters  &scene,
-                                 const SteadyState<dim> &base)
+  void StabilityMap<dim>::prove_worst(const LoadBand         &band,
+                                      const Situation        &scene,
+                                      const SteadyState<dim> &base)
   {
     const ResultsTable &results = context.results;
     const std::size_t   row     = worst_row(results);
-    if (!scene.stability.correct || row == results.n_rows())
+    if (!scene.inputs->stability.correct || row == results.n_rows())
       return;
-    const std::size_t state = std::stoul(results.text(row, "state"));
+    const std::size_t state = state_of_row(results, row);
     if (std::find(band.states.begin(), band.states.end(), state) ==
           band.states.end() ||
         (proof && proof->state == state))
       return;
     SceneEntries entries(scene);
     plan.set(state, entries);
-    const SceneParameters worst  = entries.scene();
-    SteadyState<dim>      steady = base;
+    const Situation &worst  = entries.situation();
+    SteadyState<dim> steady = base;
     solve_on_kept_bodies(worst, steady);
     if (!steady.solver.converged)
       return;
     PhaseTimer::Scope       phase(context.timer, Phase::eigenvalues);
-    const RollingConditions conditions(worst);
+    const RollingConditions conditions(worst, worst.inputs->stability);
     const Vibrations        vibrations(worst,
                                 rolling->reduced(conditions),
                                 steady.problem,
                                 steady.state);
-    const double frequency = std::stod(results.text(row, "fastest_Hz"));
-    for (const auto &s : vibrations.least_damped(0))
-      if (std::abs(frequency_of(s) - frequency) < 1e-4 * frequency)
-        {
-          const WholeBodies<dim> whole(*rolling, conditions);
-          proof = Proof{state, vibrations.find({s}, &whole)[0]};
-        }
+    const ComplexValues     growing = vibrations.least_damped(0);
+    const auto              fastest = fastest_of(growing);
+    if (fastest == growing.end() || !(fastest->real() > 0.))
+      return;
+    const WholeBodies<dim> whole(*rolling, conditions);
+    proof = Proof{state, vibrations.find({*fastest}, &whole)[0]};
   }
 
-
-
   template <int dim>
-  void
-  StabilityMap<dim>::prove_on_kept_bodies()
+  void StabilityMap<dim>::prove_on_kept_bodies()
   {
     const std::size_t row = worst_row(context.results);
-    if (!this->scene.stability.correct || row == context.results.n_rows())
+    if (!this->scene.inputs->stability.correct ||
+        row == context.results.n_rows())
       return;
-    const std::size_t state = std::stoul(context.results.text(row, "state"));
+    const std::size_t state = state_of_row(context.results, row);
     for (const LoadBand &band : this->bands)
       if (std::find(band.states.begin(), band.states.end(), state) !=
           band.states.end())
         {
           SceneEntries           entries(this->scene);
-          const SceneParameters  largest   = band.scene(plan, entries);
+          const Situation        largest   = band.scene(plan, entries);
           const auto             make_pair = this->pair_maker(band);
           const SteadyState<dim> base =
             solve_steady_state<dim>(largest, demands(), context, make_pair);
@@ -230,20 +210,14 @@ namespace RollingContact
         }
   }
 
-
-
   template <int dim>
-  void
-  StabilityMap<dim>::draw()
+  void StabilityMap<dim>::draw()
   {
     plot_stability_map(plan, context);
   }
 
-
-
   template <int dim>
-  void
-  StabilityMap<dim>::summarise()
+  void StabilityMap<dim>::summarise()
   {
     if (places.keeps_bodies())
       prove_on_kept_bodies();
@@ -251,25 +225,25 @@ namespace RollingContact
     std::size_t         n_unstable = 0, n_solved = 0, n_contact = 0;
     for (std::size_t row = 0; row < results.n_rows(); ++row)
       {
-        const std::string n = results.text(row, "n_unstable");
-        if (n.empty())
+        const auto n = results.number(row, "n_unstable");
+        if (!n)
           continue;
         ++n_solved;
-        n_unstable += n != "0";
-        n_contact += results.text(row, "n_contact_unstable") != "0";
+        n_unstable += *n != 0.;
+        n_contact += results.number(row, "n_contact_unstable") != 0.;
       }
     const std::size_t row     = worst_row(results);
     std::string       verdict = "none of " + std::to_string(n_solved) +
                           " states has a vibration that grows";
     if (row < results.n_rows())
       {
-        const std::size_t state = std::stoul(results.text(row, "state"));
+        const std::size_t state = state_of_row(results, row);
         verdict =
           std::to_string(n_unstable) + " of " + std::to_string(n_solved) +
           " states have vibrations that grow; the fastest at " +
-          significant(std::stod(results.text(row, "fastest_Hz")), 5) +
+          significant(results.number(row, "fastest_Hz").value(), 5) +
           " Hz by " +
-          significant(std::stod(results.text(row, "largest_growth_1/s")), 3) +
+          significant(results.number(row, "largest_growth_1/s").value(), 3) +
           " 1/s where " + plan.name(state);
         if (proof && proof->state == state)
           verdict += ", " + significant(proof->finding.growth(), 3) +
@@ -294,8 +268,25 @@ namespace RollingContact
         "memory).");
   }
 
-
-
   template class StabilityMap<2>;
   template class StabilityMap<3>;
+
+  AnalysisKind stability_map_kind()
+  {
+    AnalysisKind kind = kind_of<StabilityMap>(
+      "stability map",
+      "which of the states of a grid squeal, see sections Table and Stability");
+    kind.sections = {"Table", "Modes", "Stability"};
+    kind.axes = [](const SceneParameters &scene) { return scene.table.axes(); };
+    kind.has_many_states = true;
+    kind.linearises      = true;
+    kind.has_dampers     = true;
+    kind.on_ranks        = false;
+    kind.check           = [](const SceneParameters &scene) {
+      check_table(scene);
+      check_linearised_state(scene);
+    };
+    kind.resumption = &table_resumption;
+    return kind;
+  }
 } // namespace RollingContact

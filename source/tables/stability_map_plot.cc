@@ -1,14 +1,10 @@
-#include <fmt/format.h>
-
-#include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/plot/figure.h>
+#include <rolling_contact/run/figure.h>
 #include <rolling_contact/tables/stability_map_plot.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace RollingContact
 {
@@ -21,18 +17,13 @@ namespace RollingContact
 
     const double nan = std::numeric_limits<double>::quiet_NaN();
 
-
-
-    double
-    distance(const ListedVibration &a, const ListedVibration &b)
+    double distance(const ListedVibration &a, const ListedVibration &b)
     {
       const double two_pi = 2 * std::acos(-1.);
       return std::hypot(a.frequency - b.frequency,
                         (a.growth - b.growth) / two_pi) /
              std::max(a.frequency, b.frequency);
     }
-
-
 
     /** An axis as it is drawn: degrees for angles, kN, mm. */
     struct DrawnAxis
@@ -70,22 +61,8 @@ namespace RollingContact
       std::string         label;
     };
 
-
-
-    double
-    number(const ResultsTable &results,
-           const std::size_t   row,
-           const std::string  &column)
-    {
-      const std::string text = results.text(row, column);
-      return text.empty() ? nan : std::stod(text);
-    }
-
-
-
     /** Both edges of a cell around each value, half way to its neighbours. */
-    std::vector<double>
-    edges_of(const std::vector<double> &values)
+    std::vector<double> edges_of(const std::vector<double> &values)
     {
       const std::size_t   n = values.size();
       std::vector<double> edges;
@@ -101,13 +78,10 @@ namespace RollingContact
       return edges;
     }
 
-
-
     /** A value for each corner of each cell. */
-    std::vector<double>
-    at_corners(const std::vector<double> &values,
-               const std::size_t          n_x,
-               const std::size_t          n_y)
+    std::vector<double> at_corners(const std::vector<double> &values,
+                                   const std::size_t          n_x,
+                                   const std::size_t          n_y)
     {
       std::vector<double> corners;
       for (std::size_t j = 0; j < 2 * n_y; ++j)
@@ -116,10 +90,7 @@ namespace RollingContact
       return corners;
     }
 
-
-
-    void
-    plot_map(const TablePlan &plan, RunContext &context)
+    void plot_map(const TablePlan &plan, RunContext &context)
     {
       const DrawnAxis     x(plan, 0), y(plan, 1);
       const std::size_t   n_x = x.values.size(), n_y = y.values.size();
@@ -129,12 +100,13 @@ namespace RollingContact
       for (std::size_t row = 0; row < results.n_rows(); ++row)
         {
           // states count the last axis fastest
-          const std::size_t state = std::stoul(results.text(row, "state")),
+          const std::size_t state = state_of_row(results, row),
                             at    = state % n_y * n_x + state / n_y;
-          growth[at]              = number(results, row, "largest_growth_1/s");
-          count[at]               = number(results, row, "n_unstable");
+          growth[at] = results.number(row, "largest_growth_1/s").value_or(nan);
+          count[at]  = results.number(row, "n_unstable").value_or(nan);
           if (growth[at] > 0.)
-            frequency[at] = 1e-3 * number(results, row, "fastest_Hz");
+            frequency[at] =
+              1e-3 * results.number(row, "fastest_Hz").value_or(nan);
         }
       const auto draw = [&](const std::string         &title,
                             const std::string         &label,
@@ -166,16 +138,15 @@ namespace RollingContact
       draw("Vibrations that grow", "number", count, "stability_map_count");
     }
 
-
-
-    void
-    plot_locus(const TablePlan &plan, RunContext &context)
+    void plot_locus(const TablePlan &plan, RunContext &context)
     {
       const DrawnAxis                           axis(plan, 0);
       std::vector<std::vector<ListedVibration>> vibrations(axis.values.size());
       for (std::size_t row = 0; row < context.results.n_rows(); ++row)
-        vibrations[std::stoul(context.results.text(row, "state"))] =
-          vibrations_of(context.results.text(row, "vibrations"), row);
+        if (const auto *listed =
+              context.results.value<std::vector<ListedVibration>>(row,
+                                                                  "vibrations"))
+          vibrations[state_of_row(context.results, row)] = *listed;
       std::vector<Branch> all = branches(axis.values, vibrations);
       // those that grow somewhere; where none does those that come nearest
       std::stable_sort(all.begin(),
@@ -221,55 +192,13 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  std::string
-  text_of(const std::vector<ListedVibration> &vibrations)
-  {
-    std::string text;
-    for (const ListedVibration &vibration : vibrations)
-      text += fmt::format("{}{:.7g}:{:.6g}",
-                          text.empty() ? "" : " ",
-                          vibration.frequency,
-                          vibration.growth);
-    return text;
-  }
-
-
-
-  std::vector<ListedVibration>
-  vibrations_of(const std::string &text, const std::size_t row)
-  {
-    std::vector<ListedVibration> vibrations;
-    std::istringstream           words(text);
-    std::string                  word;
-    while (words >> word)
-      {
-        ListedVibration    vibration;
-        std::istringstream pair(word);
-        char               colon = ' ';
-        if (!(pair >> vibration.frequency >> colon >> vibration.growth) ||
-            colon != ':')
-          throw InputError("results.csv, row " + std::to_string(row + 1) +
-                           ": column vibrations has \"" + word +
-                           "\", which is no frequency:growth.");
-        vibrations.push_back(vibration);
-      }
-    return vibrations;
-  }
-
-
-
-  double
-  Branch::largest_growth() const
+  double Branch::largest_growth() const
   {
     double largest = -std::numeric_limits<double>::infinity();
     for (const ListedVibration &vibration : vibrations)
       largest = std::max(largest, vibration.growth);
     return largest;
   }
-
-
 
   std::vector<Branch>
   branches(const std::vector<double>                       &values,
@@ -316,10 +245,7 @@ namespace RollingContact
     return all;
   }
 
-
-
-  void
-  plot_stability_map(const TablePlan &plan, RunContext &context)
+  void plot_stability_map(const TablePlan &plan, RunContext &context)
   {
     if (plan.axes.size() == 2 && plan.axes[0].values.size() > 1 &&
         plan.axes[1].values.size() > 1)

@@ -1,42 +1,41 @@
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/interrupt.h>
+#include <rolling_contact/base/number_text.h>
+#include <rolling_contact/base/ordered_work.h>
 #include <rolling_contact/base/platform.h>
 #include <rolling_contact/base/stopwatch.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/parallel/interrupt.h>
-#include <rolling_contact/parallel/ordered_work.h>
-#include <rolling_contact/report/bodies_report.h>
-#include <rolling_contact/report/result_row.h>
+#include <rolling_contact/results/bodies_report.h>
+#include <rolling_contact/results/result_row.h>
 #include <rolling_contact/run/progress.h>
-#include <rolling_contact/sessions/kept_bodies.h>
-#include <rolling_contact/state/adaptive_levels.h>
+#include <rolling_contact/scene/known_entries.h>
 #include <rolling_contact/tables/chain_solver.h>
+#include <rolling_contact/tables/kept_bodies.h>
 #include <rolling_contact/tables/table.h>
 #include <rolling_contact/tables/table_output.h>
 
 namespace RollingContact
 {
   template <int dim>
-  Table<dim>::Table(const SceneParameters &scene, RunContext &context)
+  Table<dim>::Table(const Situation &scene, RunContext &context)
     : scene(scene)
     , context(context)
     , plan(plan_table(scene))
-    , n_threads(scene.table.threads > 0 ? scene.table.threads : n_host_cpus())
+    , n_threads(scene.inputs->table.threads > 0 ? scene.inputs->table.threads
+                                                : n_host_cpus())
     , has_row(plan.values.size(), false)
   {}
 
-
-
   template <int dim>
-  void
-  Table<dim>::run()
+  void Table<dim>::run()
   {
     reserve_blas_memory(n_threads);
     if (context.resume)
       restore_rows(plan, context);
-    for (const std::size_t state : states_with_rows(context.results))
-      has_row[state] = true;
     n_before = context.results.n_rows();
-    bands    = load_bands(scene, plan, smallest_share());
+    for (std::size_t row = 0; row < n_before; ++row)
+      has_row[state_of_row(context.results, row)] = true;
+    bands = load_bands(scene, plan, smallest_share());
     context.log.message(
       "Table of " + std::to_string(plan.values.size()) + " states on " +
       sets(bands.size()) + "; " + std::to_string(n_threads) +
@@ -57,11 +56,8 @@ namespace RollingContact
     finish();
   }
 
-
-
   template <int dim>
-  typename Table<dim>::Chains
-  Table<dim>::chains_of(const LoadBand &band) const
+  typename Table<dim>::Chains Table<dim>::chains_of(const LoadBand &band) const
   {
     Chains chains;
     for (std::size_t k = 0; k < band.states.size(); k += chain_length)
@@ -78,11 +74,8 @@ namespace RollingContact
     return chains;
   }
 
-
-
   template <int dim>
-  void
-  Table<dim>::solve_band(const LoadBand &band)
+  void Table<dim>::solve_band(const LoadBand &band)
   {
     throw_if_interrupted();
     const Chains chains = chains_of(band);
@@ -99,7 +92,7 @@ namespace RollingContact
         {
           plan.set(state, entries);
           ResultsTable row, rows;
-          add_open_row(entries.scene(), row);
+          add_open_row(entries.situation(), row);
           begin_table_row(plan, state, TableStatus::no_contact, rows);
           rows.take_row(row, 0);
           rows.end_row();
@@ -107,18 +100,14 @@ namespace RollingContact
         }
   }
 
-
-
   template <int dim>
-  void
-  Table<dim>::solve_band_that_touches(const LoadBand &band,
-                                      const Chains   &chains)
+  void Table<dim>::solve_band_that_touches(const LoadBand &band,
+                                           const Chains   &chains)
   {
-    const unsigned int    most_enlargements = 4;
-    SceneEntries          entries(scene);
-    const SceneParameters largest = band.scene(plan, entries);
-    PairMaker<dim>        make_pair;
-    SteadyState<dim>      base;
+    SceneEntries     entries(scene);
+    const Situation  largest = band.scene(plan, entries);
+    PairMaker<dim>   make_pair;
+    SteadyState<dim> base;
     const auto give_up = [&](const Chains &unsolved, const std::string &why) {
       context.log.warning("The state of the table with " +
                           plan.name(unsolved[0][0]) + ": " + why);
@@ -146,58 +135,49 @@ namespace RollingContact
         return give_up(chains, error.what());
       }
     describe(band, largest, base, band.states.size());
-    Chains left = solve_chains(chains, base, largest, false);
-    for (unsigned int k = 0; k < most_enlargements && !left.empty(); ++k)
-      {
+    Chains left = chains;
+    solve_on_fitting_mesh(
+      [&](const unsigned int k) {
+        left = solve_chains(left, base, largest, k + 1 == most_meshes);
+      },
+      [&](const unsigned int k) {
         leave_bodies(band, largest, base);
+        if (left.empty())
+          return false;
         try
           {
             base = enlarged(base, largest, 1u << k, make_pair);
           }
-        catch (const InputError &error)
+        catch (const InputError &error) // no memory, or beyond the bodies
           {
-            if (!make_pair)
-              throw;
-            return give_up(left, error.what());
+            give_up(left, error.what());
+            return false;
           }
-        left = solve_chains(left, base, largest, k + 1 == most_enlargements);
-      }
-    leave_bodies(band, largest, base);
+        return true;
+      });
   }
 
-
-
   template <int dim>
-  SteadyState<dim>
-  Table<dim>::enlarged(const SteadyState<dim> &base,
-                       const SceneParameters  &scene,
-                       const unsigned int      n_elements,
-                       const PairMaker<dim>   &make_pair)
+  SteadyState<dim> Table<dim>::enlarged(const SteadyState<dim> &base,
+                                        const Situation        &scene,
+                                        const unsigned int      n_elements,
+                                        const PairMaker<dim>   &make_pair)
   {
     Grading<dim> grading = base.grading;
     grading.enlarge_zone(n_elements);
-    context.log.message("Patches reach the border of the candidate zone; it is "
-                        "enlarged for them to " +
-                        significant(grading.zone_x, 3) + " m on both sides.");
+    say_enlarged(grading, context.log);
     ++n_bodies;
-    return solve_on<dim>(
-      scene,
-      demands(),
-      grading,
-      [&](const ContactProblem &problem) {
+    return StateFinder<dim>(scene, demands(), context, make_pair)
+      .solve_on(grading, [&](const ContactProblem &problem) {
         return transferred_state(base, problem);
-      },
-      context,
-      make_pair);
+      });
   }
-
-
 
   template <int dim>
   typename Table<dim>::Chains
   Table<dim>::solve_chains(const Chains           &chains,
                            const SteadyState<dim> &base,
-                           const SceneParameters  &scene,
+                           const Situation        &scene,
                            const bool              keep_all)
   {
     if (!demands().pair.displacements)
@@ -238,14 +218,11 @@ namespace RollingContact
     return left;
   }
 
-
-
   template <int dim>
-  void
-  Table<dim>::describe(const LoadBand         &band,
-                       const SceneParameters  &scene,
-                       const SteadyState<dim> &base,
-                       const std::size_t       n_states)
+  void Table<dim>::describe(const LoadBand         &band,
+                            const Situation        &scene,
+                            const SteadyState<dim> &base,
+                            const std::size_t       n_states)
   {
     if (n_bodies++ == 0)
       describe_bodies(base, context);
@@ -260,11 +237,8 @@ namespace RollingContact
          : "."));
   }
 
-
-
   template <int dim>
-  void
-  Table<dim>::finish()
+  void Table<dim>::finish()
   {
     ResultsTable     &results  = context.results;
     const std::size_t n_solved = results.n_rows() - n_before;
@@ -283,50 +257,74 @@ namespace RollingContact
                                  sets(n_bodies));
     write_table_file(plan, scene, context);
     summarise();
-    if (scene.output.plot)
+    if (scene.inputs->output.plot)
       draw();
     summary.warn(plan, context.log);
     summary.require_solved(plan);
   }
 
-
-
   template <int dim>
-  StateDemands
-  Table<dim>::demands() const
+  StateDemands Table<dim>::demands() const
   {
     return demands_of_kept_bodies();
   }
 
-
-
   template <int dim>
-  std::string
-  Table<dim>::sets(const std::size_t n) const
+  std::string Table<dim>::sets(const std::size_t n) const
   {
     return std::to_string(n) + (n == 1 ? " set of bodies" : " sets of bodies");
   }
 
-
-
   template <int dim>
-  double
-  Table<dim>::smallest_share() const
+  double Table<dim>::smallest_share() const
   {
     return smallest_patch;
   }
 
-
-
   template <int dim>
-  void
-  Table<dim>::draw()
+  void Table<dim>::draw()
   {
     plot_sections(plan, context);
   }
 
-
-
   template class Table<2>;
   template class Table<3>;
+
+  void check_table(const SceneParameters &scene)
+  {
+    scene.table.check();
+    const std::string why = ": the states of a table share bodies, whose "
+                            "compliance is found once, on one mesh; ";
+    if (scene.mesh.target_error)
+      throw InputError(
+        "Mesh/Target error = " + text_of(*scene.mesh.target_error) + why +
+        "give Mesh/Elements across patch.");
+    if (scene.mesh.adaptive_levels > 0)
+      throw InputError(
+        "Mesh/Adaptive levels = " + std::to_string(scene.mesh.adaptive_levels) +
+        why + "set it to 0.");
+    if (scene.body_solver == BodySolver::distributed)
+      throw InputError("Body solver = distributed" + why +
+                       "take direct or automatic.");
+  }
+
+  RunFolder::Resumption table_resumption(const Situation &scene)
+  {
+    return {entries_free_on_resume(*scene.inputs), "results.csv", {}, {}};
+  }
+
+  AnalysisKind table_kind()
+  {
+    AnalysisKind kind = kind_of<Table>(
+      "table",
+      "the states of a grid over any entries, or of the rows of a file, see "
+      "section Table");
+    kind.sections = {"Table"};
+    kind.axes = [](const SceneParameters &scene) { return scene.table.axes(); };
+    kind.has_many_states = true;
+    kind.on_ranks        = false;
+    kind.check           = &check_table;
+    kind.resumption      = &table_resumption;
+    return kind;
+  }
 } // namespace RollingContact

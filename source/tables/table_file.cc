@@ -1,13 +1,11 @@
 #include <rolling_contact/base/files.h>
 #include <rolling_contact/run/hdf5_file.h>
-#include <rolling_contact/tables/chain_solver.h>
 #include <rolling_contact/tables/table_output.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <limits>
-#include <set>
 
 namespace RollingContact
 {
@@ -15,13 +13,10 @@ namespace RollingContact
   {
     const double unknown = std::numeric_limits<double>::quiet_NaN();
 
-
-
     /**
      * "contact_creepage_x" of Contact/Creepage x.
      */
-    std::string
-    name_of_axis(const std::string &entry)
+    std::string name_of_axis(const std::string &entry)
     {
       std::string name;
       for (const char character : entry)
@@ -32,38 +27,15 @@ namespace RollingContact
       return name;
     }
 
-
-
     /**
      * A column of results.csv without the '/', which HDF5 has for groups.
      */
-    std::string
-    name_of_array(std::string column)
+    std::string name_of_array(std::string column)
     {
       for (std::size_t at; (at = column.find('/')) != std::string::npos;)
         column.replace(at, 1, "_per_");
       return column;
     }
-
-
-
-    /**
-     * What a column ends with, if that is a unit; else 1.
-     */
-    std::string
-    unit_of_column(const std::string &column)
-    {
-      const std::string units = " m m2 N Nm Pa N/m J/m 1/m rad s 1/s Hz K ";
-      const std::string end   = column.substr(column.rfind('_') + 1);
-      if (units.find(' ' + end + ' ') != std::string::npos)
-        return end;
-      const std::size_t slash = column.rfind("/muN");
-      return slash == std::string::npos
-               ? "1"
-               : (column.substr(slash) == "/muN" ? "mu N" : "mu N a");
-    }
-
-
 
     /**
      * The rows of results.csv as arrays over the states.
@@ -76,70 +48,50 @@ namespace RollingContact
         , row_of(plan.values.size(), results.n_rows())
       {
         for (std::size_t row = 0; row < results.n_rows(); ++row)
-          row_of[std::stoul(results.text(row, "state"))] = row;
+          row_of[state_of_row(results, row)] = row;
       }
 
       /** NaN where a state was not solved or the cell is empty. */
-      std::vector<double>
-      column(const std::string &name) const
+      std::vector<double> column(const std::string &name) const
       {
         std::vector<double> values(row_of.size(), unknown);
         for (std::size_t state = 0; state < row_of.size(); ++state)
-          {
-            if (!is_known(state))
-              continue;
-            const std::string text = results.text(row_of[state], name);
-            if (!text.empty())
-              values[state] = text == "true" ? 1.
-                              : text == "false"
-                                ? 0.
-                                : std::strtod(text.c_str(), nullptr);
-          }
+          if (is_known(state))
+            values[state] =
+              results.number(row_of[state], name).value_or(unknown);
         return values;
       }
 
       /** 0 not computed, 1 solved, 2 no contact, 3 not solved. */
-      std::vector<std::int8_t>
-      status() const
+      std::vector<std::int8_t> status() const
       {
         std::vector<std::int8_t> values(row_of.size(), 0);
         for (std::size_t state = 0; state < row_of.size(); ++state)
           if (row_of[state] < results.n_rows())
-            {
-              const std::string text = results.text(row_of[state], "status");
-              values[state]          = text == TableStatus::solved       ? 1
-                                       : text == TableStatus::no_contact ? 2
-                                                                         : 3;
-            }
+            values[state] =
+              1 +
+              std::min(2,
+                       static_cast<int>(status_of_row(results, row_of[state])));
         return values;
       }
 
       /** The columns that hold numbers. */
-      std::vector<std::string>
-      numbers(const TablePlan &plan) const
+      std::vector<std::string> numbers() const
       {
-        std::set<std::string> others(plan.entries.begin(), plan.entries.end());
-        for (const char *name : {"state",
-                                 "status",
-                                 "slip_operator",
-                                 "solver",
-                                 "converged",
-                                 "vibrations"})
-          others.insert(name);
         std::vector<std::string> names;
         for (const std::string &column : results.columns())
-          if (others.count(column) == 0)
+          if (column != "state" && column != "converged" &&
+              results.has_numbers(column))
             names.push_back(column);
         return names;
       }
 
     private:
-      bool
-      is_known(const std::size_t state) const
+      bool is_known(const std::size_t state) const
       {
         if (row_of[state] == results.n_rows())
           return false;
-        const std::string status = results.text(row_of[state], "status");
+        const TableStatus status = status_of_row(results, row_of[state]);
         return status == TableStatus::solved ||
                status == TableStatus::no_contact;
       }
@@ -148,23 +100,19 @@ namespace RollingContact
       std::vector<std::size_t> row_of; ///< of a state; n_rows() for none
     };
 
-
-
-    std::vector<double>
-    product(std::vector<double> a, const std::vector<double> &b)
+    std::vector<double> product(std::vector<double>        a,
+                                const std::vector<double> &b)
     {
       for (std::size_t k = 0; k < a.size(); ++k)
         a[k] *= b[k];
       return a;
     }
 
-
-
     /**
      * The friction coefficient of each state.
      */
-    std::vector<double>
-    friction_of(const TablePlan &plan, const SceneParameters &scene)
+    std::vector<double> friction_of(const TablePlan &plan,
+                                    const Situation &scene)
     {
       std::vector<double> mu(plan.values.size(),
                              scene.contact.friction_coefficient);
@@ -174,8 +122,6 @@ namespace RollingContact
             mu[state] = plan.values[state][d];
       return mu;
     }
-
-
 
     /**
      * Writes arrays over the states, each with its axes.
@@ -215,10 +161,9 @@ namespace RollingContact
       }
 
       template <typename Number>
-      void
-      add(const std::string         &path,
-          const std::vector<Number> &values,
-          const std::string         &unit)
+      void add(const std::string         &path,
+               const std::vector<Number> &values,
+               const std::string         &unit)
       {
         file.write(path, shape, values);
         for (std::size_t d = 0; d < axes.size(); ++d)
@@ -235,12 +180,9 @@ namespace RollingContact
     };
   } // namespace
 
-
-
-  void
-  write_table_file(const TablePlan       &plan,
-                   const SceneParameters &scene,
-                   RunContext            &context)
+  void write_table_file(const TablePlan &plan,
+                        const Situation &scene,
+                        RunContext      &context)
   {
     const std::string name = "table.h5";
     const TableArrays arrays(plan, context.results);
@@ -255,7 +197,7 @@ namespace RollingContact
                              "meaning",
                              "0 not computed, 1 solved, 2 no contact, 3 not "
                              "solved");
-    for (const std::string &column : arrays.numbers(plan))
+    for (const std::string &column : arrays.numbers())
       {
         const std::string path = "/results/" + name_of_array(column);
         table.add(path, arrays.column(column), unit_of_column(column));

@@ -1,8 +1,9 @@
 #include <fmt/format.h>
 
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/input/prm_declarations.h>
+#include <rolling_contact/base/number_text.h>
 #include <rolling_contact/input/rows_file.h>
+#include <rolling_contact/scene/known_entries.h>
 #include <rolling_contact/tables/table_plan.h>
 
 #include <algorithm>
@@ -16,10 +17,7 @@ namespace RollingContact
   {
     const double most_states = 1e6;
 
-
-
-    TableStates
-    states_of_rows(const SceneParameters &scene)
+    TableStates states_of_rows(const SceneParameters &scene)
     {
       const std::string entry = "Table/File of rows";
       const auto        file  = scene.prm_folder / scene.table.file_of_rows;
@@ -36,10 +34,7 @@ namespace RollingContact
       return states;
     }
 
-
-
-    TableStates
-    states_of_axes(const std::vector<TableAxis> &axes)
+    TableStates states_of_axes(const std::vector<TableAxis> &axes)
     {
       TableStates states;
       states.axes     = axes;
@@ -69,8 +64,6 @@ namespace RollingContact
       return states;
     }
 
-
-
     /**
      * The entries from the one whose steps cost most: new bodies, another
      * patch, then the rest in their order.
@@ -78,16 +71,10 @@ namespace RollingContact
     std::vector<std::size_t>
     entries_by_cost(const std::vector<std::string> &entries)
     {
-      static const std::set<std::string> of_patch{"Contact/Normal load",
-                                                  "Contact/Vertical load",
-                                                  "Contact/Approach"};
-      std::vector<std::size_t>           order(entries.size());
+      std::vector<std::size_t> order(entries.size());
       std::iota(order.begin(), order.end(), 0);
       const auto cost = [&](const std::size_t k) {
-        return is_place(entries[k])             ? 1
-               : !is_load(entries[k])           ? 0
-               : of_patch.count(entries[k]) > 0 ? 2
-                                                : 3;
+        return known_entries().find(entries[k]).renews;
       };
       std::stable_sort(order.begin(),
                        order.end(),
@@ -97,14 +84,11 @@ namespace RollingContact
       return order;
     }
 
-
-
     /**
      * The states sorted by their values, entries that cost most first, each
      * entry up and down in turn, so that neighbours differ by one step.
      */
-    std::vector<std::size_t>
-    order_of_states(const TableStates &states)
+    std::vector<std::size_t> order_of_states(const TableStates &states)
     {
       const auto entries = entries_by_cost(states.entries);
       std::vector<std::vector<double>> levels(entries.size());
@@ -141,10 +125,7 @@ namespace RollingContact
       return order;
     }
 
-
-
-    void
-    check_entries(const TableStates &states, const SceneEntries &entries)
+    void check_entries(const TableStates &states, const SceneEntries &entries)
     {
       for (std::size_t d = 0; d < states.entries.size(); ++d)
         {
@@ -160,18 +141,12 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  std::string
-  exact_text(const double value)
+  std::string exact_text(const double value)
   {
     return fmt::format("{}", value);
   }
 
-
-
-  std::string
-  TableStates::name(const std::size_t state) const
+  std::string TableStates::name(const std::size_t state) const
   {
     std::string name;
     for (std::size_t d = 0; d < entries.size(); ++d)
@@ -180,32 +155,24 @@ namespace RollingContact
     return name;
   }
 
-
-
-  TableStates
-  table_states(const SceneParameters &scene)
+  TableStates table_states(const SceneParameters &scene)
   {
     scene.table.check();
     return scene.table.file_of_rows.empty() ? states_of_axes(scene.table.axes())
                                             : states_of_rows(scene);
   }
 
-
-
-  void
-  TablePlan::set(const std::size_t state, SceneEntries &scene_entries) const
+  void TablePlan::set(const std::size_t state,
+                      SceneEntries     &scene_entries) const
   {
     for (std::size_t d = 0; d < entries.size(); ++d)
       scene_entries.set(entries[d], exact_text(values[state][d]));
   }
 
-
-
-  TablePlan
-  plan_table(const SceneParameters &scene)
+  TablePlan plan_table(const Situation &scene)
   {
     TablePlan plan;
-    static_cast<TableStates &>(plan) = table_states(scene);
+    static_cast<TableStates &>(plan) = table_states(*scene.inputs);
     SceneEntries entries(scene);
     check_entries(plan, entries);
     for (const std::string &entry : plan.entries)

@@ -1,5 +1,5 @@
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/plot/figure.h>
+#include <rolling_contact/run/figure.h>
 #include <rolling_contact/tables/table_output.h>
 
 #include <algorithm>
@@ -12,34 +12,26 @@ namespace RollingContact
   {
     const std::size_t most_lines = 5;
 
-
-
     /**
      * A column of results.csv as a panel.
      */
-    struct Quantity
+    struct PlottedQuantity
     {
       std::string column, label;
       double      factor;
     };
 
-
-
-    std::string
-    short_name(const std::string &entry)
+    std::string short_name(const std::string &entry)
     {
       return entry.substr(entry.rfind('/') + 1);
     }
 
-
-
     /**
      * "Normal load 80 kN", "Creepage x 0.001".
      */
-    std::string
-    label_of(const std::string &entry,
-             const double       value,
-             const std::string &unit)
+    std::string label_of(const std::string &entry,
+                         const double       value,
+                         const std::string &unit)
     {
       const bool is_thousand =
         std::abs(value) >= 1e3 && (unit == "N" || unit == "Pa");
@@ -48,13 +40,10 @@ namespace RollingContact
              (unit == "1" ? "" : ' ' + (is_thousand ? 'k' + unit : unit));
     }
 
-
-
     /**
      * Up to most_lines of n points, ends and middle among them.
      */
-    std::vector<std::size_t>
-    chosen_of(const std::size_t n)
+    std::vector<std::size_t> chosen_of(const std::size_t n)
     {
       std::vector<std::size_t> chosen;
       const std::size_t        m = std::min(n, most_lines);
@@ -63,20 +52,15 @@ namespace RollingContact
       return chosen;
     }
 
-
-
-    double
-    value_of(const ResultsTable &results,
-             const std::size_t   row,
-             const std::string  &column)
+    double value_of(const ResultsTable &results,
+                    const std::size_t   row,
+                    const std::string  &column)
     {
-      const std::string text = results.text(row, column);
-      return text.empty() || results.text(row, "status") != "solved"
+      return status_of_row(results, row) != TableStatus::solved
                ? std::numeric_limits<double>::quiet_NaN()
-               : std::stod(text);
+               : results.number(row, column)
+                   .value_or(std::numeric_limits<double>::quiet_NaN());
     }
-
-
 
     /**
      * A section of the table along one axis.
@@ -99,13 +83,12 @@ namespace RollingContact
             lines = d;
       }
 
-      void
-      draw(const std::vector<Quantity> &quantities,
-           const std::string           &name,
-           RunContext                  &context) const
+      void draw(const std::vector<PlottedQuantity> &quantities,
+                const std::string                  &name,
+                RunContext                         &context) const
       {
         std::optional<Figure> figure;
-        for (const Quantity &quantity : quantities)
+        for (const PlottedQuantity &quantity : quantities)
           {
             const auto panel = panel_of(quantity);
             if (panel && figure)
@@ -118,8 +101,7 @@ namespace RollingContact
       }
 
     private:
-      std::size_t
-      row_of(std::vector<std::size_t> at) const
+      std::size_t row_of(std::vector<std::size_t> at) const
       {
         std::size_t row = 0;
         for (std::size_t d = 0; d < plan.axes.size(); ++d)
@@ -127,8 +109,7 @@ namespace RollingContact
         return row;
       }
 
-      std::string
-      title() const
+      std::string title() const
       {
         std::string text;
         for (std::size_t d = 0; d < plan.axes.size(); ++d)
@@ -141,8 +122,7 @@ namespace RollingContact
       }
 
       /** None if all of it is zero or unknown. */
-      std::optional<Figure>
-      panel_of(const Quantity &quantity) const
+      std::optional<Figure> panel_of(const PlottedQuantity &quantity) const
       {
         const std::string unit = plan.units[along];
         Figure            panel(title(),
@@ -187,14 +167,12 @@ namespace RollingContact
     };
   } // namespace
 
-
-
-  void
-  plot_sections(const TablePlan &plan, RunContext &context)
+  void plot_sections(const TablePlan &plan, RunContext &context)
   {
-    const std::vector<Quantity> quantities{{"force_x_N", "F_x (kN)", 1e-3},
-                                           {"force_y_N", "F_y (kN)", 1e-3},
-                                           {"spin_moment_Nm", "M_z (Nm)", 1.}};
+    const std::vector<PlottedQuantity> quantities{
+      {"force_x_N", "F_x (kN)", 1e-3},
+      {"force_y_N", "F_y (kN)", 1e-3},
+      {"spin_moment_Nm", "M_z (Nm)", 1.}};
     for (std::size_t d = 0; d < plan.axes.size(); ++d)
       if (plan.axes[d].values.size() > 1)
         Section(plan, context.results, d)

@@ -1,23 +1,22 @@
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/linear_algebra/block_products.h>
 #include <rolling_contact/modes/rotation.h>
 #include <rolling_contact/stability/reduced_pair.h>
 #include <rolling_contact/vibration/modal_bodies.h>
 
 namespace RollingContact
 {
-  RollingConditions::RollingConditions(const SceneParameters &scene)
-    : speed(scene.stability.rotation ? scene.contact.speed.value_or(0.) : 0.)
-    , added_damping(scene.stability.added_damping)
+  RollingConditions::RollingConditions(const PairSpec            &scene,
+                                       const StabilityParameters &stability)
+    : speed(stability.rotation ? scene.contact.speed.value_or(0.) : 0.)
+    , added_damping(stability.added_damping)
     , absorbers(scene.wheel.absorbers())
   {}
 
-
-
   template <int dim>
-  ModalBodies<dim>::ModalBodies(const SceneParameters &scene,
+  ModalBodies<dim>::ModalBodies(const PairSpec        &scene,
+                                const ModesParameters &wanted,
                                 const BodyPair<dim>   &rolling,
                                 const double           cut_off,
                                 RunContext            &context)
@@ -26,13 +25,13 @@ namespace RollingContact
       {
         if (!rolling.is_elastic(side))
           continue;
-        const auto *direct =
-          dynamic_cast<const DirectBody<dim> *>(rolling.body(side));
+        const DirectBody<dim> *direct =
+          rolling.body(side) ? rolling.body(side)->with_factor() : nullptr;
         if (direct == nullptr)
           throw InputError("Body solver: modes need the factor of the bodies; "
                            "take direct, on one rank.");
         bodies[side] = std::make_unique<VibratingBody<dim>>(
-          scene, side, *direct, cut_off, context);
+          scene, side, wanted, *direct, cut_off, context);
         PhaseTimer::Scope         phase(context.timer, Phase::modes);
         const VibratingBody<dim> &body  = *bodies[side];
         const DenseMatrix        &modes = body.modes.shapes;
@@ -40,8 +39,8 @@ namespace RollingContact
         part.C                          = direct->damping_in_time();
         part.C_m                        = part.C.size() > 0
                                             ? projected(part.C, modes)
-                                            : DenseMatrix(n_modes(side), n_modes(side));
-        hanging[side] = body.absorbers(scene.modes.maximum_frequency, context);
+                                            : DenseMatrix::Zero(n_modes(side), n_modes(side));
+        hanging[side]   = body.absorbers(wanted.maximum_frequency, context);
         const auto axle = body.parameters.body_shape()->axle();
         if constexpr (dim == 3)
           if (side == Side::wheel && axle)
@@ -52,11 +51,8 @@ namespace RollingContact
       }
   }
 
-
-
   template <int dim>
-  RollingConditions
-  ModalBodies<dim>::standing() const
+  RollingConditions ModalBodies<dim>::standing() const
   {
     RollingConditions conditions;
     if (bodies.wheel)
@@ -64,19 +60,14 @@ namespace RollingContact
     return conditions;
   }
 
-
-
   template <int dim>
-  double
-  ModalBodies<dim>::rate(const Side               side,
-                         const RollingConditions &conditions) const
+  double ModalBodies<dim>::rate(const Side               side,
+                                const RollingConditions &conditions) const
   {
-    return parts[side].S_m.n_rows() > 0
+    return parts[side].S_m.size() > 0
              ? conditions.speed / bodies[side]->parameters.radius
              : 0.;
   }
-
-
 
   template <int dim>
   std::vector<double>
@@ -88,8 +79,6 @@ namespace RollingContact
       ratio += conditions.added_damping;
     return ratios;
   }
-
-
 
   template <int dim>
   std::pair<DenseMatrix, DenseMatrix>
@@ -106,8 +95,6 @@ namespace RollingContact
     return matrices;
   }
 
-
-
   template <int dim>
   std::pair<DenseMatrix, DenseMatrix>
   ModalBodies<dim>::matrices_of_modes(const Side               side,
@@ -117,7 +104,7 @@ namespace RollingContact
     const StructuralModes &modes  = bodies[side]->modes;
     const auto             ratios = damping_ratios(side, conditions);
     ReducedPair            alone;
-    alone.K_m = DenseMatrix(m, m);
+    alone.K_m = DenseMatrix::Zero(m, m);
     alone.C_m = parts[side].C_m;
     for (std::size_t j = 0; j < m; ++j)
       {
@@ -129,8 +116,6 @@ namespace RollingContact
       add_rotation(alone, parts[side].S_m, turns);
     return {std::move(alone.K_m), std::move(alone.C_m)};
   }
-
-
 
   template <int dim>
   std::unique_ptr<FullDynamics>
@@ -162,8 +147,6 @@ namespace RollingContact
       C_m,
       std::move(attached));
   }
-
-
 
   template class ModalBodies<2>;
   template class ModalBodies<3>;

@@ -1,18 +1,17 @@
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/parallel/interrupt.h>
 #include <rolling_contact/vibration/mode_controls.h>
 
 namespace RollingContact
 {
   namespace
   {
-    void
-    examine_count(const std::size_t  n_modes,
-                  const std::size_t  n_unknowns,
-                  const double       cut_off,
-                  const std::string &section,
-                  Log               &log)
+    void examine_count(const std::size_t  n_modes,
+                       const std::size_t  n_unknowns,
+                       const double       cut_off,
+                       const std::string &section,
+                       Log               &log)
     {
       const std::size_t few = 1000, unknowns_of_a_mode = 6;
       const std::string counted = section + ": " + std::to_string(n_modes) +
@@ -33,14 +32,11 @@ namespace RollingContact
     }
   } // namespace
 
-
-
-  ModeControls
-  mode_controls(const ModesParameters &wanted,
-                const double           cut_off,
-                const std::size_t      n_unknowns,
-                const std::string     &section,
-                Log                   &log)
+  ModeControls mode_controls(const ModesParameters &wanted,
+                             const double           cut_off,
+                             const std::size_t      n_unknowns,
+                             const std::string     &section,
+                             Log                   &log)
   {
     ModeControls controls;
     controls.cut_off   = cut_off;

@@ -1,7 +1,6 @@
+#include <rolling_contact/algebra/lapack.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/linear_algebra/block_products.h>
-#include <rolling_contact/linear_algebra/dense_eigenvalues.h>
 #include <rolling_contact/vibration/reduced_motion.h>
 
 #include <cmath>
@@ -12,42 +11,18 @@ namespace RollingContact
   namespace
   {
     using Vector = std::vector<double>;
-
-    Vector
-    product(const DenseMatrix &M, const Vector &x)
-    {
-      Vector y(M.n_rows(), 0.);
-      M.multiply_block(0, 0, x, y);
-      return y;
-    }
-
-
-
-    /** x + a y. */
-    Vector
-    sum(Vector x, const double a, const Vector &y)
-    {
-      for (std::size_t i = 0; i < x.size(); ++i)
-        x[i] += a * y[i];
-      return x;
-    }
   } // namespace
-
-
 
   ReducedMotion::ReducedMotion(ReducedPair bodies)
     : pair(std::move(bodies))
-    , shapes(transposed(pair.Phi))
+    , shapes(pair.Phi.transpose())
   {
     check(pair);
     const Vector nothing(pair.n_modes(), 0.);
-    rest_at(nothing, Vector(pair.W_res.n_rows(), 0.));
+    rest_at(nothing, Vector(pair.W_res.rows(), 0.));
   }
 
-
-
-  void
-  ReducedMotion::set_hub_inertia(Vector inertia)
+  void ReducedMotion::set_hub_inertia(Vector inertia)
   {
     if (inertia.size() != pair.n_modes())
       throw InputError("The inertia of the hub's motion has " +
@@ -58,10 +33,7 @@ namespace RollingContact
     begun       = false;
   }
 
-
-
-  void
-  ReducedMotion::set_time_step(const double step)
+  void ReducedMotion::set_time_step(const double step)
   {
     if (step == h)
       return;
@@ -71,52 +43,32 @@ namespace RollingContact
     h                   = step;
     begun               = false;
     const std::size_t m = pair.n_modes();
-    DenseMatrix       A(m, m);
-    inverse = DenseMatrix(m, m);
-    for (std::size_t j = 0; j < m; ++j)
-      {
-        for (std::size_t i = 0; i < m; ++i)
-          A(i, j) = h / 2 * pair.C_m(i, j) + h * h / 4 * pair.K_m(i, j);
-        A(j, j) += 1.;
-        inverse(j, j) = 1.;
-      }
-    if (m > 0 && !solve_general(A, inverse))
+    inverse             = DenseMatrix::Identity(m, m);
+    DenseMatrix A       = inverse + h / 2 * pair.C_m + h * h / 4 * pair.K_m;
+    if (!solve_general(A, inverse))
       throw ConvergenceError("The matrix of a time step of " +
                              significant(h, 6) +
                              " s of the modes is singular.");
-    inverse_transposed = transposed(inverse);
-    const DenseMatrix G =
-      dense_product(pair.Phi, dense_product(inverse, shapes));
-    W = pair.W_res;
-    for (std::size_t j = 0; j < W.n_rows(); ++j)
-      for (std::size_t i = 0; i < W.n_rows(); ++i)
-        W(i, j) += h * h / (2 * velocity_factor) * (G(i, j) + G(j, i)) / 2;
+    inverse_transposed  = inverse.transpose();
+    const DenseMatrix G = pair.Phi * (inverse * shapes);
+    W = pair.W_res + h * h / (4 * velocity_factor) * (G + G.transpose());
   }
 
-
-
-  void
-  ReducedMotion::rest_at(const Vector &eta, const Vector &forces)
+  void ReducedMotion::rest_at(const Vector &eta, const Vector &forces)
   {
     ReducedState state;
     state.eta    = eta;
     state.rate   = Vector(eta.size(), 0.);
     state.forces = state.forces_before = forces;
     set_state(state);
-    now.load = sum(product(pair.K_m, eta), -1., product(shapes, forces));
+    rest_load = sum(pair.K_m * eta, -1., shapes * forces);
   }
 
-
-
-  void
-  ReducedMotion::set_state(ReducedState state)
+  void ReducedMotion::set_state(ReducedState state)
   {
-    const std::size_t m = pair.n_modes(), n = pair.W_res.n_rows();
-    if (state.load.empty())
-      state.load.assign(m, 0.);
+    const std::size_t m = pair.n_modes(), n = pair.W_res.rows();
     if (state.eta.size() != m || state.rate.size() != m ||
-        state.load.size() != m || state.forces.size() != n ||
-        state.forces_before.size() != n)
+        state.forces.size() != n || state.forces_before.size() != n)
       throw InputError("A state of reduced bodies has " +
                        std::to_string(state.eta.size()) + " modes and " +
                        std::to_string(state.forces.size()) +
@@ -124,17 +76,14 @@ namespace RollingContact
                        std::to_string(n) + ".");
     now             = std::move(state);
     begun           = false;
-    residual        = product(pair.W_res, now.forces);
-    residual_before = product(pair.W_res, now.forces_before);
-    velocity        = product(pair.Phi, now.rate);
+    residual        = pair.W_res * now.forces;
+    residual_before = pair.W_res * now.forces_before;
+    velocity        = pair.Phi * now.rate;
     step_energy     = {};
     find_energy();
   }
 
-
-
-  ReducedMotion::Past
-  ReducedMotion::past(const bool smooth) const
+  ReducedMotion::Past ReducedMotion::past(const bool smooth) const
   {
     if (!smooth)
       return {velocity_factor, 0.};
@@ -145,55 +94,47 @@ namespace RollingContact
     return {before, velocity_factor - before};
   }
 
-
-
-  void
-  ReducedMotion::begin_step(const bool smooth, const double hub_acceleration)
+  void ReducedMotion::begin_step(const bool   smooth,
+                                 const double hub_acceleration)
   {
     if (h == 0.)
       throw std::logic_error("Reduced bodies have no time step.");
     load                = hub_acceleration == 0. || hub_inertia.empty()
-                            ? now.load
-                            : sum(now.load, hub_acceleration, hub_inertia);
+                            ? rest_load
+                            : sum(rest_load, hub_acceleration, hub_inertia);
     const Past   weight = past(smooth);
     const Vector start  = sum(now.rate, h / 2, sum(load, -1., K_eta));
-    free_rate           = product(inverse, start);
+    free_rate           = inverse * start;
 
-    Vector expected = now.forces;
-    if (smooth)
-      for (std::size_t i = 0; i < expected.size(); ++i)
-        expected[i] += now.forces[i] - now.forces_before[i];
-    const Vector loads = product(shapes, expected), y = product(inverse, loads),
-                 z = product(inverse_transposed, loads);
+    const Vector expected = smooth ? sum(sum(now.forces, 1., now.forces),
+                                         -1.,
+                                         now.forces_before)
+                                   : now.forces,
+                 loads = shapes * expected, y = inverse * loads,
+                 z = inverse_transposed * loads;
 
     const double part   = h * h / (4 * velocity_factor);
     Vector       amount = sum(now.eta, h / 2, free_rate);
     amount              = sum(std::move(amount), h * h / 4 - part, y);
-    free_u              = product(pair.Phi, sum(std::move(amount), -part, z));
+    free_u              = pair.Phi * sum(std::move(amount), -part, z);
 
     Vector rate = sum(free_rate, h / 4, y);
-    free_v      = product(pair.Phi, sum(std::move(rate), -h / 4, z));
-    for (std::size_t i = 0; i < free_v.size(); ++i)
-      free_v[i] -=
-        (weight.before * residual[i] + weight.earlier * residual_before[i]) / h;
+    free_v      = pair.Phi * sum(std::move(rate), -h / 4, z);
+    as_vector(free_v) -= (weight.before * as_vector(residual) +
+                          weight.earlier * as_vector(residual_before)) /
+                         h;
     begun     = true;
     continues = smooth;
   }
 
-
-
-  void
-  ReducedMotion::find_energy()
+  void ReducedMotion::find_energy()
   {
-    K_eta               = product(pair.K_m, now.eta);
+    K_eta               = pair.K_m * now.eta;
     step_energy.kinetic = dot(now.rate, now.rate) / 2;
     step_energy.strain  = dot(now.eta, K_eta) / 2 + residual_energy();
   }
 
-
-
-  double
-  ReducedMotion::residual_energy() const
+  double ReducedMotion::residual_energy() const
   {
     const Vector ahead =
                    sum(sum(now.forces, 1., now.forces), -1., now.forces_before),
@@ -202,10 +143,7 @@ namespace RollingContact
     return (dot(now.forces, residual) + dot(ahead, u_ahead)) / 4;
   }
 
-
-
-  const StepEnergy &
-  ReducedMotion::end_step(const Vector &forces)
+  const StepEnergy &ReducedMotion::end_step(const Vector &forces)
   {
     if (!begun)
       throw std::logic_error("No step of the reduced bodies has begun.");
@@ -214,19 +152,18 @@ namespace RollingContact
     const StepEnergy stored  = step_energy;
     const double     pressed = residual_energy();
     const Vector     eta = now.eta, K_before = K_eta;
-    const Vector     loads = product(shapes, forces);
-    const Vector rate = sum(free_rate, h / 2, product(inverse, loads)); // v_m
-    const Vector u    = product(pair.W_res, forces);
+    const Vector     loads = shapes * forces;
+    const Vector     rate  = sum(free_rate, h / 2, inverse * loads); // v_m
+    const Vector     u     = pair.W_res * forces;
 
-    Vector give(u.size()), bend_force(u.size()), bend(u.size());
-    for (std::size_t i = 0; i < u.size(); ++i)
-      {
-        give[i] = velocity_factor * u[i] - weight.before * residual[i] -
-                  weight.earlier * residual_before[i]; // h times its rate
-        bend_force[i] = forces[i] - 2 * now.forces[i] + now.forces_before[i];
-        bend[i]       = u[i] - 2 * residual[i] + residual_before[i];
-      }
-    velocity = sum(product(pair.Phi, rate), 1 / h, give);
+    const Vector bend_force =
+                   sum(sum(forces, -2., now.forces), 1., now.forces_before),
+                 bend = sum(sum(u, -2., residual), 1., residual_before);
+    Vector give(u.size()); // h times its rate
+    as_vector(give) = velocity_factor * as_vector(u) -
+                      weight.before * as_vector(residual) -
+                      weight.earlier * as_vector(residual_before);
+    velocity = sum(pair.Phi * rate, 1 / h, give);
 
     now.eta           = sum(eta, h, rate);
     now.rate          = sum(sum(rate, 1., rate), -1., now.rate);
@@ -242,7 +179,7 @@ namespace RollingContact
     energy.contact_work = h * dot(rate, loads) + dot(forces, give);
     energy.load_work    = h * dot(rate, load);
     // with what K_m does beyond its symmetric part, which stores energy
-    energy.damping = h * dot(rate, product(pair.C_m, rate)) +
+    energy.damping = h * dot(rate, pair.C_m * rate) +
                      (dot(now.eta, K_before) - dot(eta, K_eta)) / 2;
     energy.numerical_dissipation =
       weight.before == 2. ? dot(bend_force, bend) / 4
@@ -254,10 +191,7 @@ namespace RollingContact
     return step_energy;
   }
 
-
-
-  std::size_t
-  ReducedMotion::memory_consumption() const
+  std::size_t ReducedMotion::memory_consumption() const
   {
     std::size_t sum = 0;
     for (const DenseMatrix *M : {&pair.K_m,
@@ -268,7 +202,7 @@ namespace RollingContact
                                  &inverse,
                                  &inverse_transposed,
                                  &W})
-      sum += M->memory_consumption();
+      sum += RollingContact::memory_consumption(*M);
     return sum;
   }
 } // namespace RollingContact

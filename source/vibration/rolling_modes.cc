@@ -1,5 +1,3 @@
-#include <rolling_contact/linear_algebra/block_products.h>
-#include <rolling_contact/linear_algebra/dense_eigenvalues.h>
 #include <rolling_contact/vibration/rolling_modes.h>
 
 namespace RollingContact
@@ -10,8 +8,6 @@ namespace RollingContact
 
     /// relative residual of the equations of whole bodies
     const double full_tolerance = 1e-10;
-
-
 
     /** The unknowns of a body at its contact nodes, component by component;
      * without friction the normal one alone. */
@@ -26,8 +22,6 @@ namespace RollingContact
     }
   } // namespace
 
-
-
   template <int dim>
   RollingModes<dim>::RollingModes(const ModalBodies<dim> &bodies,
                                   const RollingPair<dim> &rolling,
@@ -36,43 +30,30 @@ namespace RollingContact
     , rolling(rolling)
     , W_res(W)
   {
-    const std::size_t n = W.n_rows();
+    const std::size_t n = W.rows();
     for (const Side side : both_sides)
       {
         const std::size_t m = modal.n_modes(side);
-        Phi[side]           = DenseMatrix(n, m);
+        Phi[side]           = DenseMatrix::Zero(n, m);
         if (m == 0)
           continue;
         const StructuralModes &modes = modal.body(side)->modes;
         Phi[side]                    = at_contact(side, modes.shapes);
         DenseMatrix soft             = Phi[side]; // Phi Lambda^-1
         for (std::size_t j = 0; j < m; ++j)
-          for (std::size_t p = 0; p < n; ++p)
-            soft(p, j) /= modes.eigenvalue(j);
-        for (std::size_t j = 0; j < m; ++j)
-          for (std::size_t q = 0; q < n; ++q)
-            for (std::size_t p = 0; p < n; ++p)
-              W_res(p, q) -=
-                Phi[side](p, j) * Phi[side](q, j) / modes.eigenvalue(j);
+          soft.col(j) /= modes.eigenvalue(j);
+        W_res -= soft * Phi[side].transpose();
         const AbsorberPlaces &places = modal.absorber_places(side);
-        if (places.n_coordinates() == 0)
-          continue;
-        cross[side] = at_contact(side, places.deflected);
-        const DenseMatrix of_modes =
-          dense_product(soft, transposed(places.motions));
-        for (std::size_t k = 0; k < places.n_coordinates(); ++k)
-          for (std::size_t p = 0; p < n; ++p)
-            cross[side](p, k) -= of_modes(p, k);
+        if (places.n_coordinates() > 0)
+          cross[side] = at_contact(side, places.deflected) -
+                        soft * places.motions.transpose();
       }
     check(reduced(bodies.standing()));
   }
 
-
-
   template <int dim>
-  DenseMatrix
-  RollingModes<dim>::at_contact(const Side         side,
-                                const DenseMatrix &motions) const
+  DenseMatrix RollingModes<dim>::at_contact(const Side         side,
+                                            const DenseMatrix &motions) const
   {
     PerSide<std::vector<std::size_t>> unknowns;
     PerSide<std::vector<double>>      at_rest;
@@ -82,20 +63,16 @@ namespace RollingContact
           unknowns[it] = unknowns_of_contact(modal, rolling, it);
           at_rest[it].assign(unknowns[it].size(), 0.);
         }
-    DenseMatrix result(W_res.n_rows(), motions.n_columns());
-    for (std::size_t j = 0; j < motions.n_columns(); ++j)
+    DenseMatrix result = DenseMatrix::Zero(W_res.rows(), motions.cols());
+    for (Eigen::Index j = 0; j < motions.cols(); ++j)
       {
         PerSide<std::vector<double>> moved = at_rest;
         for (std::size_t i = 0; i < unknowns[side].size(); ++i)
           moved[side][i] = motions(unknowns[side][i], j);
-        const std::vector<double> at =
-          rolling.relative_motion(std::move(moved));
-        std::copy(at.begin(), at.end(), result.data() + j * at.size());
+        result.col(j) = as_vector(rolling.relative_motion(std::move(moved)));
       }
     return result;
   }
-
-
 
   template <int dim>
   ReducedPair
@@ -103,11 +80,11 @@ namespace RollingContact
   {
     const std::size_t m = modal.n_coordinates(Side::wheel) +
                           modal.n_coordinates(Side::rail),
-                      n = W_res.n_rows();
+                      n = W_res.rows();
     ReducedPair pair;
     pair.n_wheel_modes = modal.n_coordinates(Side::wheel);
-    pair.K_m = pair.C_m = DenseMatrix(m, m);
-    pair.Phi            = DenseMatrix(n, m);
+    pair.K_m = pair.C_m = DenseMatrix::Zero(m, m);
+    pair.Phi            = DenseMatrix::Zero(n, m);
     pair.W_res          = W_res;
     for (const Side side : both_sides)
       {
@@ -115,34 +92,23 @@ namespace RollingContact
           continue;
         const std::size_t first = first_column(side);
         const auto [K_m, C_m]   = modal.modal_matrices(side, conditions);
-        for (std::size_t j = 0; j < K_m.n_columns(); ++j)
-          for (std::size_t i = 0; i < K_m.n_rows(); ++i)
-            {
-              pair.K_m(first + i, first + j) = K_m(i, j);
-              pair.C_m(first + i, first + j) = C_m(i, j);
-            }
-        DenseMatrix           shapes = Phi[side];
+        pair.K_m.block(first, first, K_m.rows(), K_m.cols()) = K_m;
+        pair.C_m.block(first, first, C_m.rows(), C_m.cols()) = C_m;
+        DenseMatrix           shapes                         = Phi[side];
         const AbsorberPlaces &places = modal.absorber_places(side);
         if (places.n_coordinates() > 0)
           join_absorbers(
             places, conditions.absorbers, cross[side], shapes, pair.W_res);
-        std::copy(shapes.data(),
-                  shapes.data() + n * shapes.n_columns(),
-                  pair.Phi.data() + n * first);
+        pair.Phi.middleCols(first, shapes.cols()) = shapes;
       }
     return pair;
   }
 
-
-
   template <int dim>
-  std::size_t
-  RollingModes<dim>::first_column(const Side side) const
+  std::size_t RollingModes<dim>::first_column(const Side side) const
   {
     return side == Side::wheel ? 0 : modal.n_coordinates(Side::wheel);
   }
-
-
 
   template <int dim>
   std::pair<Side, std::size_t>
@@ -153,11 +119,8 @@ namespace RollingContact
                             : std::pair(Side::rail, column - n_wheel);
   }
 
-
-
   template <int dim>
-  std::vector<double>
-  RollingModes<dim>::static_amplitudes(
+  std::vector<double> RollingModes<dim>::static_amplitudes(
     const std::vector<double> &forces,
     const RollingConditions   &conditions) const
   {
@@ -165,31 +128,23 @@ namespace RollingContact
     for (const Side side : both_sides)
       {
         const AbsorberPlaces &places = modal.absorber_places(side);
-        std::vector<double>   eta(modal.n_modes(side), 0.),
-          left_out(places.n_coordinates(), 0.);
+        std::vector<double>   eta    = transposed_product(Phi[side], forces);
         for (std::size_t j = 0; j < eta.size(); ++j)
-          {
-            for (std::size_t i = 0; i < forces.size(); ++i)
-              eta[j] += Phi[side](i, j) * forces[i];
-            eta[j] /= modal.body(side)->modes.eigenvalue(j);
-          }
+          eta[j] /= modal.body(side)->modes.eigenvalue(j);
         all.insert(all.end(), eta.begin(), eta.end());
-        for (std::size_t k = 0; k < left_out.size(); ++k)
-          for (std::size_t i = 0; i < forces.size(); ++i)
-            left_out[k] += cross[side](i, k) * forces[i];
-        if (!left_out.empty())
+        if (places.n_coordinates() > 0)
           for (const double z :
-               absorbers_at_rest(places, conditions.absorbers, eta, left_out))
+               absorbers_at_rest(places,
+                                 conditions.absorbers,
+                                 eta,
+                                 transposed_product(cross[side], forces)))
             all.push_back(z);
       }
     return all;
   }
 
-
-
   template <int dim>
-  std::vector<double>
-  RollingModes<dim>::hub_inertia() const
+  std::vector<double> RollingModes<dim>::hub_inertia() const
   {
     std::vector<double>       result(modal.n_coordinates(Side::wheel) +
                                  modal.n_coordinates(Side::rail),
@@ -200,30 +155,22 @@ namespace RollingContact
     const std::vector<double> rise = wheel->body->uniform(dim - 1, 1.);
     std::vector<double>       momentum(rise.size());
     wheel->M.multiply(rise, momentum);
-    const DenseMatrix &shapes = wheel->modes.shapes;
-    for (std::size_t j = 0; j < modal.n_modes(Side::wheel); ++j)
-      for (std::size_t i = 0; i < momentum.size(); ++i)
-        result[j] -= shapes(i, j) * momentum[i];
+    as_vector(result).head(modal.n_modes(Side::wheel)) -=
+      wheel->modes.shapes.transpose() * as_vector(momentum);
     return result;
   }
-
-
 
   template <int dim>
   BodyField
   RollingModes<dim>::displacement(const Side                 side,
                                   const std::vector<double> &eta) const
   {
-    const VibratingBody<dim> &body   = *modal.body(side);
-    const DenseMatrix        &shapes = body.modes.shapes;
-    const auto                first  = eta.begin() + first_column(side);
-    const std::vector<double> amplitudes(first, first + modal.n_modes(side));
-    std::vector<double>       values(shapes.n_rows());
-    shapes.multiply_block(0, 0, amplitudes, values);
-    return body.body->field(values);
+    const VibratingBody<dim> &body  = *modal.body(side);
+    const auto                first = eta.begin() + first_column(side);
+    return body.body->field(
+      body.modes.shapes *
+      std::vector<double>(first, first + modal.n_modes(side)));
   }
-
-
 
   template <int dim>
   WholeBodies<dim>::WholeBodies(const RollingModes<dim> &rolling,
@@ -239,32 +186,26 @@ namespace RollingContact
         }
   }
 
-
-
   template <int dim>
-  ComplexVector
-  WholeBodies<dim>::load(const Side side, const ComplexVector &forces) const
+  ComplexVector WholeBodies<dim>::load(const Side           side,
+                                       const ComplexVector &forces) const
   {
-    std::vector<double> real, imaginary;
-    for (const Complex &force : forces)
-      {
-        real.push_back(force.real());
-        imaginary.push_back(force.imag());
-      }
+    std::vector<double> real(forces.size()), imaginary(forces.size());
+    as_vector(real)           = forces.real();
+    as_vector(imaginary)      = forces.imag();
     const auto load_real      = rolling.pair().forces_on_body(side, real),
                load_imaginary = rolling.pair().forces_on_body(side, imaginary);
-    ComplexVector b(rolling.bodies().body(side)->K.size(), 0.);
+    ComplexVector b =
+      ComplexVector::Zero(rolling.bodies().body(side)->K.size());
     for (std::size_t i = 0; i < unknowns[side].size(); ++i)
       b[unknowns[side][i]] += Complex(load_real[i], load_imaginary[i]);
     return b;
   }
 
-
-
   template <int dim>
   std::vector<ComplexVector>
   WholeBodies<dim>::motion(const Side                        side,
-                           const ComplexVector              &s,
+                           const ComplexValues              &s,
                            const std::vector<ComplexVector> &forces) const
   {
     if (!bodies[side])
@@ -275,11 +216,9 @@ namespace RollingContact
     return bodies[side]->solve(s, loads, full_tolerance);
   }
 
-
-
   template <int dim>
   std::vector<ComplexVector>
-  WholeBodies<dim>::response(const ComplexVector              &s,
+  WholeBodies<dim>::response(const ComplexValues              &s,
                              const std::vector<ComplexVector> &forces) const
   {
     PerSide<std::vector<ComplexVector>> x;
@@ -297,18 +236,13 @@ namespace RollingContact
             }
         const auto u = rolling.pair().relative_motion(std::move(real)),
                    v = rolling.pair().relative_motion(std::move(imaginary));
-        result.emplace_back();
-        for (std::size_t i = 0; i < u.size(); ++i)
-          result.back().emplace_back(u[i], v[i]);
+        result.push_back(as_vector(u) + Complex(0., 1.) * as_vector(v));
       }
     return result;
   }
 
-
-
   template <int dim>
-  unsigned int
-  WholeBodies<dim>::n_iterations() const
+  unsigned int WholeBodies<dim>::n_iterations() const
   {
     unsigned int sum = 0;
     for (const Side side : both_sides)
@@ -316,8 +250,6 @@ namespace RollingContact
         sum += bodies[side]->n_iterations();
     return sum;
   }
-
-
 
   template class RollingModes<2>;
   template class RollingModes<3>;

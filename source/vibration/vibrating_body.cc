@@ -1,10 +1,10 @@
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/modes/absorber_places.h>
 #include <rolling_contact/modes/body_reflections.h>
 #include <rolling_contact/modes/measuring_point.h>
-#include <rolling_contact/parallel/interrupt.h>
 #include <rolling_contact/vibration/mode_controls.h>
 #include <rolling_contact/vibration/vibrating_body.h>
 
@@ -20,11 +20,9 @@ namespace RollingContact
     /// from an eigenfrequency, over that, from where it is another one
     const double far_frequency = 0.05;
 
-
-
     template <int dim>
     std::unique_ptr<DirectBody<dim>>
-    make_body(const BodyParameters        &parameters,
+    make_body(const BodySpec              &parameters,
               const std::optional<double> &size,
               PhaseTimer                  &timer)
     {
@@ -38,11 +36,8 @@ namespace RollingContact
         parameters.model);
     }
 
-
-
     /** Whether K is positive definite. */
-    bool
-    is_held(const BodyParameters &body, const int dim)
+    bool is_held(const BodySpec &body, const int dim)
     {
       bool on_springs = body.hub == Hub::elastic;
       for (unsigned int axis = 0; axis < 3; ++axis)
@@ -55,10 +50,8 @@ namespace RollingContact
     }
   } // namespace
 
-
-
   template <int dim>
-  VibratingBody<dim>::VibratingBody(const SceneParameters           &scene,
+  VibratingBody<dim>::VibratingBody(const PairSpec                  &scene,
                                     const Side                       side,
                                     std::unique_ptr<DirectBody<dim>> own,
                                     const DirectBody<dim>           *body,
@@ -72,34 +65,29 @@ namespace RollingContact
     , own_body(std::move(own))
   {}
 
-
-
   template <int dim>
-  VibratingBody<dim>::VibratingBody(const SceneParameters &scene,
+  VibratingBody<dim>::VibratingBody(const PairSpec        &scene,
                                     const Side             side,
+                                    const ModesParameters &wanted,
                                     const double           cut_off,
                                     RunContext            &context)
-    : VibratingBody(scene,
-                    side,
-                    make_body<dim>(scene.body(side),
-                                   scene.modes.element_size,
-                                   context.timer),
-                    nullptr,
-                    is_held(scene.body(side), dim)
-                      ? 0.
-                      : shift_of_free_body(cut_off))
+    : VibratingBody(
+        scene,
+        side,
+        make_body<dim>(scene.body(side), wanted.element_size, context.timer),
+        nullptr,
+        is_held(scene.body(side), dim) ? 0. : shift_of_free_body(cut_off))
   {
     find_matrices(context);
     factorise(context);
-    find_modes(scene.modes, cut_off, context);
+    find_modes(wanted, cut_off, context);
     warn_of_pairs(scene.contact.speed, context);
   }
 
-
-
   template <int dim>
-  VibratingBody<dim>::VibratingBody(const SceneParameters &scene,
+  VibratingBody<dim>::VibratingBody(const PairSpec        &scene,
                                     const Side             side,
+                                    const ModesParameters &wanted,
                                     const DirectBody<dim> &rolling,
                                     const double           cut_off,
                                     RunContext            &context)
@@ -107,15 +95,12 @@ namespace RollingContact
   {
     find_matrices(context);
     factor = &rolling.factorisation();
-    find_modes(scene.modes, cut_off, context);
+    find_modes(wanted, cut_off, context);
     warn_of_pairs(scene.contact.speed, context);
   }
 
-
-
   template <int dim>
-  void
-  VibratingBody<dim>::find_matrices(RunContext &context)
+  void VibratingBody<dim>::find_matrices(RunContext &context)
   {
     PhaseTimer::Scope phase(context.timer, Phase::mesh);
     K = body->stiffness();
@@ -129,11 +114,8 @@ namespace RollingContact
       H = SymmetricSparseMatrix();
   }
 
-
-
   template <int dim>
-  void
-  VibratingBody<dim>::factorise(RunContext &context)
+  void VibratingBody<dim>::factorise(RunContext &context)
   {
     PhaseTimer::Scope phase(context.timer, Phase::condensation);
     own_factor =
@@ -145,13 +127,10 @@ namespace RollingContact
     factor = own_factor.get();
   }
 
-
-
   template <int dim>
-  void
-  VibratingBody<dim>::find_modes(const ModesParameters &wanted,
-                                 const double           cut_off,
-                                 RunContext            &context)
+  void VibratingBody<dim>::find_modes(const ModesParameters &wanted,
+                                      const double           cut_off,
+                                      RunContext            &context)
   {
     PhaseTimer::Scope  phase(context.timer, Phase::modes);
     const ModeControls controls = mode_controls(
@@ -177,12 +156,9 @@ namespace RollingContact
     report_modes(wanted, context);
   }
 
-
-
   template <int dim>
-  void
-  VibratingBody<dim>::report_modes(const ModesParameters &wanted,
-                                   RunContext            &context) const
+  void VibratingBody<dim>::report_modes(const ModesParameters &wanted,
+                                        RunContext            &context) const
   {
     double worst = 0.;
     for (const double residual : modes.residuals)
@@ -226,12 +202,9 @@ namespace RollingContact
        modes.counted ? "" : "Modes/Count check"});
   }
 
-
-
   template <int dim>
-  void
-  VibratingBody<dim>::warn_of_pairs(const std::optional<double> &speed,
-                                    RunContext                  &context) const
+  void VibratingBody<dim>::warn_of_pairs(const std::optional<double> &speed,
+                                         RunContext &context) const
   {
     const double radius  = parameters.radius;
     std::size_t  largest = modes.size();
@@ -260,8 +233,6 @@ namespace RollingContact
         " Hz). Equal cells round the axle keep pairs together.");
   }
 
-
-
   template <int dim>
   void
   VibratingBody<dim>::warn_of_diameters(const std::vector<AbsorberRing> &rings,
@@ -286,11 +257,9 @@ namespace RollingContact
           }
   }
 
-
-
   template <int dim>
-  AbsorberPlaces
-  VibratingBody<dim>::absorbers(const double highest, RunContext &context) const
+  AbsorberPlaces VibratingBody<dim>::absorbers(const double highest,
+                                               RunContext  &context) const
   {
     const auto rings = parameters.absorbers();
     if (rings.empty())
@@ -322,11 +291,8 @@ namespace RollingContact
     return result;
   }
 
-
-
   template <int dim>
-  std::vector<double>
-  VibratingBody<dim>::damping_of_single_modes() const
+  std::vector<double> VibratingBody<dim>::damping_of_single_modes() const
   {
     std::vector<double> ratios(modes.size(), 0.);
     for (const auto &[f, ratio] : parameters.model.damping.of_modes)
@@ -353,11 +319,8 @@ namespace RollingContact
     return ratios;
   }
 
-
-
   template <int dim>
-  std::vector<double>
-  VibratingBody<dim>::given_damping() const
+  std::vector<double> VibratingBody<dim>::given_damping() const
   {
     const std::vector<double> &by_diameters = parameters.model.damping.modal;
     std::vector<double>        ratios       = damping_of_single_modes();
@@ -369,8 +332,6 @@ namespace RollingContact
         characters[j].nodal_diameters.value_or(by_diameters.size()))];
     return ratios;
   }
-
-
 
   template struct VibratingBody<2>;
   template struct VibratingBody<3>;

@@ -31,13 +31,10 @@ namespace
     double       cpu_s = 0.;
   };
 
-
-
   /**
    * A text with all white space turned into single blanks.
    */
-  std::string
-  in_one_line(const std::string &text)
+  std::string in_one_line(const std::string &text)
   {
     std::istringstream words(text);
     std::string        result;
@@ -46,13 +43,10 @@ namespace
     return result;
   }
 
-
-
   /**
    * A label that fits into its column.
    */
-  std::string
-  short_label(const std::string &label)
+  std::string short_label(const std::string &label)
   {
     const std::size_t width = 40;
     return label.empty()           ? "-"
@@ -60,13 +54,10 @@ namespace
                                    : label.substr(0, width - 3) + "...";
   }
 
-
-
   /**
    * The entries of a used.prm as Section/Entry.
    */
-  std::map<std::string, std::string>
-  entries_of(const fs::path &file)
+  std::map<std::string, std::string> entries_of(const fs::path &file)
   {
     std::map<std::string, std::string> entries;
     std::ifstream                      stream(file);
@@ -88,13 +79,10 @@ namespace
     return entries;
   }
 
-
-
   /**
    * The scene of a run in millimetres and MPa, forces in N.
    */
-  std::vector<std::string>
-  in_millimetres(const fs::path &used)
+  std::vector<std::string> in_millimetres(const fs::path &used)
   {
     std::map<std::string, double> factors{{"Contact/Approach", 1e3},
                                           {"Contact/Spin", 1e-3}};
@@ -125,10 +113,7 @@ namespace
     return arguments;
   }
 
-
-
-  std::vector<std::string>
-  mirrored(const Trial &trial)
+  std::vector<std::string> mirrored(const Trial &trial)
   {
     std::vector<std::string> arguments{"--set", "Contact/Speed=-1"};
     for (const auto &entry :
@@ -143,8 +128,6 @@ namespace
       }
     return arguments;
   }
-
-
 
   /**
    * What differs between the forces of two runs, the second with the given
@@ -169,8 +152,6 @@ namespace
     return {};
   }
 
-
-
   class ExtremeCases
   {
   public:
@@ -193,8 +174,7 @@ namespace
                   "CPU s");
     }
 
-    void
-    run(const VariedScene &scene)
+    void run(const VariedScene &scene)
     {
       double before = 0.;
       for (std::size_t k = 0; k < scene.variants.size(); ++k)
@@ -218,11 +198,10 @@ namespace
     Summary summary;
 
   private:
-    Trial
-    start(const VariedScene              &scene,
-          const Variant                  &variant,
-          const std::vector<std::string> &more,
-          const std::string              &folder)
+    Trial start(const VariedScene              &scene,
+                const Variant                  &variant,
+                const std::vector<std::string> &more,
+                const std::string              &folder)
     {
       std::vector<std::string> arguments{scene.file};
       arguments.insert(arguments.end(),
@@ -235,8 +214,7 @@ namespace
       return trial;
     }
 
-    std::string
-    judge(const Variant &variant, const Trial &trial) const
+    std::string judge(const Variant &variant, const Trial &trial) const
     {
       if (variant.expected == 0)
         {
@@ -255,10 +233,9 @@ namespace
                : "";
     }
 
-    std::string
-    further_checks(const VariedScene &scene,
-                   const Variant     &variant,
-                   const Trial       &trial)
+    std::string further_checks(const VariedScene &scene,
+                               const Variant     &variant,
+                               const Trial       &trial)
     {
       if (scene.checks("mirror"))
         {
@@ -284,11 +261,10 @@ namespace
       return {};
     }
 
-    void
-    report(const VariedScene &scene,
-           const Variant     &variant,
-           const Trial       &trial,
-           const std::string &fault)
+    void report(const VariedScene &scene,
+                const Variant     &variant,
+                const Trial       &trial,
+                const std::string &fault)
     {
       const bool fallback =
         trial.cell("solver").find("fallback") != std::string::npos;
@@ -325,10 +301,7 @@ namespace
   };
 } // namespace
 
-
-
-int
-main(const int argc, char **argv)
+int main(const int argc, char **argv)
 {
   try
     {

@@ -29,16 +29,11 @@ namespace
     unsigned int  dimension = 2;
   };
 
-
-
   const char usage[] =
     "usage: random_scenes PROGRAM [--seed S] [--count N] [--dimension 2|3] "
     "[--keep FOLDER]";
 
-
-
-  Options
-  read_options(const int argc, char **argv)
+  Options read_options(const int argc, char **argv)
   {
     if (argc < 2 || argc % 2 != 0 || argv[1][0] == '-')
       throw std::runtime_error(usage);
@@ -63,8 +58,6 @@ namespace
     return options;
   }
 
-
-
   struct Counts
   {
     unsigned int n_right = 0, n_fallbacks = 0, n_refused = 0, n_told = 0,
@@ -72,28 +65,22 @@ namespace
     double cpu_s          = 0.;
   };
 
-
-
   /**
    * True if a run rightly ended with exit 2: the operators of the paper, and a
    * patch that in time outgrows its candidate zone.
    */
-  bool
-  rightly_not_converged(const RandomScene &scene, const Trial &trial)
+  bool rightly_not_converged(const RandomScene &scene, const Trial &trial)
   {
     return trial.end == Trial::End::exited && trial.exit_code == 2 &&
            (scene.may_not_converge() ||
             trial.messages.find("border of the") != std::string::npos);
   }
 
-
-
   /**
    * True if a scene was refused for what cannot be seen before it is drawn: it
    * does not fit into the memory or its patch does not fit on the bodies.
    */
-  bool
-  rightly_refused(const Trial &trial)
+  bool rightly_refused(const Trial &trial)
   {
     if (trial.end != Trial::End::exited || trial.exit_code != 1)
       return false;
@@ -110,13 +97,10 @@ namespace
     return false;
   }
 
-
-
-  void
-  judge(const RandomScene &scene,
-        const Trial       &trial,
-        const std::string &file,
-        Counts            &counts)
+  void judge(const RandomScene &scene,
+             const Trial       &trial,
+             const std::string &file,
+             Counts            &counts)
   {
     counts.cpu_s += trial.cpu_s;
     const std::string fault = trial.complaint();
@@ -144,10 +128,7 @@ namespace
   }
 } // namespace
 
-
-
-int
-main(const int argc, char **argv)
+int main(const int argc, char **argv)
 {
   for (int i = 1; i < argc; ++i)
     if (std::string(argv[i]) == "--help")

@@ -7,16 +7,13 @@
 
 namespace
 {
-  std::string
-  text_of(const double value)
+  std::string text_of(const double value)
   {
     char text[32];
     std::snprintf(text, sizeof text, "%.6g", value);
     return text;
   }
 } // namespace
-
-
 
 RandomScene::RandomScene(const std::uint64_t seed, const unsigned int dimension)
   : random(seed)
@@ -38,10 +35,7 @@ RandomScene::RandomScene(const std::uint64_t seed, const unsigned int dimension)
       std::to_string(random.integer(2, 5));
 }
 
-
-
-std::string
-RandomScene::prm() const
+std::string RandomScene::prm() const
 {
   std::string text;
   for (const auto &section : sections)
@@ -56,28 +50,19 @@ RandomScene::prm() const
   return text;
 }
 
-
-
-bool
-RandomScene::may_not_converge() const
+bool RandomScene::may_not_converge() const
 {
   return papers_operators;
 }
 
-
-
-void
-RandomScene::set(const std::string &section,
-                 const std::string &entry,
-                 const double       value)
+void RandomScene::set(const std::string &section,
+                      const std::string &entry,
+                      const double       value)
 {
   sections[section][entry] = text_of(value);
 }
 
-
-
-void
-RandomScene::choose_analysis()
+void RandomScene::choose_analysis()
 {
   const double draw        = random.between(0., 1.);
   analysis                 = draw < 0.6   ? "quasi-static"
@@ -86,10 +71,7 @@ RandomScene::choose_analysis()
   sections[""]["Analysis"] = analysis;
 }
 
-
-
-void
-RandomScene::choose_shapes()
+void RandomScene::choose_shapes()
 {
   wheel_radius = random.scale(0.05, 2.);
   smallest     = wheel_radius;
@@ -121,10 +103,7 @@ RandomScene::choose_shapes()
     }
 }
 
-
-
-double
-RandomScene::choose_block()
+double RandomScene::choose_block()
 {
   const double size         = wheel_radius * random.between(0.3, 2.);
   smallest                  = std::min(smallest, size);
@@ -141,10 +120,7 @@ RandomScene::choose_block()
   return radius;
 }
 
-
-
-void
-RandomScene::choose_lateral_shapes()
+void RandomScene::choose_lateral_shapes()
 {
   const double wheel = wheel_radius * random.scale(0.3, 3.),
                rail =
@@ -159,10 +135,7 @@ RandomScene::choose_lateral_shapes()
     are_twins ? wheel / 2 : 1 / (1 / wheel + (rail > 0. ? 1 / rail : 0.));
 }
 
-
-
-void
-RandomScene::choose_materials()
+void RandomScene::choose_materials()
 {
   for (const std::string body : {"Wheel", "Rail"})
     {
@@ -188,10 +161,7 @@ RandomScene::choose_materials()
   modulus = 1 / compliance;
 }
 
-
-
-void
-RandomScene::choose_contact()
+void RandomScene::choose_contact()
 {
   // a half-width that small strains, small angles and the bodies allow
   // in 3D not so small that the bodies around it take gigabytes
@@ -245,10 +215,7 @@ RandomScene::choose_contact()
     sections["Contact"]["Contact matrices"] = "balanced";
 }
 
-
-
-void
-RandomScene::choose_mesh()
+void RandomScene::choose_mesh()
 {
   const bool flat = dimension == 2;
   set("Mesh", "Elements across patch", random.integer(2, flat ? 40 : 8));
@@ -275,10 +242,7 @@ RandomScene::choose_mesh()
     }
 }
 
-
-
-void
-RandomScene::choose_time()
+void RandomScene::choose_time()
 {
   const double speed   = std::abs(std::stod(sections["Contact"]["Speed"]));
   const double step    = half_width / speed * random.scale(1e-4, 1.);

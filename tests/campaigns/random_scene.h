@@ -14,43 +14,33 @@ class RandomScene
 public:
   RandomScene(const std::uint64_t seed, const unsigned int dimension);
 
-  std::string
-  prm() const;
+  std::string prm() const;
 
   /**
    * True for the operators of the paper, which are singular on some patches
    * and need not converge.
    */
-  bool
-  may_not_converge() const;
+  bool may_not_converge() const;
 
 private:
   void
   set(const std::string &section, const std::string &entry, const double value);
 
-  void
-  choose_analysis();
+  void choose_analysis();
 
-  void
-  choose_shapes();
+  void choose_shapes();
 
-  double
-  choose_block();
+  double choose_block();
 
-  void
-  choose_lateral_shapes();
+  void choose_lateral_shapes();
 
-  void
-  choose_materials();
+  void choose_materials();
 
-  void
-  choose_contact();
+  void choose_contact();
 
-  void
-  choose_mesh();
+  void choose_mesh();
 
-  void
-  choose_time();
+  void choose_time();
 
   RandomSource       random;
   const unsigned int dimension;

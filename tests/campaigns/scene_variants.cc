@@ -5,18 +5,14 @@
 #include <fstream>
 #include <stdexcept>
 
-std::string
-trimmed(const std::string &text)
+std::string trimmed(const std::string &text)
 {
   const std::size_t begin = text.find_first_not_of(" \t\r"),
                     end   = text.find_last_not_of(" \t\r");
   return begin == std::string::npos ? "" : text.substr(begin, end - begin + 1);
 }
 
-
-
-std::vector<std::string>
-split(const std::string &text, const char separator)
+std::vector<std::string> split(const std::string &text, const char separator)
 {
   std::vector<std::string> parts(1);
   for (const char c : text)
@@ -29,8 +25,6 @@ split(const std::string &text, const char separator)
   return parts;
 }
 
-
-
 namespace
 {
   struct Expectation
@@ -40,13 +34,11 @@ namespace
     std::string              reason;
   };
 
-
-
   /**
    * Every variant so far with every value of a line.
    */
-  std::vector<Variant>
-  crossed(const std::vector<Variant> &variants, const std::string &line)
+  std::vector<Variant> crossed(const std::vector<Variant> &variants,
+                               const std::string          &line)
   {
     const std::size_t equal = line.find('=');
     if (equal == std::string::npos)
@@ -76,10 +68,7 @@ namespace
     return result;
   }
 
-
-
-  void
-  apply(const Expectation &expectation, std::vector<Variant> &variants)
+  void apply(const Expectation &expectation, std::vector<Variant> &variants)
   {
     for (Variant &variant : variants)
       for (const std::string &value : variant.values)
@@ -92,8 +81,6 @@ namespace
           }
   }
 } // namespace
-
-
 
 VariedScene::VariedScene(const std::string &file)
   : file(file)
@@ -124,10 +111,7 @@ VariedScene::VariedScene(const std::string &file)
     apply(expectation, variants);
 }
 
-
-
-bool
-VariedScene::checks(const std::string &name) const
+bool VariedScene::checks(const std::string &name) const
 {
   return std::find(check_names.begin(), check_names.end(), name) !=
          check_names.end();

@@ -34,18 +34,15 @@ struct VariedScene
 {
   explicit VariedScene(const std::string &file);
 
-  bool
-  checks(const std::string &name) const;
+  bool checks(const std::string &name) const;
 
   std::string              file, name;
   std::vector<Variant>     variants;
   std::vector<std::string> check_names;
 };
 
-std::vector<std::string>
-split(const std::string &text, const char separator);
+std::vector<std::string> split(const std::string &text, const char separator);
 
-std::string
-trimmed(const std::string &text);
+std::string trimmed(const std::string &text);
 
 #endif

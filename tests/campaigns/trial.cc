@@ -34,10 +34,7 @@ namespace
    */
   const double residual_limit = 1e-6;
 
-
-
-  std::vector<std::string>
-  cells_of(const std::string &line)
+  std::vector<std::string> cells_of(const std::string &line)
   {
     std::vector<std::string> cells(1);
     bool                     quoted = false;
@@ -51,10 +48,7 @@ namespace
     return cells;
   }
 
-
-
-  std::vector<Trial::Row>
-  read_table(const fs::path &file)
+  std::vector<Trial::Row> read_table(const fs::path &file)
   {
     std::vector<Trial::Row>  rows;
     std::ifstream            stream(file);
@@ -74,13 +68,10 @@ namespace
     return rows;
   }
 
-
-
-  [[noreturn]] void
-  become(const std::string              &program,
-         const std::vector<std::string> &arguments,
-         const std::string              &folder,
-         const unsigned int              cpu_s)
+  [[noreturn]] void become(const std::string              &program,
+                           const std::vector<std::string> &arguments,
+                           const std::string              &folder,
+                           const unsigned int              cpu_s)
   {
     const rlimit limit{cpu_s, cpu_s + 5};
     setrlimit(RLIMIT_CPU, &limit);
@@ -104,16 +95,13 @@ namespace
     _exit(127);
   }
 
-
-
   /**
    * Wait for a child at most so long, then kill it. Returns false if killed.
    */
-  bool
-  await(const pid_t        child,
-        const unsigned int wall_s,
-        int               &status,
-        rusage            &usage)
+  bool await(const pid_t        child,
+             const unsigned int wall_s,
+             int               &status,
+             rusage            &usage)
   {
     const auto begin = std::chrono::steady_clock::now();
     while (wait4(child, &status, WNOHANG, &usage) == 0)
@@ -131,28 +119,19 @@ namespace
   }
 } // namespace
 
-
-
-std::string
-Trial::cell(const std::string &column) const
+std::string Trial::cell(const std::string &column) const
 {
   if (rows.empty() || rows.back().count(column) == 0)
     return {};
   return rows.back().at(column);
 }
 
-
-
-double
-Trial::number(const std::string &column) const
+double Trial::number(const std::string &column) const
 {
   return std::atof(cell(column).c_str());
 }
 
-
-
-double
-Trial::largest(const std::string &column) const
+double Trial::largest(const std::string &column) const
 {
   double result = 0.;
   for (const Row &row : rows)
@@ -161,10 +140,7 @@ Trial::largest(const std::string &column) const
   return result;
 }
 
-
-
-std::pair<double, std::string>
-Trial::worst_invariant() const
+std::pair<double, std::string> Trial::worst_invariant() const
 {
   const std::string              prefix = "invariant_";
   std::pair<double, std::string> worst{0., "-"};
@@ -179,10 +155,7 @@ Trial::worst_invariant() const
   return worst;
 }
 
-
-
-std::string
-Trial::complaint() const
+std::string Trial::complaint() const
 {
   if (end == End::crashed)
     return "crashed";
@@ -205,13 +178,10 @@ Trial::complaint() const
   return {};
 }
 
-
-
-Trial
-run_trial(const std::string              &program,
-          const std::vector<std::string> &arguments,
-          const std::string              &folder,
-          const TrialLimits              &limits)
+Trial run_trial(const std::string              &program,
+                const std::vector<std::string> &arguments,
+                const std::string              &folder,
+                const TrialLimits              &limits)
 {
   fs::remove_all(folder);
   const pid_t child = fork();
@@ -240,10 +210,7 @@ run_trial(const std::string              &program,
   return trial;
 }
 
-
-
-std::string
-make_work_folder()
+std::string make_work_folder()
 {
   std::string folder =
     (std::filesystem::temp_directory_path() / "rolling_contact_trials_XXXXXX")
@@ -253,10 +220,7 @@ make_work_folder()
   return folder;
 }
 
-
-
-std::string
-short_number(const double value)
+std::string short_number(const double value)
 {
   char text[32];
   std::snprintf(text, sizeof text, "%.2g", value);

@@ -28,30 +28,25 @@ struct Trial
   /**
    * A cell of the last row as a number; 0 where there is none.
    */
-  double
-  number(const std::string &column) const;
+  double number(const std::string &column) const;
 
-  std::string
-  cell(const std::string &column) const;
+  std::string cell(const std::string &column) const;
 
   /**
    * Largest cell of a column.
    */
-  double
-  largest(const std::string &column) const;
+  double largest(const std::string &column) const;
 
   /**
    * Largest `invariant_*` of all rows and its name.
    */
-  std::pair<double, std::string>
-  worst_invariant() const;
+  std::pair<double, std::string> worst_invariant() const;
 
   /**
    * What is wrong with a run that should have ended well: crash, hang, exit
    * code, a cell that is not finite, a broken invariant. Empty if nothing.
    */
-  std::string
-  complaint() const;
+  std::string complaint() const;
 };
 
 struct TrialLimits
@@ -63,22 +58,19 @@ struct TrialLimits
 /**
  * Run @p program with @p arguments and `--output folder`.
  */
-Trial
-run_trial(const std::string              &program,
-          const std::vector<std::string> &arguments,
-          const std::string              &folder,
-          const TrialLimits              &limits);
+Trial run_trial(const std::string              &program,
+                const std::vector<std::string> &arguments,
+                const std::string              &folder,
+                const TrialLimits              &limits);
 
 /**
  * A new folder to work in, where the system keeps its temporary files.
  */
-std::string
-make_work_folder();
+std::string make_work_folder();
 
 /**
  * Two decimals and the like, for tables.
  */
-std::string
-short_number(const double value);
+std::string short_number(const double value);
 
 #endif

@@ -3,7 +3,7 @@
 #include "input_parts.h"
 
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/state/checkpoint.h>
+#include <rolling_contact/time/checkpoint.h>
 
 #include <cstdlib>
 #include <cstring>
@@ -13,8 +13,7 @@ using namespace RollingContact;
 
 /** A forged size asks for more than there is: on a machine without ASan that
  * is std::bad_alloc. */
-void *
-operator new(const std::size_t n)
+void *operator new(const std::size_t n)
 {
   void *const memory = n < (1u << 26) ? std::malloc(n) : nullptr;
   if (memory == nullptr)
@@ -22,29 +21,20 @@ operator new(const std::size_t n)
   return memory;
 }
 
-
-
-void
-operator delete(void *const memory) noexcept
+void operator delete(void *const memory) noexcept
 {
   std::free(memory);
 }
 
-
-
-void
-operator delete(void *const memory, std::size_t) noexcept
+void operator delete(void *const memory, std::size_t) noexcept
 {
   std::free(memory);
 }
-
-
 
 namespace
 {
   /** The head write_checkpoint() puts before an archive. */
-  std::string
-  head_of(const std::string &archive)
+  std::string head_of(const std::string &archive)
   {
     char                head[40] = "rolling-contact restart";
     const std::uint64_t n_bytes  = archive.size();
@@ -58,11 +48,9 @@ namespace
   }
 } // namespace
 
-
-
 /** As it stands, then behind a head that belongs to it. */
-extern "C" int
-LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_t size)
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data,
+                                      const std::size_t   size)
 {
   const RunFolder   folder("", "", "");
   const std::string bytes(reinterpret_cast<const char *>(data), size);

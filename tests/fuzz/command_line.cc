@@ -8,8 +8,8 @@
 using namespace RollingContact;
 
 /** One word a line. */
-extern "C" int
-LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_t size)
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data,
+                                      const std::size_t   size)
 {
   std::string text(reinterpret_cast<const char *>(data), size);
   std::replace(text.begin(), text.end(), '\n', '\0');

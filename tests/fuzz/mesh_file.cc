@@ -1,14 +1,14 @@
 #include "input_parts.h"
 
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/mesh_files/mesh_file.h>
+#include <rolling_contact/mesh/mesh_file.h>
 
 using namespace RollingContact;
 
 /** A mesh of Gmsh if it begins with a dollar, else of Abaqus, of a rail in both
  * dimensions, and as a wheel's, which is mirrored. */
-extern "C" int
-LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_t size)
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data,
+                                      const std::size_t   size)
 {
   MeshFile file;
   file.section = "Rail";

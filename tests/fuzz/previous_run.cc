@@ -9,8 +9,8 @@
 using namespace RollingContact;
 
 /** Parts: run.json, used.prm of a former run, used.prm of this one. */
-extern "C" int
-LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_t size)
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data,
+                                      const std::size_t   size)
 {
   const auto parts = input_parts(data, size);
   write_part(record_name, parts, 0);

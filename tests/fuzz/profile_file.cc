@@ -1,15 +1,14 @@
 #include "input_parts.h"
 
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/profiles/profile_file.h>
+#include <rolling_contact/surfaces/profile_file.h>
 
 using namespace RollingContact;
 
 namespace
 {
   /** All coordinates are finite, and the arc length rises. */
-  void
-  check_curve(const Profiles::ProfileCurve &curve)
+  void check_curve(const Profiles::ProfileCurve &curve)
   {
     for (const auto &point : curve.points())
       must(std::isfinite(point.y) && std::isfinite(point.z) &&
@@ -24,11 +23,8 @@ namespace
            "the profile between its points is not finite");
   }
 
-
-
   /** Points written in m in two columns must be read as the same. */
-  void
-  write_and_read(const std::vector<Profiles::MeasuredPoint> &points)
+  void write_and_read(const std::vector<Profiles::MeasuredPoint> &points)
   {
     std::string text = "# y z\n";
     for (const auto &point : points)
@@ -44,12 +40,10 @@ namespace
   }
 } // namespace
 
-
-
 /** Parts: the ending of the file's name and letters for its options (y and z:
  * mirrored, m: metres, s: not smoothed), the file. */
-extern "C" int
-LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_t size)
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data,
+                                      const std::size_t   size)
 {
   const auto        parts = input_parts(data, size);
   const std::string file =

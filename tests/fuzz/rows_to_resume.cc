@@ -9,11 +9,8 @@ namespace
 {
   const char state_name[] = "limit_cycle_state.txt";
 
-
-
   /** Rows that were read are written as the same rows. */
-  void
-  read_rows_of(const std::string &text)
+  void read_rows_of(const std::string &text)
   {
     ResultsTable table;
     try
@@ -30,10 +27,7 @@ namespace
     must(again.csv() == table.csv(), "other rows");
   }
 
-
-
-  void
-  read_state(const RunFolder &folder)
+  void read_state(const RunFolder &folder)
   {
     SweepState state;
     try
@@ -60,11 +54,9 @@ namespace
   }
 } // namespace
 
-
-
 /** Parts: results.csv, limit_cycle_state.txt. */
-extern "C" int
-LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_t size)
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data,
+                                      const std::size_t   size)
 {
   const auto parts = input_parts(data, size);
   write_part(state_name, parts, 1);

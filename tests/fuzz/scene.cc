@@ -13,8 +13,7 @@ using namespace RollingContact;
 namespace
 {
   /** What `--validate` does, with settings of the command line. */
-  std::string
-  validate(const std::vector<std::string> &settings)
+  std::string validate(const std::vector<std::string> &settings)
   {
     std::vector<const char *> words{"rolling-contact", "scene.prm"};
     for (const std::string &setting : settings)
@@ -26,21 +25,16 @@ namespace
   }
 } // namespace
 
-
-
-extern "C" int
-LLVMFuzzerInitialize(int *, char ***)
+extern "C" int LLVMFuzzerInitialize(int *, char ***)
 {
   dealii::MultithreadInfo::set_thread_limit(1);
   return 0;
 }
 
-
-
 /** Parts: scene.prm, a file it may include, a table it may name, settings by
  * line. A valid scene written back must be valid and the same. */
-extern "C" int
-LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_t size)
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data,
+                                      const std::size_t   size)
 {
   const auto parts = input_parts(data, size);
   write_part("scene.prm", parts, 0);

@@ -1,7 +1,7 @@
 #include "input_parts.h"
 
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/mesh_files/section_file.h>
+#include <rolling_contact/mesh/section_file.h>
 
 #include <algorithm>
 
@@ -10,8 +10,7 @@ using namespace RollingContact;
 namespace
 {
   /** Numbers of corners are those of vertices, and all is finite. */
-  void
-  check_mesh(const FileMesh &mesh)
+  void check_mesh(const FileMesh &mesh)
   {
     const std::size_t n = mesh.vertices.size();
     for (const auto &vertex : mesh.vertices)
@@ -28,13 +27,10 @@ namespace
     must(std::isfinite(mesh.depth) && mesh.depth > 0., "it has no depth");
   }
 
-
-
   /** Lines of format 2.2: edges of a boundary. */
-  std::string
-  edges(const std::vector<FileMesh::Face> &faces,
-        const unsigned int                 boundary,
-        std::size_t                       &number)
+  std::string edges(const std::vector<FileMesh::Face> &faces,
+                    const unsigned int                 boundary,
+                    std::size_t                       &number)
   {
     std::string text;
     for (const auto &face : faces)
@@ -44,11 +40,8 @@ namespace
     return text;
   }
 
-
-
   /** As a file of Gmsh, of a rail in m. */
-  std::string
-  gmsh_of(const FileMesh &mesh)
+  std::string gmsh_of(const FileMesh &mesh)
   {
     std::string nodes, elements;
     std::size_t node = 0, element = 0;
@@ -69,12 +62,9 @@ namespace
            std::to_string(element) + '\n' + elements + "$EndElements\n";
   }
 
-
-
   /** What was read as a rail's section, written and read again, has the same
    * vertices and as many cells and edges. */
-  void
-  write_and_read(const FileMesh &mesh, MeshFile file)
+  void write_and_read(const FileMesh &mesh, MeshFile file)
   {
     file.name             = "again.msh";
     file.path             = file.name;
@@ -93,12 +83,10 @@ namespace
   }
 } // namespace
 
-
-
 /** Parts: letters for options (r: revolved, w: a wheel's, p: under a profile,
  * m: metres), a mesh of Gmsh if it begins with a dollar, else of Abaqus. */
-extern "C" int
-LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_t size)
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data,
+                                      const std::size_t   size)
 {
   const auto parts = input_parts(data, size);
   if (parts.size() < 2)

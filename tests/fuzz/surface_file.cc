@@ -11,11 +11,8 @@ namespace
 {
   const char entry[] = "Surfaces/Rail height";
 
-
-
   /** Written in m at its own spacing it must be read as the same. */
-  void
-  write_and_read(const SurfaceRecord &record)
+  void write_and_read(const SurfaceRecord &record)
   {
     std::string text = "position,height\n";
     double      size = 0.;
@@ -34,11 +31,8 @@ namespace
            "another height");
   }
 
-
-
   /** Filtered, as a rail's and as that of a wheel it goes once around. */
-  void
-  check_filtered(const SurfaceRecord &record)
+  void check_filtered(const SurfaceRecord &record)
   {
     const Signals::CutOff cut_off{4 * record.spacing, 2 * record.spacing};
     for (const double around : {0., record.end() - record.begin})
@@ -53,12 +47,10 @@ namespace
   }
 } // namespace
 
-
-
 /** Parts: the text of the entry and of another one that names the units
  * (u: micrometres over millimetres), surface.csv. */
-extern "C" int
-LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_t size)
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data,
+                                      const std::size_t   size)
 {
   auto parts = input_parts(data, size);
   if (parts.size() < 3 || parts[0].find('/') != std::string::npos)

@@ -11,10 +11,7 @@ namespace
 {
   const char entry[] = "Table/File of rows";
 
-
-
-  std::string
-  csv_of(const NamedRows &table, const char separator)
+  std::string csv_of(const NamedRows &table, const char separator)
   {
     std::string text;
     for (const std::string &name : table.names)
@@ -30,10 +27,7 @@ namespace
     return text;
   }
 
-
-
-  void
-  read_file()
+  void read_file()
   {
     NamedRows table;
     try
@@ -61,10 +55,7 @@ namespace
          "written and read it is another table");
   }
 
-
-
-  void
-  read_axes(const std::vector<std::string> &texts)
+  void read_axes(const std::vector<std::string> &texts)
   {
     TableParameters parameters;
     for (std::size_t k = 0; k < parameters.axis_texts.size(); ++k)
@@ -97,11 +88,9 @@ namespace
   }
 } // namespace
 
-
-
 /** Parts: rows.csv, then the texts of axes. */
-extern "C" int
-LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_t size)
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data,
+                                      const std::size_t   size)
 {
   const auto parts = input_parts(data, size);
   write_part("rows.csv", parts, 0);

@@ -5,11 +5,9 @@
 
 using namespace RollingContact;
 
-
-
 /** Parts: the text of an entry of section Time, table.csv. */
-extern "C" int
-LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_t size)
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data,
+                                      const std::size_t   size)
 {
   const auto parts = input_parts(data, size);
   write_part("table.csv", parts, 1);

@@ -3,9 +3,10 @@
 #include "scene_run.h"
 
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/interface/operators.h>
+#include <rolling_contact/contact/operators.h>
 #include <rolling_contact/state/adaptive_levels.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace RollingContact;
@@ -14,8 +15,7 @@ BOOST_AUTO_TEST_SUITE(adaptivity)
 
 namespace
 {
-  void
-  standard_2d(SceneParameters &scene)
+  void standard_2d(SceneParameters &scene)
   {
     for (BodyParameters *body : {&scene.wheel, &scene.rail})
       {
@@ -31,10 +31,7 @@ namespace
     scene.mesh.target_change         = 0.;
   }
 
-
-
-  void
-  standard_3d(SceneParameters &scene)
+  void standard_3d(SceneParameters &scene)
   {
     standard_2d(scene);
     scene.dimension = 3;
@@ -51,8 +48,6 @@ namespace
     scene.mesh.growth                = 0.6;
   }
 
-
-
   /**
    * All levels of a scene, in memory.
    */
@@ -65,7 +60,7 @@ namespace
       standard(scene);
       change(scene);
       scene.check();
-      last = AdaptiveLevels<dim>(scene, StateDemands(), context)
+      last = AdaptiveLevels<dim>(Situation(scene), StateDemands(), context)
                .run([&](const SteadyState<dim> &level) {
                  BOOST_TEST(level.solver.converged);
                  n_nodes.push_back(level.problem.n_nodes());
@@ -76,8 +71,6 @@ namespace
     std::vector<unsigned int> n_nodes;
   };
 } // namespace
-
-
 
 /**
  * Three levels whose errors shrink by the same factor point to the exact limit.
@@ -102,7 +95,30 @@ BOOST_AUTO_TEST_CASE(geometric_levels_have_an_exact_limit)
              boost::test_tools::tolerance(1e-10));
 }
 
-
+/**
+ * Meshes are made and solved on as long as states ask for others, ten at most.
+ */
+BOOST_AUTO_TEST_CASE(meshes_end_where_one_fits_or_at_ten)
+{
+  for (const unsigned int n_needed : {1u, 3u, 10u, 11u})
+    {
+      unsigned int n_solved = 0, n_made = 1;
+      const bool   fits = solve_on_fitting_mesh(
+        [&](const unsigned int k) {
+          BOOST_TEST(k == n_solved);
+          BOOST_TEST(n_made == n_solved + 1);
+          ++n_solved;
+        },
+        [&](const unsigned int k) {
+          BOOST_TEST(k + 1 == n_solved);
+          const bool another = n_solved < n_needed;
+          n_made += another;
+          return another;
+        });
+      BOOST_TEST(fits == (n_needed <= 10));
+      BOOST_TEST(n_solved == std::min(n_needed, 10u));
+    }
+}
 
 /**
  * Where elements of different size meet, balanced row sums give the nodal
@@ -138,8 +154,6 @@ BOOST_AUTO_TEST_CASE(balanced_lumping_is_exact_on_linear_fields)
              1e-12);
 }
 
-
-
 /**
  * The marked cells are where the state says: at the ends of the patch, leading
  * before trailing, and at the end of the stick zone.
@@ -170,8 +184,6 @@ BOOST_AUTO_TEST_CASE(marks_are_at_rim_and_stick_border)
     BOOST_TEST(std::count(marks.begin(), marks.end(), mark) >= 3);
 }
 
-
-
 /**
  * Bodies of different shape and size stay matched through all levels, and the
  * rim's error of the peak pressure shrinks.
@@ -199,8 +211,6 @@ BOOST_AUTO_TEST_CASE(different_bodies_stay_matched)
   BOOST_TEST(crowned.n_nodes.size() == 2u);
 }
 
-
-
 /**
  * A state carried over to the mesh it comes from is itself, and a refined
  * twin's residual starts near that of the coarse state.
@@ -216,8 +226,6 @@ BOOST_AUTO_TEST_CASE(transfer_keeps_the_state)
       BOOST_TEST(state.traction(0, i) == run.steady.state.traction(0, i));
     }
 }
-
-
 
 /**
  * Levels end before the budget, urgent marks first, and a budget below the
@@ -244,8 +252,6 @@ BOOST_AUTO_TEST_CASE(the_budget_holds)
            std::string::npos;
   });
 }
-
-
 
 /**
  * Halving the contact zone is the same as asking for twice the elements.

@@ -8,16 +8,18 @@
 #include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/spelling.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/input/prm_declared.h>
 #include <rolling_contact/input/prm_entries.h>
 #include <rolling_contact/input/prm_text.h>
 #include <rolling_contact/input/rows_file.h>
-#include <rolling_contact/mesh_files/mesh_file.h>
-#include <rolling_contact/profiles/profile_file.h>
+#include <rolling_contact/mesh/mesh_file.h>
+#include <rolling_contact/program/analysis_table.h>
 #include <rolling_contact/program/scene_reader.h>
 #include <rolling_contact/run/previous_run.h>
+#include <rolling_contact/scene/known_entries.h>
+#include <rolling_contact/scene/scene_entries.h>
 #include <rolling_contact/scene/table_parameters.h>
 #include <rolling_contact/scene/time_function.h>
+#include <rolling_contact/surfaces/profile_file.h>
 #include <rolling_contact/surfaces/surface_record.h>
 
 #include <cmath>
@@ -49,8 +51,6 @@ BOOST_AUTO_TEST_CASE(files_that_include_files)
                       "cannot be read: it is a folder"));
 }
 
-
-
 BOOST_AUTO_TEST_CASE(files_that_are_no_scenes)
 {
   const ScratchFolder scratch;
@@ -66,8 +66,6 @@ BOOST_AUTO_TEST_CASE(files_that_are_no_scenes)
   write(file, "\xEF\xBB\xBFset X = 1\r\n");
   BOOST_TEST(read_prm(file).text == "set X = 1\r\n");
 }
-
-
 
 BOOST_AUTO_TEST_CASE(lines_of_a_scene)
 {
@@ -100,8 +98,6 @@ BOOST_AUTO_TEST_CASE(lines_of_a_scene)
   BOOST_TEST(contains(found.entries[0].place, part + ": line 1"));
 }
 
-
-
 BOOST_AUTO_TEST_CASE(names_that_are_meant)
 {
   BOOST_TEST(edit_distance("Aproach", "approach") == 1u);
@@ -125,30 +121,201 @@ BOOST_AUTO_TEST_CASE(names_that_are_meant)
   BOOST_TEST(meant("Contact/Temperature") == "");
 }
 
-
-
-BOOST_AUTO_TEST_CASE(patterns_in_words)
+BOOST_AUTO_TEST_CASE(what_entries_take_in_words)
 {
-  const auto allowed = [](const std::string &pattern, const std::string &unit) {
-    return what_is_allowed(pattern, unit);
+  double                    number = 0.;
+  unsigned int              whole  = 2;
+  std::string               text;
+  std::vector<unsigned int> several;
+  bool                      flag = true;
+  Entries                   entries;
+  entries.section("Wheel");
+  const auto said = [](const Entry &entry, const std::string &value) {
+    return complaint([&]() { entry.check(value, "here: "); });
   };
-  BOOST_TEST(allowed("[Double 0...MAX_DOUBLE (inclusive)]", "Pa") ==
-             "give a number of at least 0 Pa");
-  BOOST_TEST(allowed("[Double 0.5...1 (inclusive)]", "") ==
-             "give a number from 0.5 to 1");
-  BOOST_TEST(allowed("[Double -MAX_DOUBLE...MAX_DOUBLE (inclusive)]", "m") ==
-             "give a number in m");
-  BOOST_TEST(allowed("[Integer range 2...3 (inclusive)]", "") ==
-             "give a whole number from 2 to 3");
-  BOOST_TEST(allowed("[Selection a|b c ]", "") == "give `a` or `b c`");
-  BOOST_TEST(allowed("[List of <[Integer range 1...2147483647 (inclusive)]> of "
-                     "length 1...4294967295 (inclusive)]",
-                     "") ==
-             "give a list separated by commas, each a whole number of at least "
-             "1");
+  BOOST_TEST(said(entries.add("A", number, "Pa").at_least(0.), "-1") ==
+             "here: Wheel/A = -1: give a number of at least 0 Pa.");
+  BOOST_TEST(said(entries.add("B", number, "1").between(0.5, 1.), "0,5") ==
+             "here: Wheel/B = 0,5: give a number from 0.5 to 1; decimals take "
+             "a point.");
+  BOOST_TEST(entries.add("C", number, "m").allowed() == "a number in m");
+  BOOST_TEST(said(entries.add("D", whole, "1").between(2, 3), "2.5") ==
+             "here: Wheel/D = 2.5: give a whole number from 2 to 3.");
+  BOOST_TEST(said(entries.add("E", text).one_of("a|b c|d"), "b") ==
+             "here: Wheel/E = b: give `a`, `b c` or `d`.");
+  BOOST_TEST(entries.add("F", text).one_of("a|b c").allowed() ==
+             "`a` or `b c`");
+  const Entry &list = entries.add("G", several, "1").at_least(1).several();
+  BOOST_TEST(said(list, "1, 0") ==
+             "here: Wheel/G = 1, 0: give a list separated by commas, each a "
+             "whole number of at least 1.");
+  BOOST_TEST(said(list, "") != "");
+  BOOST_TEST(said(list, "1, 2") == "");
+  BOOST_TEST(entries.add("H", flag).allowed() == "`true` or `false`");
+  BOOST_TEST(entries.add("I", text).allowed() == "");
+  BOOST_TEST(&entries.find("Wheel/G") == &list);
 }
 
+/** Numbers say their unit, and an entry says when it has no effect. */
+BOOST_AUTO_TEST_CASE(every_entry_is_described)
+{
+  SceneParameters scene;
+  const auto     &kinds       = analysis_kinds();
+  const Entries   entries     = scene.declare({kinds.begin(), kinds.end()});
+  unsigned int    n_with_unit = 0;
+  for (const Entry &entry : entries.rows())
+    {
+      if (entry.path() == "Analysis")
+        continue; // the program knows which there are
+      const bool is_number = entry.takes_numbers() ||
+                             entry.kind == Entry::Kind::number ||
+                             entry.kind == Entry::Kind::integer;
+      BOOST_TEST((!is_number || !entry.unit.empty()), entry.path());
+      BOOST_TEST((entry.help.size() > 10 && entry.help.back() != ' '),
+                 entry.path());
+      BOOST_TEST((entry.help.find("Units:") == std::string::npos),
+                 entry.path());
+      BOOST_TEST(entry.is_default(entry.default_text), entry.path());
+      if (!entry.default_text.empty())
+        BOOST_TEST(complaint([&]() { entry.check(entry.default_text, ""); }) ==
+                     "",
+                   entry.path());
+      const std::string idle = entry.why_idle(scene);
+      BOOST_TEST((idle.empty() || idle.back() != '.'), entry.path());
+      n_with_unit += is_number;
+    }
+  BOOST_TEST(n_with_unit > 150u);
+}
 
+namespace
+{
+  /** A section as a new analysis brings it. */
+  struct WearParameters
+  {
+    void declare(Entries &entries)
+    {
+      entries.section("Wear").read_by_analyses("wear");
+      entries.add("Rate", rate, "m^2/N").at_least(0.).help =
+        "Depth that is worn over the work of friction on an area.";
+    }
+
+    double rate = 0.;
+  };
+
+  AnalysisTraits wear()
+  {
+    AnalysisTraits traits;
+    traits.name        = "wear";
+    traits.help        = "how surfaces wear";
+    traits.sections    = {"Wear"};
+    traits.add_section = &add_section<WearParameters>;
+    traits.check       = [](const SceneParameters &scene) {
+      if (scene.own<WearParameters>().rate == 0.)
+        throw InputError("Wear/Rate = 0: nothing wears.");
+    };
+    return traits;
+  }
+} // namespace
+
+/** The section that an analysis brings is declared, read, copied, checked, and
+ * said to have no effect in scenes of others. */
+BOOST_AUTO_TEST_CASE(an_analysis_brings_its_section)
+{
+  SceneParameters scene;
+  const Entries   entries = scene.declare({AnalysisTraits(), wear()});
+  entries.find("Wear/Rate").read("2");
+  BOOST_TEST(scene.own<WearParameters>().rate == 2.);
+  const auto unused = unused_entries(scene, {{"Wear/Rate", "2"}});
+  BOOST_REQUIRE(unused.size() == 1u);
+  BOOST_TEST(unused[0] == "Wear/Rate = 2 has no effect: Analysis = wear reads "
+                          "that section, not quasi-static.");
+  entries.find("Analysis").read("wear");
+  BOOST_TEST(unused_entries(scene, {{"Wear/Rate", "2"}}).empty());
+  SceneEntries copy{Situation(scene)};
+  copy.set("Wear/Rate", "0");
+  BOOST_TEST(copy.unit("Wear/Rate") == "m^2/N");
+  BOOST_TEST(scene.own<WearParameters>().rate == 2.);
+  BOOST_TEST(complaint([&]() { scene.analysis.check(scene); }) == "");
+  scene.own<WearParameters>().rate = 0.;
+  BOOST_TEST(complaint([&]() { scene.analysis.check(scene); }) ==
+             "Wear/Rate = 0: nothing wears.");
+}
+
+/** A value that is none leaves the scene as it was, at the price of a text. */
+BOOST_AUTO_TEST_CASE(entries_that_are_set_to_nothing)
+{
+  SceneParameters scene;
+  scene.contact.normal_load = 1e4;
+  scene.wheel.radius        = 0.46;
+  const Situation first(scene);
+  SceneEntries    entries(first);
+  const auto refused = [&](const std::string &entry, const std::string &value) {
+    return complaint([&]() { entries.set(entry, value); }) != "";
+  };
+  BOOST_TEST(refused("Contact/Normal load", "much"));
+  BOOST_TEST(refused("Mesh/Patch offset", "2"));
+  BOOST_TEST(refused("Profiles/Roll", "level"));
+  BOOST_TEST(refused("Wheel/Modal damping", "1e-3, x"));
+  BOOST_TEST(refused("Wheel/Mode damping", "392"));
+  BOOST_TEST(refused("Contact/Load", "1"));
+  BOOST_TEST(entries.bodies_key() == SceneEntries(first).bodies_key());
+  BOOST_TEST(entries.situation().contact.normal_load.value() == 1e4);
+}
+
+/** Bodies are the same whatever way their numbers are written. */
+BOOST_AUTO_TEST_CASE(keys_of_bodies_compare_numbers)
+{
+  SceneParameters scene;
+  scene.contact.normal_load = 1e4;
+  const Situation first(scene);
+  const auto key = [&](const std::string &entry, const std::string &value) {
+    SceneEntries entries(first);
+    entries.set(entry, value);
+    return entries.bodies_key();
+  };
+  BOOST_TEST(key("Wheel/Radius", "0.460") == key("Wheel/Radius", "4.6e-1"));
+  BOOST_TEST(key("Wheel/Radius", "0.46").find("Wheel/Radius = 0.46") !=
+             std::string::npos);
+  BOOST_TEST(key("Wheel/Radius", "0.46") != key("Wheel/Radius", "0.461"));
+  BOOST_TEST(key("Contact/Normal load", "1") == key("Contact/Spin", "0"));
+  BOOST_TEST(key("Contact/Slip operator", "upwind 2") !=
+             key("Contact/Spin", "0"));
+  BOOST_TEST(key("Profiles/Yaw", "0.01") != key("Profiles/Yaw", "0.02"));
+}
+
+/** What a run that is resumed may have changed follows from its analysis. */
+BOOST_AUTO_TEST_CASE(entries_that_are_free_on_resume)
+{
+  SceneParameters scene;
+  const auto      is_free = [&](const std::string &entry) {
+    return entries_free_on_resume(scene).count(entry) > 0;
+  };
+  scene.analysis.records_run = scene.analysis.marches = true;
+  for (const char *entry : {"Output/Plot",
+                            "Spectrum/Write",
+                            "Sound/Distance",
+                            "Body solver",
+                            "Time/End time",
+                            "Time/Stop when periodic",
+                            "Time/Checkpoint seconds"})
+    BOOST_TEST(is_free(entry), entry);
+  for (const char *entry : {"Sound/Estimate",
+                            "Time/Time step",
+                            "Time/Field interval",
+                            "Contact/Spin",
+                            "Dimension"})
+    BOOST_TEST(!is_free(entry), entry);
+  scene.analysis.records_run    = false;
+  scene.analysis.until_periodic = true;
+  BOOST_TEST(is_free("Output/Plot"));
+  BOOST_TEST(is_free("Body threads"));
+  BOOST_TEST(!is_free("Time/End time"));
+  BOOST_TEST(!is_free("Body solver"));
+  scene.analysis                 = AnalysisTraits();
+  scene.analysis.has_many_states = true;
+  BOOST_TEST(is_free("Table/Threads"));
+  BOOST_TEST(!is_free("Table/Axis 1"));
+}
 
 BOOST_AUTO_TEST_CASE(traps_in_expressions)
 {
@@ -165,8 +332,6 @@ BOOST_AUTO_TEST_CASE(traps_in_expressions)
   BOOST_TEST(unknown_name_in_expression("1e3*x+pi*_e", {"x"}) == "");
 }
 
-
-
 BOOST_AUTO_TEST_CASE(texts_of_unknown_origin)
 {
   BOOST_TEST(quotable("a\x01\xFFz\xC3\xA9\xC2\x85") ==
@@ -174,16 +339,12 @@ BOOST_AUTO_TEST_CASE(texts_of_unknown_origin)
   BOOST_TEST(quotable(std::string(70, 'a')) == std::string(60, 'a') + "...");
 }
 
-
-
 BOOST_AUTO_TEST_CASE(values_that_a_file_cannot_hold)
 {
   BOOST_TEST(problem_of_value("table: a b.csv 2") == "");
   for (const std::string value : {"1 # 2", "{1", "1\nset X = 2", "a\\"})
     BOOST_TEST(problem_of_value(value) != "");
 }
-
-
 
 BOOST_AUTO_TEST_CASE(numbers_that_are_none)
 {
@@ -212,8 +373,6 @@ BOOST_AUTO_TEST_CASE(numbers_that_are_none)
                       "Load curve/Shares of load contains 1.5"));
 }
 
-
-
 BOOST_AUTO_TEST_CASE(tables_with_short_rows_and_odd_blanks)
 {
   const ScratchFolder scratch;
@@ -227,8 +386,6 @@ BOOST_AUTO_TEST_CASE(tables_with_short_rows_and_odd_blanks)
     contains(said("t,b,c,d\n0,1,2,3\n1,2\n"), "line 3: there is no column d"));
   BOOST_TEST(said("t,b,c,d\n0,1,2,3\n\v\n\f \n1,2,3,4\n") == "");
 }
-
-
 
 BOOST_AUTO_TEST_CASE(records_of_runs)
 {
@@ -252,8 +409,6 @@ BOOST_AUTO_TEST_CASE(records_of_runs)
   BOOST_TEST((entries == expected));
 }
 
-
-
 BOOST_AUTO_TEST_CASE(texts_that_are_numbers)
 {
   BOOST_TEST(number_of("1e-3").value() == 1e-3);
@@ -272,8 +427,6 @@ BOOST_AUTO_TEST_CASE(texts_that_are_numbers)
                                   std::string("x")})
     BOOST_TEST(!number_of(text), quotable(text));
 }
-
-
 
 /** As a file system leaves the end of a file that was not written in time. */
 BOOST_AUTO_TEST_CASE(bytes_of_zero_are_no_numbers)
@@ -314,16 +467,12 @@ BOOST_AUTO_TEST_CASE(bytes_of_zero_are_no_numbers)
                       "line 13"));
 }
 
-
-
 BOOST_AUTO_TEST_CASE(axes_of_the_least_numbers)
 {
   TableParameters table;
   table.axis_texts[0] = "Contact/Creepage x = 1e-310, 2e-310";
   BOOST_TEST(table.axes().at(0).values.at(1) == 2e-310);
 }
-
-
 
 BOOST_AUTO_TEST_CASE(states_of_sweeps_that_are_none)
 {
@@ -344,8 +493,6 @@ BOOST_AUTO_TEST_CASE(states_of_sweeps_that_are_none)
                                   std::string()})
     BOOST_TEST(contains(said(text), "is missing or damaged"), text);
 }
-
-
 
 /** deal.II looks without end for an order of such cells. */
 BOOST_AUTO_TEST_CASE(three_cells_at_an_edge)

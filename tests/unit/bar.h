@@ -1,7 +1,7 @@
 #ifndef rolling_contact_tests_unit_bar_h
 #define rolling_contact_tests_unit_bar_h
 
-#include <rolling_contact/dynamics/theta_stepper.h>
+#include "plain_stepper.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,26 +23,23 @@ namespace RollingContact
     double       density       = 1.;
     double       area          = 1.;
 
-    double
-    element_size() const
+    double element_size() const
     {
       return length / n_elements;
     }
 
-    double
-    wave_speed() const
+    double wave_speed() const
     {
       return std::sqrt(young_modulus / density);
     }
 
-    unsigned int
-    n_unknowns() const
+    unsigned int n_unknowns() const
     {
       return n_elements + !clamped;
     }
 
-    SymmetricSparseMatrix
-    tridiagonal(const double diagonal, const double off_diagonal) const
+    SymmetricSparseMatrix tridiagonal(const double diagonal,
+                                      const double off_diagonal) const
     {
       SymmetricSparseMatrix matrix;
       const unsigned int    n = n_unknowns();
@@ -62,28 +59,25 @@ namespace RollingContact
       return matrix;
     }
 
-    SymmetricSparseMatrix
-    stiffness() const
+    SymmetricSparseMatrix stiffness() const
     {
       const double k = young_modulus * area / element_size();
       return tridiagonal(2 * k, -k);
     }
 
-    SymmetricSparseMatrix
-    mass() const
+    SymmetricSparseMatrix mass() const
     {
       const double m = density * area * element_size();
       return consistent ? tridiagonal(2 * m / 3, m / 6) : tridiagonal(m, 0.);
     }
 
-    ThetaStepper
-    stepper(const ThetaScheme              &scheme,
-            const double                    h,
-            const std::vector<std::size_t> &contact = {0}) const
+    PlainStepper stepper(const ThetaScheme              &scheme,
+                         const double                    h,
+                         const std::vector<std::size_t> &contact = {0}) const
     {
       std::vector<unsigned int> nodes(n_unknowns());
       std::iota(nodes.begin(), nodes.end(), 0);
-      ThetaStepper result(std::make_shared<ThetaSystem>(
+      PlainStepper result(std::make_shared<ThetaSystem>(
         scheme, stiffness(), mass(), nodes, contact));
       result.set_time_step(h);
       return result;
@@ -95,18 +89,17 @@ namespace RollingContact
    * configuration: 0 <= r, u1 + h (1 - theta) v1 >= wall, complementary.
    * Returns r.
    */
-  inline double
-  impact_step(ThetaStepper &stepper, const double wall = 0.)
+  inline double impact_step(PlainStepper &stepper, const double wall = 0.)
   {
     stepper.begin_step();
-    const double h       = stepper.system().time_step(),
-                 theta   = stepper.system().scheme().theta,
+    const double h       = stepper.system->time_step(),
+                 theta   = stepper.system->scheme().theta,
                  shifted = stepper.contact_displacement()[0] +
                            h * (1 - theta) * stepper.contact_velocity()[0] +
                            h * stepper.free_contact_velocity()[0];
     const double reaction =
       std::max(0.,
-               (wall - shifted) / stepper.system().contact_compliance()(0, 0));
+               (wall - shifted) / stepper.system->contact_compliance()(0, 0));
     stepper.end_step({reaction});
     return reaction;
   }

@@ -39,8 +39,8 @@ BOOST_AUTO_TEST_CASE(break_points_grow_away_from_their_core)
 
 namespace
 {
-  std::shared_ptr<const BodyShape>
-  disc(const double radius, const double hub_radius)
+  std::shared_ptr<const BodyShape> disc(const double radius,
+                                        const double hub_radius)
   {
     ShapeParameters parameters;
     parameters.radius     = radius;
@@ -52,10 +52,9 @@ namespace
    * Cells of bodies with @p shape for a patch with semi-axes of 3.6 mm and @p
    * aspect times that.
    */
-  double
-  cells_in_space(const std::shared_ptr<const BodyShape> &shape,
-                 const unsigned int                      n_elements,
-                 const double                            aspect)
+  double cells_in_space(const std::shared_ptr<const BodyShape> &shape,
+                        const unsigned int                      n_elements,
+                        const double                            aspect)
   {
     const double a = 3.6e-3;
     Grading<3>   grading;

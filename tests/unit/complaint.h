@@ -9,8 +9,7 @@
 namespace RollingContact
 {
   /** What an InputError says; empty if there was none. */
-  inline std::string
-  complaint(const std::function<void()> &action)
+  inline std::string complaint(const std::function<void()> &action)
   {
     try
       {
@@ -23,10 +22,7 @@ namespace RollingContact
     return {};
   }
 
-
-
-  inline bool
-  contains(const std::string &text, const std::string &part)
+  inline bool contains(const std::string &text, const std::string &part)
   {
     return text.find(part) != std::string::npos;
   }

@@ -4,12 +4,12 @@
 #include "scene_run.h"
 
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/contact/patch_area.h>
+#include <rolling_contact/contact/patches.h>
 #include <rolling_contact/pair/profile_patch.h>
-#include <rolling_contact/patch/patch_area.h>
-#include <rolling_contact/patch/patches.h>
-#include <rolling_contact/profiles/nominal_profiles.h>
 #include <rolling_contact/references/half_space_pressure.h>
 #include <rolling_contact/references/hertz_ellipse.h>
+#include <rolling_contact/surfaces/nominal_profiles.h>
 
 #include <algorithm>
 #include <cmath>
@@ -40,8 +40,7 @@ namespace
     return ProfileCurve(points);
   }
 
-  ProfileCurve
-  arc(const double width, const double r)
+  ProfileCurve arc(const double width, const double r)
   {
     return curve(
       width,
@@ -49,8 +48,7 @@ namespace
       [&](const double y) { return y / std::sqrt(r * r - y * y); });
   }
 
-  ProfileCurve
-  cone(const double slope)
+  ProfileCurve cone(const double slope)
   {
     return curve(
       0.05,
@@ -58,8 +56,8 @@ namespace
       [&](const double) { return slope; });
   }
 
-  std::shared_ptr<const WheelOnRail>
-  pair(const ProfileCurve &wheel, const ProfileCurve &rail)
+  std::shared_ptr<const WheelOnRail> pair(const ProfileCurve &wheel,
+                                          const ProfileCurve &rail)
   {
     return std::make_shared<const WheelOnRail>(wheel,
                                                rail.shifted(tape_circle, 0.),
@@ -77,8 +75,7 @@ namespace
   const double steel = 210e9 / (2 * (1 - 0.09)); // contact modulus, Pa
 
   /** A wheel on a block, to be given profiles. */
-  void
-  wheel_on_block(SceneParameters &scene)
+  void wheel_on_block(SceneParameters &scene)
   {
     scene.dimension                  = 3;
     scene.wheel.hub_radius           = 0.1;
@@ -94,8 +91,7 @@ namespace
     scene.output.body_fields         = false;
   }
 
-  void
-  s1002_on_60e1(SceneParameters &scene)
+  void s1002_on_60e1(SceneParameters &scene)
   {
     wheel_on_block(scene);
     scene.profiles.wheel_profile = "S1002";
@@ -104,8 +100,6 @@ namespace
     scene.profiles.roll          = 0.;
   }
 } // namespace
-
-
 
 BOOST_AUTO_TEST_CASE(the_gap_of_arcs_is_that_of_arcs)
 {
@@ -119,8 +113,6 @@ BOOST_AUTO_TEST_CASE(the_gap_of_arcs_is_that_of_arcs)
                  (radius - std::sqrt(radius * radius - x * x))) < 1e-10);
   BOOST_TEST(!frame.gap(0., 45 * mm).has_value());
 }
-
-
 
 BOOST_AUTO_TEST_CASE(the_gap_is_measured_along_the_normal)
 {
@@ -136,8 +128,6 @@ BOOST_AUTO_TEST_CASE(the_gap_is_measured_along_the_normal)
   BOOST_TEST(frame.gap(x, 0.).value() == x * x / (2 * here),
              boost::test_tools::tolerance(1e-3));
 }
-
-
 
 BOOST_AUTO_TEST_CASE(the_left_side_is_the_mirror_image_of_the_right)
 {
@@ -175,8 +165,6 @@ BOOST_AUTO_TEST_CASE(the_left_side_is_the_mirror_image_of_the_right)
   BOOST_TEST(force[1] == other[1]);
 }
 
-
-
 BOOST_AUTO_TEST_CASE(a_curved_surface_follows_the_rail)
 {
   // a cylinder on an arc: the gap along the normal of the arc
@@ -208,8 +196,6 @@ BOOST_AUTO_TEST_CASE(a_curved_surface_follows_the_rail)
   BOOST_TEST(frame.turn_of_normal({{-1 * mm, 10.}, {1 * mm, 10.}}) == 0.);
 }
 
-
-
 BOOST_AUTO_TEST_CASE(a_spin_on_the_flange_is_that_of_its_own_plane)
 {
   // slip on the flange, seen from the tread, against that in its own plane
@@ -227,8 +213,6 @@ BOOST_AUTO_TEST_CASE(a_spin_on_the_flange_is_that_of_its_own_plane)
                spin * x,
              boost::test_tools::tolerance(1e-6));
 }
-
-
 
 BOOST_AUTO_TEST_CASE(creepages_are_those_of_contact)
 {
@@ -264,8 +248,6 @@ BOOST_AUTO_TEST_CASE(creepages_are_those_of_contact)
              boost::test_tools::tolerance(1e-9));
 }
 
-
-
 BOOST_AUTO_TEST_CASE(a_round_wheel_slips_as_its_radius_grows)
 {
   // r(y) of a convex wheel on a flat rail, and of a cone, that has none
@@ -282,8 +264,6 @@ BOOST_AUTO_TEST_CASE(a_round_wheel_slips_as_its_radius_grows)
   const ContactFrame of_cone(pair(cone(0.1), arc(0.03, 0.1)), {}, false);
   BOOST_TEST(std::abs(of_cone.slip_beyond_spin(8 * mm)) < 1e-8);
 }
-
-
 
 BOOST_AUTO_TEST_CASE(half_spaces_press_on_the_ellipse_of_hertz)
 {
@@ -309,8 +289,6 @@ BOOST_AUTO_TEST_CASE(half_spaces_press_on_the_ellipse_of_hertz)
     References::half_space_pressure(grid, gap, steel, {}, hertz.approach);
   BOOST_TEST(at.load == load, boost::test_tools::tolerance(3e-3));
 }
-
-
 
 BOOST_AUTO_TEST_CASE(patches_are_those_of_an_independent_half_space)
 {
@@ -343,8 +321,6 @@ BOOST_AUTO_TEST_CASE(patches_are_those_of_an_independent_half_space)
     }
 }
 
-
-
 BOOST_AUTO_TEST_CASE(a_state_on_profiles_is_that_of_a_half_space)
 {
   const SceneRun<3> run([](SceneParameters &scene) { s1002_on_60e1(scene); },
@@ -360,8 +336,6 @@ BOOST_AUTO_TEST_CASE(a_state_on_profiles_is_that_of_a_half_space)
   BOOST_TEST(areas.contact == 28.459e-6, boost::test_tools::tolerance(0.03));
   BOOST_TEST(std::abs(areas.stick - 14.86e-6) < 0.03 * 28.459e-6);
 }
-
-
 
 BOOST_AUTO_TEST_CASE(states_are_those_of_contact)
 {
@@ -409,8 +383,6 @@ BOOST_AUTO_TEST_CASE(states_are_those_of_contact)
   BOOST_TEST(n_compared == 3u);
 }
 
-
-
 BOOST_AUTO_TEST_CASE(an_arc_as_a_profile_is_a_crowned_block)
 {
   const double r         = 0.3;
@@ -427,12 +399,13 @@ BOOST_AUTO_TEST_CASE(an_arc_as_a_profile_is_a_crowned_block)
   s1002_on_60e1(run.scene);
   creepages(run.scene);
   run.scene.check();
-  run.scene.profiles.frame =
+  Situation situation(run.scene);
+  situation.frame =
     std::make_shared<const ContactFrame>(pair(cone(0.), arc(0.04, r)),
                                          WheelsetPosition{},
                                          false);
   const SteadyState<3> arcs =
-    solve_steady_state<3>(run.scene, StateDemands(), run.context);
+    solve_steady_state<3>(situation, StateDemands(), run.context);
   BOOST_TEST(arcs.result.force_x == radii.steady.result.force_x,
              boost::test_tools::tolerance(5e-3));
   BOOST_TEST(arcs.result.force_y == radii.steady.result.force_y,
@@ -440,8 +413,6 @@ BOOST_AUTO_TEST_CASE(an_arc_as_a_profile_is_a_crowned_block)
   BOOST_TEST(arcs.result.max_pressure == radii.steady.result.max_pressure,
              boost::test_tools::tolerance(5e-3));
 }
-
-
 
 BOOST_AUTO_TEST_CASE(the_track_carries_the_vertical_load)
 {
@@ -454,15 +425,13 @@ BOOST_AUTO_TEST_CASE(the_track_carries_the_vertical_load)
                           scene.mesh.elements_across_patch = 10;
                         });
   const Resultants &found = run.steady.result;
-  const double      angle = run.scene.profiles.frame->angle();
+  const double      angle = run.situation().frame->angle();
   BOOST_TEST(angle < -0.3);
   BOOST_TEST(found.normal_force * std::cos(angle) -
                  found.force_y * std::sin(angle) ==
                20e3,
              boost::test_tools::tolerance(1e-8));
 }
-
-
 
 BOOST_AUTO_TEST_CASE(patches_add_up_to_the_state)
 {
@@ -495,8 +464,6 @@ BOOST_AUTO_TEST_CASE(patches_add_up_to_the_state)
              boost::test_tools::tolerance(1e-9));
 }
 
-
-
 BOOST_AUTO_TEST_CASE(a_load_beyond_all_bodies_is_refused)
 {
   const ContactFrame frame(s1002_on_60e1(), {3 * mm, 0., 0.}, false);
@@ -507,8 +474,6 @@ BOOST_AUTO_TEST_CASE(a_load_beyond_all_bodies_is_refused)
              boost::test_tools::tolerance(1e-9));
 }
 
-
-
 BOOST_AUTO_TEST_CASE(tread_and_flange_at_once_are_refused)
 {
   SceneParameters scene;
@@ -517,8 +482,8 @@ BOOST_AUTO_TEST_CASE(tread_and_flange_at_once_are_refused)
   scene.profiles.roll       = {};
   scene.contact.normal_load = 120e3;
   scene.check();
-  scene.read_profiles();
-  const std::string said = complaint([&]() { estimate_patch(scene); });
+  const std::string said =
+    complaint([&]() { estimate_patch(Situation(scene)); });
   BOOST_TEST(contains(said, "Profiles/Lateral shift"));
   BOOST_TEST(contains(said, "degrees"));
 }

@@ -1,8 +1,8 @@
 #include <boost/test/unit_test.hpp>
 
+#include <rolling_contact/algebra/cycle_measures.h>
+#include <rolling_contact/algebra/verdict.h>
 #include <rolling_contact/base/constants.h>
-#include <rolling_contact/cycles/cycle_measures.h>
-#include <rolling_contact/cycles/verdict.h>
 
 #include <cmath>
 #include <functional>
@@ -18,8 +18,8 @@ namespace
 {
   const double h = 1e-5;
 
-  std::vector<double>
-  sampled(const std::size_t n, const std::function<double(double)> &x)
+  std::vector<double> sampled(const std::size_t                    n,
+                              const std::function<double(double)> &x)
   {
     std::vector<double> values(n);
     for (std::size_t k = 0; k < n; ++k)
@@ -27,29 +27,26 @@ namespace
     return values;
   }
 
-  SampledMotion
-  motion(const std::size_t n, const std::function<double(double)> &x)
+  SampledMotion motion(const std::size_t                    n,
+                       const std::function<double(double)> &x)
   {
     return {h, {{sampled(n, x), 0, 0.}}};
   }
 
-  double
-  wave(const double f, const double t)
+  double wave(const double f, const double t)
   {
     return std::cos(2 * pi * f * t) + 0.3 * std::sin(4 * pi * f * t) +
            0.1 * std::cos(10 * pi * f * t + 1.);
   }
 
   /** What sticks for a while and then slips: kinks and a plateau. */
-  double
-  stick_slip(const double f, const double t)
+  double stick_slip(const double f, const double t)
   {
     const double phase = f * t - std::floor(f * t);
     return phase < 0.6 ? 0.2 : 0.2 - std::sin(pi * (phase - 0.6) / 0.4);
   }
 
-  Motion
-  kind(const SampledMotion &motion, const double tolerance = 1e-3)
+  Motion kind(const SampledMotion &motion, const double tolerance = 1e-3)
   {
     const Verdict verdict = judge(motion, 0, tolerance);
     BOOST_TEST_MESSAGE(sentence(verdict));

@@ -1,7 +1,7 @@
 #include "scene_run.h"
 
-#include <rolling_contact/assessment/error_bounds.h>
 #include <rolling_contact/pair/patch_estimate.h>
+#include <rolling_contact/results/error_bounds.h>
 
 #include <cmath>
 
@@ -36,7 +36,7 @@ BOOST_AUTO_TEST_CASE(pressure_strains_the_surfaces_by_dundurs_constant)
 {
   const Run               run([](SceneParameters &) {});
   const ContactOperators &problem   = run.steady.problem.operators;
-  const PairConstants     constants = pair_constants(run.scene);
+  const PairConstants     constants = pair_constants(run.situation());
   const auto             &pressure  = run.steady.state.pressure;
   const auto              displacement =
     problem.tangential_displacement_of_pressure(pressure);
@@ -76,7 +76,7 @@ BOOST_AUTO_TEST_CASE(coarse_meshes_have_the_force_of_fine_ones)
         const double error = std::abs(run.force_x() - converged.second / 0.3);
         BOOST_TEST_CONTEXT("creepage " << converged.first << ", offset "
                                        << offset)
-        BOOST_TEST(error < *error_bounds(run.scene, run.steady).force);
+        BOOST_TEST(error < *error_bounds(run.situation(), run.steady).force);
       }
 }
 

@@ -1,10 +1,10 @@
 #include "scene_run.h"
 
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/distributed/distributed_body.h>
-#include <rolling_contact/distributed/distributed_motion.h>
-#include <rolling_contact/pair/compliance_update.h>
-#include <rolling_contact/parallel/ranks.h>
+#include <rolling_contact/base/ranks.h>
+#include <rolling_contact/bodies/body_dynamics.h>
+#include <rolling_contact/bodies/distributed_body.h>
+#include <rolling_contact/solvers/compliance_update.h>
 
 #include <cmath>
 
@@ -16,8 +16,7 @@ namespace
 {
   const Material steel{210e9, 0.3, 7850.};
 
-  std::shared_ptr<const BodyShape>
-  disc()
+  std::shared_ptr<const BodyShape> disc()
   {
     ShapeParameters parameters;
     parameters.radius         = 0.46;
@@ -31,8 +30,7 @@ namespace
    * Ranks that each solve the body directly as well take a smaller one in 3D.
    */
   template <int dim>
-  double
-  usual_growth()
+  double usual_growth()
   {
     return dim == 3 && Ranks::count() > 1 ? 0.7 : 0.35;
   }
@@ -41,8 +39,7 @@ namespace
    * A zone of about 6 mm, hanging nodes around it.
    */
   template <int dim>
-  Grading<dim>
-  grading(const double growth)
+  Grading<dim> grading(const double growth)
   {
     Grading<dim> result;
     result.element_size_x = 1e-3;
@@ -78,15 +75,13 @@ namespace
         components.push_back(d);
     }
 
-    std::size_t
-    n_forces() const
+    std::size_t n_forces() const
     {
       return nodes.size() * dim;
     }
   };
 
-  std::vector<double>
-  some_forces(const std::size_t n, const double phase = 1.)
+  std::vector<double> some_forces(const std::size_t n, const double phase = 1.)
   {
     std::vector<double> forces(n);
     for (std::size_t i = 0; i < n; ++i)
@@ -94,9 +89,8 @@ namespace
     return forces;
   }
 
-  double
-  relative_difference(const std::vector<double> &x,
-                      const std::vector<double> &y)
+  double relative_difference(const std::vector<double> &x,
+                             const std::vector<double> &y)
   {
     BOOST_REQUIRE_EQUAL(x.size(), y.size());
     double difference = 0.;
@@ -106,8 +100,7 @@ namespace
   }
 
   template <int dim>
-  void
-  check_same_body(const BodyModel &model = {})
+  void check_same_body(const BodyModel &model = {})
   {
     Bodies<dim> bodies(usual_growth<dim>(), model);
     BOOST_TEST(bodies.direct.n_unknowns() == bodies.spread.n_unknowns());
@@ -139,8 +132,7 @@ namespace
   }
 
   template <int dim>
-  void
-  check_same_motion(const MassKind mass)
+  void check_same_motion(const MassKind mass)
   {
     Bodies<dim>       bodies;
     const ThetaScheme scheme{0.6, 20., 1e-8};
@@ -235,10 +227,10 @@ BOOST_AUTO_TEST_CASE(a_distributed_body_moves_like_the_direct_one)
 
 namespace
 {
-  ContactOperators
-  frictional_operators(const DenseMatrix &W, const bool coupled)
+  ContactOperators frictional_operators(const DenseMatrix &W,
+                                        const bool         coupled)
   {
-    const unsigned int n = W.n_rows() / 2;
+    const unsigned int n = W.rows() / 2;
     SparseRows         H(n);
     for (unsigned int i = 0; i < n; ++i)
       H.add(i, i, 1.);
@@ -257,8 +249,9 @@ namespace
 BOOST_AUTO_TEST_CASE(a_secant_update_keeps_earlier_ones)
 {
   // W0 a part of W: the change is positive, and of low rank here
-  const unsigned int n = 6;
-  DenseMatrix        first(2 * n, 2 * n), exact(2 * n, 2 * n);
+  const unsigned int n     = 6;
+  DenseMatrix        first = DenseMatrix::Zero(2 * n, 2 * n),
+              exact        = DenseMatrix::Zero(2 * n, 2 * n);
   for (unsigned int j = 0; j < 2 * n; ++j)
     for (unsigned int i = 0; i < 2 * n; ++i)
       {
@@ -269,9 +262,7 @@ BOOST_AUTO_TEST_CASE(a_secant_update_keeps_earlier_ones)
       }
   ContactOperators operators = frictional_operators(first, true);
   const auto product = [](const DenseMatrix &W, const std::vector<double> &r) {
-    std::vector<double> u(r.size(), 0.);
-    W.multiply_block(0, 0, r, u);
-    return u;
+    return W * r;
   };
   std::vector<std::vector<double>> known;
   for (unsigned int k = 0; k < 3; ++k)
@@ -303,9 +294,7 @@ BOOST_AUTO_TEST_CASE(the_error_of_a_response_does_not_change_the_compliance)
   const unsigned int n = 4;
   for (const double traction : {0., 1e-14})
     {
-      DenseMatrix identity(2 * n, 2 * n);
-      for (unsigned int i = 0; i < 2 * n; ++i)
-        identity(i, i) = 1.;
+      const DenseMatrix   identity  = DenseMatrix::Identity(2 * n, 2 * n);
       ContactOperators    operators = frictional_operators(identity, false);
       std::vector<double> forces(2 * n, 1.), displacement(2 * n, 2.);
       for (unsigned int i = 0; i < n; ++i)
@@ -318,8 +307,8 @@ BOOST_AUTO_TEST_CASE(the_error_of_a_response_does_not_change_the_compliance)
         for (unsigned int i = 0; i < 2 * n; ++i)
           if (i < n || j < n)
             BOOST_TEST(operators.W()(i, j) == (i == j ? 1. : 0.));
-      std::vector<double> answer(n, 0.);
-      operators.W().multiply_block(n, n, std::vector<double>(n, 1.), answer);
+      const std::vector<double> answer =
+        block_product(operators.W(), n, n, n, std::vector<double>(n, 1.));
       for (const double value : answer)
         BOOST_TEST(std::abs(value - 2.) < 1e-14);
     }
@@ -331,8 +320,7 @@ namespace
    * The same scene with both kinds of bodies.
    */
   template <int dim>
-  void
-  check_same_state(const std::function<void(SceneParameters &)> &scene)
+  void check_same_state(const std::function<void(SceneParameters &)> &scene)
   {
     const auto run = [&](const BodySolver solver) {
       return SceneRun<dim>(scene, [&](SceneParameters &parameters) {

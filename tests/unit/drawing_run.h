@@ -52,8 +52,8 @@ namespace RollingContact
     }
 
     /** A column of results.csv or history.csv. */
-    std::vector<double>
-    column(const std::string &file, const std::string &name) const
+    std::vector<double> column(const std::string &file,
+                               const std::string &name) const
     {
       const auto cells = [](const std::string &line) {
         std::vector<std::string> texts;
@@ -74,15 +74,13 @@ namespace RollingContact
       return values;
     }
 
-    std::string
-    script(const std::string &name) const
+    std::string script(const std::string &name) const
     {
       return read(files.folder / (name + ".gp"));
     }
 
     /** Whether the picture is whole, and has been registered with its parts. */
-    bool
-    is_drawn(const std::string &name) const
+    bool is_drawn(const std::string &name) const
     {
       const std::string listed = read(files.folder / "run.json");
       for (const std::string extension : {".dat", ".gp", ".svg"})

@@ -1,8 +1,8 @@
 #include "scene_run.h"
 
-#include <rolling_contact/assessment/error_bounds.h>
+#include <rolling_contact/contact/resultants.h>
 #include <rolling_contact/contact/tangential_problem.h>
-#include <rolling_contact/patch/resultants.h>
+#include <rolling_contact/results/error_bounds.h>
 
 #include <cmath>
 
@@ -30,24 +30,18 @@ namespace
           change)
     {}
 
-    std::size_t
-    n_unresolved() const
+    std::size_t n_unresolved() const
     {
       return tangential_problem(steady.problem, steady.state).rows.n_unresolved;
     }
   };
 
-
-
-  void
-  flat_rail(SceneParameters &scene, const double depth)
+  void flat_rail(SceneParameters &scene, const double depth)
   {
     scene.rail.shape       = "block";
     scene.rail.radius      = 0.;
     scene.rail.block_depth = depth;
   }
-
-
 
   /**
    * The largest error over positions of the mesh, against upwind 2 with 192 and
@@ -116,7 +110,7 @@ BOOST_AUTO_TEST_CASE(unresolved_waves_are_left_to_upwind_2)
   BOOST_TEST(largest_error(24, rough, -0.54726) < 0.04);
   const LineContact run(24, 0., rough);
   BOOST_TEST(run.n_unresolved() > 0u);
-  BOOST_TEST(!error_bounds(run.scene, run.steady).force);
+  BOOST_TEST(!error_bounds(run.situation(), run.steady).force);
 }
 
 /**
@@ -127,7 +121,7 @@ BOOST_AUTO_TEST_CASE(bounds_say_what_they_do_not_know)
   const LineContact thin(24, 0., [](SceneParameters &scene) {
     flat_rail(scene, 0.003);
   });
-  BOOST_TEST(!error_bounds(thin.scene, thin.steady).force);
+  BOOST_TEST(!error_bounds(thin.situation(), thin.steady).force);
   const LineContact loose(24, 0., [](SceneParameters &scene) {
     scene.solver.solver             = "accelerated projection";
     scene.solver.controls.tolerance = 0.1;
@@ -135,8 +129,8 @@ BOOST_AUTO_TEST_CASE(bounds_say_what_they_do_not_know)
   const LineContact exact(24, 0., [](SceneParameters &) {});
   const double      error = std::abs(loose.force_x() - exact.force_x());
   BOOST_TEST(error > 0.01);
-  BOOST_TEST(*error_bounds(loose.scene, loose.steady).force > error);
-  BOOST_TEST(*error_bounds(exact.scene, exact.steady).force < 4e-3);
+  BOOST_TEST(*error_bounds(loose.situation(), loose.steady).force > error);
+  BOOST_TEST(*error_bounds(exact.situation(), exact.steady).force < 4e-3);
 }
 
 /**

@@ -8,9 +8,9 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include <rolling_contact/elasticity/assembly.h>
-#include <rolling_contact/elasticity/body_matrices.h>
-#include <rolling_contact/linear_algebra/factorisation.h>
+#include <rolling_contact/algebra/factorisation.h>
+#include <rolling_contact/bodies/assembly.h>
+#include <rolling_contact/bodies/body_matrices.h>
 #include <rolling_contact/references/slender_bodies.h>
 
 #include <cmath>
@@ -71,8 +71,7 @@ namespace
       constraints.close();
     }
 
-    SymmetricSparseMatrix
-    stiffness() const
+    SymmetricSparseMatrix stiffness() const
     {
       return assemble_stiffness(Discretisation<dim>{dofs,
                                                     constraints,
@@ -116,8 +115,7 @@ namespace
   };
 
   template <int dim>
-  std::array<unsigned int, dim>
-  equal(const unsigned int n)
+  std::array<unsigned int, dim> equal(const unsigned int n)
   {
     std::array<unsigned int, dim> result;
     result.fill(n);
@@ -125,8 +123,7 @@ namespace
   }
 
   template <int dim>
-  std::array<double, dim>
-  unit_size()
+  std::array<double, dim> unit_size()
   {
     std::array<double, dim> result;
     result.fill(1.);
@@ -134,8 +131,7 @@ namespace
   }
 
   template <int dim>
-  bool
-  is_inside(const dealii::Point<dim> &point)
+  bool is_inside(const dealii::Point<dim> &point)
   {
     for (unsigned int d = 0; d < dim; ++d)
       if (point[d] < 1e-9 || point[d] > 1 - 1e-9)
@@ -148,8 +144,7 @@ namespace
    * strain energy of the constant strain.
    */
   template <int dim>
-  void
-  check_patch(const ElementKind kind)
+  void check_patch(const ElementKind kind)
   {
     const Box<dim>         box(unit_size<dim>(), equal<dim>(3), kind, 0.25);
     const auto             K = box.stiffness();
@@ -182,8 +177,7 @@ namespace
    * positive.
    */
   template <int dim>
-  void
-  check_spectrum(const ElementKind kind)
+  void check_spectrum(const ElementKind kind)
   {
     const Box<dim> box(unit_size<dim>(), equal<dim>(1), kind, 0.15);
     const auto     K = box.stiffness();
@@ -207,8 +201,7 @@ namespace
    * theory with shear: one cell through the depth, cells twice as long as deep.
    */
   template <int dim>
-  double
-  bending_ratio(const ElementKind kind)
+  double bending_ratio(const ElementKind kind)
   {
     const double                  length = 2., depth = 0.1;
     std::array<double, dim>       size{{length, depth}};
@@ -243,8 +236,7 @@ namespace
    * Twist of a bar of square section, clamped and free to warp at the other
    * end, over that of Saint-Venant; away from the clamped end.
    */
-  double
-  torsion_ratio(const ElementKind kind, const unsigned int n_across)
+  double torsion_ratio(const ElementKind kind, const unsigned int n_across)
   {
     const double length = 1., side = 0.1;
     const Box<3> box(

@@ -1,7 +1,7 @@
 #include "scene_run.h"
 
 #include <rolling_contact/analyses/solve_to_target.h>
-#include <rolling_contact/assessment/error_bounds.h>
+#include <rolling_contact/results/error_bounds.h>
 
 #include <cmath>
 
@@ -14,17 +14,14 @@ namespace
   /**
    * Whether an estimate bounds the largest error found, and means something.
    */
-  void
-  check_bound(const double estimate, const double largest)
+  void check_bound(const double estimate, const double largest)
   {
     BOOST_TEST(largest <= estimate);
     BOOST_TEST(largest > estimate / 5);
   }
 
-
-
-  void
-  choose_operator(SceneParameters &scene, const SlipOperatorKind slip_operator)
+  void choose_operator(SceneParameters       &scene,
+                       const SlipOperatorKind slip_operator)
   {
     scene.contact.slip_operator = slip_operator;
     if (slip_operator != SlipOperatorKind::galerkin)
@@ -67,7 +64,7 @@ BOOST_AUTO_TEST_CASE(of_line_contacts_bound_the_error_against_carter)
             const double z = run.scene.contact.creepages.x / (0.3 * a / 0.23);
             largest =
               std::max(largest, std::abs(run.force_x() + 2 * z - z * z));
-            estimate = *error_bounds(run.scene, run.steady).force;
+            estimate = *error_bounds(run.situation(), run.steady).force;
           }
       check_bound(estimate, largest);
     }
@@ -113,7 +110,7 @@ BOOST_AUTO_TEST_CASE(of_point_contacts_bound_the_error_against_fine_meshes)
                   scene.contact.creepages.y    = state.creepage_y;
                   scene.contact.creepages.spin = state.spin;
                 });
-              estimate = *error_bounds(run.scene, run.steady).force;
+              estimate = *error_bounds(run.situation(), run.steady).force;
               error    = std::max(error,
                                std::hypot(run.force_x() - state.force_x,
                                           run.force_y() - state.force_y));
@@ -132,21 +129,17 @@ BOOST_AUTO_TEST_CASE(of_point_contacts_bound_the_error_against_fine_meshes)
 
 namespace
 {
-  void
-  set_line_contact(SceneParameters &scene)
+  void set_line_contact(SceneParameters &scene)
   {
     scene.contact.approach.reset();
     scene.contact.normal_load = 140e3;
     scene.contact.creepages.x = 0.0017;
   }
 
-
-
   /**
    * Discs on an elongated patch under a lateral creepage.
    */
-  void
-  set_point_contact(SceneParameters &scene)
+  void set_point_contact(SceneParameters &scene)
   {
     scene.dimension            = 3;
     scene.wheel.lateral_radius = scene.rail.lateral_radius = 0.3;
@@ -156,24 +149,19 @@ namespace
     scene.contact.creepages.y = 0.003;
   }
 
-
-
   /**
    * The mesh of a target error for a scene, before anything is solved.
    */
-  TargetMesh
-  chosen(const std::function<void(SceneParameters &)> &change,
-         const double                                  target,
-         const TargetDemands                          &demands = {})
+  TargetMesh chosen(const std::function<void(SceneParameters &)> &change,
+                    const double                                  target,
+                    const TargetDemands                          &demands = {})
   {
     SceneParameters scene;
     set_line_contact(scene);
     change(scene);
     scene.mesh.target_error = target;
-    return TargetError(scene, demands).cheapest_mesh();
+    return TargetError(Situation(scene), demands).cheapest_mesh();
   }
-
-
 
   /**
    * A state solved to a target: bound and force, over mu N, on its mesh and on
@@ -188,28 +176,29 @@ namespace
       set(scene);
       scene.mesh.target_error = target;
       scene.check();
+      Situation              situation(scene);
       const SteadyState<dim> steady =
-        solve_to_target<dim>(scene,
+        solve_to_target<dim>(situation,
                              StateDemands(),
                              TargetDemands(),
                              context,
                              [&](const auto &) { ++n_kept; });
-      bound         = *error_bounds(scene, steady).force;
+      scene.mesh    = situation.mesh;
+      bound         = *error_bounds(situation, steady).force;
       force         = force_of(steady);
       growth        = scene.mesh.growth;
       elements      = scene.mesh.elements_across_patch;
       grid_elements = steady.grading.elements_across();
     }
 
-    double
-    error_against_finer()
+    double error_against_finer()
     {
       SceneParameters finer = scene;
       finer.mesh.target_error.reset();
       finer.mesh.elements_across_patch *= 4;
       finer.mesh.growth = dim == 2 ? 0.05 : 0.4;
       const SteadyState<dim> steady =
-        solve_steady_state<dim>(finer, StateDemands(), context);
+        solve_steady_state<dim>(Situation(finer), StateDemands(), context);
       return std::abs(force_of(steady) - force);
     }
 
@@ -217,8 +206,7 @@ namespace
     unsigned int elements, grid_elements, n_kept = 0;
 
   private:
-    double
-    force_of(const SteadyState<dim> &steady) const
+    double force_of(const SteadyState<dim> &steady) const
     {
       return std::hypot(steady.result.force_x, steady.result.force_y) /
              steady.result.friction_force;
@@ -264,10 +252,10 @@ BOOST_AUTO_TEST_CASE(a_mesh_that_misses_its_target_is_made_again)
   BOOST_TEST(run.said.str().find("made again") != std::string::npos);
   BOOST_TEST(run.bound <= target);
   BOOST_TEST(run.n_kept == 1u);
-  warn_of_missed_target(run.scene, run.context);
+  warn_of_missed_target(run.situation(), run.context);
   BOOST_TEST(run.log.warnings().empty());
   run.report.errors.push_back({"force", 2 * target, "mu N", "", true, ""});
-  warn_of_missed_target(run.scene, run.context);
+  warn_of_missed_target(run.situation(), run.context);
   BOOST_TEST(run.log.warnings().size() == 1u);
 }
 

@@ -1,9 +1,9 @@
 #include <boost/test/unit_test.hpp>
 
+#include <rolling_contact/algebra/dissection.h>
+#include <rolling_contact/algebra/factorisation.h>
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/interface/surface_coupling.h>
-#include <rolling_contact/linear_algebra/dissection.h>
-#include <rolling_contact/linear_algebra/factorisation.h>
+#include <rolling_contact/contact/surface_coupling.h>
 
 #include <cmath>
 #include <future>
@@ -25,8 +25,7 @@ namespace
    * Coupled springs on a grid of @p n^3 nodes with two unknowns each: positive
    * definite, with the sparsity of a 3D mesh.
    */
-  Problem
-  grid(const int n, const double shift = 0.1)
+  Problem grid(const int n, const double shift = 0.1)
   {
     Problem    problem;
     const auto node = [n](const int i, const int j, const int k) {
@@ -71,8 +70,7 @@ namespace
     return problem;
   }
 
-  std::vector<std::size_t>
-  surface_unknowns(const int n)
+  std::vector<std::size_t> surface_unknowns(const int n)
   {
     std::vector<std::size_t> unknowns;
     for (int c = 0; c < 2; ++c)
@@ -97,8 +95,6 @@ BOOST_AUTO_TEST_CASE(order_does_not_depend_on_other_threads)
       BOOST_CHECK(other.get() == alone);
     }
 }
-
-
 
 BOOST_AUTO_TEST_CASE(two_columns_at_once_are_those_one_by_one)
 {
@@ -138,8 +134,6 @@ BOOST_AUTO_TEST_CASE(two_columns_at_once_are_those_one_by_one)
                         std::logic_error);
     }
 }
-
-
 
 BOOST_AUTO_TEST_CASE(solve_satisfies_the_equations)
 {
@@ -230,7 +224,7 @@ BOOST_AUTO_TEST_CASE(kept_columns_give_the_same_compliance)
   const auto        unknowns = surface_unknowns(7);
   CondensedColumns  Y;
   const DenseMatrix W = factor.condense(unknowns, &Y);
-  DenseMatrix       product(unknowns.size(), unknowns.size());
+  DenseMatrix product = DenseMatrix::Zero(unknowns.size(), unknowns.size());
   for (const auto &block : Y.blocks)
     for (std::int64_t j = 0; j < block.n_columns; ++j)
       for (std::int64_t i = 0; i < block.n_columns; ++i)

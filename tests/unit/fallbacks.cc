@@ -19,8 +19,8 @@ namespace
 {
   const double tolerance = 1e-10;
 
-  Solution
-  solve_with(const ContactSolver &solver, const ContactProblem &problem)
+  Solution solve_with(const ContactSolver  &solver,
+                      const ContactProblem &problem)
   {
     Solution solution;
     solution.state = open_state(problem);
@@ -32,8 +32,7 @@ namespace
     return solution;
   }
 
-  double
-  distance(const Solution &first, const Solution &second)
+  double distance(const Solution &first, const Solution &second)
   {
     double     largest = 0.;
     NodalField change  = first.state.traction;
@@ -43,21 +42,18 @@ namespace
     return largest;
   }
 
-  CoupledNewton
-  newton()
+  CoupledNewton newton()
   {
     return CoupledNewton(SolverControls());
   }
 
-  RollingMarch
-  march()
+  RollingMarch march()
   {
     return RollingMarch(std::make_shared<CoupledNewton>(SolverControls()),
                         SolverControls());
   }
 
-  Options
-  coupled(const double beta)
+  Options coupled(const double beta)
   {
     Options options;
     options.kind     = SlipOperatorKind::upwind_2;

@@ -4,8 +4,8 @@
 #include "response_check.h"
 
 #include <rolling_contact/contact/invariants.h>
-#include <rolling_contact/patch/patch_area.h>
-#include <rolling_contact/patch/uniqueness.h>
+#include <rolling_contact/contact/patch_area.h>
+#include <rolling_contact/contact/uniqueness.h>
 
 #include <algorithm>
 #include <array>
@@ -21,11 +21,10 @@ namespace
 {
   const double kinetic = 0.4; ///< over mu
 
-  ContactProblem
-  falling(const Options     &options,
-          const double       decay_speed,
-          const std::string &law   = "exponential",
-          const double       speed = 1.)
+  ContactProblem falling(const Options     &options,
+                         const double       decay_speed,
+                         const std::string &law   = "exponential",
+                         const double       speed = 1.)
   {
     ContactProblem problem     = half_plane_problem(options);
     problem.loads.friction_law = make_friction_law(law, kinetic, decay_speed);
@@ -36,8 +35,7 @@ namespace
   /**
    * From mu_s everywhere or, as if all slid fast, from mu_k.
    */
-  Solution
-  solve_from(const ContactProblem &problem, const double share)
+  Solution solve_from(const ContactProblem &problem, const double share)
   {
     Solution solution;
     solution.state.friction.assign(problem.n_nodes(), share * mu);
@@ -47,8 +45,7 @@ namespace
     return solution;
   }
 
-  double
-  distance(const std::vector<double> &x, const std::vector<double> &y)
+  double distance(const std::vector<double> &x, const std::vector<double> &y)
   {
     double largest = 0.;
     for (std::size_t i = 0; i < x.size(); ++i)
@@ -56,8 +53,7 @@ namespace
     return largest;
   }
 
-  Options
-  upstream(const double creepage, const unsigned int n_elements = 48)
+  Options upstream(const double creepage, const unsigned int n_elements = 48)
   {
     Options options;
     options.kind       = SlipOperatorKind::upwind_2;
@@ -70,10 +66,9 @@ namespace
    * The slip from nothing but the half-plane's compliance and a difference over
    * three nodes: s = s_0 + (3 u_i - 4 u_(i-1) + u_(i-2)) / (2 h).
    */
-  std::vector<double>
-  slip_by_hand(const Options             &options,
-               const ContactProblem      &problem,
-               const std::vector<double> &traction)
+  std::vector<double> slip_by_hand(const Options             &options,
+                                   const ContactProblem      &problem,
+                                   const std::vector<double> &traction)
   {
     const int           n = problem.n_nodes();
     const double        h = 2. / options.n_elements;
@@ -86,8 +81,7 @@ namespace
     return s;
   }
 
-  double
-  exponential(const double speed, const double decay_speed)
+  double exponential(const double speed, const double decay_speed)
   {
     return mu * (kinetic + (1 - kinetic) * std::exp(-speed / decay_speed));
   }
@@ -323,8 +317,7 @@ namespace
    * Nodes that know nothing of each other, as in a step so short that only the
    * rate counts: s = s_0 + rate W H q node by node.
    */
-  ContactProblem
-  separate_nodes(const double rigid_slip)
+  ContactProblem separate_nodes(const double rigid_slip)
   {
     Options        options = upstream(1., 12);
     ContactProblem problem = falling(options, 0.02);

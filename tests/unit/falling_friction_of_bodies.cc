@@ -7,7 +7,7 @@
 #include "time_run.h"
 
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/patch/patch_area.h>
+#include <rolling_contact/contact/patch_area.h>
 
 #include <cmath>
 
@@ -21,22 +21,18 @@ namespace
   /**
    * mu from 0.3 to 0.12.
    */
-  void
-  fall(SceneParameters &scene, const double decay_speed)
+  void fall(SceneParameters &scene, const double decay_speed)
   {
     scene.contact.friction_law         = "exponential";
     scene.contact.kinetic_friction     = 0.12;
     scene.contact.friction_decay_speed = decay_speed;
   }
 
-  double
-  mu_at(const double speed, const double decay_speed)
+  double mu_at(const double speed, const double decay_speed)
   {
     return 0.12 + 0.18 * std::exp(-speed / decay_speed);
   }
 } // namespace
-
-
 
 /**
  * A creep curve in 3D rises, has a maximum and falls to mu(s_0 V).
@@ -66,8 +62,6 @@ BOOST_AUTO_TEST_CASE(the_creep_curve_falls_beyond_saturation)
       BOOST_TEST(ratios[2] > ratios[3]);
     }
 }
-
-
 
 /**
  * With spin every node slides its own way: against the slip, with mu of its
@@ -101,8 +95,6 @@ BOOST_AUTO_TEST_CASE(with_spin_tractions_oppose_the_slip_and_follow_the_law)
   BOOST_TEST(n_slipping > 10u);
 }
 
-
-
 /**
  * With spin slipping nodes also turn.
  */
@@ -116,8 +108,6 @@ BOOST_AUTO_TEST_CASE(less_friction_at_a_node_lets_all_slide_as_predicted)
   BOOST_TEST(patch_areas(run.steady.problem, run.steady.state).stick > 0.);
   BOOST_TEST(error_of_response(run.steady.problem, run.steady.state) < 1e-4);
 }
-
-
 
 BOOST_AUTO_TEST_CASE(start_up_ends_in_the_steady_state_of_the_law)
 {
@@ -141,12 +131,9 @@ BOOST_AUTO_TEST_CASE(start_up_ends_in_the_steady_state_of_the_law)
     }
 }
 
-
-
 namespace
 {
-  void
-  with_inertia(SceneParameters &scene, const double step)
+  void with_inertia(SceneParameters &scene, const double step)
   {
     fall(scene, 1.6667);
     scene.time.inertia          = true;
@@ -156,8 +143,6 @@ namespace
     scene.contact.slip_operator = SlipOperatorKind::upwind_2;
   }
 } // namespace
-
-
 
 /**
  * Steps shorter than a wave needs to cross an element: the ratio goes with the
@@ -180,8 +165,6 @@ BOOST_AUTO_TEST_CASE(short_steps_with_inertia_have_one_solution)
   BOOST_TEST(previous < Uniqueness::limit);
 }
 
-
-
 BOOST_AUTO_TEST_CASE(energy_balances_and_friction_takes_it)
 {
   TimeRun<2> run([](SceneParameters &scene) {
@@ -192,8 +175,6 @@ BOOST_AUTO_TEST_CASE(energy_balances_and_friction_takes_it)
   BOOST_TEST(run.worst_balance < 1e-12 * run.largest_energy);
   BOOST_TEST(run.least_friction > -1e-12 * run.largest_energy);
 }
-
-
 
 /**
  * From a checkpoint to the same digits, with and without inertia.
@@ -217,7 +198,8 @@ BOOST_AUTO_TEST_CASE(resumed_steps_are_the_same)
       checkpoint.progress.step      = whole.n_steps;
       checkpoint.progress.time      = whole.time;
       checkpoint.progress.time_step = whole.scene.time.time_step;
-      BOOST_TEST(checkpoint.friction.size() == checkpoint.pressure.size());
+      BOOST_TEST(checkpoint.state.friction.size() ==
+                 checkpoint.state.pressure.size());
       part.stepper->set_time_step(checkpoint.progress.time_step);
       part.stepper->restore(checkpoint);
       part.n_steps        = whole.n_steps;
@@ -235,8 +217,6 @@ BOOST_AUTO_TEST_CASE(resumed_steps_are_the_same)
       BOOST_TEST(a.friction == b.friction);
     }
 }
-
-
 
 BOOST_AUTO_TEST_CASE(entries_that_contradict_each_other)
 {

@@ -2,7 +2,7 @@
 
 #include <rolling_contact/base/child_process.h>
 #include <rolling_contact/base/stopwatch.h>
-#include <rolling_contact/plot/figure.h>
+#include <rolling_contact/run/figure.h>
 
 #include <cmath>
 #include <limits>
@@ -13,8 +13,6 @@ namespace
   namespace fs = std::filesystem;
   using Values = std::vector<double>;
 } // namespace
-
-
 
 BOOST_AUTO_TEST_SUITE(figures)
 
@@ -61,8 +59,6 @@ BOOST_FIXTURE_TEST_CASE(data_and_script, DrawingRun)
     BOOST_TEST(contains(svg, text), text);
 }
 
-
-
 BOOST_FIXTURE_TEST_CASE(degenerate_data, DrawingRun)
 {
   const double infinity   = std::numeric_limits<double>::infinity();
@@ -97,8 +93,6 @@ BOOST_FIXTURE_TEST_CASE(degenerate_data, DrawingRun)
                     std::invalid_argument);
 }
 
-
-
 BOOST_FIXTURE_TEST_CASE(maps, DrawingRun)
 {
   Figure figure("Pressure", "x (mm)", "y (mm)");
@@ -123,8 +117,6 @@ BOOST_FIXTURE_TEST_CASE(maps, DrawingRun)
   BOOST_TEST(contains(thirds.data(), "\n0.666666667\t1666.66667\t4\n"));
 }
 
-
-
 /** The course of a long curve stays, its extremes included. */
 BOOST_AUTO_TEST_CASE(long_curves)
 {
@@ -143,8 +135,6 @@ BOOST_AUTO_TEST_CASE(long_curves)
   BOOST_TEST(n_lines < 10010);
 }
 
-
-
 BOOST_FIXTURE_TEST_CASE(programs_are_found_and_stopped, ScratchFolder)
 {
   const fs::path shell = find_program("sh");
@@ -159,8 +149,6 @@ BOOST_FIXTURE_TEST_CASE(programs_are_found_and_stopped, ScratchFolder)
   BOOST_TEST(!run_program(shell, {"-c", "sleep 60; true"}, scratch, 0.1));
   BOOST_TEST(watch.seconds() < 9.);
 }
-
-
 
 /** A millimetre is as long in both directions; another panel may be over
  * another x. */
@@ -186,8 +174,6 @@ BOOST_FIXTURE_TEST_CASE(equal_scales_and_separate_panels, DrawingRun)
   with_map.add_map("", {1., 2.}, {1., 2.}, {1., 2., 3., 4.});
   BOOST_CHECK_THROW(figure.add_separate_panel(with_map), std::invalid_argument);
 }
-
-
 
 /** Panels over one logarithmic x have its numbers once, up to 20000 in full,
  * and the lower one, linear in y, no marks of tenths. */

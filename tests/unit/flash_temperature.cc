@@ -5,8 +5,8 @@
 #include "scene_run.h"
 #include "time_run.h"
 
-#include <rolling_contact/assessment/flash_temperature.h>
 #include <rolling_contact/references/moving_heat_source.h>
+#include <rolling_contact/results/flash_temperature.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,8 +36,6 @@ namespace
     std::vector<double> x, flux;
   };
 } // namespace
-
-
 
 BOOST_AUTO_TEST_CASE(jaegers_integral_by_quadrature)
 {
@@ -77,8 +75,6 @@ BOOST_AUTO_TEST_CASE(jaegers_integral_by_quadrature)
     }
 }
 
-
-
 BOOST_AUTO_TEST_CASE(a_fast_source_heats_as_one_from_the_side)
 {
   // theta = 1/(b sqrt(pi V)) int f / sqrt(x - x') dx', here of a constant f
@@ -103,8 +99,6 @@ BOOST_AUTO_TEST_CASE(a_fast_source_heats_as_one_from_the_side)
                boost::test_tools::tolerance(1e-9));
 }
 
-
-
 BOOST_AUTO_TEST_CASE(full_sliding_of_two_discs)
 {
   // p_0 sqrt(1 - x^2/a^2): the largest rise of a fast semi-elliptic flux f_0
@@ -116,7 +110,7 @@ BOOST_AUTO_TEST_CASE(full_sliding_of_two_discs)
     scene.mesh.elements_across_patch = 48;
   });
   const auto  rise =
-    flash_temperature(run.scene, run.steady.problem, run.steady.state);
+    flash_temperature(run.situation(), run.steady.problem, run.steady.state);
   const auto   hottest = std::max_element(rise.begin(), rise.end());
   const double a = run.steady.result.half_width_x, V = 40.,
                p0    = 2 * run.steady.result.normal_force / (pi * a * 0.02),
@@ -144,8 +138,6 @@ BOOST_AUTO_TEST_CASE(full_sliding_of_two_discs)
   BOOST_TEST(std::abs(place / a - at) < 0.06);
 }
 
-
-
 BOOST_AUTO_TEST_CASE(what_there_is_no_temperature_of)
 {
   SceneRun<2> run(standard<2>, [](SceneParameters &scene) {
@@ -153,22 +145,23 @@ BOOST_AUTO_TEST_CASE(what_there_is_no_temperature_of)
     scene.contact.speed.reset();
   });
   BOOST_TEST(
-    flash_temperature(run.scene, run.steady.problem, run.steady.state).empty());
+    flash_temperature(run.situation(), run.steady.problem, run.steady.state)
+      .empty());
   run.scene.contact.speed = 10.;
   const auto slow =
-    flash_temperature(run.scene, run.steady.problem, run.steady.state);
+    flash_temperature(run.situation(), run.steady.problem, run.steady.state);
   BOOST_TEST(slow.size() == run.steady.problem.n_nodes());
   // more heat in proportion to V, less time to go in: as the root of V
   run.scene.contact.speed = 40.;
   const auto fast =
-    flash_temperature(run.scene, run.steady.problem, run.steady.state);
+    flash_temperature(run.situation(), run.steady.problem, run.steady.state);
   BOOST_TEST(*std::max_element(fast.begin(), fast.end()) ==
                2 * *std::max_element(slow.begin(), slow.end()),
              boost::test_tools::tolerance(0.01));
   // a rail that takes heat better leaves the surface cooler
   run.scene.rail.thermal_conductivity = 200.;
   const auto cooled =
-    flash_temperature(run.scene, run.steady.problem, run.steady.state);
+    flash_temperature(run.situation(), run.steady.problem, run.steady.state);
   BOOST_TEST(*std::max_element(cooled.begin(), cooled.end()) ==
                2. / 3 * *std::max_element(fast.begin(), fast.end()),
              boost::test_tools::tolerance(1e-9));

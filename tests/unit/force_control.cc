@@ -4,9 +4,11 @@
 #include "scene_run.h"
 #include "time_run.h"
 
-#include <rolling_contact/assessment/error_bounds.h>
-#include <rolling_contact/assessment/reference_2d.h>
-#include <rolling_contact/patch/friction_limit.h>
+#include <rolling_contact/analyses/creep_curve_parameters.h>
+#include <rolling_contact/contact/friction_limit.h>
+#include <rolling_contact/program/analysis_table.h>
+#include <rolling_contact/results/error_bounds.h>
+#include <rolling_contact/results/reference_2d.h>
 #include <rolling_contact/solvers/scaled_forces.h>
 
 #include <array>
@@ -22,18 +24,16 @@ namespace
 
   const Change nothing = [](SceneParameters &) {};
 
-  std::array<double, 3>
-  forces_of(const Resultants &result)
+  std::array<double, 3> forces_of(const Resultants &result)
   {
     return {{result.force_x, result.force_y, result.spin_moment}};
   }
 
   /** The creepages of a solved state as they are found for its own forces. */
   template <int dim>
-  void
-  come_back(const Change    &scene,
-            const Creepages &creepages,
-            const bool       exactly = true)
+  void come_back(const Change    &scene,
+                 const Creepages &creepages,
+                 const bool       exactly = true)
   {
     const Change loaded = [&](SceneParameters &it) {
       scene(it);
@@ -57,9 +57,9 @@ namespace
         const Creepages &now  = found.steady.problem.loads.creepages;
         const double     mu_N = given.friction_force();
         const auto       bounds =
-          creepage_bounds(found.scene,
+          creepage_bounds(found.situation(),
                           found.steady,
-                          error_bounds(found.scene, found.steady));
+                          error_bounds(found.situation(), found.steady));
         BOOST_TEST_CONTEXT("components " << which)
         {
           BOOST_TEST_REQUIRE(bounds.size() == (which == 7              ? 3u
@@ -84,23 +84,18 @@ namespace
       }
   }
 
-  void
-  steel_on_aluminium(SceneParameters &scene)
+  void steel_on_aluminium(SceneParameters &scene)
   {
     standard<2>(scene);
     scene.rail.material.young_modulus = 70e9;
   }
 } // namespace
 
-
-
 BOOST_AUTO_TEST_CASE(creepages_come_back_from_their_forces)
 {
   come_back<2>(standard<2>, {0.0012, 0., 0.});
   come_back<3>(standard<3>, {0.0011, -0.0015, 0.6});
 }
-
-
 
 BOOST_AUTO_TEST_CASE(creepages_come_back_where_pressure_answers_to_friction)
 {
@@ -114,8 +109,6 @@ BOOST_AUTO_TEST_CASE(creepages_come_back_where_pressure_answers_to_friction)
     false);
 }
 
-
-
 BOOST_AUTO_TEST_CASE(creepages_come_back_where_friction_falls)
 {
   come_back<2>(
@@ -127,8 +120,6 @@ BOOST_AUTO_TEST_CASE(creepages_come_back_where_friction_falls)
     },
     {0.0012, 0., 0.});
 }
-
-
 
 BOOST_AUTO_TEST_CASE(the_derivative_is_that_of_differences)
 {
@@ -143,7 +134,7 @@ BOOST_AUTO_TEST_CASE(the_derivative_is_that_of_differences)
       const DenseMatrix derivative    = force_derivative(run.steady.problem,
                                                       run.scene.solver.controls,
                                                       run.steady.state);
-      BOOST_TEST_REQUIRE(derivative.n_rows() == 3u);
+      BOOST_TEST_REQUIRE(derivative.rows() == 3u);
       run.steady.problem.loads.forces = {};
       for (unsigned int l = 0; l < 3; ++l)
         {
@@ -179,8 +170,6 @@ BOOST_AUTO_TEST_CASE(the_derivative_is_that_of_differences)
     }
 }
 
-
-
 BOOST_AUTO_TEST_CASE(carter_backwards)
 {
   // the creepage of a force, in closed form; near saturation the discrete
@@ -193,7 +182,7 @@ BOOST_AUTO_TEST_CASE(carter_backwards)
         scene.contact.forces.x           = -share * 0.3 * 90e3;
         scene.mesh.elements_across_patch = 32;
       });
-      const auto  carter = reference_2d(run.scene, run.steady).carter;
+      const auto  carter = reference_2d(run.situation(), run.steady).carter;
       BOOST_TEST_REQUIRE(carter.has_value());
       const double found      = run.steady.problem.loads.creepages.x,
                    a          = run.steady.result.half_width_x,
@@ -206,8 +195,6 @@ BOOST_AUTO_TEST_CASE(carter_backwards)
                  1e-9);
     }
 }
-
-
 
 BOOST_AUTO_TEST_CASE(a_creepage_stays_within_its_bound)
 {
@@ -223,9 +210,9 @@ BOOST_AUTO_TEST_CASE(a_creepage_stays_within_its_bound)
       };
       const auto coarse = with(12), fine = with(96);
       const auto bounds =
-        creepage_bounds(coarse.scene,
+        creepage_bounds(coarse.situation(),
                         coarse.steady,
-                        error_bounds(coarse.scene, coarse.steady));
+                        error_bounds(coarse.situation(), coarse.steady));
       BOOST_TEST_REQUIRE(bounds.size() == 1u);
       const double off = std::abs(coarse.steady.problem.loads.creepages.x -
                                   fine.steady.problem.loads.creepages.x);
@@ -233,8 +220,6 @@ BOOST_AUTO_TEST_CASE(a_creepage_stays_within_its_bound)
       BOOST_TEST(bounds[0] < 1000 * off);
     }
 }
-
-
 
 BOOST_AUTO_TEST_CASE(what_friction_can_carry)
 {
@@ -285,8 +270,6 @@ BOOST_AUTO_TEST_CASE(what_friction_can_carry)
   BOOST_TEST(share > 0.97 * least);
 }
 
-
-
 BOOST_AUTO_TEST_CASE(forces_beyond_friction_are_refused_with_the_largest)
 {
   const auto refused = [](const AskedForces &forces, const bool by_load) {
@@ -310,8 +293,6 @@ BOOST_AUTO_TEST_CASE(forces_beyond_friction_are_refused_with_the_largest)
   BOOST_TEST(contains(found, "carries less than Longitudinal force = 76"));
   BOOST_TEST(contains(refused({{}, {}, 50.}, false), "Spin moment = 2"));
 }
-
-
 
 BOOST_AUTO_TEST_CASE(what_does_not_go_together_is_refused)
 {
@@ -349,32 +330,31 @@ BOOST_AUTO_TEST_CASE(what_does_not_go_together_is_refused)
                       }),
                       "Contact surface = curved"));
   BOOST_TEST(contains(refused([](SceneParameters &it) {
-                        it.analysis = "accuracy study";
+                        it.analysis = analysis_kind("accuracy study");
                       }),
                       "accuracy study"));
+  BOOST_TEST(
+    contains(refused([](SceneParameters &it) {
+               it.contact.forces = {};
+               it.analysis       = analysis_kind("creep curve");
+               it.own<CreepCurveParameters>().creepage_x         = {1e-3};
+               it.own<CreepCurveParameters>().longitudinal_force = {10., 20.};
+             }),
+             "Creep curve/Creepage x and Longitudinal force"));
   BOOST_TEST(contains(refused([](SceneParameters &it) {
-                        it.contact.forces                 = {};
-                        it.analysis                       = "creep curve";
-                        it.creep_curve.creepage_x         = {1e-3};
-                        it.creep_curve.longitudinal_force = {10., 20.};
-                      }),
-                      "Creep curve/Creepage x and Longitudinal force"));
-  BOOST_TEST(contains(refused([](SceneParameters &it) {
-                        it.analysis                = "transient";
+                        it.analysis                = analysis_kind("transient");
                         it.time.longitudinal_force = "100*t";
                         it.time.creepage_x         = "1e-3";
                       }),
                       "Time/Longitudinal force = 100*t"));
   BOOST_TEST(contains(refused([](SceneParameters &it) {
-                        it.analysis = "transient";
+                        it.analysis = analysis_kind("transient");
                         it.contact.approach.reset();
                         it.contact.normal_load     = 1e3;
                         it.time.longitudinal_force = "1e3*t";
                       }),
                       "at t = 0.3"));
 }
-
-
 
 /** By so much creepages change when their forces change by the bound. */
 BOOST_AUTO_TEST_CASE(bounds_of_creepages_are_those_of_the_forces_carried_over)
@@ -394,13 +374,11 @@ BOOST_AUTO_TEST_CASE(bounds_of_creepages_are_those_of_the_forces_carried_over)
   const SceneRun<2> run(standard<2>, asked_for(force));
   ErrorBounds       bounds;
   bounds.force       = part;
-  const auto margins = creepage_bounds(run.scene, run.steady, bounds);
+  const auto margins = creepage_bounds(run.situation(), run.steady, bounds);
   BOOST_TEST_REQUIRE(margins.size() == 1u);
   BOOST_TEST(margins[0] == (found(force - change) - found(force + change)) / 2,
              boost::test_tools::tolerance(0.05));
 }
-
-
 
 BOOST_AUTO_TEST_CASE(a_force_is_held_in_time)
 {
@@ -427,8 +405,6 @@ BOOST_AUTO_TEST_CASE(a_force_is_held_in_time)
   BOOST_TEST(found == steady.steady.problem.loads.creepages.x,
              boost::test_tools::tolerance(2e-3));
 }
-
-
 
 /** With inertia reactions act at t + theta h, and asked forces are theirs. */
 BOOST_AUTO_TEST_CASE(an_asked_force_acts_when_reactions_do)
@@ -459,8 +435,6 @@ BOOST_AUTO_TEST_CASE(an_asked_force_acts_when_reactions_do)
     }
 }
 
-
-
 BOOST_AUTO_TEST_CASE(a_force_that_jumps_leaves_no_echo)
 {
   // the surfaces jump with it in one step; the creepage after it is that of
@@ -484,7 +458,5 @@ BOOST_AUTO_TEST_CASE(a_force_that_jumps_leaves_no_echo)
                  0.3 * creepages[k]);
     }
 }
-
-
 
 BOOST_AUTO_TEST_SUITE_END()

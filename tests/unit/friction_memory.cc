@@ -5,9 +5,9 @@
 #include "scene_run.h"
 #include "time_run.h"
 
-#include <rolling_contact/assessment/error_bounds.h>
 #include <rolling_contact/contact/friction_memory.h>
-#include <rolling_contact/state/patch_friction.h>
+#include <rolling_contact/results/error_bounds.h>
+#include <rolling_contact/time/patch_friction.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,8 +24,7 @@ namespace
 {
   using Change = std::function<void(SceneParameters &)>;
 
-  HalfPlane::Options
-  upstream(const unsigned int n_elements, const int flow = 1)
+  HalfPlane::Options upstream(const unsigned int n_elements, const int flow = 1)
   {
     HalfPlane::Options options;
     options.kind       = SlipOperatorKind::upwind_2;
@@ -35,8 +34,8 @@ namespace
     return options;
   }
 
-  ContactProblem
-  remembering(const HalfPlane::Options &options, const double length)
+  ContactProblem remembering(const HalfPlane::Options &options,
+                             const double              length)
   {
     ContactProblem problem      = half_plane_problem(options);
     problem.loads.friction_law  = make_friction_law("exponential", 0.5, 0.2);
@@ -45,8 +44,6 @@ namespace
     return problem;
   }
 } // namespace
-
-
 
 BOOST_AUTO_TEST_CASE(no_memory_and_endless_memory)
 {
@@ -62,8 +59,6 @@ BOOST_AUTO_TEST_CASE(no_memory_and_endless_memory)
   BOOST_TEST(std::abs(between) > std::abs(at_once) * 1.01);
   BOOST_TEST(std::abs(between) < 0.99);
 }
-
-
 
 BOOST_AUTO_TEST_CASE(mu_follows_its_equation_along_the_flow)
 {
@@ -103,8 +98,6 @@ BOOST_AUTO_TEST_CASE(mu_follows_its_equation_along_the_flow)
       BOOST_TEST(n_checked > 180u);
     }
 }
-
-
 
 /** m of a patch that slides at a given speed v(t), against
  * tau m' = 1 - drop(v) - m by Runge and Kutta. */
@@ -161,8 +154,6 @@ BOOST_AUTO_TEST_CASE(one_number_for_the_patch_is_of_second_order_in_the_step)
   BOOST_TEST(errors[0] / errors[1] == 4., boost::test_tools::tolerance(0.1));
 }
 
-
-
 BOOST_AUTO_TEST_CASE(the_derivative_is_that_of_differences_of_friction)
 {
   ContactProblem      problem = remembering(upstream(24), 0.1);
@@ -195,8 +186,6 @@ BOOST_AUTO_TEST_CASE(the_derivative_is_that_of_differences_of_friction)
     }
 }
 
-
-
 BOOST_AUTO_TEST_CASE(the_material_carries_what_it_has)
 {
   for (const int flow : {1, -1})
@@ -224,18 +213,16 @@ BOOST_AUTO_TEST_CASE(the_material_carries_what_it_has)
     }
 }
 
-
-
 BOOST_AUTO_TEST_CASE(a_steady_state_with_memory_stays)
 {
   const Change remember = [](SceneParameters &scene) {
-    scene.contact.friction_law         = "exponential";
-    scene.contact.kinetic_friction     = 0.2;
-    scene.contact.friction_decay_speed = 0.1;
-    scene.contact.friction_memory      = 1e-5;
-    scene.contact.creepages.x          = 0.004;
-    scene.time.initial_state           = InitialState::steady;
-    scene.time.time_step               = 2e-5;
+    scene.contact.friction_law           = "exponential";
+    scene.contact.kinetic_friction       = 0.2;
+    scene.contact.friction_decay_speed   = 0.1;
+    scene.contact.friction_memory_length = 1e-5;
+    scene.contact.creepages.x            = 0.004;
+    scene.time.initial_state             = InitialState::steady;
+    scene.time.time_step                 = 2e-5;
   };
   TimeRun<2>   run(remember);
   const double before = run.force_x();
@@ -251,8 +238,6 @@ BOOST_AUTO_TEST_CASE(a_steady_state_with_memory_stays)
              boost::test_tools::tolerance(0.02));
 }
 
-
-
 BOOST_AUTO_TEST_CASE(a_share_of_friction)
 {
   const auto force_at = [](const std::string &share, const double mu) {
@@ -260,7 +245,6 @@ BOOST_AUTO_TEST_CASE(a_share_of_friction)
       scene.contact.friction_coefficient = mu;
       scene.contact.creepages.x          = 0.002;
       scene.surfaces.friction_share      = share;
-      scene.surfaces.read("");
     });
     return run.steady.result.force_x;
   };
@@ -270,7 +254,6 @@ BOOST_AUTO_TEST_CASE(a_share_of_friction)
   SceneRun<3> strip(standard<3>, [](SceneParameters &scene) {
     scene.contact.creepages.x     = 0.01;
     scene.surfaces.friction_share = "if(y < 0, 0.2, 1)";
-    scene.surfaces.read("");
   });
   const auto &problem = strip.steady.problem;
   const auto &state   = strip.steady.state;
@@ -281,10 +264,8 @@ BOOST_AUTO_TEST_CASE(a_share_of_friction)
                  boost::test_tools::tolerance(1e-6));
   // more of it on the left: the traction turns the wheel
   BOOST_TEST(strip.steady.result.spin_moment > 0.);
-  BOOST_TEST(!error_bounds(strip.scene, strip.steady).force.has_value());
+  BOOST_TEST(!error_bounds(strip.situation(), strip.steady).force.has_value());
 }
-
-
 
 BOOST_AUTO_TEST_CASE(a_greased_stretch_of_rail_passes)
 {
@@ -293,7 +274,6 @@ BOOST_AUTO_TEST_CASE(a_greased_stretch_of_rail_passes)
     scene.contact.creepages.x     = 0.02;
     scene.time.initial_state      = InitialState::steady;
     scene.surfaces.friction_share = "if(x < -0.012, 0.5, 1)";
-    scene.surfaces.read("");
   };
   TimeRun<2>   run(grease);
   const double dry = run.force_x();
@@ -304,8 +284,6 @@ BOOST_AUTO_TEST_CASE(a_greased_stretch_of_rail_passes)
   BOOST_TEST(forces[20] == -0.5, boost::test_tools::tolerance(1e-3));
 }
 
-
-
 BOOST_AUTO_TEST_CASE(what_does_not_make_sense_is_refused)
 {
   const auto refused = [](const Change &change) {
@@ -314,14 +292,13 @@ BOOST_AUTO_TEST_CASE(what_does_not_make_sense_is_refused)
       standard<2>(scene);
       change(scene);
       scene.check();
-      scene.read_surfaces();
       StateDemands  demands;
       SceneInMemory memory;
-      solve_steady_state<2>(scene, demands, memory.context);
+      solve_steady_state<2>(Situation(scene), demands, memory.context);
     });
   };
   BOOST_TEST(contains(refused([](SceneParameters &scene) {
-                        scene.contact.friction_memory = 1e-6;
+                        scene.contact.friction_memory_length = 1e-6;
                       }),
                       "Contact/Friction memory length = 1e-06"));
   BOOST_TEST(contains(refused([](SceneParameters &scene) {

@@ -4,8 +4,8 @@
 
 #include "vibrating_pair.h"
 
+#include <rolling_contact/algebra/lapack.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/linear_algebra/dense_eigenvalues.h>
 
 #include <algorithm>
 #include <array>
@@ -38,11 +38,10 @@ namespace
    * follows from a time on. Units: s.
    */
   template <int dim>
-  Recording
-  record(const Change &change,
-         const double  step,
-         const double  from,
-         const double  end)
+  Recording record(const Change &change,
+                   const double  step,
+                   const double  from,
+                   const double  end)
   {
     TimeRun<dim> run([&](SceneParameters &scene) {
       change(scene);
@@ -69,19 +68,16 @@ namespace
     return result;
   }
 
-
-
   /**
    * The exponents s of the vibrations that a recording is the sum of (ESPRIT):
    * the span of its windows does not change by a step later. A step of theta =
    * 1/2 multiplies by z = (1 + s h / 2) / (1 - s h / 2). Units: 1/s.
    */
-  ComplexVector
-  exponents(const Recording &recording, const std::size_t order)
+  ComplexValues exponents(const Recording &recording, const std::size_t order)
   {
     const std::size_t n = recording.forces.size(), window = n / 3,
                       n_windows = n - window;
-    DenseMatrix windows(window, 3 * n_windows);
+    DenseMatrix windows         = DenseMatrix::Zero(window, 3 * n_windows);
     for (unsigned int c = 0; c < 3; ++c)
       {
         const double steady  = recording.steady[c];
@@ -95,28 +91,20 @@ namespace
       }
     std::vector<double> values;
     const DenseMatrix span = left_singular_vectors(std::move(windows), values);
-    DenseMatrix       now(window - 1, order), later(window - 1, order);
-    for (std::size_t k = 0; k < order; ++k)
-      for (std::size_t i = 0; i + 1 < window; ++i)
-        {
-          now(i, k)   = span(i, k);
-          later(i, k) = span(i + 1, k);
-        }
-    DenseMatrix gram = transposed(now) * now, shift = transposed(now) * later;
+    const auto        now  = span.topLeftCorner(window - 1, order),
+               later       = span.block(1, 0, window - 1, order);
+    DenseMatrix gram = now.transpose() * now, shift = now.transpose() * later;
     BOOST_TEST_REQUIRE(solve_general(gram, shift));
-    ComplexVector result;
+    ComplexValues result;
     for (const Complex &z : eigenvalues(shift))
       result.push_back(2. / recording.step * (z - 1.) / (z + 1.));
     return result;
   }
 
-
-
   /**
    * From the eigenvalue to the nearest exponent, over its size.
    */
-  double
-  difference(const CorrectedMode &mode, const ComplexVector &found)
+  double difference(const CorrectedMode &mode, const ComplexValues &found)
   {
     Complex best = found.at(0);
     for (const Complex &s : found)
@@ -130,8 +118,6 @@ namespace
     return std::abs(best - mode.s) / std::abs(mode.s);
   }
 } // namespace
-
-
 
 BOOST_AUTO_TEST_CASE(a_vibration_that_grows_in_full_slip)
 {

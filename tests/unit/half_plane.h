@@ -2,8 +2,8 @@
 #define rolling_contact_tests_half_plane_h
 
 #include <rolling_contact/base/constants.h>
-#include <rolling_contact/interface/slip_operator.h>
-#include <rolling_contact/patch/resultants.h>
+#include <rolling_contact/contact/resultants.h>
+#include <rolling_contact/contact/slip_operator.h>
 #include <rolling_contact/solvers/contact_solver.h>
 
 #include <cmath>
@@ -19,8 +19,7 @@ namespace HalfPlane
    * tractions between nodes of spacing @p h; half-width, peak pressure and
    * relative radius one, E* = 2. Normal and tangential alike.
    */
-  inline double
-  half_plane(const int i, const int j, const double h)
+  inline double half_plane(const int i, const int j, const double h)
   {
     const auto second_antiderivative = [](const double x) {
       return x == 0. ? 0. : 0.5 * x * x * std::log(std::abs(x)) - 0.75 * x * x;
@@ -48,8 +47,7 @@ namespace HalfPlane
   /**
    * Hertz and Carter on half-planes, p0 = a = R = 1, E* = 2, load pi/2.
    */
-  inline ContactProblem
-  half_plane_problem(const Options &options)
+  inline ContactProblem half_plane_problem(const Options &options)
   {
     const double       h = 2. / options.n_elements * options.length_unit;
     const unsigned int n = 1.6 * options.n_elements;
@@ -61,8 +59,8 @@ namespace HalfPlane
                              {{trace.nodes[i + 1][0], 1.}},
                              {{{i, 1.}}, {{i + 1, 1.}}}});
     const unsigned int n_blocks = options.friction ? 2 : 1;
-    DenseMatrix        W(n_blocks * n, n_blocks * n);
-    const double       scale = 1 / options.pressure_unit;
+    DenseMatrix        W        = DenseMatrix::Zero(n_blocks * n, n_blocks * n);
+    const double       scale    = 1 / options.pressure_unit;
     for (unsigned int j = 0; j < n; ++j)
       for (unsigned int i = 0; i < n; ++i)
         {
@@ -103,10 +101,9 @@ namespace HalfPlane
     Resultants   result;
   };
 
-  inline Solution
-  solve(const ContactProblem &problem,
-        const std::string    &solver   = "automatic",
-        SolverControls        controls = SolverControls())
+  inline Solution solve(const ContactProblem &problem,
+                        const std::string    &solver   = "automatic",
+                        SolverControls        controls = SolverControls())
   {
     Solution solution;
     solution.report =
@@ -115,14 +112,12 @@ namespace HalfPlane
     return solution;
   }
 
-  inline double
-  carter_force(const double creepage)
+  inline double carter_force(const double creepage)
   {
     return -(2 * creepage - creepage * creepage);
   }
 
-  inline double
-  force(const Solution &solution)
+  inline double force(const Solution &solution)
   {
     return solution.result.force_x / (mu * solution.result.normal_force);
   }

@@ -6,7 +6,9 @@
 #include "scratch_folder.h"
 
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/program/analysis_table.h>
 #include <rolling_contact/program/scene_reader.h>
+#include <rolling_contact/scene/entries.h>
 #include <rolling_contact/scene/scene_parameters.h>
 
 #include <cmath>
@@ -29,7 +31,7 @@ namespace
   {
     TransientScene()
     {
-      scene.analysis            = "transient";
+      scene.analysis            = analysis_kind("transient");
       scene.prm_folder          = scratch;
       scene.contact.approach    = 2e-4;
       scene.contact.speed       = 10.;
@@ -38,16 +40,14 @@ namespace
       scene.time.time_step      = 0.1;
     }
 
-    std::string
-    complaint_of_check() const
+    std::string complaint_of_check() const
     {
       return complaint([&]() { scene.check(); });
     }
 
     /** What check() says to one changed entry; sets it back. */
     template <typename Value>
-    std::string
-    with(Value TimeParameters::*entry, const Value &value)
+    std::string with(Value TimeParameters::*entry, const Value &value)
     {
       const Value before     = scene.time.*entry;
       scene.time.*entry      = value;
@@ -59,8 +59,6 @@ namespace
     SceneParameters scene;
   };
 } // namespace
-
-
 
 BOOST_AUTO_TEST_SUITE(histories)
 
@@ -91,8 +89,6 @@ BOOST_AUTO_TEST_CASE(numbers_and_expressions)
   const TimeFunction copy = history("3*t");
   BOOST_TEST(TimeFunction(copy).value(2.) == 6.);
 }
-
-
 
 /**
  * A jump shows within a step however long that is; what is merely steep, or
@@ -139,8 +135,6 @@ BOOST_AUTO_TEST_CASE(jumps_are_found_where_they_are)
   BOOST_TEST(driving.jump_between(0.2, 0.4));
 }
 
-
-
 BOOST_AUTO_TEST_CASE(bad_expressions_name_the_entry)
 {
   const auto said = [](const std::string &text) {
@@ -182,8 +176,6 @@ BOOST_AUTO_TEST_CASE(bad_expressions_name_the_entry)
                       "Time/Spin = 1/(t-2): at t = 2 s it is not finite"));
 }
 
-
-
 BOOST_FIXTURE_TEST_CASE(tables, ScratchFolder)
 {
   write(scratch / "a b.csv", table);
@@ -219,8 +211,6 @@ BOOST_FIXTURE_TEST_CASE(tables, ScratchFolder)
              blanks.table_fingerprint());
 }
 
-
-
 BOOST_FIXTURE_TEST_CASE(bad_tables_name_the_line, ScratchFolder)
 {
   const auto said = [&](const std::string &text, const std::string &content) {
@@ -250,8 +240,6 @@ BOOST_FIXTURE_TEST_CASE(bad_tables_name_the_line, ScratchFolder)
   BOOST_TEST(contains(said("absent.csv", ""), "cannot be read"));
   BOOST_TEST(contains(said("table:", ""), "cannot be read"));
 }
-
-
 
 BOOST_FIXTURE_TEST_CASE(steps_of_equal_length, TransientScene)
 {
@@ -287,8 +275,6 @@ BOOST_FIXTURE_TEST_CASE(steps_of_equal_length, TransientScene)
   BOOST_TEST(time.numerical_damping(1e-6) == 1.57e-3,
              boost::test_tools::tolerance(1e-3));
 }
-
-
 
 BOOST_FIXTURE_TEST_CASE(rules_of_section_time, TransientScene)
 {
@@ -337,8 +323,6 @@ BOOST_FIXTURE_TEST_CASE(rules_of_section_time, TransientScene)
                       "Time/Approach = 1e-4: give Contact/Approach too"));
 }
 
-
-
 BOOST_FIXTURE_TEST_CASE(empty_histories_are_the_constants, TransientScene)
 {
   write(scratch / "spin.csv", table);
@@ -358,8 +342,6 @@ BOOST_FIXTURE_TEST_CASE(empty_histories_are_the_constants, TransientScene)
                       "3 rows from 0 to 2.5 s, CRC-32 "));
 }
 
-
-
 BOOST_AUTO_TEST_CASE(entries_have_units_and_bounds)
 {
   const std::string all = documented_parameters();
@@ -368,7 +350,9 @@ BOOST_AUTO_TEST_CASE(entries_have_units_and_bounds)
     BOOST_TEST(contains(all, "set " + entry));
   dealii::ParameterHandler prm;
   TimeParameters           time;
-  time.declare(prm);
+  Entries                  entries;
+  time.declare(entries);
+  entries.declare(prm);
   prm.enter_subsection("Time");
   BOOST_CHECK_THROW(prm.set("Theta", "0.49"), dealii::ExceptionBase);
   BOOST_CHECK_THROW(prm.set("Theta", "1.01"), dealii::ExceptionBase);

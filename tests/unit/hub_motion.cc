@@ -6,7 +6,7 @@
 #include "reduced_run.h"
 #include "vibrating_pair.h"
 
-#include <rolling_contact/state/hub_motion.h>
+#include <rolling_contact/time/hub_motion.h>
 
 #include <cmath>
 
@@ -17,15 +17,13 @@ BOOST_AUTO_TEST_SUITE(hub_motion)
 
 namespace
 {
-  DrivingFunctions
-  driven_by(const std::optional<TimeFunction> &approach)
+  DrivingFunctions driven_by(const std::optional<TimeFunction> &approach)
   {
     const TimeFunction none(0.);
     return {{}, approach, none, none, none, none, {}, {}, {}, {}};
   }
 
-  DrivingFunctions
-  driven_by(const std::string &approach)
+  DrivingFunctions driven_by(const std::string &approach)
   {
     return driven_by(TimeFunction("Time/Approach", approach, ""));
   }
@@ -82,9 +80,9 @@ BOOST_AUTO_TEST_CASE(kinks_of_the_approach_change_the_velocity_once)
 BOOST_AUTO_TEST_CASE(a_mode_follows_its_hub)
 {
   ReducedPair pair;
-  pair.K_m = pair.C_m = DenseMatrix(1, 1);
-  pair.Phi            = DenseMatrix(1, 1);
-  pair.W_res          = DenseMatrix(1, 1);
+  pair.K_m = pair.C_m = DenseMatrix::Zero(1, 1);
+  pair.Phi            = DenseMatrix::Zero(1, 1);
+  pair.W_res          = DenseMatrix::Zero(1, 1);
   pair.n_wheel_modes  = 1;
   const double omega = 2000., rate = 700., mass = 3.; // kg
   pair.K_m(0, 0)   = omega * omega;

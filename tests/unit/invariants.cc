@@ -22,8 +22,7 @@ namespace
    * Two brush beds pressed together: every node has its own spring, normal and
    * tangential springs coupled.
    */
-  ContactProblem
-  brush_bed()
+  ContactProblem brush_bed()
   {
     Trace trace;
     for (unsigned int i = 0; i < n_nodes; ++i)
@@ -32,7 +31,7 @@ namespace
       trace.cells.push_back({trace.nodes[i],
                              {{trace.nodes[i + 1][0], 1.}},
                              {{{i, 1.}}, {{i + 1, 1.}}}});
-    DenseMatrix    W(2 * n_nodes, 2 * n_nodes);
+    DenseMatrix    W = DenseMatrix::Zero(2 * n_nodes, 2 * n_nodes);
     ContactProblem problem;
     for (unsigned int i = 0; i < n_nodes; ++i)
       {
@@ -54,8 +53,7 @@ namespace
     return problem;
   }
 
-  ContactState
-  solution(const ContactProblem &problem)
+  ContactState solution(const ContactProblem &problem)
   {
     SolverControls controls;
     controls.tolerance = tolerance;
@@ -71,8 +69,7 @@ namespace
   /**
    * A change of the solution that breaks one invariant by at least this much.
    */
-  void
-  check_broken(
+  void check_broken(
     const std::string                                           &name,
     const Value                                                  value,
     const std::function<void(ContactProblem &, ContactState &)> &spoil)
@@ -89,8 +86,7 @@ namespace
     }
   }
 
-  unsigned int
-  middle(const ContactState &state)
+  unsigned int middle(const ContactState &state)
   {
     return std::max_element(state.pressure.begin(), state.pressure.end()) -
            state.pressure.begin();

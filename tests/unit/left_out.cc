@@ -2,7 +2,7 @@
 
 #include "scene_run.h"
 
-#include <rolling_contact/linear_algebra/factorisation.h>
+#include <rolling_contact/algebra/factorisation.h>
 
 using namespace RollingContact;
 
@@ -15,8 +15,6 @@ namespace
   {
     const Factorisation::Work at_start = Factorisation::work_done();
   };
-
-
 
   /** The inferred data set S2D at 12 elements, solved, and the work it took. */
   struct Run
@@ -33,20 +31,17 @@ namespace
       , at_end(Factorisation::work_done())
     {}
 
-    std::uint64_t
-    n_factorisations() const
+    std::uint64_t n_factorisations() const
     {
       return at_end.n_factorisations - at_start.n_factorisations;
     }
 
-    std::uint64_t
-    n_columns() const
+    std::uint64_t n_columns() const
     {
       return at_end.n_condensed_columns - at_start.n_condensed_columns;
     }
 
-    std::uint64_t
-    n_solves() const
+    std::uint64_t n_solves() const
     {
       return at_end.n_solves - at_start.n_solves;
     }
@@ -54,8 +49,7 @@ namespace
     const Factorisation::Work at_end;
   };
 
-  void
-  separate_bodies(SceneParameters &scene)
+  void separate_bodies(SceneParameters &scene)
   {
     scene.rail.material.young_modulus *= 1.01;
   }
@@ -81,8 +75,8 @@ BOOST_AUTO_TEST_CASE(a_frictionless_contact_condenses_normal_columns)
   });
   const ContactProblem &problem = run.steady.problem;
   BOOST_TEST(run.n_columns() == 2 * problem.n_nodes());
-  BOOST_TEST(problem.operators.W().n_rows() == problem.n_nodes());
-  BOOST_TEST(problem.operators.W().memory_consumption() ==
+  BOOST_TEST(problem.operators.W().rows() == problem.n_nodes());
+  BOOST_TEST(memory_consumption(problem.operators.W()) ==
              problem.n_nodes() * problem.n_nodes() * sizeof(double));
   BOOST_TEST(problem.operators.slip_operator().rows().size() == 0u);
   BOOST_TEST(problem.rigid_slip().empty());

@@ -1,9 +1,9 @@
 #define BOOST_TEST_MODULE rolling_contact
 #include <boost/test/unit_test.hpp>
 
+#include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/base/platform.h>
-#include <rolling_contact/parallel/interrupt.h>
-#include <rolling_contact/parallel/ranks.h>
+#include <rolling_contact/base/ranks.h>
 
 namespace
 {

@@ -5,8 +5,9 @@
 #include "complaint.h"
 #include "scene_run.h"
 
-#include <rolling_contact/mesh_files/mesh_file.h>
+#include <rolling_contact/mesh/mesh_file.h>
 #include <rolling_contact/pair/mesh_unit_check.h>
+#include <rolling_contact/program/analysis_table.h>
 
 #include <cmath>
 #include <map>
@@ -23,11 +24,10 @@ namespace
   /** What is said of a scene with this rail. */
   struct Complaints : public Files
   {
-    std::string
-    of(const std::string                            &name,
-       const std::string                            &text,
-       const std::function<void(SceneParameters &)> &change = {},
-       const unsigned int                            dim    = 2) const
+    std::string of(const std::string                            &name,
+                   const std::string                            &text,
+                   const std::function<void(SceneParameters &)> &change = {},
+                   const unsigned int                            dim = 2) const
     {
       save(name, text);
       return of_scene(name, change, dim);
@@ -49,7 +49,6 @@ namespace
           if (change)
             change(scene);
           scene.check();
-          scene.read_meshes();
         };
         if (dim == 2)
           SceneRun<2>(
@@ -122,8 +121,6 @@ BOOST_AUTO_TEST_CASE(files_that_cannot_be_read)
         "line 7: in its $Nodes \"zero\" stands in place of a number");
 }
 
-
-
 BOOST_AUTO_TEST_CASE(format_4_files_that_cannot_be_read)
 {
   const Complaints  said;
@@ -161,8 +158,6 @@ BOOST_AUTO_TEST_CASE(format_4_files_that_cannot_be_read)
   check("1 164 1 164", "1 165 1 164", "fewer entries than announced, 165");
 }
 
-
-
 BOOST_AUTO_TEST_CASE(the_order_of_dimension_and_entity_in_format_4_0)
 {
   const Complaints said;
@@ -194,8 +189,6 @@ BOOST_AUTO_TEST_CASE(the_order_of_dimension_and_entity_in_format_4_0)
                       "\"7\" stands in place of a whole number from 0 to 3"));
 }
 
-
-
 BOOST_AUTO_TEST_CASE(a_group_with_a_minus_is_the_group)
 {
   const Files files;
@@ -212,8 +205,6 @@ BOOST_AUTO_TEST_CASE(a_group_with_a_minus_is_the_group)
                            " 1 -2 0\n")) == read(good));
   BOOST_TEST(read(replaced(old, "2 1 2 1 1", "2 1 2 -1 1")) == read(old));
 }
-
-
 
 BOOST_AUTO_TEST_CASE(abaqus_files_that_cannot_be_read)
 {
@@ -239,16 +230,13 @@ BOOST_AUTO_TEST_CASE(abaqus_files_that_cannot_be_read)
         "neither the name of an *ELSET");
 }
 
-
-
 namespace
 {
   /** Two squares, their top in surface 1 and their bottom in 2; with other
    * nodes of the elements, faces, or lines before nodes and after elements. */
   struct TwoSquares
   {
-    std::string
-    text() const
+    std::string text() const
     {
       return before + "*NODE\n" + nodes +
              "*ELEMENT, TYPE=CPE4, ELSET=ALL\n1, " + first + "\n2, " + second +
@@ -262,8 +250,7 @@ namespace
                                        "5, 0, -1\n6, 1, -1\n";
   };
 
-  std::shared_ptr<const FileMesh>
-  read_text(const std::string &text)
+  std::shared_ptr<const FileMesh> read_text(const std::string &text)
   {
     const Files files;
     MeshFile    file;
@@ -274,8 +261,7 @@ namespace
   }
 
   /** Empty if the file can be read. */
-  std::string
-  said_of(const TwoSquares &file)
+  std::string said_of(const TwoSquares &file)
   {
     return complaint([&]() { read_text(file.text()); });
   }
@@ -312,8 +298,6 @@ BOOST_AUTO_TEST_CASE(nodes_of_abaqus)
   BOOST_TEST(contains(said_of(file), "line 10: \"0\" is no number of a node"));
 }
 
-
-
 BOOST_AUTO_TEST_CASE(parts_that_abaqus_moves)
 {
   const auto said = [](const std::string &line) {
@@ -338,8 +322,6 @@ BOOST_AUTO_TEST_CASE(parts_that_abaqus_moves)
                            "*NODE, INPUT=nodes.inp"})
     BOOST_TEST(contains(said(line), "write all nodes and elements"), line);
 }
-
-
 
 BOOST_AUTO_TEST_CASE(sets_and_orders_of_abaqus)
 {
@@ -373,8 +355,6 @@ BOOST_AUTO_TEST_CASE(sets_and_orders_of_abaqus)
   BOOST_TEST(contains(said_of(large), "line 1: the id 4000000000 of surface"));
 }
 
-
-
 BOOST_AUTO_TEST_CASE(a_mirrored_hexahedron_of_abaqus)
 {
   const Files files;
@@ -396,8 +376,6 @@ BOOST_AUTO_TEST_CASE(a_mirrored_hexahedron_of_abaqus)
                           "1, S2\n2, S2\n*SURFACE, NAME=S-2\n1, S1\n2, S1\n"));
 }
 
-
-
 BOOST_AUTO_TEST_CASE(paths_that_are_no_files)
 {
   const Complaints said;
@@ -414,22 +392,19 @@ BOOST_AUTO_TEST_CASE(paths_that_are_no_files)
     read_or_reject({}, 2, []() { throw std::runtime_error("x"); }), InputError);
 }
 
-
-
 namespace
 {
-  void
-  expect(const std::string &text, const std::string &part)
+  void expect(const std::string &text, const std::string &part)
   {
     BOOST_TEST(contains(text, "Rail/"), text);
     BOOST_TEST(contains(text, part), text);
   }
 
   /** A mesh of other places than its map's. */
-  WrittenMesh
-  changed(const WrittenMesh                                     &mesh,
-          const std::function<void(WrittenMesh::Point &,
-                                   const WrittenMesh::Point &)> &change)
+  WrittenMesh changed(
+    const WrittenMesh &mesh,
+    const std::function<void(WrittenMesh::Point &, const WrittenMesh::Point &)>
+      &change)
   {
     WrittenMesh result = mesh;
     result.map         = [=](double a, double b, double c) {
@@ -478,8 +453,6 @@ BOOST_AUTO_TEST_CASE(cells_that_cannot_be_used)
          "1 of 2 hang together");
 }
 
-
-
 BOOST_AUTO_TEST_CASE(contact_boundaries_that_cannot_be_used)
 {
   const Complaints  said;
@@ -523,8 +496,6 @@ BOOST_AUTO_TEST_CASE(contact_boundaries_that_cannot_be_used)
   expect(said.of("ring.msh", ring.gmsh()),
          "turns away from the other body at the origin: the rail must lie");
 }
-
-
 
 namespace
 {
@@ -573,8 +544,6 @@ BOOST_AUTO_TEST_CASE(a_contact_boundary_that_lies_twice)
          "its contact boundary lies twice inside the contact zone");
 }
 
-
-
 BOOST_AUTO_TEST_CASE(a_hub_in_the_contact_zone)
 {
   const Complaints said;
@@ -595,8 +564,6 @@ BOOST_AUTO_TEST_CASE(a_hub_in_the_contact_zone)
          "x = -3.6 mm");
 }
 
-
-
 BOOST_AUTO_TEST_CASE(a_face_that_is_not_convex)
 {
   const Complaints  said;
@@ -612,8 +579,6 @@ BOOST_AUTO_TEST_CASE(a_face_that_is_not_convex)
   expect(said.of("bad.msh", bad.gmsh(), {}, 3),
          "is no convex quadrilateral seen along z");
 }
-
-
 
 BOOST_AUTO_TEST_CASE(meshes_in_the_wrong_unit)
 {
@@ -632,8 +597,7 @@ BOOST_AUTO_TEST_CASE(meshes_in_the_wrong_unit)
                  [=](SceneParameters &scene) {
                    if (!first)
                      return;
-                   scene.read_meshes();
-                   check_mesh_units(scene);
+                   check_mesh_units(Situation(scene));
                    BOOST_ERROR("a wrong unit is not noticed on reading");
                  },
                  dim),
@@ -643,13 +607,10 @@ BOOST_AUTO_TEST_CASE(meshes_in_the_wrong_unit)
                  [](SceneParameters &scene) {
                    scene.contact.normal_load = {};
                    scene.contact.approach    = 0.2e-3;
-                   scene.read_meshes();
-                   check_mesh_units(scene);
+                   check_mesh_units(Situation(scene));
                  }),
          "Mesh unit");
 }
-
-
 
 BOOST_AUTO_TEST_CASE(what_a_body_from_a_file_does_not_go_with)
 {
@@ -670,7 +631,7 @@ BOOST_AUTO_TEST_CASE(what_a_body_from_a_file_does_not_go_with)
     contains(with([](SceneParameters &scene) { scene.mesh.rim_levels = 1; }),
              "Mesh/Rim levels = 1"));
   BOOST_TEST(contains(with([](SceneParameters &scene) {
-                        scene.analysis = "accuracy study";
+                        scene.analysis = analysis_kind("accuracy study");
                       }),
                       "Analysis = accuracy study"));
   BOOST_TEST(

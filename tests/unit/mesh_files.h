@@ -11,23 +11,19 @@ namespace RollingContact
   /** Mesh files in a folder of their own. */
   struct Files : public ScratchFolder
   {
-    std::string
-    save(const std::string &name, const std::string &text) const
+    std::string save(const std::string &name, const std::string &text) const
     {
       write(scratch / name, text);
       return (scratch / name).string();
     }
 
     /** A scene's body from this file; it must be read before a run. */
-    void
-    take(BodyParameters &body, const std::string &name) const
+    void take(BodyParameters &body, const std::string &name) const
     {
       body.shape     = "mesh file";
       body.mesh_file = (scratch / name).string();
     }
   };
-
-
 
   inline std::vector<double>
   equal(const double begin, const double end, const unsigned int n)

@@ -27,8 +27,7 @@ namespace RollingContact
     double                                       unit     = 1.;
     bool                                         mirrored = false;
 
-    bool
-    is_flat() const
+    bool is_flat() const
     {
       return b.size() < 2;
     }
@@ -60,8 +59,7 @@ namespace RollingContact
     }
 
     template <typename Action>
-    void
-    for_each_cell(const Action &action) const
+    void for_each_cell(const Action &action) const
     {
       for (unsigned int i = 0; i + (closed ? 0 : 1) < a.size(); ++i)
         for (unsigned int j = 0; j < (is_flat() ? 1 : b.size() - 1); ++j)
@@ -70,8 +68,7 @@ namespace RollingContact
     }
 
     /** Lines "n x y z" with the given blank. */
-    std::string
-    nodes(const std::string &blank) const
+    std::string nodes(const std::string &blank) const
     {
       std::ostringstream text;
       text << std::setprecision(17);
@@ -90,8 +87,7 @@ namespace RollingContact
       return text.str();
     }
 
-    std::string
-    gmsh() const
+    std::string gmsh() const
     {
       std::ostringstream elements;
       unsigned int       n   = 0;
@@ -131,8 +127,7 @@ namespace RollingContact
 
     /** Elements of format 4.1: a block each for the contact boundary, the hub
      * and the cells; their number. */
-    std::string
-    blocks41(unsigned int &n) const
+    std::string blocks41(unsigned int &n) const
     {
       using Corners = std::vector<unsigned int>;
       std::ostringstream elements;
@@ -165,8 +160,7 @@ namespace RollingContact
     }
 
     /** What gmsh() has in format 4.1, with one block of nodes. */
-    std::string
-    gmsh41() const
+    std::string gmsh41() const
     {
       unsigned int       n_nodes = 0, n = 0, number = 0;
       std::ostringstream numbers, points, text;
@@ -190,8 +184,7 @@ namespace RollingContact
     }
 
     /** As Abaqus/CAE orders it, with what the program is to leave out. */
-    std::string
-    abaqus() const
+    std::string abaqus() const
     {
       std::ostringstream text, top, bottom;
       unsigned int       n = 0;
@@ -219,14 +212,11 @@ namespace RollingContact
     }
   };
 
-
-
   /** From 0 in equal steps to @p fine, then in growing ones to @p end. */
-  inline std::vector<double>
-  graded(const double step,
-         const double fine,
-         const double end,
-         const double growth)
+  inline std::vector<double> graded(const double step,
+                                    const double fine,
+                                    const double end,
+                                    const double growth)
   {
     std::vector<double> points;
     const int           n = std::lround(fine / step);
@@ -242,12 +232,10 @@ namespace RollingContact
     return points;
   }
 
-
-
   /** Both signs, shifted by @p shift steps in the middle and not at the ends.
    */
-  inline std::vector<double>
-  mirrored_points(const std::vector<double> &points, const double shift)
+  inline std::vector<double> mirrored_points(const std::vector<double> &points,
+                                             const double               shift)
   {
     std::vector<double> result;
     const double        end = points.back(), step = points[1];

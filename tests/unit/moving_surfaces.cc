@@ -18,23 +18,17 @@ namespace
 {
   using Change = std::function<void(SceneParameters &)>;
 
-  std::string
-  wave(const double amplitude, const double wavelength)
+  std::string wave(const double amplitude, const double wavelength)
   {
     return scientific(amplitude, 16) + "*cos(2*pi*x/" +
            scientific(wavelength, 16) + ")";
   }
 
-
-
-  void
-  frictionless(SceneParameters &scene)
+  void frictionless(SceneParameters &scene)
   {
     scene.contact.friction_coefficient = 0.;
     scene.time.initial_state           = InitialState::steady;
   }
-
-
 
   /**
    * The load after each of @p n steps of @p rolled metres.
@@ -58,19 +52,14 @@ namespace
     return found;
   }
 
-
-
   struct Patch
   {
     double half_width, load, stiffness;
   };
 
-
-
   /** Of smooth bodies; the stiffness from a small change of the approach. */
   template <int dim>
-  Patch
-  patch_of(const Change &change)
+  Patch patch_of(const Change &change)
   {
     const double        by = 1e-9;
     Patch               patch{};
@@ -93,8 +82,6 @@ namespace
     patch.stiffness = (moved(by) - moved(-by)) / (2 * by);
     return patch;
   }
-
-
 
   /**
    * Amplitude of the load over the amplitude of the surface, of the waves in
@@ -120,10 +107,7 @@ namespace
     return in_phase / (amplitude * patch.stiffness);
   }
 
-
-
-  void
-  fine(SceneParameters &scene)
+  void fine(SceneParameters &scene)
   {
     scene.mesh.elements_across_patch = 48;
     // a disc that closes with any wave
@@ -133,8 +117,6 @@ namespace
     scene.rail.block_depth  = 0.1;
   }
 } // namespace
-
-
 
 /**
  * Waves much longer than the patch lift the load by the static stiffness times
@@ -157,8 +139,6 @@ BOOST_AUTO_TEST_CASE(line_contact_filters_by_the_bessel_function)
       BOOST_TEST(std::abs(found - exact) < 0.01);
     }
 }
-
-
 
 /**
  * On a round patch it is sin(ka)/(ka), the transform of the pressure of a round
@@ -183,8 +163,6 @@ BOOST_AUTO_TEST_CASE(round_contact_filters_by_its_punch)
       BOOST_TEST(std::abs(found - exact) < (over_a > 2. ? 0.006 : 0.015));
     }
 }
-
-
 
 /**
  * A pattern that lies one element further upstream comes one step later, if a
@@ -224,8 +202,6 @@ BOOST_AUTO_TEST_CASE(a_shift_by_an_element_is_a_step)
     }
 }
 
-
-
 /** With friction and a given load as well, once the start is forgotten. */
 BOOST_AUTO_TEST_CASE(the_shift_holds_with_friction_under_a_load)
 {
@@ -256,8 +232,6 @@ BOOST_AUTO_TEST_CASE(the_shift_holds_with_friction_under_a_load)
                *std::min_element(first.begin() + 90, first.begin() + 120) >
              1e-3);
 }
-
-
 
 /** A snapshot is a state with the roughness that lies there. */
 BOOST_AUTO_TEST_CASE(snapshots_are_states_with_that_roughness)
@@ -290,8 +264,6 @@ BOOST_AUTO_TEST_CASE(snapshots_are_states_with_that_roughness)
                  1e-3);
     }
 }
-
-
 
 /**
  * Without friction and inertia and with a held hub all work is that of the
@@ -328,8 +300,6 @@ BOOST_AUTO_TEST_CASE(surfaces_supply_the_work_of_the_contact)
     }
 }
 
-
-
 /** With inertia too, to the second order of the step; the balance closes. */
 BOOST_AUTO_TEST_CASE(energy_balances_over_moving_surfaces)
 {
@@ -362,8 +332,6 @@ BOOST_AUTO_TEST_CASE(energy_balances_over_moving_surfaces)
   BOOST_TEST(errors[1] < 1e-4);
   BOOST_TEST(errors[1] < 0.3 * errors[0]);
 }
-
-
 
 /** A stepper that fails leaves gap and surfaces as they were. */
 BOOST_AUTO_TEST_CASE(a_patch_that_outgrows_the_zone_is_told)

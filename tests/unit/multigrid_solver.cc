@@ -16,9 +16,9 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <rolling_contact/algebra/multigrid_solver.h>
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/linear_algebra/multigrid_solver.h>
-#include <rolling_contact/parallel/ranks.h>
+#include <rolling_contact/base/ranks.h>
 
 #include <cmath>
 #include <memory>
@@ -67,8 +67,7 @@ namespace
       make_modes();
     }
 
-    void
-    assemble()
+    void assemble()
     {
       dealii::DynamicSparsityPattern dynamic(dofs.n_dofs());
       dealii::DoFTools::make_sparsity_pattern(dofs,
@@ -108,8 +107,7 @@ namespace
                     MPI_COMM_WORLD);
     }
 
-    void
-    make_modes()
+    void make_modes()
     {
       modes.assign(6, zero());
       for (const auto &cell : dofs.active_cell_iterators())
@@ -129,8 +127,7 @@ namespace
           }
     }
 
-    Vector
-    zero() const
+    Vector zero() const
     {
       return Vector(dealii::complete_index_set(dofs.n_dofs()), MPI_COMM_WORLD);
     }
@@ -138,8 +135,7 @@ namespace
     /**
      * A load on every unknown, of another shape for every @p number.
      */
-    Vector
-    load(const unsigned int number) const
+    Vector load(const unsigned int number) const
     {
       Vector result = zero();
       for (unsigned int i = 0; i < dofs.n_dofs(); ++i)
@@ -158,8 +154,7 @@ namespace
     std::vector<Vector>                    modes;
   };
 
-  double
-  distance(const Vector &a, const Vector &b)
+  double distance(const Vector &a, const Vector &b)
   {
     Vector difference(a);
     difference -= b;

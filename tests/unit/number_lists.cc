@@ -11,8 +11,7 @@ BOOST_AUTO_TEST_SUITE(number_lists)
 
 namespace
 {
-  std::string
-  said_of(const std::string &text)
+  std::string said_of(const std::string &text)
   {
     return complaint([&]() { number_list("Load curve/Shares of load", text); });
   }
@@ -28,8 +27,6 @@ BOOST_AUTO_TEST_CASE(a_list_is_taken_as_it_stands)
     BOOST_TEST(contains(said_of(text), "Load curve/Shares of load = "), text);
 }
 
-
-
 BOOST_AUTO_TEST_CASE(a_range_ends_at_its_ends)
 {
   for (unsigned int n = 2; n < 200; ++n)
@@ -44,8 +41,6 @@ BOOST_AUTO_TEST_CASE(a_range_ends_at_its_ends)
         BOOST_TEST(list.back() == std::stod(last));
       }
 }
-
-
 
 BOOST_AUTO_TEST_CASE(ranges_that_are_none)
 {

@@ -1,7 +1,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <rolling_contact/contact/edge_pressure.h>
-#include <rolling_contact/interface/operators.h>
+#include <rolling_contact/contact/operators.h>
 
 #include <cmath>
 #include <functional>
@@ -12,8 +12,7 @@ BOOST_AUTO_TEST_SUITE(operators)
 
 namespace
 {
-  Trace
-  line(const std::vector<double> &x)
+  Trace line(const std::vector<double> &x)
   {
     Trace trace;
     trace.n_dimensions = 1;
@@ -30,8 +29,7 @@ namespace
     return trace;
   }
 
-  std::vector<double>
-  uniform(const unsigned int n, const double h)
+  std::vector<double> uniform(const unsigned int n, const double h)
   {
     std::vector<double> x(n);
     for (unsigned int i = 0; i < n; ++i)
@@ -42,8 +40,7 @@ namespace
   /**
    * Sizes halved twice towards the middle, as a mesh refined at the rim.
    */
-  std::vector<double>
-  graded()
+  std::vector<double> graded()
   {
     return {-8.,
             -7.,
@@ -67,8 +64,7 @@ namespace
    * A surface in 3D: six by four unit squares, those with 2 <= x, y < 2 split
    * in four; the new nodes on the border of the refined part hang.
    */
-  Trace
-  surface_with_hanging_nodes()
+  Trace surface_with_hanging_nodes()
   {
     Trace trace;
     trace.n_dimensions = 2;
@@ -117,12 +113,11 @@ namespace
   /**
    * Largest difference between rows applied to a field and its x-derivative.
    */
-  double
-  error(const Trace             &trace,
-        const SparseRows        &rows,
-        const std::vector<bool> &defined,
-        const Field             &field,
-        const Field             &derivative)
+  double error(const Trace             &trace,
+               const SparseRows        &rows,
+               const std::vector<bool> &defined,
+               const Field             &field,
+               const Field             &derivative)
   {
     std::vector<double> values;
     for (const auto &node : trace.nodes)

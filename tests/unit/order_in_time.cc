@@ -26,8 +26,7 @@ namespace
   using Change = std::function<void(SceneParameters &)>;
 
   template <int dim>
-  History
-  history(const Change &change, const double step, const double end)
+  History history(const Change &change, const double step, const double end)
   {
     TimeRun<dim> run([&](SceneParameters &scene) {
       change(scene);
@@ -49,12 +48,9 @@ namespace
     return result;
   }
 
-
-
   /** By the parabola through the next three of values at h, 2h, ... - lag. */
   template <typename Value>
-  double
-  interpolated(const History &of, const double time, const Value &value)
+  double interpolated(const History &of, const double time, const Value &value)
   {
     const double place = (time + of.lag) / of.step - 1;
     const long   last  = of.forces.size() - 1,
@@ -64,11 +60,8 @@ namespace
            s * (s + 1) / 2 * value(middle + 1);
   }
 
-
-
   /** Root mean square of the error of the forces. */
-  double
-  force_error(const History &run, const History &exact)
+  double force_error(const History &run, const History &exact)
   {
     double sum = 0.;
     for (std::size_t k = 0; k < run.forces.size(); ++k)
@@ -83,18 +76,12 @@ namespace
     return std::sqrt(sum / run.forces.size());
   }
 
-
-
-  double
-  heat_error(const History &run, const History &exact)
+  double heat_error(const History &run, const History &exact)
   {
     return std::abs(run.heat.back() / exact.heat.back() - 1);
   }
 
-
-
-  void
-  oscillates(SceneParameters &scene)
+  void oscillates(SceneParameters &scene)
   {
     scene.contact.creepages.x   = 0.001;
     scene.contact.slip_operator = SlipOperatorKind::upwind_2;
@@ -102,8 +89,6 @@ namespace
     scene.time.creepage_x       = "0.001 + 0.0008 * sin(2 * pi * 1000 * t)";
   }
 } // namespace
-
-
 
 /**
  * Without inertia, by BDF2, with and without the edge law.
@@ -133,8 +118,6 @@ BOOST_AUTO_TEST_CASE(massless_rolling_is_of_second_order)
     }
 }
 
-
-
 /**
  * From rest, where the first step is one of Euler's rule.
  */
@@ -154,8 +137,6 @@ BOOST_AUTO_TEST_CASE(start_up_is_of_second_order)
   BOOST_TEST_MESSAGE("errors " << coarse << ' ' << fine);
   BOOST_TEST(std::log2(coarse / fine) > 1.8);
 }
-
-
 
 /**
  * With inertia and theta = 0.5 forces act in the middle of a step, friction
@@ -184,8 +165,6 @@ BOOST_AUTO_TEST_CASE(rolling_with_inertia_is_of_second_order)
   BOOST_TEST(heat > 1.8);
 }
 
-
-
 /**
  * In 3D the direction of friction turns.
  */
@@ -208,8 +187,6 @@ BOOST_AUTO_TEST_CASE(turning_friction_with_inertia_is_of_second_order)
                                << force);
   BOOST_TEST(force > 1.8);
 }
-
-
 
 /**
  * A shift in one step, then rest: nothing of it goes on, and its heat is that
@@ -234,8 +211,6 @@ BOOST_AUTO_TEST_CASE(what_jumps_does_not_go_on)
       BOOST_TEST(std::abs(run.last.friction) < 1e-4 * stored);
     }
 }
-
-
 
 /**
  * Steps of changing length: halves and doubles of each other.

@@ -10,11 +10,11 @@
 
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/files.h>
+#include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/base/memory.h>
 #include <rolling_contact/base/platform.h>
 #include <rolling_contact/base/stopwatch.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/parallel/interrupt.h>
 #include <rolling_contact/run/log.h>
 #include <rolling_contact/run/phase_timer.h>
 #include <rolling_contact/run/results_table.h>
@@ -26,6 +26,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <regex>
 #include <sstream>
 #include <thread>
 
@@ -35,18 +36,14 @@ namespace
   namespace fs = std::filesystem;
   using boost::property_tree::ptree;
 
-  ptree
-  read_json(const fs::path &file)
+  ptree read_json(const fs::path &file)
   {
     ptree tree;
     boost::property_tree::read_json(file.string(), tree);
     return tree;
   }
 
-
-
-  unsigned int
-  count(const std::string &text, const std::string &part)
+  unsigned int count(const std::string &text, const std::string &part)
   {
     unsigned int n_found = 0;
     for (std::size_t i = text.find(part); i != std::string::npos;
@@ -55,19 +52,13 @@ namespace
     return n_found;
   }
 
-
-
-  std::size_t
-  n_entries(const fs::path &folder)
+  std::size_t n_entries(const fs::path &folder)
   {
     return std::distance(fs::directory_iterator(folder),
                          fs::directory_iterator());
   }
 
-
-
-  void
-  spin(const double seconds)
+  void spin(const double seconds)
   {
     const auto begin = std::chrono::steady_clock::now();
     while (std::chrono::steady_clock::now() - begin <
@@ -75,10 +66,8 @@ namespace
       ;
   }
 
-
-
-  const PhaseTimer::Row &
-  row_of(const std::vector<PhaseTimer::Row> &rows, const Phase phase)
+  const PhaseTimer::Row &row_of(const std::vector<PhaseTimer::Row> &rows,
+                                const Phase                         phase)
   {
     for (const PhaseTimer::Row &row : rows)
       if (row.phase == phase)
@@ -86,8 +75,6 @@ namespace
     throw std::out_of_range(name_of(phase));
   }
 } // namespace
-
-
 
 BOOST_AUTO_TEST_SUITE(output)
 
@@ -108,8 +95,6 @@ BOOST_AUTO_TEST_CASE(numbers_as_text)
   BOOST_TEST(human_seconds(3725) == "1 h 02 min");
 }
 
-
-
 BOOST_AUTO_TEST_CASE(wrapping_and_utf8)
 {
   BOOST_TEST(wrapped("aa bb cc", 5) == "aa bb\n  cc");
@@ -122,8 +107,6 @@ BOOST_AUTO_TEST_CASE(wrapping_and_utf8)
   BOOST_TEST(valid_utf8("\u03BC \xB5 \xED\xA0\x80") ==
              "\u03BC \uFFFD \uFFFD\uFFFD\uFFFD");
 }
-
-
 
 BOOST_AUTO_TEST_CASE(log_levels)
 {
@@ -145,8 +128,6 @@ BOOST_AUTO_TEST_CASE(log_levels)
       BOOST_TEST(log.warnings().size() == 1u);
     }
 }
-
-
 
 BOOST_AUTO_TEST_CASE(phases_sum_to_the_run)
 {
@@ -192,8 +173,6 @@ BOOST_AUTO_TEST_CASE(phases_sum_to_the_run)
     BOOST_TEST(line.size() == 80u);
 }
 
-
-
 BOOST_AUTO_TEST_CASE(memory_is_plausible)
 {
   const std::size_t before = peak_memory();
@@ -206,8 +185,6 @@ BOOST_AUTO_TEST_CASE(memory_is_plausible)
   std::vector<char>().swap(block);
   BOOST_TEST(peak_memory() > 50000000u);
 }
-
-
 
 BOOST_AUTO_TEST_CASE(peak_memory_since_a_reset)
 {
@@ -230,8 +207,6 @@ BOOST_AUTO_TEST_CASE(peak_memory_since_a_reset)
   BOOST_TEST(peak_memory_since_reset() > before + large / 2);
 }
 
-
-
 BOOST_AUTO_TEST_CASE(interrupts)
 {
   for (const int signal : {SIGINT, SIGTERM})
@@ -247,8 +222,6 @@ BOOST_AUTO_TEST_CASE(interrupts)
     }
   install_interrupt_handlers();
 }
-
-
 
 namespace
 {
@@ -281,8 +254,6 @@ namespace
   }
 } // namespace
 
-
-
 BOOST_FIXTURE_TEST_CASE(second_interrupt_ends_the_process, ScratchFolder)
 {
   std::filesystem::create_directories(folder);
@@ -294,8 +265,6 @@ BOOST_FIXTURE_TEST_CASE(second_interrupt_ends_the_process, ScratchFolder)
   BOOST_TEST(watch.seconds() > seconds_to_stop - 1);
   BOOST_TEST(watch.seconds() < seconds_to_stop + 5);
 }
-
-
 
 BOOST_AUTO_TEST_CASE(platform)
 {
@@ -309,8 +278,6 @@ BOOST_AUTO_TEST_CASE(platform)
   for (const auto &[name, version] : library_versions())
     BOOST_TEST(!version.empty(), name);
 }
-
-
 
 BOOST_FIXTURE_TEST_CASE(run_folder_is_created_by_open, ScratchFolder)
 {
@@ -329,8 +296,6 @@ BOOST_FIXTURE_TEST_CASE(run_folder_is_created_by_open, ScratchFolder)
   BOOST_TEST(RunFolder::default_path("prm/carter.2d.prm") ==
              fs::path("output/carter.2d"));
 }
-
-
 
 BOOST_FIXTURE_TEST_CASE(files_appear_when_complete, ScratchFolder)
 {
@@ -357,8 +322,6 @@ BOOST_FIXTURE_TEST_CASE(files_appear_when_complete, ScratchFolder)
   BOOST_TEST(read_json(folder / "run.json").get_child("files").size() == 3u);
 }
 
-
-
 BOOST_FIXTURE_TEST_CASE(old_run_is_replaced_and_nothing_else, ScratchFolder)
 {
   {
@@ -384,8 +347,6 @@ BOOST_FIXTURE_TEST_CASE(old_run_is_replaced_and_nothing_else, ScratchFolder)
   BOOST_TEST(n_entries(folder) == 4u);
 }
 
-
-
 BOOST_FIXTURE_TEST_CASE(a_crash_while_replacing_can_be_resumed, ScratchFolder)
 {
   write(folder / "run.json",
@@ -400,8 +361,6 @@ BOOST_FIXTURE_TEST_CASE(a_crash_while_replacing_can_be_resumed, ScratchFolder)
   BOOST_TEST(!fs::exists(folder / "bodies-0001.vtu"));
   BOOST_TEST(read(folder / "blocked" / "inner") == "mine");
 }
-
-
 
 BOOST_FIXTURE_TEST_CASE(foreign_folders_are_refused, ScratchFolder)
 {
@@ -438,8 +397,6 @@ BOOST_FIXTURE_TEST_CASE(foreign_folders_are_refused, ScratchFolder)
   BOOST_CHECK_THROW(in_proc.open(), InputError);
 }
 
-
-
 BOOST_FIXTURE_TEST_CASE(folder_of_a_going_run_is_refused, ScratchFolder)
 {
   // Counts as empty: a first run died before its mark was complete.
@@ -450,8 +407,6 @@ BOOST_FIXTURE_TEST_CASE(folder_of_a_going_run_is_refused, ScratchFolder)
   BOOST_CHECK_THROW(second.open(), InputError);
   BOOST_TEST(read(folder / "original.prm") == "first");
 }
-
-
 
 BOOST_FIXTURE_TEST_CASE(results_csv, ScratchFolder)
 {
@@ -484,7 +439,49 @@ BOOST_FIXTURE_TEST_CASE(results_csv, ScratchFolder)
              "    1        nan                   -\n");
 }
 
-
+/** The units that doc/output.md gives to columns are those that their names,
+ * and with them table.h5, say, in their order; columns that follow each other
+ * share one. Units that the program has no columns of are left out. */
+BOOST_AUTO_TEST_CASE(units_of_the_documentation)
+{
+  const std::map<std::string, std::string> as_program{{"N m", "Nm"},
+                                                      {"m^2", "m2"},
+                                                      {"J/m^2", "J/m2"}};
+  const auto add = [](std::vector<std::string> &units,
+                      const std::string        &unit) {
+    const bool known = unit != "1" && unit_of_column("any_" + unit) == unit;
+    if (known && (units.empty() || units.back() != unit))
+      units.push_back(unit);
+  };
+  std::ifstream    page(std::string(TEST_DATA) + "/../../doc/output.md");
+  const std::regex row("^\\| (`[^|]*) \\| ([^|]*?) *\\| .*"),
+    column("`([^`]+)`");
+  unsigned int n_columns = 0;
+  for (std::string line; std::getline(page, line);)
+    {
+      std::smatch parts;
+      if (!std::regex_match(line, parts, row) || parts[1] == "`vibrations`")
+        continue;
+      std::vector<std::string> given, found;
+      std::istringstream       texts(parts[2]);
+      for (std::string unit; std::getline(texts >> std::ws, unit, ',');)
+        {
+          const auto other = as_program.find(unit);
+          add(given, other == as_program.end() ? unit : other->second);
+        }
+      const std::string names = parts[1];
+      for (std::sregex_iterator it(names.begin(), names.end(), column), end;
+           it != end;
+           ++it, ++n_columns)
+        add(found, unit_of_column((*it)[1]));
+      BOOST_TEST((given == found), line);
+    }
+  BOOST_TEST(n_columns > 300u);
+  BOOST_TEST(unit_of_column("bound_force/muN") == "mu N");
+  BOOST_TEST(unit_of_column("bound_moment/muNa") == "mu N a");
+  BOOST_TEST(unit_of_column("contact_area_m2") == "m2");
+  BOOST_TEST(unit_of_column("iterations") == "1");
+}
 
 BOOST_FIXTURE_TEST_CASE(long_results_are_complete_at_the_end, ScratchFolder)
 {
@@ -501,8 +498,6 @@ BOOST_FIXTURE_TEST_CASE(long_results_are_complete_at_the_end, ScratchFolder)
   }
   BOOST_TEST(count(read(folder / "results.csv"), "\n") == 1501u);
 }
-
-
 
 BOOST_FIXTURE_TEST_CASE(other_tables_are_complete_or_not_there, ScratchFolder)
 {
@@ -523,8 +518,6 @@ BOOST_FIXTURE_TEST_CASE(other_tables_are_complete_or_not_there, ScratchFolder)
   BOOST_TEST(!std::filesystem::exists(folder / "lines.csv"));
 }
 
-
-
 BOOST_FIXTURE_TEST_CASE(files_are_overwritten_where_they_are, ScratchFolder)
 {
   const auto file = folder / "small";
@@ -539,8 +532,6 @@ BOOST_FIXTURE_TEST_CASE(files_are_overwritten_where_they_are, ScratchFolder)
   BOOST_TEST(!overwrite_file(file, std::string(1 << 20, 'y')));
   BOOST_TEST(read(file) == std::string(400, 'x'));
 }
-
-
 
 BOOST_FIXTURE_TEST_CASE(run_report, ScratchFolder)
 {

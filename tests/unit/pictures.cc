@@ -2,19 +2,26 @@
 #include "time_run.h"
 
 #include <rolling_contact/analyses/creep_curve.h>
+#include <rolling_contact/analyses/creep_curve_parameters.h>
 #include <rolling_contact/analyses/creep_curve_plot.h>
+#include <rolling_contact/analyses/cycle_sweep.h>
+#include <rolling_contact/analyses/error_cost_report.h>
+#include <rolling_contact/analyses/limit_cycle_parameters.h>
 #include <rolling_contact/analyses/load_curve.h>
 #include <rolling_contact/analyses/quasi_static.h>
 #include <rolling_contact/analyses/transient.h>
-#include <rolling_contact/assessment/reference_2d.h>
+#include <rolling_contact/base/constants.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/histories/cycle_recording.h>
-#include <rolling_contact/report/state_report.h>
-#include <rolling_contact/studies/error_cost_report.h>
+#include <rolling_contact/program/analysis_table.h>
+#include <rolling_contact/results/reference_2d.h>
+#include <rolling_contact/results/state_report.h>
+#include <rolling_contact/tables/stability_map_plot.h>
 #include <rolling_contact/tables/table_output.h>
+#include <rolling_contact/time/cycle_recording.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace
 {
@@ -32,17 +39,15 @@ namespace
   }
 } // namespace
 
-
-
 BOOST_AUTO_TEST_SUITE(pictures)
 
 BOOST_FIXTURE_TEST_CASE(load_curve_in_kilonewton_and_micrometres, DrawingRun)
 {
   standard<3>(scene);
-  scene.analysis                  = "load curve";
-  scene.load_curve.load_fractions = {0.5, 1.};
+  scene.analysis                                  = analysis_kind("load curve");
+  scene.own<LoadCurveParameters>().load_fractions = {0.5, 1.};
   scene.check();
-  LoadCurve<3>(scene, drawing).run();
+  LoadCurve<3>(Situation(scene), drawing).run();
   table.flush();
   BOOST_TEST(is_drawn("load_curve"));
   BOOST_TEST(contains(script("load_curve"), "set xlabel 'approach (\u00b5m)'"));
@@ -56,15 +61,13 @@ BOOST_FIXTURE_TEST_CASE(load_curve_in_kilonewton_and_micrometres, DrawingRun)
   check_equal(hertz[1], loads, 1e-3);
 }
 
-
-
 BOOST_FIXTURE_TEST_CASE(creep_curve_in_percent_of_creepage, DrawingRun)
 {
   standard<3>(scene);
-  scene.analysis               = "creep curve";
-  scene.creep_curve.creepage_y = {0.001, 0.004, 0.02};
+  scene.analysis                               = analysis_kind("creep curve");
+  scene.own<CreepCurveParameters>().creepage_y = {0.001, 0.004, 0.02};
   scene.check();
-  CreepCurve<3>(scene, drawing).run();
+  CreepCurve<3>(Situation(scene), drawing).run();
   table.flush();
   BOOST_TEST(is_drawn("creep_curve"));
   BOOST_TEST(
@@ -88,16 +91,14 @@ BOOST_FIXTURE_TEST_CASE(creep_curve_in_percent_of_creepage, DrawingRun)
   BOOST_TEST(linear[1].back() <= 1.2);
 }
 
-
-
 BOOST_FIXTURE_TEST_CASE(creep_curves_of_several_spins, DrawingRun)
 {
   standard<3>(scene);
-  scene.analysis               = "creep curve";
-  scene.creep_curve.creepage_y = {0.001, 0.004, 0.001, 0.004};
-  scene.creep_curve.spin       = {0., 0., 0.5, 0.5};
+  scene.analysis                               = analysis_kind("creep curve");
+  scene.own<CreepCurveParameters>().creepage_y = {0.001, 0.004, 0.001, 0.004};
+  scene.own<CreepCurveParameters>().spin       = {0., 0., 0.5, 0.5};
   scene.check();
-  CreepCurve<3>(scene, drawing).run();
+  CreepCurve<3>(Situation(scene), drawing).run();
   table.flush();
   BOOST_TEST(is_drawn("creep_curve"));
   const Values force  = column("results.csv", "force_y_N"),
@@ -115,8 +116,6 @@ BOOST_FIXTURE_TEST_CASE(creep_curves_of_several_spins, DrawingRun)
   BOOST_TEST(!contains(script("creep_curve"), "Kalker"));
   BOOST_TEST(!contains(script("creep_curve"), "F_x"));
 }
-
-
 
 BOOST_AUTO_TEST_CASE(lines_of_a_creep_curve)
 {
@@ -145,41 +144,39 @@ BOOST_AUTO_TEST_CASE(lines_of_a_creep_curve)
   BOOST_TEST(over_spin.lines[1].points[0] == 3u);
 }
 
-
-
 BOOST_FIXTURE_TEST_CASE(no_carter_where_he_does_not_hold, DrawingRun)
 {
   standard<2>(scene);
   scene.contact.creepages.x = 0.001;
   scene.rail.radius         = 0.92;
   scene.check();
-  const auto steady = solve_steady_state<2>(scene, {}, drawing);
-  plot_line_tractions(scene, steady, drawing);
+  const auto steady = solve_steady_state<2>(Situation(scene), {}, drawing);
+  plot_line_tractions(Situation(scene), steady, drawing);
   BOOST_TEST(is_drawn("tractions"));
   BOOST_TEST(!contains(script("tractions"), "Carter"));
   BOOST_TEST(contains(script("tractions"), "Hertz"));
 }
-
-
 
 BOOST_FIXTURE_TEST_CASE(tractions_over_the_patch, DrawingRun)
 {
   standard<2>(scene);
   scene.contact.creepages.x = 0.001;
   scene.check();
-  const auto steady = solve_steady_state<2>(scene, {}, drawing);
-  plot_line_tractions(scene, steady, drawing);
+  const auto steady = solve_steady_state<2>(Situation(scene), {}, drawing);
+  plot_line_tractions(Situation(scene), steady, drawing);
   BOOST_TEST(is_drawn("tractions"));
   BOOST_TEST(contains(
     script("tractions"),
     "set ylabel 'p / p\u2080,   q / (\u03bcp\u2080),   "
     "p\u2080 = " +
-      significant(1e-6 * reference_2d(scene, steady).hertz.max_pressure, 4) +
+      significant(
+        1e-6 * reference_2d(Situation(scene), steady).hertz.max_pressure, 4) +
       " MPa'"));
   BOOST_TEST(contains(
     script("tractions"),
     "a = " +
-      significant(1e3 * reference_2d(scene, steady).hertz.half_width, 4) +
+      significant(1e3 * reference_2d(Situation(scene), steady).hertz.half_width,
+                  4) +
       " mm"));
   BOOST_TEST(
     contains(script("tractions"),
@@ -213,16 +210,14 @@ BOOST_FIXTURE_TEST_CASE(tractions_over_the_patch, DrawingRun)
   BOOST_TEST(std::abs(sum / total - ratio) < 0.02);
 }
 
-
-
 BOOST_FIXTURE_TEST_CASE(history_in_millimetres_and_milliseconds, DrawingRun)
 {
   standard<2>(scene);
-  scene.analysis            = "transient";
+  scene.analysis            = analysis_kind("transient");
   scene.contact.creepages.x = 0.001;
   scene.time.end_time       = 5e-4;
   scene.check();
-  Transient<2>(scene, drawing).run();
+  Transient<2>(Situation(scene), drawing).run();
   BOOST_TEST(is_drawn("history"));
   BOOST_TEST(contains(script("history"), "set xlabel 'rolled distance (mm)'"));
   BOOST_TEST(contains(script("history"), "set ylabel 'T / (\u03bcN)'"));
@@ -244,15 +239,13 @@ BOOST_FIXTURE_TEST_CASE(history_in_millimetres_and_milliseconds, DrawingRun)
                force[i]) < 1e-6 * load[i]);
 }
 
-
-
 /**
  * With theta = 0.5 the forces of a step act in its middle.
  */
 BOOST_FIXTURE_TEST_CASE(forces_are_drawn_where_they_act, DrawingRun)
 {
   standard<2>(scene);
-  scene.analysis              = "transient";
+  scene.analysis              = analysis_kind("transient");
   scene.contact.creepages.x   = 0.001;
   scene.contact.slip_operator = SlipOperatorKind::upwind_2;
   scene.time.inertia          = true;
@@ -261,7 +254,7 @@ BOOST_FIXTURE_TEST_CASE(forces_are_drawn_where_they_act, DrawingRun)
   scene.time.time_step        = 1e-5;
   scene.time.end_time         = 3e-5;
   scene.check();
-  Transient<2>(scene, drawing).run();
+  Transient<2>(Situation(scene), drawing).run();
   const Values time = column("history.csv", "time_s"),
                acts = column("history.csv", "force_time_s");
   BOOST_REQUIRE_EQUAL(time.size(), 3u);
@@ -278,24 +271,20 @@ BOOST_FIXTURE_TEST_CASE(forces_are_drawn_where_they_act, DrawingRun)
   check_equal(block("history", "longitudinal creepage")[0], ends, 1e3);
 }
 
-
-
 BOOST_FIXTURE_TEST_CASE(load_in_time, DrawingRun)
 {
   standard<2>(scene);
-  scene.analysis                     = "transient";
+  scene.analysis                     = analysis_kind("transient");
   scene.contact.friction_coefficient = 0.;
   scene.time.end_time                = 3e-4;
   scene.check();
-  Transient<2>(scene, drawing).run();
+  Transient<2>(Situation(scene), drawing).run();
   BOOST_TEST(contains(script("history"), "set xlabel 'time (ms)'"));
   BOOST_TEST(contains(script("history"), "set ylabel 'N (kN)'"));
   const auto loads = block("history", "load N");
   check_equal(loads[0], column("history.csv", "time_s"), 1e3);
   check_equal(loads[1], column("history.csv", "normal_force_N"), 1e-3);
 }
-
-
 
 /**
  * A patch that slides sideways, in a period of two steps: no traction along x
@@ -304,11 +293,12 @@ BOOST_FIXTURE_TEST_CASE(load_in_time, DrawingRun)
 BOOST_FIXTURE_TEST_CASE(record_of_a_patch_that_slides_sideways, DrawingRun)
 {
   standard<3>(scene);
-  scene.analysis            = "transient";
+  scene.analysis            = analysis_kind("transient");
   scene.contact.creepages.y = 0.02;
   scene.check();
-  ContactStepper<3> stepper(scene, PairDemands(), drawing);
-  record_cycle(scene, 0., 1e-4, 2e-4, stepper, drawing);
+  const Situation   situation(scene);
+  ContactStepper<3> stepper(situation, PairDemands(), drawing);
+  record_cycle(situation, 0., 1e-4, 2e-4, stepper, drawing);
   const char  *file = "cycle_patch.csv";
   const Values time = column(file, "time_s"), phase = column(file, "phase"),
                place    = column(file, "x_m"),
@@ -319,6 +309,7 @@ BOOST_FIXTURE_TEST_CASE(record_of_a_patch_that_slides_sideways, DrawingRun)
                bound = scene.contact.friction_coefficient * peak;
   BOOST_TEST(peak > 0.);
   check_equal(phase, time, 1 / 2e-4);
+  BOOST_TEST(phase.front() == 0.5);
   BOOST_TEST(phase.back() == 1.);
   for (std::size_t k = 0; k < time.size(); ++k)
     {
@@ -340,12 +331,10 @@ BOOST_FIXTURE_TEST_CASE(record_of_a_patch_that_slides_sideways, DrawingRun)
           BOOST_TEST(std::abs(across[k] - state.traction(1, i)) <=
                      1e-8 * bound);
         }
-  BOOST_TEST(3 * n_found == time.size());
+  BOOST_TEST(2 * n_found == time.size());
   BOOST_TEST(n_found > 4u);
   BOOST_TEST(is_drawn("cycle_patch"));
 }
-
-
 
 /**
  * Made-up forces over load, creepage and spin: each line is named by its value
@@ -354,7 +343,7 @@ BOOST_FIXTURE_TEST_CASE(record_of_a_patch_that_slides_sideways, DrawingRun)
 BOOST_FIXTURE_TEST_CASE(sections_of_a_table, DrawingRun)
 {
   standard<3>(scene);
-  scene.analysis            = "table";
+  scene.analysis            = analysis_kind("table");
   scene.contact.approach    = {};
   scene.contact.normal_load = 20e3;
   scene.table.axis_texts    = {"Contact/Normal load = 800, 20e3, 45e3",
@@ -364,13 +353,13 @@ BOOST_FIXTURE_TEST_CASE(sections_of_a_table, DrawingRun)
     [](const double N, const double creepage, const double spin) {
       return N * (100 * creepage + 0.01 * spin);
     };
-  const TablePlan plan = plan_table(scene);
+  const TablePlan plan = plan_table(Situation(scene));
   BOOST_REQUIRE_EQUAL(plan.values.size(), 12u);
   for (std::size_t state = 0; state < 12; ++state)
     {
       const auto &at = plan.values[state];
       table.set("state", state);
-      table.set("status", std::string("solved"));
+      table.set("status", "solved", TableStatus::solved);
       table.set("force_x_N", force(at[0], at[1], at[2]));
       table.set("force_y_N", 0.);
       table.set("spin_moment_Nm", at[0] * at[2]);
@@ -409,7 +398,143 @@ BOOST_FIXTURE_TEST_CASE(sections_of_a_table, DrawingRun)
               1e-3);
 }
 
+/** A state that was not solved has no point, whatever its row holds. */
+BOOST_FIXTURE_TEST_CASE(unsolved_states_are_not_drawn, DrawingRun)
+{
+  standard<3>(scene);
+  scene.analysis            = analysis_kind("table");
+  scene.contact.approach    = {};
+  scene.contact.normal_load = 20e3;
+  scene.table.axis_texts[0] = "Contact/Creepage x = 0.001, 0.002, 0.003";
+  const TablePlan plan      = plan_table(Situation(scene));
+  for (std::size_t state = 0; state < 3; ++state)
+    {
+      begin_table_row(plan,
+                      state,
+                      state == 1 ? TableStatus::not_converged
+                                 : TableStatus::solved,
+                      table);
+      table.set("force_x_N", 1000. * (state + 1));
+      table.end_row();
+    }
+  plot_sections(plan, drawing);
+  const std::string data = read(files.folder / "table_1.dat");
+  BOOST_TEST(contains(data, "0.001\t1\n"));
+  BOOST_TEST(contains(data, "0.003\t3\n"));
+  BOOST_TEST(!contains(data, "0.002\t2\n"));
+}
 
+/** The map over two axes, the last one of which counts fastest: growth as it
+ * is, frequencies in kHz where something grows, axes in kN and degrees. */
+BOOST_FIXTURE_TEST_CASE(map_of_vibrations, DrawingRun)
+{
+  TablePlan plan;
+  plan.axes  = {{"Table/Axis 1", "Contact/Normal load", {10e3, 20e3}},
+                {"Table/Axis 2", "Rail/Cant", {0., 0.1, 0.2}}};
+  plan.units = {"N", "rad"};
+  const Values growth{-1., 2., 3., 4., -5., 6.};
+  for (std::size_t state = 6; state-- > 0;)
+    {
+      table.set("state", state);
+      table.set("n_unstable", state + 10);
+      table.set("largest_growth_1/s", growth[state]);
+      table.set("fastest_Hz", 1000. * (state + 1));
+      table.end_row();
+    }
+  plot_stability_map(plan, drawing);
+  BOOST_TEST(contains(script("stability_map"), "Normal load (kN)"));
+  BOOST_TEST(contains(script("stability_map"), "Cant (degrees)"));
+  const auto corners = [&](const std::string &name, const std::string &label) {
+    std::map<std::pair<double, double>, double> found;
+    std::istringstream lines(read(files.folder / (name + ".dat")));
+    std::string        line, value;
+    BOOST_TEST((std::getline(lines, line) && line == "# " + label));
+    while (std::getline(lines, line))
+      {
+        std::istringstream numbers(line);
+        double             x, y;
+        if (numbers >> x >> y >> value)
+          found[{std::round(x), std::round(y)}] = std::stod(value);
+      }
+    return found;
+  };
+  const double degree = pi / 180;
+  const auto   cell   = [&](const double load, const double cant) {
+    // the lower corner of a cell, half way to its neighbour
+    return std::pair(std::round(load - 5.),
+                     std::round(cant / degree - 0.05 / degree));
+  };
+  const auto map   = corners("stability_map", "1/s"),
+             count = corners("stability_map_count", "number"),
+             kHz = corners("stability_map_frequency", "kHz; white: none grows");
+  for (std::size_t state = 0; state < 6; ++state)
+    {
+      const auto at = cell(state < 3 ? 10. : 20., 0.1 * (state % 3));
+      BOOST_TEST(map.at(at) == growth[state]);
+      BOOST_TEST(count.at(at) == state + 10.);
+      if (growth[state] > 0.)
+        BOOST_TEST(kHz.at(at) == state + 1.);
+    }
+}
+
+/** The amplitude of a cycle is the larger of those along x and y, in m/s, over
+ * the values of the axis; 0 for what has decayed. */
+BOOST_FIXTURE_TEST_CASE(sweep_of_limit_cycles, DrawingRun)
+{
+  LimitCycleParameters parameters;
+  parameters.axis      = "Contact/Friction coefficient";
+  parameters.values    = "0.2, 0.3, 0.4";
+  parameters.direction = SweepDirection::both;
+  const auto runs      = sweep_runs(parameters, 1);
+  BOOST_REQUIRE_EQUAL(runs.size(), 5u);
+  const std::vector<RunEnd> ends{Cycles::Motion::decayed,
+                                 Cycles::Motion::periodic,
+                                 Cycles::Motion::periodic,
+                                 Cycles::Motion::periodic,
+                                 Cycles::Motion::changing};
+  for (std::size_t row = 0; row < 5; ++row)
+    {
+      table.set("largest_growth_1/s", 10. * *runs[row].value);
+      table.set("cycle", name_of(ends[row]), ends[row]);
+      table.set("cycle_frequency_Hz", 400.);
+      table.set("cycle_velocity_x_amplitude_m/s", 0.1 * row);
+      table.set("cycle_velocity_y_amplitude_m/s", row == 2 ? 0.7 : 0.01);
+      table.end_row();
+    }
+  plot_sweep(parameters, runs, drawing);
+  const auto up    = block("limit_cycles", "start 1, up"),
+             down  = block("limit_cycles", "start 1, down"),
+             small = block("limit_cycles", "while it is small");
+  check_equal(up[0], {0.2, 0.3, 0.4}, 1.);
+  check_equal(up[1], {0., 0.1, 0.7}, 1.);
+  check_equal(down[0], {0.3, 0.2}, 1.);
+  check_equal(down[1], {0.3, 0.4}, 1.);
+  check_equal(small[1], {0.2, 0.3, 0.4}, 10.);
+  note_sweep(parameters, runs, {400.}, drawing);
+  const auto finding = [&](const std::string &name) {
+    for (const auto &[key, text] : drawing.report.findings)
+      if (key == name)
+        return text;
+    return std::string();
+  };
+  BOOST_TEST(finding("cycles") ==
+             "of 5 runs 1 changing, 1 decayed, 3 periodic");
+  BOOST_TEST(finding("sweep") ==
+             "hysteresis: up and down end in different motions at 0.3, 0.2");
+  BOOST_TEST(contains(said.str(), "1 of the runs still change at their end"));
+}
+
+/** Each end has a name, and the name tells it. */
+BOOST_AUTO_TEST_CASE(ends_of_runs)
+{
+  for (const RunEnd &end : {RunEnd(),
+                            RunEnd(Cycles::Motion::too_short),
+                            RunEnd(Cycles::Motion::periodic),
+                            RunEnd(Cycles::Motion::stationary),
+                            RunEnd(Cycles::Motion::decayed),
+                            RunEnd(Cycles::Motion::changing)})
+    BOOST_TEST((end_named(name_of(end)) == end));
+}
 
 BOOST_FIXTURE_TEST_CASE(error_against_seconds, DrawingRun)
 {
@@ -432,8 +557,6 @@ BOOST_FIXTURE_TEST_CASE(error_against_seconds, DrawingRun)
   check_equal(front[1], {1e-2, 3e-3, 1e-4}, 1.);
 }
 
-
-
 BOOST_FIXTURE_TEST_CASE(profiles_in_the_track, DrawingRun)
 {
   standard<3>(scene);
@@ -451,8 +574,7 @@ BOOST_FIXTURE_TEST_CASE(profiles_in_the_track, DrawingRun)
   scene.contact.creepages      = {};
   scene.output.body_fields     = false;
   scene.check();
-  scene.read_profiles();
-  QuasiStatic<3>(scene, drawing).run();
+  QuasiStatic<3>(Situation(scene), drawing).run();
   table.flush();
   BOOST_TEST(is_drawn("profiles"));
   const auto first = block("profiles", "first contact");

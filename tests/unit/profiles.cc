@@ -4,11 +4,11 @@
 #include "scratch_folder.h"
 
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/profiles/conicity.h>
-#include <rolling_contact/profiles/contact_search.h>
-#include <rolling_contact/profiles/nominal_profiles.h>
-#include <rolling_contact/profiles/profile_file.h>
-#include <rolling_contact/profiles/smoothing_spline.h>
+#include <rolling_contact/surfaces/conicity.h>
+#include <rolling_contact/surfaces/contact_search.h>
+#include <rolling_contact/surfaces/nominal_profiles.h>
+#include <rolling_contact/surfaces/profile_file.h>
+#include <rolling_contact/surfaces/smoothing_spline.h>
 
 #include <cmath>
 #include <filesystem>
@@ -26,15 +26,14 @@ namespace
 
   const std::string data = TEST_DATA;
 
-  ProfileCurve
-  placed(const ProfileCurve &section, const double inclination = 1. / 40)
+  ProfileCurve placed(const ProfileCurve &section,
+                      const double        inclination = 1. / 40)
   {
     return placed_rail(section, inclination, 1.435, 0.014);
   }
 
   /** The profile's z at a y. */
-  double
-  z_at(const ProfileCurve &curve, const double y)
+  double z_at(const ProfileCurve &curve, const double y)
   {
     return curve.at(ArcLengthAtY(curve)(y)).z;
   }
@@ -42,8 +41,7 @@ namespace
   /** A row of a table of numbers. */
   using Values = std::vector<double>;
 
-  std::vector<Values>
-  table(const std::string &name)
+  std::vector<Values> table(const std::string &name)
   {
     std::vector<Values> rows;
     std::ifstream       file(data + "/" + name);
@@ -67,8 +65,7 @@ namespace
       : normal(0., amplitude)
     {}
 
-    double
-    operator()()
+    double operator()()
     {
       return normal(engine);
     }

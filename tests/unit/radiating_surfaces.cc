@@ -3,7 +3,7 @@
 #include "vibrating_pair.h"
 
 #include <rolling_contact/base/constants.h>
-#include <rolling_contact/sound/radiating_surface.h>
+#include <rolling_contact/time/radiating_surface.h>
 
 #include <cmath>
 
@@ -15,24 +15,21 @@ BOOST_AUTO_TEST_SUITE(radiating_surfaces)
 namespace
 {
   /** Unit translations along x, y and z, by columns. */
-  DenseMatrix
-  translations(const DirectBody<3> &body)
+  DenseMatrix translations(const DirectBody<3> &body)
   {
-    DenseMatrix result(body.n_unknowns(), 3);
+    DenseMatrix result = DenseMatrix::Zero(body.n_unknowns(), 3);
     for (unsigned int d = 0; d < 3; ++d)
       {
         const auto column = body.uniform(d, 1.);
         std::copy(column.begin(),
                   column.end(),
-                  result.data() + d * result.n_rows());
+                  result.data() + d * result.rows());
       }
     return result;
   }
 
-
-
-  DirectBody<3>
-  make_body(const std::string &shape, const ShapeParameters &parameters)
+  DirectBody<3> make_body(const std::string     &shape,
+                          const ShapeParameters &parameters)
   {
     Grading<3> grading;
     grading.element_size_x = grading.element_size_y = 5e-3;
@@ -45,10 +42,7 @@ namespace
                          grading);
   }
 
-
-
-  OuterSurface::Direction
-  along(const unsigned int component)
+  OuterSurface::Direction along(const unsigned int component)
   {
     return [=](const dealii::Point<3> &) {
       dealii::Tensor<1, 3> e;
@@ -57,8 +51,6 @@ namespace
     };
   }
 } // namespace
-
-
 
 BOOST_AUTO_TEST_CASE(surface_of_a_block)
 {
@@ -88,8 +80,6 @@ BOOST_AUTO_TEST_CASE(surface_of_a_block)
   near(surface.box()[1][1] - surface.box()[0][1], width);
   near(surface.box()[1][2] - surface.box()[0][2], depth);
 }
-
-
 
 BOOST_AUTO_TEST_CASE(surface_of_a_disc)
 {
@@ -136,8 +126,9 @@ BOOST_AUTO_TEST_CASE(a_rail_radiates_by_its_width_across_the_motion)
   run.scene.rail.width         = width;
   run.scene.rail.block_depth   = depth;
   run.scene.modes.element_size = 0.03;
-  const VibratingBody<3> rail(run.scene, Side::rail, 4000., run.context);
-  const RadiatingBody    radiating = radiating_body(rail, 4000., Air());
+  const VibratingBody<3> rail(
+    run.situation(), Side::rail, run.scene.modes, 4000., run.context);
+  const RadiatingBody radiating = radiating_body(rail, 4000., Air());
   BOOST_TEST_REQUIRE(radiating.parts.size() == 2u);
   const double f = 5., k = 2 * pi * f / Air().speed;
   const auto   dipoles = [&](const double w) {

@@ -2,20 +2,22 @@
 #include <boost/test/unit_test.hpp>
 
 #include "complaint.h"
+#include "half_plane.h"
 #include "scratch_folder.h"
 #include <signal.h>
 #include <unistd.h>
 
-#include <rolling_contact/dynamics/theta_scheme.h>
-#include <rolling_contact/interface/trace.h>
-#include <rolling_contact/parallel/broadcast.h>
-#include <rolling_contact/parallel/collective_failure.h>
-#include <rolling_contact/parallel/interrupt.h>
-#include <rolling_contact/parallel/ranks.h>
+#include <rolling_contact/base/broadcast.h>
+#include <rolling_contact/base/collective_failure.h>
+#include <rolling_contact/base/interrupt.h>
+#include <rolling_contact/base/ranks.h>
+#include <rolling_contact/bodies/theta_scheme.h>
+#include <rolling_contact/contact/trace.h>
 #include <rolling_contact/run/log.h>
 #include <rolling_contact/run/run_report.h>
 #include <rolling_contact/solvers/contact_solver.h>
-#include <rolling_contact/state/checkpoint.h>
+#include <rolling_contact/solvers/force_control.h>
+#include <rolling_contact/time/checkpoint.h>
 
 #include <cmath>
 #include <iostream>
@@ -44,8 +46,6 @@ namespace
     }
   };
 
-
-
   /** The same folder on all ranks; it must not go before all are done. */
   struct SharedFolder
   {
@@ -69,10 +69,7 @@ namespace
     fs::path                       folder;
   };
 
-
-
-  unsigned int
-  last()
+  unsigned int last()
   {
     return Ranks::count() - 1;
   }
@@ -92,8 +89,6 @@ BOOST_AUTO_TEST_CASE(sums_and_extremes)
   BOOST_TEST(Ranks::sum(Ranks::is_root()) == 1.);
   BOOST_TEST(Ranks::launched());
 }
-
-
 
 // 2.5 million entries go in three messages
 BOOST_AUTO_TEST_CASE(vectors_in_pieces)
@@ -120,8 +115,6 @@ BOOST_AUTO_TEST_CASE(vectors_in_pieces)
   BOOST_TEST(none.empty());
 }
 
-
-
 BOOST_AUTO_TEST_CASE(texts_of_any_length)
 {
   const std::string zeros("a\0b", 3);
@@ -133,8 +126,6 @@ BOOST_AUTO_TEST_CASE(texts_of_any_length)
       BOOST_TEST((sent == text));
     }
 }
-
-
 
 // each member is compared by name: serialize() may have lost one
 BOOST_AUTO_TEST_CASE(a_solver_report_arrives_whole)
@@ -175,8 +166,6 @@ BOOST_AUTO_TEST_CASE(a_solver_report_arrives_whole)
   BOOST_TEST(sent.history[1].tangential == 4.);
 }
 
-
-
 BOOST_AUTO_TEST_CASE(a_contact_state_arrives_whole)
 {
   ContactState sent; // what other ranks hold is replaced, not kept
@@ -211,17 +200,16 @@ BOOST_AUTO_TEST_CASE(a_contact_state_arrives_whole)
   BOOST_TEST(!sent.holds_scheme);
 }
 
-
-
 BOOST_AUTO_TEST_CASE(parts_of_bodies_arrive_whole)
 {
-  DenseMatrix W = Ranks::rank() == last() ? DenseMatrix(2, 3) : DenseMatrix();
+  DenseMatrix W =
+    Ranks::rank() == last() ? DenseMatrix::Zero(2, 3) : DenseMatrix();
   if (Ranks::rank() == last())
     for (unsigned int i = 0; i < 6; ++i)
       W.data()[i] = i;
   Ranks::broadcast(W, last());
-  BOOST_TEST(W.n_rows() == 2u);
-  BOOST_TEST(W.n_columns() == 3u);
+  BOOST_TEST(W.rows() == 2u);
+  BOOST_TEST(W.cols() == 3u);
   BOOST_TEST(W(1, 2) == 5.);
 
   StepEnergy energy;
@@ -253,8 +241,6 @@ BOOST_AUTO_TEST_CASE(parts_of_bodies_arrive_whole)
   BOOST_TEST(trace.cells[0].corners[1][1].second == 0.5);
 }
 
-
-
 BOOST_AUTO_TEST_CASE(one_rank_acts_the_others_wait)
 {
   double n_calls = 0;
@@ -270,11 +256,8 @@ BOOST_AUTO_TEST_CASE(one_rank_acts_the_others_wait)
   BOOST_TEST(n_calls == (Ranks::rank() == last() ? 2. : 0.));
 }
 
-
-
 template <typename Exception>
-void
-check_shared(const Exception &exception, const std::string &message)
+void check_shared(const Exception &exception, const std::string &message)
 {
   for (const unsigned int rank : {0u, last()})
     {
@@ -288,7 +271,29 @@ check_shared(const Exception &exception, const std::string &message)
     }
 }
 
-
+/** States that differ from rank to rank, more than the forces are asked for. */
+BOOST_AUTO_TEST_CASE(what_is_near_enough_rank_0_decides)
+{
+  HalfPlane::Options options;
+  options.creepage       = 0.;
+  ContactProblem problem = HalfPlane::half_plane_problem(options);
+  problem.loads.forces.x = -0.6 * HalfPlane::mu * *problem.loads.normal_load;
+  const SolverControls controls;
+  const auto           solver = make_contact_solver("automatic", controls);
+  ContactState         state;
+  const auto           solve = [&]() {
+    const SolverReport report = solver->solve(problem, state);
+    for (double &traction : state.traction)
+      traction *= 1 + 1e-6 * Ranks::rank();
+    return report;
+  };
+  const SolverReport report = solve_for_forces(solve, controls, problem, state);
+  const double       rounds = report.force_rounds;
+  BOOST_TEST(report.converged);
+  BOOST_TEST(Ranks::maximum(rounds) == rounds);
+  BOOST_TEST(Ranks::maximum(problem.loads.creepages.x) ==
+             problem.loads.creepages.x);
+}
 
 BOOST_AUTO_TEST_CASE(what_one_throws_all_throw)
 {
@@ -306,8 +311,6 @@ BOOST_AUTO_TEST_CASE(what_one_throws_all_throw)
   BOOST_TEST(Ranks::sum(1.) == Ranks::count());
 }
 
-
-
 BOOST_AUTO_TEST_CASE(the_lowest_failure_of_all)
 {
   Ranks::on_all([]() {});
@@ -319,8 +322,6 @@ BOOST_AUTO_TEST_CASE(the_lowest_failure_of_all)
                });
              }) == "rank " + std::to_string(first));
 }
-
-
 
 // A signal to one rank stops all, but inside on() only that one.
 BOOST_AUTO_TEST_CASE(interrupts_are_agreed_on)
@@ -363,8 +364,6 @@ BOOST_AUTO_TEST_CASE(only_the_root_talks)
   BOOST_TEST(log.warnings().size() == 1u);
 }
 
-
-
 BOOST_AUTO_TEST_CASE(only_the_root_writes)
 {
   const SharedFolder shared;
@@ -376,8 +375,6 @@ BOOST_AUTO_TEST_CASE(only_the_root_writes)
   BOOST_TEST(read(shared.folder / "who.txt") == "0");
   BOOST_TEST(contains(read(shared.folder / "run.json"), "who.txt"));
 }
-
-
 
 BOOST_AUTO_TEST_CASE(a_file_in_pieces)
 {
@@ -401,8 +398,6 @@ BOOST_AUTO_TEST_CASE(a_file_in_pieces)
     contains(complaint([&]() { run.write_pieces(names, ""); }), "taken"));
 }
 
-
-
 BOOST_AUTO_TEST_CASE(a_folder_that_is_refused)
 {
   const SharedFolder shared;
@@ -411,8 +406,6 @@ BOOST_AUTO_TEST_CASE(a_folder_that_is_refused)
   BOOST_TEST(contains(complaint([&]() { run.open(); }), "did not write"));
   BOOST_TEST(contains(complaint([&]() { run.reopen({}); }), "did not write"));
 }
-
-
 
 BOOST_AUTO_TEST_CASE(checkpoint_and_history)
 {
@@ -424,11 +417,11 @@ BOOST_AUTO_TEST_CASE(checkpoint_and_history)
     HistoryTable history(run, history_name, {"step", "force"});
     history.add_row({1., 2.});
     record.history  = history.flush();
-    record.pressure = {1. + Ranks::rank(), 0.5};
+    record.state.pressure = {1. + Ranks::rank(), 0.5};
     write_checkpoint(record, run);
   }
   const Checkpoint kept = read_checkpoint(run); // of the root
-  BOOST_TEST((kept.pressure == std::vector<double>{1., 0.5}));
+  BOOST_TEST((kept.state.pressure == std::vector<double>{1., 0.5}));
   BOOST_TEST(kept.history.n_rows == 1u);
   Ranks::sum(0.);
   BOOST_TEST(read(shared.folder / history_name) == "step,force\n1,2\n");
@@ -439,8 +432,6 @@ BOOST_AUTO_TEST_CASE(checkpoint_and_history)
                       }),
                       "has less than"));
 }
-
-
 
 BOOST_AUTO_TEST_CASE(totals)
 {

@@ -1,11 +1,11 @@
 #include "scene_run.h"
 
-#include <rolling_contact/assessment/reference_2d.h>
-#include <rolling_contact/assessment/reference_3d.h>
 #include <rolling_contact/base/constants.h>
-#include <rolling_contact/patch/patch_area.h>
-#include <rolling_contact/patch/recovered_tractions.h>
-#include <rolling_contact/patch/resultants.h>
+#include <rolling_contact/contact/patch_area.h>
+#include <rolling_contact/contact/recovered_tractions.h>
+#include <rolling_contact/contact/resultants.h>
+#include <rolling_contact/results/reference_2d.h>
+#include <rolling_contact/results/reference_3d.h>
 
 #include <algorithm>
 #include <cmath>
@@ -37,22 +37,20 @@ namespace
       , tractions(recovered_tractions(steady.problem, steady.state))
     {}
 
-    Errors2D
-    errors() const
+    Errors2D errors() const
     {
-      return errors_2d(scene, steady, reference_2d(scene, steady));
+      return errors_2d(Situation(scene),
+                       steady,
+                       reference_2d(Situation(scene), steady));
     }
 
     RecoveredTractions tractions;
   };
 
-
-
   /**
    * The largest L2 errors against Hertz and Carter over positions of the mesh.
    */
-  std::array<double, 2>
-  largest_l2(const unsigned int n, const double creepage)
+  std::array<double, 2> largest_l2(const unsigned int n, const double creepage)
   {
     std::array<double, 2> largest{{0., 0.}};
     for (const double offset : {0., 0.2, 0.4, 0.6, 0.8})
@@ -147,7 +145,7 @@ BOOST_AUTO_TEST_CASE(pressure_of_an_ellipse_is_that_of_hertz)
   const std::vector<double> pressure =
     recovered_tractions(run.steady.problem, run.steady.state).pressure;
   const References::HertzEllipse hertz =
-    reference_3d(run.scene, run.steady.result.normal_force, {}).hertz;
+    reference_3d(run.situation(), run.steady.result.normal_force, {}).hertz;
   double of_state = 0., recovered = 0.;
   for (unsigned int i = 0; i < pressure.size(); ++i)
     {
@@ -175,9 +173,9 @@ BOOST_AUTO_TEST_CASE(areas_of_lines_are_those_of_hertz_and_carter)
       BOOST_TEST_CONTEXT(n << " elements, offset " << offset)
       {
         const LineContact run(n, offset, 0.00175);
-        const Reference2D reference = reference_2d(run.scene, run.steady);
+        const Reference2D reference = reference_2d(run.situation(), run.steady);
         const double      area =
-          2 * reference.hertz.half_width * run.scene.thickness();
+          2 * reference.hertz.half_width * run.situation().thickness();
         const PatchAreas found =
           patch_areas(run.steady.problem, run.steady.state);
         const double stick = std::sqrt(1 + run.force_x());
@@ -207,11 +205,10 @@ namespace
           change)
     {}
 
-    double
-    area_over_that_of_hertz() const
+    double area_over_that_of_hertz() const
     {
       const References::HertzEllipse hertz =
-        reference_3d(scene, steady.result.normal_force, {}).hertz;
+        reference_3d(Situation(scene), steady.result.normal_force, {}).hertz;
       return patch_areas(steady.problem, steady.state).contact /
              (pi * hertz.half_width_x * hertz.half_width_y);
     }

@@ -13,8 +13,7 @@ BOOST_AUTO_TEST_SUITE(reduced_motion)
 
 namespace
 {
-  double
-  stored(const StepEnergy &energy)
+  double stored(const StepEnergy &energy)
   {
     return energy.kinetic + energy.strain;
   }
@@ -53,7 +52,7 @@ BOOST_AUTO_TEST_CASE(modes_without_damping_keep_their_energy)
 BOOST_AUTO_TEST_CASE(energy_that_forces_supply_is_found_again)
 {
   ReducedPair pair = random_pair(grid_3d, 20, 4, 1e-2);
-  DenseMatrix S(20, 20);
+  DenseMatrix S    = DenseMatrix::Zero(20, 20);
   for (unsigned int k = 0; k + 1 < 20; k += 2)
     {
       S(k, k + 1) = 3.;
@@ -61,7 +60,7 @@ BOOST_AUTO_TEST_CASE(energy_that_forces_supply_is_found_again)
     }
   add_rotation(pair, S, 50.);
   ReducedMotion     motion(pair);
-  const std::size_t n        = pair.W_res.n_rows();
+  const std::size_t n        = pair.W_res.rows();
   double            supplied = 0., error = 0., numerical = 0.;
   motion.set_time_step(4e-6);
   for (unsigned int k = 0; k < 3000; ++k)
@@ -91,7 +90,7 @@ BOOST_AUTO_TEST_CASE(energy_that_forces_supply_is_found_again)
 BOOST_AUTO_TEST_CASE(given_forces_move_the_contact_with_second_order)
 {
   const ReducedPair pair = random_pair(grid_3d, 12, 5);
-  const std::size_t n    = pair.W_res.n_rows();
+  const std::size_t n    = pair.W_res.rows();
   // the velocity halfway through the last step, of forces that are smooth
   const auto velocity = [&](const unsigned int n_steps) {
     ReducedMotion motion(pair);
@@ -127,15 +126,15 @@ BOOST_AUTO_TEST_CASE(given_forces_move_the_contact_with_second_order)
 BOOST_AUTO_TEST_CASE(steps_of_any_length_know_the_rate_of_a_force)
 {
   ReducedPair       pair = random_pair(grid_3d, 4, 8);
-  const std::size_t n    = pair.W_res.n_rows();
-  pair.Phi               = DenseMatrix(n, 4);
-  std::vector<double> rate(n), expected(n, 0.);
+  const std::size_t n    = pair.W_res.rows();
+  pair.Phi               = DenseMatrix::Zero(n, 4);
+  std::vector<double> rate(n);
   for (std::size_t i = 0; i < n; ++i)
     rate[i] = 1e5 * std::sin(2. * i);
-  pair.W_res.multiply_block(0, 0, rate, expected);
-  ReducedMotion motion(pair);
-  double        time = 0.;
-  unsigned int  k    = 0;
+  const std::vector<double> expected = pair.W_res * rate;
+  ReducedMotion             motion(pair);
+  double                    time = 0.;
+  unsigned int              k    = 0;
   for (const double h : {4e-6, 4e-6, 2e-6, 1e-6, 3e-6, 3e-6, 8e-6})
     {
       motion.set_time_step(h);
@@ -178,10 +177,9 @@ namespace
     StabilityMode mode;
   };
 
-  Squealing
-  squealing(const unsigned int                       seed,
-            const double                             rotation = 0.,
-            const std::shared_ptr<const FrictionLaw> law      = nullptr)
+  Squealing squealing(const unsigned int                       seed,
+                      const double                             rotation = 0.,
+                      const std::shared_ptr<const FrictionLaw> law = nullptr)
   {
     Squealing s;
     s.resting = random_pair(grid_3d, 10, seed, 2e-4, 0.2);
@@ -193,12 +191,12 @@ namespace
         s.rolling.solve();
         BOOST_TEST(s.rolling.converged);
       }
-    s.contact = linear_contact(s.rolling.problem,
+    s.contact     = linear_contact(s.rolling.problem,
                                s.rolling.state,
                                at_speed(law ? FrictionResponse::patch_mean
                                             : FrictionResponse::constant));
-    s.pair    = s.resting;
-    DenseMatrix S(10, 10);
+    s.pair        = s.resting;
+    DenseMatrix S = DenseMatrix::Zero(10, 10);
     for (unsigned int k = 0; k + 1 < 10; k += 2)
       {
         S(k, k + 1) = 2.;
@@ -211,23 +209,19 @@ namespace
   }
 
   /** Of the orbit about the start, by the mode with the largest part in it. */
-  double
-  amplitude(const Squealing    &s,
-            const ReducedState &start,
-            const ReducedState &now)
+  double amplitude(const Squealing    &s,
+                   const ReducedState &start,
+                   const ReducedState &now)
   {
-    std::size_t j = 0;
-    for (std::size_t k = 0; k < s.mode.modal.size(); ++k)
-      if (std::abs(s.mode.modal[k]) > std::abs(s.mode.modal[j]))
-        j = k;
+    Eigen::Index j = 0;
+    s.mode.modal.cwiseAbs().maxCoeff(&j);
     return std::hypot(s.mode.s.imag() * (now.eta[j] - start.eta[j]),
                       now.rate[j]);
   }
 
   /** A run that begins in the vibration that grows, which starts with this
    * velocity of the contact. */
-  Run
-  excited(const Squealing &s, const double h, const double velocity)
+  Run excited(const Squealing &s, const double h, const double velocity)
   {
     const bool falls = s.rolling.problem.loads.friction_law != nullptr;
     Run        run(
@@ -246,8 +240,7 @@ namespace
   }
 
   /** Growth over ten periods that it takes, as it is and in time. */
-  void
-  check_growth(const Squealing &s, const double h)
+  void check_growth(const Squealing &s, const double h)
   {
     Run                run = excited(s, h, 1e-4);
     const ReducedState start =

@@ -3,7 +3,7 @@
 
 #include "stability_bodies.h"
 
-#include <rolling_contact/state/patch_friction.h>
+#include <rolling_contact/time/patch_friction.h>
 #include <rolling_contact/vibration/reduced_motion.h>
 
 #include <optional>
@@ -52,8 +52,7 @@ namespace StabilityBodies
       set_time_step(h);
     }
 
-    void
-    set_time_step(const double step)
+    void set_time_step(const double step)
     {
       h = step;
       motion.set_time_step(h);
@@ -63,8 +62,7 @@ namespace StabilityBodies
       problem.loads.speed = speed;
     }
 
-    const StepEnergy &
-    step()
+    const StepEnergy &step()
     {
       motion.begin_step();
       const auto &u = motion.free_displacement(), &v = motion.free_velocity();
@@ -103,15 +101,13 @@ namespace StabilityBodies
     unsigned int                 n_solutions = 0;
 
   private:
-    static std::vector<double>
-    amplitudes(const ReducedPair &pair, const std::vector<double> &forces)
+    static std::vector<double> amplitudes(const ReducedPair         &pair,
+                                          const std::vector<double> &forces)
     {
-      DenseMatrix K = pair.K_m, x(pair.n_modes(), 1);
-      for (std::size_t k = 0; k < pair.n_modes(); ++k)
-        for (std::size_t i = 0; i < forces.size(); ++i)
-          x(k, 0) += pair.Phi(i, k) * forces[i];
-      solve_general(K, x);
-      return {x.data(), x.data() + pair.n_modes()};
+      DenseMatrix         K = pair.K_m;
+      std::vector<double> x = transposed_product(pair.Phi, forces);
+      solve_general(K, as_vector(x));
+      return x;
     }
 
     std::unique_ptr<ContactSolver> solver;

@@ -13,11 +13,10 @@
  * fast with square roots at the ends.
  */
 template <typename Function>
-double
-integrate(const Function &function,
-          const double    from,
-          const double    to,
-          const int       n_points = 2000)
+double integrate(const Function &function,
+                 const double    from,
+                 const double    to,
+                 const int       n_points = 2000)
 {
   const double pi  = std::acos(-1.);
   double       sum = 0;
@@ -30,12 +29,9 @@ integrate(const Function &function,
   return sum * pi / n_points * (to - from) / 2;
 }
 
-
-
 struct InputErrorNaming
 {
-  bool
-  operator()(const RollingContact::InputError &error) const
+  bool operator()(const RollingContact::InputError &error) const
   {
     return std::string(error.what()).find(text) != std::string::npos;
   }

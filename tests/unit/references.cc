@@ -164,8 +164,7 @@ namespace
 {
   const HertzLine paper_line{0.004229992354858723, 1061034871.6200808};
 
-  Carter
-  paper_carter(const double creepage, const int flow_direction = 1)
+  Carter paper_carter(const double creepage, const int flow_direction = 1)
   {
     return Carter(paper_line, 0.23, 0.3, creepage, flow_direction);
   }
@@ -174,11 +173,10 @@ namespace
    * Relative slip at x from the traction alone: the half-planes' surface strain
    * is -2/(pi E*) times the principal value of the integral of q(t)/(x - t).
    */
-  double
-  slip_from_traction(const Carter &carter,
-                     const double  creepage,
-                     const int     flow_direction,
-                     const double  x)
+  double slip_from_traction(const Carter &carter,
+                            const double  creepage,
+                            const int     flow_direction,
+                            const double  x)
   {
     const int    n_steps  = 100000;
     const double reach    = 3 * paper_line.half_width;
@@ -336,11 +334,10 @@ namespace
   /**
    * Displacement inwards over p0 R/(2 G).
    */
-  double
-  rim_response(const double hub_ratio,
-               const double nu,
-               const double half_angle,
-               const double angle)
+  double rim_response(const double hub_ratio,
+                      const double nu,
+                      const double half_angle,
+                      const double angle)
   {
     const ClampedAnnulus annulus(Annulus{1, hub_ratio, 1, nu});
     return -annulus.radial_displacement(half_angle, angle) * pi / 2 *

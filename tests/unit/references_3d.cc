@@ -152,20 +152,18 @@ namespace
   // the load inferred for the paper's three-dimensional case
   const double paper_load = 36059;
 
-  HertzEllipse
-  paper_ellipse()
+  HertzEllipse paper_ellipse()
   {
     return hertz_ellipse(paper_load, 1 / 0.46, 1 / 0.3, steel / 1.82);
   }
 
-  void
-  check_coefficients(const double axis_ratio,
-                     const double nu,
-                     const double C11,
-                     const double C22,
-                     const double C23,
-                     const double C33,
-                     const double accuracy)
+  void check_coefficients(const double axis_ratio,
+                          const double nu,
+                          const double C11,
+                          const double C22,
+                          const double C23,
+                          const double C33,
+                          const double accuracy)
   {
     const KalkerCoefficients kalker = kalker_coefficients(axis_ratio, nu);
     BOOST_TEST(kalker.C11 == C11, tolerance(accuracy));

@@ -14,8 +14,8 @@ namespace RollingContact
    * third slipping node: the largest difference in the sliding of the slipping
    * nodes over the largest change.
    */
-  inline double
-  error_of_response(const ContactProblem &problem, const ContactState &state)
+  inline double error_of_response(const ContactProblem &problem,
+                                  const ContactState   &state)
   {
     const auto sizes = [&](const ContactProblem &of, const ContactState &at) {
       const auto          s = tangential_problem(of, at).slip(at.traction);

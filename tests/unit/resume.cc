@@ -10,8 +10,8 @@
 #include <rolling_contact/program/command_line.h>
 #include <rolling_contact/run/previous_run.h>
 #include <rolling_contact/run/progress.h>
-#include <rolling_contact/state/checkpoint.h>
-#include <rolling_contact/state/checkpoint_schedule.h>
+#include <rolling_contact/time/checkpoint.h>
+#include <rolling_contact/time/checkpoint_schedule.h>
 
 #include <cmath>
 #include <cstring>
@@ -36,33 +36,30 @@ namespace
 
   const RunFolder::Resumption resumption{{"Output/", "Time/End time"},
                                          checkpoint_name,
-                                         {history_name}};
+                                         {history_name,
+                                          numbers_of(history_name)}};
 
   const std::vector<std::string> columns{"step", "time_s", "force_x_N"};
 
-  std::string
-  replaced(std::string        text,
-           const std::string &old_part,
-           const std::string &new_part)
+  std::string replaced(std::string        text,
+                       const std::string &old_part,
+                       const std::string &new_part)
   {
     text.replace(text.find(old_part), old_part.size(), new_part);
     return text;
   }
 
-
-
   /**
    * Like a time integration: a chaotic sequence, a row and a field per step, a
    * checkpoint every seventh.
    */
-  void
-  march(const fs::path     &folder,
-        const bool          resume,
-        const std::uint64_t last_step = 200)
+  void march(const fs::path     &folder,
+             const bool          resume,
+             const std::uint64_t last_step = 200)
   {
     RunFolder  run(folder, scene, scene);
     Checkpoint state;
-    state.bodies.wheel.displacement = {0.3};
+    state.motion.bodies.wheel.displacement = {0.3};
     std::optional<HistoryTable> history;
     if (resume)
       {
@@ -75,7 +72,7 @@ namespace
         run.open();
         history.emplace(run, history_name, columns);
       }
-    double &x = state.bodies.wheel.displacement[0];
+    double &x = state.motion.bodies.wheel.displacement[0];
     while (state.progress.step < last_step)
       {
         ++state.progress.step;
@@ -96,11 +93,8 @@ namespace
     history->publish();
   }
 
-
-
   /** All files of a folder but run.json; its list is "listed". */
-  std::map<std::string, std::string>
-  contents(const fs::path &folder)
+  std::map<std::string, std::string> contents(const fs::path &folder)
   {
     std::map<std::string, std::string> files;
     for (const auto &entry : fs::directory_iterator(folder))
@@ -111,11 +105,8 @@ namespace
     return files;
   }
 
-
-
   /** Runs an action in a process of its own. */
-  pid_t
-  in_child(const std::function<void()> &action)
+  pid_t in_child(const std::function<void()> &action)
   {
     const pid_t child = fork();
     if (child == 0)
@@ -135,26 +126,18 @@ namespace
     return child;
   }
 
-
-
-  int
-  status_of(const pid_t child)
+  int status_of(const pid_t child)
   {
     int status = 0;
     BOOST_REQUIRE(waitpid(child, &status, 0) == child);
     return status;
   }
 
-
-
-  bool
-  same_bits(const double first, const double second)
+  bool same_bits(const double first, const double second)
   {
     return std::memcmp(&first, &second, sizeof(double)) == 0;
   }
 } // namespace
-
-
 
 BOOST_AUTO_TEST_SUITE(resume)
 
@@ -170,8 +153,6 @@ BOOST_AUTO_TEST_CASE(entries_of_a_prm_text)
                             {"S t/U/D", "x=y"}};
   BOOST_TEST((entries == expected));
 }
-
-
 
 BOOST_AUTO_TEST_CASE(changed_entries_are_refused)
 {
@@ -200,43 +181,40 @@ BOOST_AUTO_TEST_CASE(changed_entries_are_refused)
              "Contact/Approach was \"0.0001\""));
 }
 
-
-
 BOOST_FIXTURE_TEST_CASE(checkpoints_keep_every_bit, ScratchFolder)
 {
   RunFolder run(folder, scene, scene);
   run.open();
   Checkpoint state;
-  state.tables         = {{"Time/Speed (table)", "12 rows"}};
-  state.progress.step  = 1234567890123u;
-  state.progress.time  = 0.1 + 0.2;
-  state.bodies.wheel   = {{-0.,
-                           std::numeric_limits<double>::denorm_min(),
-                           1. / 3},
-                          {std::nextafter(1., 2.), INFINITY, std::nan("7")}};
-  state.past           = {{1. / 7},
-                          std::nextafter(2e-6, 0.),
-                          {1. / 17},
-                          {1. / 19},
-                          {1. / 23},
-                          1. / 29};
-  state.patch_friction = {1. / 31, 1. / 37};
-  state.slip           = {NodalField(1, std::vector<double>{1. / 9}),
-                          NodalField(1, std::vector<double>{-1. / 11}),
-                          1. / 13,
-                          -1. / 15};
-  state.pressure       = {1e300, -1e-300};
-  state.traction       = {M_PI};
-  state.approach       = std::nextafter(2.2e-4, 0.);
-  state.scheme = {{{3, 1. / 3, 0.1, {{-0.3, 0.}}}, {7, 2., 1., {{0., 0.}}}},
-                  {4, 9}};
-  state.progress.n_impacts      = 8;
-  state.last_step.is_known      = true;
-  state.last_step.length        = std::nextafter(1e-6, 0.);
-  state.last_step.gap           = {1. / 3};
-  state.last_step.rate          = 1. / 17;
-  state.last_step.slip_share    = {0.5};
-  state.last_step.slip_before   = NodalField(1, std::vector<double>{1. / 19});
+  state.tables              = {{"Time/Speed (table)", "12 rows"}};
+  state.progress.step       = 1234567890123u;
+  state.progress.time       = 0.1 + 0.2;
+  state.motion.bodies.wheel = {
+    {-0., std::numeric_limits<double>::denorm_min(), 1. / 3},
+    {std::nextafter(1., 2.), INFINITY, std::nan("7")}};
+  state.motion.past  = {{1. / 7}, std::nextafter(2e-6, 0.)};
+  state.motion.modes = {
+    {1. / 41}, {1. / 43}, {1. / 17}, {1. / 19}, 1. / 23, 1. / 29};
+  state.patch_friction      = {1. / 31, 1. / 37};
+  state.slip                = {NodalField(1, std::vector<double>{1. / 9}),
+                               NodalField(1, std::vector<double>{-1. / 11}),
+                               1. / 13,
+                               -1. / 15};
+  state.state.pressure      = {1e300, -1e-300};
+  state.state.traction      = NodalField(1, std::vector<double>{M_PI});
+  state.state.approach      = std::nextafter(2.2e-4, 0.);
+  state.state.edge_law      = false;
+  state.state.scheme        = {{{3, 1. / 3, 0.1, {{-0.3, 0.}}},
+                                {7, 2., 1., {{0., 0.}}}},
+                               {4, 9}};
+  state.progress.n_impacts  = 8;
+  state.last_step.is_known  = true;
+  state.last_step.length    = std::nextafter(1e-6, 0.);
+  state.last_step.loads.gap = {1. / 3};
+  state.last_step.rate      = 1. / 17;
+  state.last_step.loads.slip_share = {0.5};
+  state.last_step.loads.slip_before =
+    NodalField(1, std::vector<double>{1. / 19});
   state.last_step.solver.solver = "active set";
   state.history                 = {17, 4321};
   state.body_fields             = {{0.1, 1, "rail", "rail-0001.vtu"}};
@@ -247,21 +225,24 @@ BOOST_FIXTURE_TEST_CASE(checkpoints_keep_every_bit, ScratchFolder)
   BOOST_TEST((copy.tables == state.tables));
   BOOST_TEST(copy.progress.step == state.progress.step);
   BOOST_TEST(same_bits(copy.progress.time, state.progress.time));
-  BOOST_TEST(same_bits(copy.approach, state.approach));
+  BOOST_TEST(same_bits(copy.state.approach, state.state.approach));
   for (unsigned int i = 0; i < 3; ++i)
     {
-      BOOST_TEST(same_bits(copy.bodies.wheel.displacement[i],
-                           state.bodies.wheel.displacement[i]));
-      BOOST_TEST(same_bits(copy.bodies.wheel.velocity[i],
-                           state.bodies.wheel.velocity[i]));
+      BOOST_TEST(same_bits(copy.motion.bodies.wheel.displacement[i],
+                           state.motion.bodies.wheel.displacement[i]));
+      BOOST_TEST(same_bits(copy.motion.bodies.wheel.velocity[i],
+                           state.motion.bodies.wheel.velocity[i]));
     }
-  BOOST_TEST(copy.bodies.rail.displacement.empty());
-  BOOST_TEST((copy.past.velocity == state.past.velocity));
-  BOOST_TEST(same_bits(copy.past.length, state.past.length));
-  BOOST_TEST((copy.past.forces == state.past.forces));
-  BOOST_TEST((copy.past.forces_before == state.past.forces_before));
-  BOOST_TEST((copy.past.load == state.past.load));
-  BOOST_TEST(same_bits(copy.past.distance, state.past.distance));
+  BOOST_TEST(copy.motion.bodies.rail.displacement.empty());
+  const PairMotion &motion = copy.motion, &expected = state.motion;
+  BOOST_TEST((motion.past.velocity == expected.past.velocity));
+  BOOST_TEST(same_bits(motion.past.length, expected.past.length));
+  BOOST_TEST((motion.modes.eta == expected.modes.eta));
+  BOOST_TEST((motion.modes.rate == expected.modes.rate));
+  BOOST_TEST((motion.modes.forces == expected.modes.forces));
+  BOOST_TEST((motion.modes.forces_before == expected.modes.forces_before));
+  BOOST_TEST(same_bits(motion.modes.last_step, expected.modes.last_step));
+  BOOST_TEST(same_bits(motion.modes.distance, expected.modes.distance));
   BOOST_TEST(same_bits(copy.patch_friction.share, state.patch_friction.share));
   BOOST_TEST(
     same_bits(copy.patch_friction.target, state.patch_friction.target));
@@ -270,21 +251,25 @@ BOOST_FIXTURE_TEST_CASE(checkpoints_keep_every_bit, ScratchFolder)
   BOOST_TEST(same_bits(copy.slip.power, state.slip.power));
   BOOST_TEST(same_bits(copy.slip.debt, state.slip.debt));
   BOOST_TEST(same_bits(copy.last_step.rate, state.last_step.rate));
-  BOOST_TEST((copy.last_step.slip_share == state.last_step.slip_share));
-  BOOST_TEST((copy.last_step.slip_before.values() ==
-              state.last_step.slip_before.values()));
-  BOOST_TEST((copy.pressure == state.pressure));
-  BOOST_TEST((copy.traction == state.traction));
-  BOOST_TEST(copy.scheme.edges.size() == 2u);
-  BOOST_TEST((copy.scheme.sliding == state.scheme.sliding));
-  BOOST_TEST(copy.scheme.edges[0].first == 3u);
-  BOOST_TEST(same_bits(copy.scheme.edges[0].a, state.scheme.edges[0].a));
-  BOOST_TEST(same_bits(copy.scheme.edges[0].b, state.scheme.edges[0].b));
-  BOOST_TEST((copy.scheme.edges[0].c == state.scheme.edges[0].c));
+  BOOST_TEST(
+    (copy.last_step.loads.slip_share == state.last_step.loads.slip_share));
+  BOOST_TEST((copy.last_step.loads.slip_before.values() ==
+              state.last_step.loads.slip_before.values()));
+  BOOST_TEST((copy.state.pressure == state.state.pressure));
+  BOOST_TEST((copy.state.traction.values() == state.state.traction.values()));
+  BOOST_TEST(copy.state.scheme.edges.size() == 2u);
+  BOOST_TEST((copy.state.scheme.sliding == state.state.scheme.sliding));
+  BOOST_TEST(copy.state.scheme.edges[0].first == 3u);
+  BOOST_TEST(
+    same_bits(copy.state.scheme.edges[0].a, state.state.scheme.edges[0].a));
+  BOOST_TEST(
+    same_bits(copy.state.scheme.edges[0].b, state.state.scheme.edges[0].b));
+  BOOST_TEST((copy.state.scheme.edges[0].c == state.state.scheme.edges[0].c));
+  BOOST_TEST(!copy.state.edge_law);
   BOOST_TEST(copy.progress.n_impacts == 8u);
   BOOST_TEST(copy.last_step.is_known);
   BOOST_TEST(same_bits(copy.last_step.length, state.last_step.length));
-  BOOST_TEST((copy.last_step.gap == state.last_step.gap));
+  BOOST_TEST((copy.last_step.loads.gap == state.last_step.loads.gap));
   BOOST_TEST(copy.last_step.solver.solver == "active set");
   BOOST_TEST(copy.history.n_rows == 17u);
   BOOST_TEST(copy.history.n_bytes == 4321u);
@@ -292,8 +277,6 @@ BOOST_FIXTURE_TEST_CASE(checkpoints_keep_every_bit, ScratchFolder)
   BOOST_TEST(copy.body_fields[0].file == "rail-0001.vtu");
   BOOST_TEST(copy.body_fields[0].part == 1u);
 }
-
-
 
 BOOST_AUTO_TEST_CASE(checkpoints_come_soon_and_cost_little)
 {
@@ -323,8 +306,6 @@ BOOST_AUTO_TEST_CASE(checkpoints_come_soon_and_cost_little)
   BOOST_TEST(!by_steps.is_due(11, 1e6));
 }
 
-
-
 BOOST_FIXTURE_TEST_CASE(damaged_checkpoints_are_refused, ScratchFolder)
 {
   RunFolder run(folder, scene, scene);
@@ -333,7 +314,7 @@ BOOST_FIXTURE_TEST_CASE(damaged_checkpoints_are_refused, ScratchFolder)
   BOOST_TEST(contains(complaint([&]() { read_checkpoint(run); }),
                       file.string() + "\": it is missing"));
   Checkpoint state;
-  state.bodies.wheel.displacement = {1., 2., 3.};
+  state.motion.bodies.wheel.displacement = {1., 2., 3.};
   write_checkpoint(state, run);
   const std::string whole = read(file);
 
@@ -350,10 +331,9 @@ BOOST_FIXTURE_TEST_CASE(damaged_checkpoints_are_refused, ScratchFolder)
   write(file, whole + '\0');
   BOOST_CHECK_THROW(read_checkpoint(run), InputError);
   write(file, whole);
-  BOOST_TEST(read_checkpoint(run).bodies.wheel.displacement.size() == 3u);
+  BOOST_TEST(read_checkpoint(run).motion.bodies.wheel.displacement.size() ==
+             3u);
 }
-
-
 
 BOOST_FIXTURE_TEST_CASE(reopening_refuses_what_cannot_be_resumed, ScratchFolder)
 {
@@ -391,8 +371,6 @@ BOOST_FIXTURE_TEST_CASE(reopening_refuses_what_cannot_be_resumed, ScratchFolder)
   BOOST_TEST(read(folder / "body-5.vtu") == before.at("body-5.vtu"));
 }
 
-
-
 BOOST_FIXTURE_TEST_CASE(starting_anew_leaves_nothing_to_resume, ScratchFolder)
 {
   march(folder, false, 14);
@@ -401,8 +379,6 @@ BOOST_FIXTURE_TEST_CASE(starting_anew_leaves_nothing_to_resume, ScratchFolder)
   BOOST_TEST(!fs::exists(folder / checkpoint_name));
   BOOST_TEST(!fs::exists(folder / history_name));
 }
-
-
 
 BOOST_FIXTURE_TEST_CASE(histories_continue_byte_for_byte, ScratchFolder)
 {
@@ -433,7 +409,50 @@ BOOST_FIXTURE_TEST_CASE(histories_continue_byte_for_byte, ScratchFolder)
   BOOST_TEST(read(folder / history_name) == whole);
 }
 
-
+/** The numbers of a history have all digits, of the columns that are asked for,
+ * also where it was continued, and none behind the rows of the checkpoint. */
+BOOST_FIXTURE_TEST_CASE(numbers_of_a_history, ScratchFolder)
+{
+  const auto             third = [](const double step) { return step / 3; };
+  HistoryTable::Position position;
+  {
+    RunFolder run(folder, scene, scene);
+    run.open();
+    write_checkpoint({}, run);
+    HistoryTable history(run, history_name, columns);
+    for (int step = 1; step < 6; ++step)
+      {
+        history.add_row({1. * step, 0.1 * step, third(step)});
+        if (step == 3)
+          position = history.flush();
+      }
+    BOOST_TEST(history.size() == 5u);
+    history.flush();
+    BOOST_TEST(history.columns({"force_x_N"}).at("force_x_N").size() == 5u);
+  }
+  RunFolder run(folder, scene, scene);
+  run.reopen(resumption);
+  HistoryTable history(run, history_name, columns, position);
+  BOOST_TEST(history.size() == 3u);
+  history.add_row({4., 0.5, third(4)});
+  history.publish();
+  const HistoryColumns found =
+    history.columns({"force_x_N", "step", "wheel_velocity_m/s"});
+  BOOST_TEST(found.at("wheel_velocity_m/s").empty());
+  BOOST_REQUIRE_EQUAL(found.at("force_x_N").size(), 4u);
+  BOOST_REQUIRE_EQUAL(found.at("step").size(), 4u);
+  for (int step = 1; step < 5; ++step)
+    {
+      BOOST_TEST(found.at("step")[step - 1] == step);
+      BOOST_TEST(found.at("force_x_N")[step - 1] == third(step));
+    }
+  BOOST_TEST(fs::file_size(folder / "history.bin") == 4 * 3 * sizeof(double));
+  BOOST_TEST(!fs::exists(folder / "history.bin.part"));
+  HistoryTable text(run, "cycle_patch.csv", columns, false);
+  text.add_row({1., 2., 3.});
+  text.publish();
+  BOOST_TEST(!fs::exists(folder / "cycle_patch.bin"));
+}
 
 BOOST_FIXTURE_TEST_CASE(history_rows, ScratchFolder)
 {
@@ -459,8 +478,6 @@ BOOST_FIXTURE_TEST_CASE(history_rows, ScratchFolder)
     HistoryTable(run, history_name, columns, {1, text.size() - 3}), InputError);
 }
 
-
-
 BOOST_FIXTURE_TEST_CASE(lock_of_a_dead_process, ScratchFolder)
 {
   int  ready[2];
@@ -483,8 +500,6 @@ BOOST_FIXTURE_TEST_CASE(lock_of_a_dead_process, ScratchFolder)
   close(ready[0]);
   close(ready[1]);
 }
-
-
 
 BOOST_FIXTURE_TEST_CASE(killed_at_random_times, ScratchFolder)
 {
@@ -519,8 +534,6 @@ BOOST_FIXTURE_TEST_CASE(killed_at_random_times, ScratchFolder)
   BOOST_TEST((contents(folder) == expected));
 }
 
-
-
 BOOST_FIXTURE_TEST_CASE(killed_while_starting_anew, ScratchFolder)
 {
   march(scratch / "whole", false, 80);
@@ -552,8 +565,6 @@ BOOST_FIXTURE_TEST_CASE(killed_while_starting_anew, ScratchFolder)
   BOOST_TEST_MESSAGE(n_old_runs << " of 40 not begun anew");
 }
 
-
-
 BOOST_AUTO_TEST_CASE(progress_lines)
 {
   std::ostringstream out, errors;
@@ -580,8 +591,6 @@ BOOST_AUTO_TEST_CASE(progress_lines)
   BOOST_TEST(contains(said, " ms left"));
   BOOST_TEST(left >= 60.);
 }
-
-
 
 BOOST_AUTO_TEST_CASE(option_on_the_command_line)
 {

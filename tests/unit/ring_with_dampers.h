@@ -5,10 +5,9 @@
 
 #include "scratch_folder.h"
 
+#include <rolling_contact/algebra/lapack.h>
 #include <rolling_contact/base/constants.h>
-#include <rolling_contact/elasticity/direct_body.h>
-#include <rolling_contact/linear_algebra/block_products.h>
-#include <rolling_contact/linear_algebra/dense_eigenvalues.h>
+#include <rolling_contact/bodies/direct_body.h>
 #include <rolling_contact/modes/absorber_places.h>
 #include <rolling_contact/modes/full_dynamics.h>
 #include <rolling_contact/modes/rotation.h>
@@ -25,8 +24,7 @@ namespace RingWithDampers
   using Complex = std::complex<double>;
 
   /** A stout ring clamped at its inner side, with some damping. */
-  inline BodyParameters
-  stout_ring(const std::filesystem::path &folder)
+  inline BodySpec stout_ring(const std::filesystem::path &folder)
   {
     std::ofstream mesh(folder / "ring.msh");
     mesh << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n9\n";
@@ -60,11 +58,10 @@ namespace RingWithDampers
     ring.dampers.position                = {0.01, -0.01};
     ring.dampers.direction               = "axial, radial";
     ring.check(3);
-    ring.read_mesh(3, folder);
-    return ring;
+    BodySpec spec(ring);
+    spec.read_mesh(3, folder);
+    return spec;
   }
-
-
 
   /** The ring, its modes up to a frequency (Hz) and where its dampers hang. */
   struct Ring
@@ -102,11 +99,10 @@ namespace RingWithDampers
     }
 
     /** Of the modes, with damping and rotation. */
-    ReducedPair
-    reduced(const double rate) const
+    ReducedPair reduced(const double rate) const
     {
       ReducedPair alone;
-      alone.K_m = DenseMatrix(modes.size(), modes.size());
+      alone.K_m = DenseMatrix::Zero(modes.size(), modes.size());
       alone.C_m = projected(C, modes.shapes);
       for (std::size_t j = 0; j < modes.size(); ++j)
         alone.K_m(j, j) = modes.eigenvalue(j);
@@ -115,7 +111,7 @@ namespace RingWithDampers
     }
 
     ScratchFolder            scratch;
-    BodyParameters           parameters;
+    BodySpec                 parameters;
     Axle                     axle;
     DirectBody<3>            body;
     BodyPlaces               at;
@@ -127,27 +123,18 @@ namespace RingWithDampers
     std::vector<std::string> notes;
   };
 
-
-
   template <class Matrix>
-  DenseMatrix
-  dense(const Matrix &A)
+  DenseMatrix dense(const Matrix &A)
   {
-    DenseMatrix identity(A.size(), A.size());
-    for (std::size_t i = 0; i < A.size(); ++i)
-      identity(i, i) = 1.;
-    return times(A, identity);
+    return times(A, DenseMatrix::Identity(A.size(), A.size()));
   }
-
-
 
   /** All unknowns of the ring and of the masses of its dampers, by a dense
    * complex matrix. */
-  inline ComplexVector
-  solved_densely(const Ring          &ring,
-                 const double         rate,
-                 const Complex        s,
-                 const ComplexVector &b)
+  inline ComplexVector solved_densely(const Ring          &ring,
+                                      const double         rate,
+                                      const Complex        s,
+                                      const ComplexVector &b)
   {
     const std::size_t n = b.size(), c = ring.places.n_coordinates();
     const DenseMatrix K = dense(ring.K), M = dense(ring.M), C = dense(ring.C),
@@ -156,9 +143,8 @@ namespace RingWithDampers
     for (std::size_t j = 0; j < n; ++j)
       for (std::size_t i = 0; i < n; ++i)
         flow(i, j) /= M(i, i);
-    const DenseMatrix S_flow = dense_product(S, flow),
-                      C_flow = dense_product(C, flow);
-    ComplexMatrix D(n + c, n + c);
+    const DenseMatrix S_flow = S * flow, C_flow = C * flow;
+    ComplexMatrix     D = ComplexMatrix::Zero(n + c, n + c);
     for (std::size_t j = 0; j < n; ++j)
       for (std::size_t i = 0; i < n; ++i)
         D(i, j) = K(i, j) + s * C(i, j) + s * s * M(i, j) +
@@ -172,7 +158,8 @@ namespace RingWithDampers
                      w0 = 2 * pi * rings[r].frequency, k = mass * w0 * w0,
                      loss      = 2 * rings[r].damping_ratio * mass * w0;
         const std::size_t size = 2 * ring.places.diameters[r] + 1;
-        ComplexMatrix     sigma(size, size); // s + Omega d/dtheta
+        ComplexMatrix     sigma =
+          ComplexMatrix::Zero(size, size); // s + Omega d/dtheta
         for (std::size_t i = 0; i < size; ++i)
           {
             sigma(i, i) = s;
@@ -199,18 +186,14 @@ namespace RingWithDampers
             }
         first += size;
       }
-    ComplexVector x = b;
-    x.resize(n + c, 0.);
+    ComplexVector x = ComplexVector::Zero(n + c);
+    x.head(n)       = b;
     ComplexLU(std::move(D)).solve(x);
-    x.resize(n);
-    return x;
+    return x.head(n);
   }
 
-
-
   /** A force on the contact point along the axle. */
-  inline ComplexVector
-  force_on_contact(const Ring &ring, int &unknown)
+  inline ComplexVector force_on_contact(const Ring &ring, int &unknown)
   {
     unknown = -1;
     for (const auto &node : ring.at.nodes)
@@ -219,9 +202,7 @@ namespace RingWithDampers
           1e-6)
         unknown = node.unknowns[1];
     BOOST_REQUIRE(unknown >= 0);
-    ComplexVector b(ring.K.size(), 0.);
-    b[unknown] = 1.;
-    return b;
+    return ComplexVector::Unit(ring.K.size(), unknown);
   }
 } // namespace RingWithDampers
 

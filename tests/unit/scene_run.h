@@ -3,8 +3,10 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include <rolling_contact/state/steady_state.h>
+#include <rolling_contact/scene/situation.h>
+#include <rolling_contact/state/state_finder.h>
 
+#include <deque>
 #include <functional>
 #include <sstream>
 
@@ -23,6 +25,14 @@ namespace RollingContact
       , context{folder, results, report, timer, log}
     {}
 
+    /**
+     * What follows from the scene as it is now; lives as long as this.
+     */
+    const Situation &situation() const
+    {
+      return situations.emplace_back(scene);
+    }
+
     std::ostringstream said;
     RunFolder          folder;
     ResultsTable       results;
@@ -31,6 +41,9 @@ namespace RollingContact
     Log                log;
     RunContext         context;
     SceneParameters    scene;
+
+  private:
+    mutable std::deque<Situation> situations;
   };
 
   /**
@@ -46,28 +59,23 @@ namespace RollingContact
       standard(scene);
       change(scene);
       scene.check();
-      scene.read_surfaces();
-      scene.read_profiles();
       StateDemands demands;
       demands.pair.displacements = scene.output.body_fields;
-      steady = solve_steady_state<dim>(scene, demands, context);
+      steady = solve_steady_state<dim>(situation(), demands, context);
       BOOST_TEST(steady.solver.converged);
     }
 
-    double
-    friction_force() const
+    double friction_force() const
     {
       return scene.contact.friction_coefficient * steady.result.normal_force;
     }
 
-    double
-    force_x() const
+    double force_x() const
     {
       return steady.result.force_x / friction_force();
     }
 
-    double
-    force_y() const
+    double force_y() const
     {
       return steady.result.force_y / friction_force();
     }

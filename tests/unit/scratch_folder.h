@@ -35,10 +35,7 @@ namespace RollingContact
     std::filesystem::path folder;
   };
 
-
-
-  inline std::string
-  read(const std::filesystem::path &file)
+  inline std::string read(const std::filesystem::path &file)
   {
     std::ifstream      stream(file, std::ios::binary);
     std::ostringstream text;
@@ -46,10 +43,7 @@ namespace RollingContact
     return text.str();
   }
 
-
-
-  inline void
-  write(const std::filesystem::path &file, const std::string &text)
+  inline void write(const std::filesystem::path &file, const std::string &text)
   {
     std::filesystem::create_directories(file.parent_path());
     std::ofstream(file, std::ios::binary) << text;

@@ -41,8 +41,7 @@ namespace
     }
   };
 
-  void
-  check(const std::string &said, const std::string &part)
+  void check(const std::string &said, const std::string &part)
   {
     BOOST_TEST(contains(said, part), said);
     BOOST_TEST(contains(said, "Wheel/"), said);
@@ -169,8 +168,7 @@ BOOST_AUTO_TEST_CASE(a_section_too_large_for_the_memory_is_refused)
 namespace
 {
   /** A small wheel on a crowned rail, in longitudinal and lateral creepage. */
-  void
-  small_pair(SceneParameters &scene)
+  void small_pair(SceneParameters &scene)
   {
     scene.dimension                  = 3;
     scene.wheel.radius               = 0.1;
@@ -214,8 +212,7 @@ namespace
       save("rail.msh", section.gmsh());
     }
 
-    void
-    use(BodyParameters &body, const std::string &name) const
+    void use(BodyParameters &body, const std::string &name) const
     {
       take(body, name);
       body.shape       = "section";
@@ -236,7 +233,6 @@ BOOST_AUTO_TEST_CASE(sections_roll_as_plain_bodies_do)
         if (which & 2)
           files.use(scene.rail, "rail.msh");
         scene.check();
-        scene.read_meshes();
       });
       BOOST_TEST_CONTEXT("sections of " << which)
       {

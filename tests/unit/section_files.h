@@ -11,8 +11,8 @@
 namespace RollingContact
 {
   /** A body with a section of prm/sections. */
-  inline BodyParameters
-  section_body(const std::string &section, const std::string &file)
+  inline BodyParameters section_body(const std::string &section,
+                                     const std::string &file)
   {
     BodyParameters body(section);
     body.shape     = "section";
@@ -22,16 +22,15 @@ namespace RollingContact
     return body;
   }
 
-  inline std::shared_ptr<const BodyShape>
-  shape_of(BodyParameters body)
+  inline std::shared_ptr<const BodyShape> shape_of(const BodyParameters &body)
   {
     body.check(3);
-    body.read_mesh(3, "");
-    return body.body_shape();
+    BodySpec spec(body);
+    spec.read_mesh(3, "");
+    return spec.body_shape();
   }
 
-  inline double
-  relative(const double value, const double expected)
+  inline double relative(const double value, const double expected)
   {
     return std::abs(value / expected - 1);
   }

@@ -24,8 +24,7 @@ namespace
   const double mm = 1e-3;
 
   /** S1002 on 60E1, plain bodies. */
-  void
-  plain(SceneParameters &scene)
+  void plain(SceneParameters &scene)
   {
     scene.dimension                  = 3;
     scene.wheel.hub_radius           = 0.0925;
@@ -46,8 +45,7 @@ namespace
     scene.profiles.roll              = 0.;
   }
 
-  void
-  take_sections(SceneParameters &scene)
+  void take_sections(SceneParameters &scene)
   {
     BodyParameters wheel = section_body("Wheel", "wheel_s1002.msh"),
                    rail  = section_body("Rail", "rail_60e1.msh");
@@ -58,16 +56,13 @@ namespace
     scene.rail           = rail;
   }
 
-  void
-  sections(SceneParameters &scene)
+  void sections(SceneParameters &scene)
   {
     plain(scene);
     take_sections(scene);
-    scene.read_meshes();
   }
 
-  void
-  mirror(SceneParameters &scene)
+  void mirror(SceneParameters &scene)
   {
     scene.profiles.is_left = true;
     scene.profiles.shift   = -scene.profiles.shift;
@@ -80,19 +75,16 @@ namespace
   const Change as_it_is = [](SceneParameters &) {};
 
   /** A scene of sections at a place. */
-  SceneParameters
-  scene_of(const Change &change)
+  Situation scene_of(const Change &change)
   {
     SceneParameters scene;
     sections(scene);
     change(scene);
     scene.check();
-    scene.read_profiles();
-    return scene;
+    return Situation(scene);
   }
 
-  Grading<3>
-  grading_of(const SceneParameters &scene)
+  Grading<3> grading_of(const PairSpec &scene)
   {
     return make_grading<3>(scene,
                            StateDemands(),
@@ -101,8 +93,7 @@ namespace
                            0.);
   }
 
-  PairDemands
-  kept_factors()
+  PairDemands kept_factors()
   {
     PairDemands demands;
     demands.displacements = demands.factors = true;
@@ -110,13 +101,11 @@ namespace
   }
 } // namespace
 
-
-
 BOOST_AUTO_TEST_CASE(points_of_profiles_are_found_by_length)
 {
-  const SceneParameters scene = scene_of(as_it_is);
-  const ProfiledSection wheel(*scene.profiles.placed_wheel(), true),
-    rail(*scene.profiles.placed_rail(), false);
+  const Situation       scene = scene_of(as_it_is);
+  const ProfiledSection wheel(*scene.wheel.profile, true),
+    rail(*scene.rail.profile, false);
   for (const ProfiledSection *body : {&wheel, &rail})
     {
       BOOST_TEST(std::hypot(body->at(0.)[0], body->at(0.)[1]) < 1e-6);
@@ -145,18 +134,16 @@ BOOST_AUTO_TEST_CASE(points_of_profiles_are_found_by_length)
   BOOST_TEST(rail.at(-40e-3)[1] < -10e-3);
 }
 
-
-
 BOOST_AUTO_TEST_CASE(vertices_lie_on_the_profile_from_flange_to_field_side)
 {
   for (const bool left : {false, true})
     for (const double shift : {-4 * mm, 3 * mm, 6 * mm})
       {
-        const SceneParameters scene   = scene_of([&](SceneParameters &scene) {
+        const Situation  scene   = scene_of([&](SceneParameters &scene) {
           scene.profiles.shift   = shift;
           scene.profiles.is_left = left;
         });
-        const Grading<3>      grading = grading_of(scene);
+        const Grading<3> grading = grading_of(scene);
         for (const Side side : both_sides)
           {
             const auto             shape = scene.body(side).body_shape();
@@ -202,17 +189,15 @@ BOOST_AUTO_TEST_CASE(vertices_lie_on_the_profile_from_flange_to_field_side)
       }
 }
 
-
-
 BOOST_AUTO_TEST_CASE(sections_under_profiles_have_their_volumes)
 {
   // independently: S1002 and 60E1 between the nodes of the files
-  const SceneParameters scene = scene_of(as_it_is);
-  const auto            wheel = make_body_mesh<3>(scene.wheel.body_shape(),
+  const Situation scene = scene_of(as_it_is);
+  const auto      wheel = make_body_mesh<3>(scene.wheel.body_shape(),
                                        Grading<3>::unrefined()),
-             rail             = make_body_mesh<3>(scene.rail.body_shape(),
+             rail       = make_body_mesh<3>(scene.rail.body_shape(),
                                       Grading<3>::unrefined());
-  const double volume         = dealii::GridTools::volume(*rail.triangulation);
+  const double volume   = dealii::GridTools::volume(*rail.triangulation);
   BOOST_TEST(relative(volume / 0.4, 76.70e-4) < 0.005);
   BOOST_TEST(wheel.triangulation->n_active_cells() == 76 * 144);
   const auto left = make_body_mesh<3>(scene_of([](SceneParameters &scene) {
@@ -222,8 +207,6 @@ BOOST_AUTO_TEST_CASE(sections_under_profiles_have_their_volumes)
   BOOST_TEST(relative(dealii::GridTools::volume(*left.triangulation),
                       dealii::GridTools::volume(*wheel.triangulation)) < 1e-12);
 }
-
-
 
 BOOST_AUTO_TEST_CASE(rims_flow_along_x_on_either_side)
 {
@@ -239,29 +222,24 @@ BOOST_AUTO_TEST_CASE(rims_flow_along_x_on_either_side)
           take_sections(scene);
         if (left)
           mirror(scene);
-        scene.read_meshes();
-        scene.read_profiles();
         // omega x (0, 0, 1) points along +x
-        const auto axle = scene.wheel.body_shape()->axle();
+        const auto axle = Situation(scene).wheel.body_shape()->axle();
         BOOST_TEST(axle->direction[1] > 0.9);
         BOOST_TEST(axle->point[2] < -0.4);
       }
 }
 
-
-
 BOOST_AUTO_TEST_CASE(an_inclined_contact_turns_forces_and_keeps_work)
 {
   // the root of the flange, some 20 degrees
-  const SceneParameters scene = scene_of([](SceneParameters &scene) {
+  const Situation      scene = scene_of([](SceneParameters &scene) {
     scene.profiles.shift               = 6 * mm;
     scene.contact.normal_load          = 10e3;
     scene.contact.friction_coefficient = 0.;
   });
-  const RollingPair<3>  pair(scene, grading_of(scene), PairDemands(), false);
-  const std::size_t     n     = pair.trace().nodes.size();
-  const double          delta = scene.profiles.frame->angle(),
-               inclination    = std::atan(1. / 40);
+  const RollingPair<3> pair(scene, grading_of(scene), PairDemands(), false);
+  const std::size_t    n = pair.trace().nodes.size();
+  const double delta = scene.frame->angle(), inclination = std::atan(1. / 40);
   BOOST_TEST_MESSAGE("angle " << delta << ", " << n << " nodes");
   BOOST_TEST(std::abs(delta) > 0.2);
   // without friction as well, as the normal is no axis of the bodies
@@ -307,31 +285,26 @@ BOOST_AUTO_TEST_CASE(an_inclined_contact_turns_forces_and_keeps_work)
     }
 }
 
-
-
 namespace
 {
   /** Plain bodies differ from these by up to 5 % of mu N. */
-  void
-  true_sections(SceneParameters &scene)
+  void true_sections(SceneParameters &scene)
   {
     plain(scene);
     scene.profiles.true_sections = true;
   }
 
   /** On the field side of the wheel. */
-  void
-  far_away(SceneParameters &scene)
+  void far_away(SceneParameters &scene)
   {
     scene.profiles.shift             = -3 * mm;
     scene.mesh.elements_across_patch = 6;
   }
 
-  void
-  check_alike(const SceneRun<3> &run,
-              const SceneRun<3> &expected,
-              const double       pressure,
-              const double       force)
+  void check_alike(const SceneRun<3> &run,
+                   const SceneRun<3> &expected,
+                   const double       pressure,
+                   const double       force)
   {
     const auto &one = run.steady.result, &other = expected.steady.result;
     BOOST_TEST_MESSAGE(
@@ -344,8 +317,6 @@ namespace
     BOOST_TEST(std::abs(run.force_y() - expected.force_y()) < force);
   }
 } // namespace
-
-
 
 BOOST_AUTO_TEST_CASE(sections_roll_as_those_of_another_mesher)
 {
@@ -373,13 +344,10 @@ BOOST_AUTO_TEST_CASE(sections_roll_as_those_of_another_mesher)
   BOOST_TEST(std::abs(left.force_y() + right.force_y()) < 1e-6);
 }
 
-
-
 namespace
 {
   /** A state at a place on bodies that may be shared. */
-  SteadyState<3>
-  state_on(RollingPair<3> &&pair, const PlaceOfContact<3> &place)
+  SteadyState<3> state_on(RollingPair<3> &&pair, const PlaceOfContact<3> &place)
   {
     SteadyState<3> steady;
     steady.grading = place.grading;
@@ -392,14 +360,12 @@ namespace
   }
 } // namespace
 
-
-
 BOOST_AUTO_TEST_CASE(bodies_serve_several_places_with_one_factor)
 {
   std::vector<PlaceOfContact<3>> places;
   for (const double shift : {3 * mm, 4 * mm})
     {
-      const SceneParameters scene =
+      const Situation scene =
         scene_of([&](SceneParameters &scene) { scene.profiles.shift = shift; });
       places.push_back({scene, grading_of(scene)});
     }
@@ -438,14 +404,12 @@ BOOST_AUTO_TEST_CASE(bodies_serve_several_places_with_one_factor)
     }
 }
 
-
-
 BOOST_AUTO_TEST_CASE(bodies_of_a_place_stay_where_they_are)
 {
   // a grading of one place is that of the place: the same mesh, the same W
-  const SceneParameters scene   = scene_of(as_it_is);
-  const Grading<3>      grading = grading_of(scene),
-                   alone        = grading_of_places<3>({{scene, grading}});
+  const Situation  scene   = scene_of(as_it_is);
+  const Grading<3> grading = grading_of(scene),
+                   alone   = grading_of_places<3>({{scene, grading}});
   for (const Side side : both_sides)
     {
       const auto shape = scene.body(side).body_shape();
@@ -454,9 +418,9 @@ BOOST_AUTO_TEST_CASE(bodies_of_a_place_stay_where_they_are)
         make_body_mesh<3>(shape, alone).triangulation->n_vertices());
     }
   BOOST_CHECK_THROW(grading_of_places<3>({}), std::invalid_argument);
-  SceneParameters discs;
-  plain(discs);
-  discs.read_profiles();
+  SceneParameters plain_discs;
+  plain(plain_discs);
+  const Situation      discs(plain_discs);
   const RollingPair<3> pair(discs, grading_of(discs), PairDemands(), false);
   BOOST_TEST(contains(complaint([&]() {
                         RollingPair<3>(discs,
@@ -466,8 +430,6 @@ BOOST_AUTO_TEST_CASE(bodies_of_a_place_stay_where_they_are)
                       }),
                       "Wheel/Shape = disc: only bodies with a section"));
 }
-
-
 
 BOOST_AUTO_TEST_CASE(what_does_not_fit_a_profile_is_refused)
 {
@@ -492,7 +454,7 @@ BOOST_AUTO_TEST_CASE(what_does_not_fit_a_profile_is_refused)
         "brings its own surface");
   const auto in_contact = [](const Change &change) {
     return complaint([&]() {
-      const SceneParameters scene = scene_of(change);
+      const Situation scene = scene_of(change);
       RollingPair<3>(scene, grading_of(scene), PairDemands(), false);
     });
   };
@@ -500,7 +462,6 @@ BOOST_AUTO_TEST_CASE(what_does_not_fit_a_profile_is_refused)
   check(in_contact([](SceneParameters &scene) {
           scene.wheel.mesh_file =
             section_body("Wheel", "wheel_2.msh").mesh_file;
-          scene.read_meshes();
         }),
         "off the profile at y = ");
   // the gauge corner of rail_2 is no part of its contact boundary
@@ -509,7 +470,6 @@ BOOST_AUTO_TEST_CASE(what_does_not_fit_a_profile_is_refused)
           scene.rail.contact_boundary = 1;
           scene.profiles.shift        = 7.5 * mm;
           scene.contact.normal_load   = 10e3;
-          scene.read_meshes();
         }),
         "its contact boundary ends inside the contact zone");
 }

@@ -6,11 +6,11 @@
 
 #include "section_files.h"
 
-#include <rolling_contact/elasticity/direct_body.h>
+#include <rolling_contact/bodies/direct_body.h>
 #include <rolling_contact/mesh/file_body_mesh.h>
 #include <rolling_contact/mesh/section_file_shape.h>
 #include <rolling_contact/mesh/section_shapes.h>
-#include <rolling_contact/profiles/nominal_profiles.h>
+#include <rolling_contact/surfaces/nominal_profiles.h>
 
 #include <cmath>
 #include <map>
@@ -25,8 +25,7 @@ namespace
 {
   const double pi = std::acos(-1.);
 
-  BodyParameters
-  plate(const unsigned int cells_along)
+  BodyParameters plate(const unsigned int cells_along)
   {
     BodyParameters body = section_body("Wheel", "annular_plate.msh");
     body.cells_along    = cells_along;
@@ -34,10 +33,9 @@ namespace
   }
 
   /** Integral over the cells of a function of the place, axle at the origin. */
-  double
-  integral(const BodyMesh<3>                                   &mesh,
-           const double                                         axle,
-           const std::function<double(double, double, double)> &function)
+  double integral(const BodyMesh<3>                                   &mesh,
+                  const double                                         axle,
+                  const std::function<double(double, double, double)> &function)
   {
     const dealii::FE_Q<3>   element(1);
     const dealii::QGauss<3> points(4);
@@ -58,14 +56,12 @@ namespace
     return sum;
   }
 
-  double
-  volume(const BodyMesh<3> &mesh)
+  double volume(const BodyMesh<3> &mesh)
   {
     return integral(mesh, 0., [](double, double, double) { return 1.; });
   }
 
-  double
-  area(const BodyMesh<3> &mesh, const BoundaryId boundary)
+  double area(const BodyMesh<3> &mesh, const BoundaryId boundary)
   {
     double sum = 0.;
     for (const auto &cell : mesh.triangulation->active_cell_iterators())
@@ -77,15 +73,13 @@ namespace
 
   using Place = std::array<long, 3>;
 
-  Place
-  rounded(const double x, const double y, const double z)
+  Place rounded(const double x, const double y, const double z)
   {
     return {{std::lround(x * 1e9), std::lround(y * 1e9), std::lround(z * 1e9)}};
   }
 
   /** Whether a place is among others, to rounding. */
-  bool
-  has(const std::set<Place> &places, const Place &at)
+  bool has(const std::set<Place> &places, const Place &at)
   {
     for (long i = -1; i <= 1; ++i)
       for (long j = -1; j <= 1; ++j)
@@ -113,8 +107,7 @@ namespace
   }
 
   /** The mirror image in x has the same vertices. */
-  bool
-  is_mirrored_in_x(const BodyMesh<3> &mesh)
+  bool is_mirrored_in_x(const BodyMesh<3> &mesh)
   {
     std::set<Place> places;
     for (const auto &v : mesh.triangulation->get_vertices())
@@ -125,8 +118,6 @@ namespace
     return true;
   }
 } // namespace
-
-
 
 BOOST_AUTO_TEST_CASE(a_revolved_section_is_that_of_a_prism_around_the_axle)
 {
@@ -158,8 +149,6 @@ BOOST_AUTO_TEST_CASE(a_revolved_section_is_that_of_a_prism_around_the_axle)
     }
 }
 
-
-
 BOOST_AUTO_TEST_CASE(a_wheel_gives_way_alike_at_all_angles)
 {
   const unsigned int n = 24, n_points = 60;
@@ -186,8 +175,6 @@ BOOST_AUTO_TEST_CASE(a_wheel_gives_way_alike_at_all_angles)
       BOOST_TEST(relative(W(i, j), W(0, (j + n - i) % n)) < 1e-9);
 }
 
-
-
 BOOST_AUTO_TEST_CASE(the_wheel_has_its_section_and_equal_angles)
 {
   for (const unsigned int through : {2, 3})
@@ -208,8 +195,6 @@ BOOST_AUTO_TEST_CASE(the_wheel_has_its_section_and_equal_angles)
                           192 * std::sin(pi / 96) * bore * 0.17) < 1e-6);
     }
 }
-
-
 
 BOOST_AUTO_TEST_CASE(an_extruded_rail_is_a_60e1)
 {
@@ -241,8 +226,6 @@ BOOST_AUTO_TEST_CASE(an_extruded_rail_is_a_60e1)
     }
 }
 
-
-
 BOOST_AUTO_TEST_CASE(finer_uniform_gradings_divide_a_section)
 {
   const auto shape = shape_of(section_body("Wheel", "wheel_2.msh"));
@@ -270,8 +253,8 @@ BOOST_AUTO_TEST_CASE(finer_uniform_gradings_divide_a_section)
 namespace
 {
   /** Largest distance between the ends of an edge, along x and otherwise. */
-  std::array<double, 2>
-  longest_edges(const BodyMesh<3> &mesh, const double axle)
+  std::array<double, 2> longest_edges(const BodyMesh<3> &mesh,
+                                      const double       axle)
   {
     std::array<double, 2> longest{{0., 0.}};
     for (const auto &cell : mesh.triangulation->active_cell_iterators())
@@ -316,8 +299,8 @@ BOOST_AUTO_TEST_CASE(plain_bodies_and_profiles_have_uniform_meshes)
   profile.radius = 0.46;
   ShapeParameters wheel;
   wheel.hub_radius = 0.095;
-  wheel.profile    = std::make_shared<const PlacedProfile>(profile);
-  const auto shape = std::make_shared<const WheelShape>(wheel);
+  const auto shape = std::make_shared<const WheelShape>(
+    ShapeSpec(wheel, nullptr, std::make_shared<const PlacedProfile>(profile)));
   for (const double across : {0.03, 0.01})
     {
       const auto mesh =
@@ -330,12 +313,9 @@ BOOST_AUTO_TEST_CASE(plain_bodies_and_profiles_have_uniform_meshes)
     }
 }
 
-
-
 namespace
 {
-  Grading<3>
-  small_zone()
+  Grading<3> small_zone()
   {
     Grading<3> grading;
     grading.element_size_x = 1.2e-3;
@@ -385,7 +365,5 @@ BOOST_AUTO_TEST_CASE(cells_at_the_patch_are_divided_on_the_true_surface)
                  boost::test_tools::tolerance(0.05));
     }
 }
-
-
 
 BOOST_AUTO_TEST_SUITE_END()

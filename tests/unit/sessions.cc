@@ -1,7 +1,7 @@
 #include "complaint.h"
 #include "scene_run.h"
 
-#include <rolling_contact/sessions/session.h>
+#include <rolling_contact/tables/session.h>
 
 #include <cmath>
 #include <thread>
@@ -13,8 +13,7 @@ BOOST_AUTO_TEST_SUITE(sessions)
 
 namespace
 {
-  void
-  coarse_3d(SceneParameters &scene)
+  void coarse_3d(SceneParameters &scene)
   {
     scene.dimension                  = 3;
     scene.mesh.elements_across_patch = 8;
@@ -24,14 +23,11 @@ namespace
     scene.contact.normal_load        = 36e3;
   }
 
-
-
-  SceneParameters
-  coarse_scene()
+  Situation coarse_scene()
   {
     SceneParameters scene;
     coarse_3d(scene);
-    return scene;
+    return Situation(scene);
   }
 } // namespace
 
@@ -65,8 +61,9 @@ BOOST_AUTO_TEST_CASE(states_are_those_of_runs_of_their_own)
   direct.problem =
     first.steady.pair->contact_problem(scene.contact,
                                        first.steady.problem.operators.W());
-  direct.state = initial_state(direct.problem, estimate_patch(scene));
-  solve_contact(scene, StateDemands(), direct);
+  direct.state =
+    initial_state(direct.problem, estimate_patch(Situation(scene)));
+  solve_contact(Situation(scene), StateDemands(), direct);
   const Resultants expected = resultants(direct.problem, direct.state);
   // edges settle to 1e-6
   BOOST_TEST(found.forces.force_x == expected.force_x,
@@ -89,8 +86,6 @@ BOOST_AUTO_TEST_CASE(states_are_those_of_runs_of_their_own)
              boost::test_tools::tolerance(1e-6));
   BOOST_TEST(session.n_bodies_made() == 1u);
 }
-
-
 
 BOOST_AUTO_TEST_CASE(what_bodies_do_not_serve_for)
 {
@@ -120,8 +115,6 @@ BOOST_AUTO_TEST_CASE(what_bodies_do_not_serve_for)
   BOOST_CHECK_THROW(session.problem(), std::logic_error);
 }
 
-
-
 BOOST_AUTO_TEST_CASE(what_a_session_refuses)
 {
   Session    session(coarse_scene());
@@ -139,13 +132,11 @@ BOOST_AUTO_TEST_CASE(what_a_session_refuses)
   session.set("Contact/Normal load", 36e3);
   BOOST_TEST(session.solve().converged);
   BOOST_TEST(session.n_bodies_made() == 1u);
-  SceneParameters target   = coarse_scene();
+  SceneParameters target   = *coarse_scene().inputs;
   target.mesh.target_error = 1e-2;
-  BOOST_TEST(contains(complaint([&]() { Session refused(target); }),
+  BOOST_TEST(contains(complaint([&]() { Session refused{Situation(target)}; }),
                       "Mesh/Target error"));
 }
-
-
 
 BOOST_AUTO_TEST_CASE(sessions_do_not_know_of_each_other)
 {

@@ -1,9 +1,9 @@
 #include <boost/test/unit_test.hpp>
 
+#include <rolling_contact/algebra/fourier.h>
+#include <rolling_contact/algebra/low_pass.h>
+#include <rolling_contact/algebra/third_octaves.h>
 #include <rolling_contact/base/constants.h>
-#include <rolling_contact/signals/fourier.h>
-#include <rolling_contact/signals/low_pass.h>
-#include <rolling_contact/signals/third_octaves.h>
 
 #include <cmath>
 #include <numeric>
@@ -16,11 +16,10 @@ BOOST_AUTO_TEST_SUITE(signals)
 
 namespace
 {
-  std::vector<double>
-  tone(const std::size_t n,
-       const double      step,
-       const double      frequency,
-       const double      amplitude)
+  std::vector<double> tone(const std::size_t n,
+                           const double      step,
+                           const double      frequency,
+                           const double      amplitude)
   {
     std::vector<double> values(n);
     for (std::size_t j = 0; j < n; ++j)
@@ -28,18 +27,13 @@ namespace
     return values;
   }
 
-
-
-  double
-  mean_square(const PowerSpectrum &spectrum)
+  double mean_square(const PowerSpectrum &spectrum)
   {
     return spectrum.step * std::accumulate(spectrum.density.begin(),
                                            spectrum.density.end(),
                                            0.);
   }
 } // namespace
-
-
 
 /** FFTW's sums against their definition, and back. */
 BOOST_AUTO_TEST_CASE(transforms_are_what_they_say)
@@ -75,8 +69,6 @@ BOOST_AUTO_TEST_CASE(transforms_are_what_they_say)
         }
     }
 }
-
-
 
 /** Long waves pass unshifted, short ones go, in between the gain is said. */
 BOOST_AUTO_TEST_CASE(low_pass_has_its_gain_and_no_phase)
@@ -118,8 +110,6 @@ BOOST_AUTO_TEST_CASE(low_pass_has_its_gain_and_no_phase)
     BOOST_TEST(std::abs(smooth[j] - ramp[j]) < 0.02);
 }
 
-
-
 /** Parseval: the density sums up to the variance. */
 BOOST_AUTO_TEST_CASE(densities_sum_up_to_the_variance)
 {
@@ -157,8 +147,6 @@ BOOST_AUTO_TEST_CASE(densities_sum_up_to_the_variance)
   BOOST_TEST(noise.density[200] < 2 * 4. / 500);
 }
 
-
-
 /** A tone of amplitude A on a line has A^2/2, in its third octave alone. */
 BOOST_AUTO_TEST_CASE(a_tone_is_in_its_third_octave)
 {
@@ -188,8 +176,6 @@ BOOST_AUTO_TEST_CASE(a_tone_is_in_its_third_octave)
       BOOST_TEST(others < 1e-12);
     }
 }
-
-
 
 /** Bands lie edge to edge; those of fewer than four lines are left empty. */
 BOOST_AUTO_TEST_CASE(bands_without_lines_are_not_invented)

@@ -5,7 +5,7 @@
 #include "complaint.h"
 #include "stability_bodies.h"
 
-#include <rolling_contact/elasticity/direct_body.h>
+#include <rolling_contact/bodies/direct_body.h>
 #include <rolling_contact/references/falling_half_spaces.h>
 #include <rolling_contact/references/sliding_half_space.h>
 
@@ -29,8 +29,7 @@ namespace
   /// element
   const double damping_time = 0.05;
 
-  double
-  shear_wave_speed()
+  double shear_wave_speed()
   {
     return std::sqrt(steel.young_modulus / (2 * (1 + steel.poisson_ratio)) /
                      steel.density);
@@ -41,8 +40,7 @@ namespace
    * losses of a soft layer, and absorbing ends; and some in the stiffness
    * against waves as short as two elements.
    */
-  BodyModel
-  absorbing(const double size)
+  BodyModel absorbing(const double size)
   {
     const double nu = steel.poisson_ratio, c_2 = shear_wave_speed(),
                  c_1 = c_2 * std::sqrt(2 * (1 - nu) / (1 - 2 * nu));
@@ -58,10 +56,10 @@ namespace
     return model;
   }
 
-  DenseMatrix
-  dense(const SymmetricSparseMatrix &S, const std::vector<double> &mass)
+  DenseMatrix dense(const SymmetricSparseMatrix &S,
+                    const std::vector<double>   &mass)
   {
-    DenseMatrix M(S.size(), S.size());
+    DenseMatrix M = DenseMatrix::Zero(S.size(), S.size());
     for (std::size_t j = 0; j < S.size(); ++j)
       for (auto k = S.column_starts[j]; k < S.column_starts[j + 1]; ++k)
         {
@@ -106,8 +104,8 @@ namespace
       pair.K_m            = dense(body.stiffness(), mass);
       pair.C_m            = dense(body.damping_in_time(), mass);
       const auto unknowns = body.unknowns(nodes, {0, 1});
-      pair.Phi            = DenseMatrix(unknowns.size(), mass.size());
-      pair.W_res          = DenseMatrix(unknowns.size(), unknowns.size());
+      pair.Phi            = DenseMatrix::Zero(unknowns.size(), mass.size());
+      pair.W_res          = DenseMatrix::Zero(unknowns.size(), unknowns.size());
       for (std::size_t i = 0; i < unknowns.size(); ++i)
         {
           pair.Phi(i, unknowns[i]) = -1 / std::sqrt(mass[unknowns[i]]);
@@ -152,8 +150,6 @@ namespace
     ReducedPair pair;
   };
 } // namespace
-
-
 
 BOOST_AUTO_TEST_CASE(unstable_waves_grow_as_fast_as_elements_are_short)
 {

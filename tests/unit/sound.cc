@@ -1,11 +1,11 @@
 #include <boost/test/unit_test.hpp>
 
+#include <rolling_contact/algebra/third_octaves.h>
 #include <rolling_contact/base/constants.h>
-#include <rolling_contact/signals/third_octaves.h>
-#include <rolling_contact/sound/a_weighting.h>
-#include <rolling_contact/sound/radiation_efficiency.h>
-#include <rolling_contact/sound/sound_pressure.h>
-#include <rolling_contact/sound/wav_file.h>
+#include <rolling_contact/time/a_weighting.h>
+#include <rolling_contact/time/radiation_efficiency.h>
+#include <rolling_contact/time/sound_pressure.h>
+#include <rolling_contact/time/wav_file.h>
 
 #include <cmath>
 #include <cstdint>
@@ -33,41 +33,30 @@ namespace
     return values;
   }
 
-
-
-  AudibleRange
-  up_to(const double frequency)
+  AudibleRange up_to(const double frequency)
   {
     AudibleRange range;
     range.highest = frequency;
     return range;
   }
 
-
-
   /** Modes that radiate together at one efficiency. */
-  RadiatingPart
-  part(const std::vector<std::size_t> &modes,
-       const std::vector<double>      &surface,
-       const double                    efficiency)
+  RadiatingPart part(const std::vector<std::size_t> &modes,
+                     const std::vector<double>      &surface,
+                     const double                    efficiency)
   {
     RadiatingPart result{modes,
-                         DenseMatrix(modes.size(), modes.size()),
+                         DenseMatrix::Zero(modes.size(), modes.size()),
                          [=](const double) { return efficiency; }};
     std::copy(surface.begin(), surface.end(), result.surface.data());
     return result;
   }
 
-
-
-  double
-  sum(const std::vector<double> &values)
+  double sum(const std::vector<double> &values)
   {
     return std::accumulate(values.begin(), values.end(), 0.);
   }
 } // namespace
-
-
 
 BOOST_AUTO_TEST_CASE(weighting_of_the_standard)
 {
@@ -87,8 +76,6 @@ BOOST_AUTO_TEST_CASE(weighting_of_the_standard)
                0.06);
   BOOST_TEST(a_weighting(1000.) == 1.);
 }
-
-
 
 BOOST_AUTO_TEST_CASE(efficiencies_of_a_wheel)
 {
@@ -116,8 +103,6 @@ BOOST_AUTO_TEST_CASE(efficiencies_of_a_wheel)
     }
 }
 
-
-
 BOOST_AUTO_TEST_CASE(efficiency_of_a_beam)
 {
   // -i H_1 / H_1' with the Hankel function of the second kind, its real part
@@ -140,8 +125,6 @@ BOOST_AUTO_TEST_CASE(efficiency_of_a_beam)
       power,
     boost::test_tools::tolerance(1e-3));
 }
-
-
 
 BOOST_AUTO_TEST_CASE(power_of_a_tone)
 {
@@ -166,8 +149,6 @@ BOOST_AUTO_TEST_CASE(power_of_a_tone)
       }
   BOOST_TEST(has_band);
 }
-
-
 
 BOOST_AUTO_TEST_CASE(modes_together_and_apart)
 {
@@ -199,8 +180,6 @@ BOOST_AUTO_TEST_CASE(modes_together_and_apart)
              boost::test_tools::tolerance(1e-9));
 }
 
-
-
 BOOST_AUTO_TEST_CASE(only_what_is_audible)
 {
   const RadiatingBody body{{500.}, {part({0}, {1.}, 1.)}};
@@ -218,8 +197,6 @@ BOOST_AUTO_TEST_CASE(only_what_is_audible)
   BOOST_TEST(body_sound({}, {}, step, air, up_to(2000.)).power == 0.);
 }
 
-
-
 BOOST_AUTO_TEST_CASE(efficiency_belongs_to_the_frequency_of_the_motion)
 {
   RadiatingBody body{{500.}, {part({0}, {1.}, 1.)}};
@@ -233,8 +210,6 @@ BOOST_AUTO_TEST_CASE(efficiency_belongs_to_the_frequency_of_the_motion)
                rho_c * (0.5 + 1.5) * a * a / 2,
              boost::test_tools::tolerance(1e-9));
 }
-
-
 
 BOOST_AUTO_TEST_CASE(pressure_has_the_level_of_the_power)
 {
@@ -273,8 +248,6 @@ BOOST_AUTO_TEST_CASE(pressure_has_the_level_of_the_power)
       120.) < 0.01);
 }
 
-
-
 BOOST_AUTO_TEST_CASE(pressure_keeps_pitch_and_phase)
 {
   const RadiatingBody body{{500.}, {part({0}, {0.8}, 0.3)}};
@@ -288,8 +261,6 @@ BOOST_AUTO_TEST_CASE(pressure_keeps_pitch_and_phase)
     BOOST_TEST(std::abs(p[j] - amplitude * std::cos(2 * pi * 500. * j / rate +
                                                     0.4)) < 1e-9 * amplitude);
 }
-
-
 
 BOOST_AUTO_TEST_CASE(records_of_whole_samples)
 {
@@ -306,8 +277,6 @@ BOOST_AUTO_TEST_CASE(records_of_whole_samples)
           BOOST_TEST(std::abs(samples - std::round(samples)) < 0.01);
       }
 }
-
-
 
 BOOST_AUTO_TEST_CASE(wav_file_byte_by_byte)
 {

@@ -1,8 +1,8 @@
 #include <boost/test/unit_test.hpp>
 
+#include <rolling_contact/algebra/spectrogram.h>
 #include <rolling_contact/base/constants.h>
-#include <rolling_contact/histories/spectrum_lines.h>
-#include <rolling_contact/signals/spectrogram.h>
+#include <rolling_contact/time/spectrum_lines.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,11 +20,10 @@ namespace
   using Values = std::vector<double>;
 
   /** A sum of tones, each a frequency (Hz) and an amplitude. */
-  Values
-  tones(const std::size_t                             n,
-        const double                                  step,
-        const std::vector<std::pair<double, double>> &parts,
-        const double                                  growth = 0.)
+  Values tones(const std::size_t                             n,
+               const double                                  step,
+               const std::vector<std::pair<double, double>> &parts,
+               const double                                  growth = 0.)
   {
     Values values(n, 0.);
     for (const auto &[frequency, amplitude] : parts)
@@ -34,16 +33,11 @@ namespace
     return values;
   }
 
-
-
-  double
-  decibels(const double mean_square, const double amplitude)
+  double decibels(const double mean_square, const double amplitude)
   {
     return level(mean_square, 1.) - level(amplitude * amplitude / 2, 1.);
   }
 } // namespace
-
-
 
 /** Wherever between two lines of the spectrum a tone lies, its frequency comes
  * out to a hundredth of their distance and its level to 0.1 dB. */
@@ -69,8 +63,6 @@ BOOST_AUTO_TEST_CASE(a_tone_is_found_between_the_lines)
       }
 }
 
-
-
 /** A vibration that grows keeps its frequency. */
 BOOST_AUTO_TEST_CASE(a_growing_tone_keeps_its_frequency)
 {
@@ -81,8 +73,6 @@ BOOST_AUTO_TEST_CASE(a_growing_tone_keeps_its_frequency)
   BOOST_TEST_REQUIRE(lines.size() == 1u);
   BOOST_TEST(std::abs(lines[0].frequency - frequency) < 0.01 * spectrum.step);
 }
-
-
 
 /** Prominence is the height above the ground, noise has none to speak of, and
  * criteria drop what they say. */
@@ -124,8 +114,6 @@ BOOST_AUTO_TEST_CASE(prominence_is_above_the_ground)
   BOOST_TEST(lines[0].frequency == 100., tolerance);
 }
 
-
-
 /** Multiples of the strongest line, and the eigenvalue nearest in the complex
  * plane: a damped one that is nearer by its frequency alone does not count. */
 BOOST_AUTO_TEST_CASE(lines_know_what_they_are_of)
@@ -143,7 +131,7 @@ BOOST_AUTO_TEST_CASE(lines_know_what_they_are_of)
   of.lines = spectral_lines(of.spectrum, LineCriteria());
   BOOST_TEST_REQUIRE(of.lines.size() == 4u);
   BOOST_TEST(strongest_line(of) == 0u);
-  const ComplexVector               eigenvalues{{-900., 2 * pi * 391.8},
+  const ComplexValues               eigenvalues{{-900., 2 * pi * 391.8},
                                   {73.4, 2 * pi * 392.1},
                                   {500., 0.},
                                   {-2., 2 * pi * 1052.}};
@@ -159,8 +147,6 @@ BOOST_AUTO_TEST_CASE(lines_know_what_they_are_of)
   BOOST_TEST(origin_of(of, 0, eigenvalues).eigenvalue.real() == 73.4);
   BOOST_TEST(origin_of(of, 0, {}).eigenvalue == std::complex<double>());
 }
-
-
 
 /** A chirp: in each window the highest line is where the frequency is then. */
 BOOST_AUTO_TEST_CASE(a_spectrogram_follows_a_chirp)
@@ -195,8 +181,6 @@ BOOST_AUTO_TEST_CASE(a_spectrogram_follows_a_chirp)
     spectrogram(tones(n, step, {{400., amplitude}}), step, window);
   BOOST_TEST(std::abs(decibels(tone.mean_squares[7][20], amplitude)) < 0.01);
 }
-
-
 
 /** Never more windows than asked for, and none of values that are too few. */
 BOOST_AUTO_TEST_CASE(a_spectrogram_is_bounded)

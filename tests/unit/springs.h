@@ -1,9 +1,9 @@
 #ifndef rolling_contact_tests_springs_h
 #define rolling_contact_tests_springs_h
 
+#include <rolling_contact/algebra/factorisation.h>
+#include <rolling_contact/algebra/symmetric_sparse_matrix.h>
 #include <rolling_contact/base/constants.h>
-#include <rolling_contact/linear_algebra/factorisation.h>
-#include <rolling_contact/linear_algebra/symmetric_sparse_matrix.h>
 
 #include <algorithm>
 #include <cmath>
@@ -55,8 +55,7 @@ namespace SpringStructures
       std::iota(nodes.begin(), nodes.end(), 0);
     }
 
-    std::vector<double>
-    eigenvalues() const
+    std::vector<double> eigenvalues() const
     {
       std::vector<double> line, sums{0.};
       for (unsigned int i = 0; i < n; ++i)
@@ -76,8 +75,7 @@ namespace SpringStructures
       return sums;
     }
 
-    Factorisation
-    factor(const double shift) const
+    Factorisation factor(const double shift) const
     {
       Factorisation result(linear_combination(1., K, shift, M), nodes);
       result.factorise();
@@ -91,19 +89,13 @@ namespace SpringStructures
     std::vector<unsigned int> nodes;
   };
 
-
-
-  inline double
-  frequency(const double eigenvalue)
+  inline double frequency(const double eigenvalue)
   {
     return std::sqrt(eigenvalue) / (2 * pi);
   }
 
-
-
   /** Between two different eigenvalues, from number k on. */
-  inline double
-  gap_after(const std::vector<double> &values, std::size_t k)
+  inline double gap_after(const std::vector<double> &values, std::size_t k)
   {
     while (values[k + 1] - values[k] < 1e-6)
       ++k;

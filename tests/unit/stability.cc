@@ -22,22 +22,21 @@ namespace
    * A mass of 1 kg per mode on one node that touches between two that do not;
    * @p tangential and @p normal are its modes there, 1 m^2 its area.
    */
-  ReducedPair
-  one_node(const DenseMatrix         &stiffness,
-           const DenseMatrix         &damping,
-           const std::vector<double> &tangential,
-           const std::vector<double> &normal,
-           const double               tangential_compliance,
-           const double               normal_compliance)
+  ReducedPair one_node(const DenseMatrix         &stiffness,
+                       const DenseMatrix         &damping,
+                       const std::vector<double> &tangential,
+                       const std::vector<double> &normal,
+                       const double               tangential_compliance,
+                       const double               normal_compliance)
   {
     ReducedPair pair;
     pair.K_m   = stiffness;
     pair.C_m   = damping;
-    pair.Phi   = DenseMatrix(6, stiffness.n_rows());
-    pair.W_res = DenseMatrix(6, 6);
+    pair.Phi   = DenseMatrix::Zero(6, stiffness.rows());
+    pair.W_res = DenseMatrix::Zero(6, 6);
     for (unsigned int i = 0; i < 3; ++i)
       {
-        for (unsigned int k = 0; k < stiffness.n_rows(); ++k)
+        for (unsigned int k = 0; k < stiffness.rows(); ++k)
           {
             pair.Phi(i, k)     = tangential[k];
             pair.Phi(3 + i, k) = normal[k];
@@ -49,12 +48,11 @@ namespace
     return pair;
   }
 
-  RollingState
-  one_node_state(const ReducedPair                 &pair,
-                 const double                       mu,
-                 const double                       creepage,
-                 const double                       load,
-                 std::shared_ptr<const FrictionLaw> law = nullptr)
+  RollingState one_node_state(const ReducedPair                 &pair,
+                              const double                       mu,
+                              const double                       creepage,
+                              const double                       load,
+                              std::shared_ptr<const FrictionLaw> law = nullptr)
   {
     RollingState rolling{rolling_problem({3, 1, 1.},
                                          static_compliance(pair),
@@ -71,10 +69,9 @@ namespace
     return rolling;
   }
 
-  DenseMatrix
-  matrix(const std::vector<std::vector<double>> &rows)
+  DenseMatrix matrix(const std::vector<std::vector<double>> &rows)
   {
-    DenseMatrix M(rows.size(), rows[0].size());
+    DenseMatrix M = DenseMatrix::Zero(rows.size(), rows[0].size());
     for (std::size_t i = 0; i < rows.size(); ++i)
       for (std::size_t j = 0; j < rows[i].size(); ++j)
         M(i, j) = rows[i][j];
@@ -84,10 +81,9 @@ namespace
   /**
    * The eigenvalue of greatest growth that vibrates.
    */
-  std::complex<double>
-  leading(const ReducedPair          &pair,
-          const RollingState         &rolling,
-          const LinearContactOptions &options)
+  std::complex<double> leading(const ReducedPair          &pair,
+                               const RollingState         &rolling,
+                               const LinearContactOptions &options)
   {
     const LinearContact contact =
       linear_contact(rolling.problem, rolling.state, options);
@@ -99,8 +95,8 @@ namespace
 
   const References::TwoMassFlutter two_masses{3., 2., 0.4, 1.};
 
-  std::complex<double>
-  flutter(const References::TwoMassFlutter &masses, const double mu)
+  std::complex<double> flutter(const References::TwoMassFlutter &masses,
+                               const double                      mu)
   {
     const ReducedPair pair =
       one_node(matrix({{masses.k11, masses.k12},
@@ -113,10 +109,9 @@ namespace
     return leading(pair, one_node_state(pair, mu, 1., 1.), at_speed());
   }
 
-  double
-  zero_between(double                               lower,
-               double                               upper,
-               const std::function<double(double)> &function)
+  double zero_between(double                               lower,
+                      double                               upper,
+                      const std::function<double(double)> &function)
   {
     const bool sign = function(lower) > 0.;
     while (upper - lower > 1e-9)
@@ -127,10 +122,9 @@ namespace
     return lower;
   }
 
-  ReducedPair
-  damped_by_mass(ReducedPair pair, const double rate)
+  ReducedPair damped_by_mass(ReducedPair pair, const double rate)
   {
-    pair.C_m = DenseMatrix(pair.n_modes(), pair.n_modes());
+    pair.C_m = DenseMatrix::Zero(pair.n_modes(), pair.n_modes());
     for (unsigned int k = 0; k < pair.n_modes(); ++k)
       pair.C_m(k, k) = rate;
     return pair;
@@ -139,8 +133,7 @@ namespace
   /**
    * Largest relative difference of eigenvalues from the nearest others.
    */
-  double
-  difference(const ComplexVector &some, const ComplexVector &others)
+  double difference(const ComplexValues &some, const ComplexValues &others)
   {
     double largest = some.size() == others.size() ? 0. : 1e300;
     for (const auto &s : some)
@@ -153,8 +146,6 @@ namespace
     return largest;
   }
 } // namespace
-
-
 
 BOOST_AUTO_TEST_CASE(two_masses_flutter)
 {
@@ -257,8 +248,8 @@ BOOST_AUTO_TEST_CASE(without_friction_each_mode_decays_by_its_damping)
   // with normal forces only
   const std::size_t N      = grid.n_nodes();
   ReducedPair       smooth = pair;
-  smooth.Phi               = DenseMatrix(N, 12);
-  smooth.W_res             = DenseMatrix(N, N);
+  smooth.Phi               = DenseMatrix::Zero(N, 12);
+  smooth.W_res             = DenseMatrix::Zero(N, N);
   for (std::size_t j = 0; j < N; ++j)
     {
       for (unsigned int k = 0; k < 12; ++k)
@@ -318,8 +309,8 @@ BOOST_AUTO_TEST_CASE(rotation_splits_a_pair_exactly)
     {
       ReducedPair pair;
       pair.K_m = matrix({{omega * omega, 0.}, {0., omega * omega}});
-      pair.C_m = DenseMatrix(2, 2);
-      pair.Phi = DenseMatrix(0, 2);
+      pair.C_m = DenseMatrix::Zero(2, 2);
+      pair.Phi = DenseMatrix::Zero(0, 2);
       const double      turning = n * rate, damping = 40.;
       const DenseMatrix S      = matrix({{0., n}, {-n, 0.}});
       ReducedPair       damped = pair;

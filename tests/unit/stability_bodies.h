@@ -3,8 +3,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <rolling_contact/algebra/lapack.h>
 #include <rolling_contact/base/constants.h>
-#include <rolling_contact/linear_algebra/dense_eigenvalues.h>
 #include <rolling_contact/solvers/contact_solver.h>
 #include <rolling_contact/stability/linear_contact.h>
 #include <rolling_contact/stability/pencil.h>
@@ -26,20 +26,17 @@ namespace StabilityBodies
     unsigned int n_x = 7, n_y = 1; ///< n_y = 1: 2D
     double       size = 1e-3;      ///< of elements, m
 
-    unsigned int
-    n_tangential() const
+    unsigned int n_tangential() const
     {
       return n_y == 1 ? 1 : 2;
     }
 
-    unsigned int
-    n_nodes() const
+    unsigned int n_nodes() const
     {
       return n_x * n_y;
     }
 
-    Trace
-    trace() const
+    Trace trace() const
     {
       Trace trace;
       trace.n_dimensions = n_tangential();
@@ -78,7 +75,7 @@ namespace StabilityBodies
     const Trace        trace = grid.trace();
     const unsigned int n = grid.n_nodes(), T = grid.n_tangential();
     const double       a = grid.size / std::sqrt(pi), f = 1 / (2 * pi * shear);
-    DenseMatrix        W((T + 1) * n, (T + 1) * n);
+    DenseMatrix        W = DenseMatrix::Zero((T + 1) * n, (T + 1) * n);
     for (unsigned int j = 0; j < n; ++j)
       for (unsigned int i = 0; i < n; ++i)
         {
@@ -114,8 +111,7 @@ namespace StabilityBodies
     ContactState   state;
     bool           converged = false;
 
-    void
-    solve()
+    void solve()
     {
       SolverControls controls;
       controls.tolerance = 1e-12;
@@ -129,15 +125,11 @@ namespace StabilityBodies
   /**
    * W_res + Phi K^-1 Phi^T.
    */
-  inline DenseMatrix
-  static_compliance(const ReducedPair &pair)
+  inline DenseMatrix static_compliance(const ReducedPair &pair)
   {
-    DenseMatrix K = pair.K_m, X = transposed(pair.Phi);
+    DenseMatrix K = pair.K_m, X = pair.Phi.transpose();
     solve_general(K, X);
-    DenseMatrix W = pair.Phi * X;
-    for (std::size_t k = 0; k < W.n_rows() * W.n_columns(); ++k)
-      W.data()[k] += pair.W_res.data()[k];
-    return W;
+    return pair.W_res + pair.Phi * X;
   }
 
   inline ContactProblem
@@ -169,12 +161,11 @@ namespace StabilityBodies
    * Modes of random shape on the contact, as smooth as those of bodies: each a
    * motion and a turn of the patch.
    */
-  inline ReducedPair
-  random_pair(const Grid        &grid,
-              const unsigned int n_modes,
-              const unsigned int seed,
-              const double       damping_ratio = 1e-3,
-              const double       mobility      = 0.03)
+  inline ReducedPair random_pair(const Grid        &grid,
+                                 const unsigned int n_modes,
+                                 const unsigned int seed,
+                                 const double       damping_ratio = 1e-3,
+                                 const double       mobility      = 0.03)
   {
     std::mt19937                           generator(seed);
     std::uniform_real_distribution<double> uniform(0., 1.);
@@ -182,8 +173,8 @@ namespace StabilityBodies
     const Trace                            trace = grid.trace();
     const unsigned int N = grid.n_nodes(), T = grid.n_tangential();
     ReducedPair        pair;
-    pair.K_m = pair.C_m = DenseMatrix(n_modes, n_modes);
-    pair.Phi            = DenseMatrix((T + 1) * N, n_modes);
+    pair.K_m = pair.C_m = DenseMatrix::Zero(n_modes, n_modes);
+    pair.Phi            = DenseMatrix::Zero((T + 1) * N, n_modes);
     pair.W_res          = half_space(grid, 80e9, 0.3);
     pair.n_wheel_modes  = n_modes / 2;
     for (unsigned int k = 0; k < n_modes; ++k)
@@ -207,11 +198,10 @@ namespace StabilityBodies
   /**
    * Steady rolling of a pair under a load of 4 kN.
    */
-  inline RollingState
-  rolling_state(const Grid        &grid,
-                const ReducedPair &pair,
-                const double       mu,
-                const Creepages   &creepages)
+  inline RollingState rolling_state(const Grid        &grid,
+                                    const ReducedPair &pair,
+                                    const double       mu,
+                                    const Creepages   &creepages)
   {
     RollingState rolling{
       rolling_problem(grid, static_compliance(pair), mu, creepages, 0.), {}};
@@ -232,8 +222,8 @@ namespace StabilityBodies
     return options;
   }
 
-  inline std::complex<double>
-  nearest(const ComplexVector &values, const std::complex<double> s)
+  inline std::complex<double> nearest(const ComplexValues       &values,
+                                      const std::complex<double> s)
   {
     std::complex<double> best = values.at(0);
     for (const auto &value : values)

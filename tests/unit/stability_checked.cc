@@ -21,13 +21,12 @@ namespace
   /**
    * The first modes of a pair, the others in its residual compliance.
    */
-  ReducedPair
-  truncated(const ReducedPair &full, const unsigned int n_modes)
+  ReducedPair truncated(const ReducedPair &full, const unsigned int n_modes)
   {
     ReducedPair       pair = full;
-    const std::size_t n    = full.W_res.n_rows();
-    pair.K_m = pair.C_m = DenseMatrix(n_modes, n_modes);
-    pair.Phi            = DenseMatrix(n, n_modes);
+    const std::size_t n    = full.W_res.rows();
+    pair.K_m = pair.C_m = DenseMatrix::Zero(n_modes, n_modes);
+    pair.Phi            = DenseMatrix::Zero(n, n_modes);
     for (unsigned int k = 0; k < full.n_modes(); ++k)
       if (k < n_modes)
         {
@@ -46,8 +45,7 @@ namespace
     return pair;
   }
 
-  BodyResponse
-  response_of(const ReducedPair &pair)
+  BodyResponse response_of(const ReducedPair &pair)
   {
     return [&pair](const auto &s, const auto &forces) {
       std::vector<ComplexVector> u;
@@ -63,8 +61,7 @@ namespace
   /**
    * The eigenvalues in the part of the plane that a counter looks at.
    */
-  int
-  number(const ReducedPair &bodies, const LinearContact &contact)
+  int number(const ReducedPair &bodies, const LinearContact &contact)
   {
     int count = 0;
     for (const auto &s : StabilityPencil(bodies, contact).eigenvalues())
@@ -73,23 +70,20 @@ namespace
     return count;
   }
 
-  DenseMatrix
-  grown(const DenseMatrix &M,
-        const unsigned int rows,
-        const unsigned int columns)
+  DenseMatrix grown(const DenseMatrix &M,
+                    const unsigned int rows,
+                    const unsigned int columns)
   {
-    DenseMatrix larger(M.n_rows() + rows, M.n_columns() + columns);
-    for (std::size_t j = 0; j < M.n_columns(); ++j)
-      for (std::size_t i = 0; i < M.n_rows(); ++i)
-        larger(i, j) = M(i, j);
+    DenseMatrix larger = DenseMatrix::Zero(M.rows() + rows, M.cols() + columns);
+    larger.topLeftCorner(M.rows(), M.cols()) = M;
     return larger;
   }
 
   /**
    * A contact with two unknowns more that swing by themselves.
    */
-  LinearContact
-  excited(const LinearContact &contact, const std::complex<double> s)
+  LinearContact excited(const LinearContact       &contact,
+                        const std::complex<double> s)
   {
     const unsigned int n      = contact.n_unknowns();
     LinearContact      result = contact;
@@ -105,15 +99,12 @@ namespace
     return result;
   }
 
-  const ReducedPair &
-  some_pair()
+  const ReducedPair &some_pair()
   {
     static const ReducedPair pair = random_pair({7, 5}, 14, 41, 2e-4, 0.2);
     return pair;
   }
 } // namespace
-
-
 
 BOOST_AUTO_TEST_CASE(a_rational_fit_finds_poles)
 {
@@ -122,10 +113,10 @@ BOOST_AUTO_TEST_CASE(a_rational_fit_finds_poles)
            static_cast<double>(k) / (s - std::complex<double>(0.4, 5.)) +
            std::exp(0.1 * s);
   };
-  ComplexVector points;
+  ComplexValues points;
   for (int i = 0; i <= 60; ++i)
     points.push_back({0., 1. + 0.1 * i});
-  ComplexMatrix values(points.size(), 3);
+  ComplexMatrix values = ComplexMatrix::Zero(points.size(), 3);
   for (std::size_t i = 0; i < points.size(); ++i)
     for (int k = 0; k < 3; ++k)
       values(i, k) = function(points[i], k);
@@ -328,7 +319,7 @@ BOOST_AUTO_TEST_CASE(the_full_bodies_correct_reduced_modes)
       const auto state       = rolling_state(patch, full, 0.6, sliding);
       const auto contact =
         linear_contact(state.problem, state.state, at_speed());
-      const ComplexVector exact = StabilityPencil(full, contact).eigenvalues();
+      const ComplexValues exact = StabilityPencil(full, contact).eigenvalues();
       for (const auto &mode :
            unstable_modes(StabilityPencil(pair, contact), 2500.).vibrations)
         {
@@ -399,7 +390,7 @@ BOOST_AUTO_TEST_CASE(growth_below_its_uncertainty_decides_nothing)
   BOOST_TEST(contains(
     complaint([&]() {
       correct(pair, contact, {modes[0]}, [](const auto &, const auto &) {
-        return std::vector<ComplexVector>(1, ComplexVector(3));
+        return std::vector<ComplexVector>(1, ComplexVector::Zero(3));
       });
     }),
     "has 3 values; the contact needs 105"));

@@ -31,11 +31,10 @@ namespace
    * The state after the bodies moved by @p size times a motion and a rate of
    * motion of their own.
    */
-  std::vector<double>
-  moved_state(const RollingState        &rolling,
-              const std::vector<double> &motion,
-              const std::vector<double> &velocity,
-              const double               size)
+  std::vector<double> moved_state(const RollingState        &rolling,
+                                  const std::vector<double> &motion,
+                                  const std::vector<double> &velocity,
+                                  const double               size)
   {
     RollingState      moved = rolling;
     ContactLoads     &loads = moved.problem.loads;
@@ -64,9 +63,8 @@ namespace
    * Largest difference of the linear contact from the solver's answers to
    * motions, over the largest answer.
    */
-  double
-  difference_from_solver(const RollingState    &rolling,
-                         const FrictionResponse friction)
+  double difference_from_solver(const RollingState    &rolling,
+                                const FrictionResponse friction)
   {
     const LinearContact contact =
       linear_contact(rolling.problem, rolling.state, at_speed(friction));
@@ -87,15 +85,9 @@ namespace
         // (N_u W forces + N_r) dx = -N_u motion - N_v velocity
         DenseMatrix M =
           contact.N_u * (rolling.problem.operators.W() * contact.forces);
-        DenseMatrix dx(M.n_rows(), 1);
-        for (std::size_t i = 0; i < M.n_rows(); ++i)
-          {
-            for (std::size_t j = 0; j < M.n_rows(); ++j)
-              M(i, j) += contact.N_r(i, j);
-            for (std::size_t j = 0; j < motion.size(); ++j)
-              dx(i, 0) -=
-                contact.N_u(i, j) * motion[j] + contact.N_v(i, j) * velocity[j];
-          }
+        M += contact.N_r;
+        Eigen::VectorXd dx =
+          -contact.N_u * as_vector(motion) - contact.N_v * as_vector(velocity);
         BOOST_TEST_REQUIRE(solve_general(M, dx));
         const auto above = moved_state(rolling, motion, velocity, 1.),
                    below = moved_state(rolling, motion, velocity, -1.);
@@ -113,8 +105,6 @@ namespace
     return worst;
   }
 } // namespace
-
-
 
 BOOST_AUTO_TEST_CASE(the_linear_contact_is_the_derivative_of_the_solver)
 {
@@ -249,11 +239,11 @@ BOOST_AUTO_TEST_CASE(bodies_that_do_not_fit_are_refused)
   ReducedPair        pair = random_pair(grid, 4, 1);
   check(pair);
   const double largest = symmetric_eigenvalues(pair.W_res).back();
-  for (unsigned int i = 0; i < pair.W_res.n_rows(); ++i)
+  for (unsigned int i = 0; i < pair.W_res.rows(); ++i)
     pair.W_res(i, i) -= 0.5 * largest;
   BOOST_TEST(contains(complaint([&]() { check(pair); }),
                       "come from the same stiffness matrix"));
-  pair.Phi = DenseMatrix(7, 4);
+  pair.Phi = DenseMatrix::Zero(7, 4);
   BOOST_TEST(contains(complaint([&]() { check(pair); }),
                       "modes at the contact of the reduced bodies has 7 x 4"));
   BOOST_TEST(contains(complaint([&]() {

@@ -1,8 +1,9 @@
 #include <boost/test/unit_test.hpp>
 
-#include "complaint.h"
+#include "drawing_run.h"
 
 #include <rolling_contact/base/constants.h>
+#include <rolling_contact/program/analysis_table.h>
 #include <rolling_contact/scene/scene_entries.h>
 #include <rolling_contact/tables/stability_map_plot.h>
 
@@ -19,11 +20,11 @@ BOOST_AUTO_TEST_CASE(a_creepage_by_size_and_direction)
   contact.normal_load        = 1e4;
   contact.creepage_size      = 0.02;
   contact.creepage_direction = pi / 2;
-  contact.take_creepage_by_size();
+  contact.creepages          = contact.asked_creepages();
   BOOST_TEST(contact.creepages.x == 0.);
   BOOST_TEST(contact.creepages.y == 0.02);
   contact.creepage_direction = -pi / 6;
-  contact.take_creepage_by_size();
+  contact.creepages          = contact.asked_creepages();
   BOOST_TEST(contact.creepages.x == 0.01 * std::sqrt(3.),
              boost::test_tools::tolerance(1e-12));
   BOOST_TEST(contact.creepages.y == -0.01, boost::test_tools::tolerance(1e-12));
@@ -37,8 +38,6 @@ BOOST_AUTO_TEST_CASE(a_creepage_by_size_and_direction)
              std::string::npos);
 }
 
-
-
 BOOST_AUTO_TEST_CASE(entries_that_states_of_a_map_may_differ_by)
 {
   SceneParameters scene;
@@ -50,8 +49,8 @@ BOOST_AUTO_TEST_CASE(entries_that_states_of_a_map_may_differ_by)
   scene.contact.speed         = 10.;
   scene.contact.slip_operator = SlipOperatorKind::upwind_2;
   scene.table.axis_texts[0]   = "Stability/Added damping = 0, 0.001";
-  scene.analysis              = "stability map";
-  SceneEntries      map(scene);
+  scene.analysis              = analysis_kind("stability map");
+  SceneEntries      map{Situation(scene)};
   const std::string key = map.bodies_key();
   map.check_variable("Stability/Added damping", "");
   map.set("Stability/Added damping", "0.001");
@@ -59,22 +58,20 @@ BOOST_AUTO_TEST_CASE(entries_that_states_of_a_map_may_differ_by)
   map.set("Wheel/Damper mass", "0.3");
   map.set("Contact/Creepage direction", "3.141592653589793");
   BOOST_TEST(map.bodies_key() == key); // on the same bodies
-  const SceneParameters changed = map.scene();
-  BOOST_TEST(changed.stability.added_damping == 0.001);
+  const Situation changed = map.situation();
+  BOOST_TEST(changed.inputs->stability.added_damping == 0.001);
   BOOST_TEST(changed.wheel.dampers.mass == std::vector<double>{0.3});
   map.set("Wheel/Damper radius", "0.3");
   BOOST_TEST(map.bodies_key() != key); // on another circle
   BOOST_TEST(changed.contact.creepages.x == -0.01);
   BOOST_TEST(changed.contact.creepages.y == 0.);
 
-  scene.analysis = "table";
-  const SceneEntries table(scene);
+  scene.analysis = analysis_kind("table");
+  const SceneEntries table{Situation(scene)};
   BOOST_TEST(complaint([&]() {
                table.check_variable("Stability/Added damping", "");
              }).find("none that states may differ by") != std::string::npos);
 }
-
-
 
 BOOST_AUTO_TEST_CASE(vibrations_in_a_cell)
 {
@@ -90,8 +87,6 @@ BOOST_AUTO_TEST_CASE(vibrations_in_a_cell)
              }).find("row 7: column vibrations has \"1035.1;1.2\"") !=
              std::string::npos);
 }
-
-
 
 /** Two vibrations whose frequencies come near each other, one of which leaves
  * the list for a value, and one that is far from both. */

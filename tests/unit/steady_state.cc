@@ -1,8 +1,8 @@
 #include "scene_run.h"
 
-#include <rolling_contact/assessment/reference_2d.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/pair/patch_estimate.h>
+#include <rolling_contact/results/reference_2d.h>
 
 #include <cmath>
 #include <functional>
@@ -28,27 +28,26 @@ namespace
           change)
     {}
 
-    double
-    force() const
+    double force() const
     {
       return force_x();
     }
 
-    Errors2D
-    errors() const
+    Errors2D errors() const
     {
-      return errors_2d(scene, steady, reference_2d(scene, steady));
+      return errors_2d(Situation(scene),
+                       steady,
+                       reference_2d(Situation(scene), steady));
     }
   };
 
   /**
    * Largest difference of two nodal fields, over the largest of the first.
    */
-  double
-  difference(const std::vector<double> &x,
-             const std::vector<double> &y,
-             const bool                 reversed = false,
-             const double               sign     = 1.)
+  double difference(const std::vector<double> &x,
+                    const std::vector<double> &y,
+                    const bool                 reversed = false,
+                    const double               sign     = 1.)
   {
     BOOST_REQUIRE_EQUAL(x.size(), y.size());
     double largest = 0., scale = 0.;
@@ -235,7 +234,7 @@ BOOST_AUTO_TEST_CASE(a_frictionless_contact_builds_no_tangential_compliance)
 {
   const Run run(
     [](SceneParameters &scene) { scene.contact.friction_coefficient = 0.; });
-  BOOST_TEST(run.steady.problem.operators.W().n_rows() ==
+  BOOST_TEST(run.steady.problem.operators.W().rows() ==
              run.steady.problem.n_nodes());
   BOOST_TEST(run.steady.result.force_x == 0.);
 }
@@ -249,9 +248,10 @@ BOOST_AUTO_TEST_CASE(a_rigid_rail_is_never_meshed)
     scene.contact.normal_load = 100e3;
   });
   BOOST_TEST(run.steady.pair->bodies().body(Side::rail) == nullptr);
-  BOOST_TEST(std::abs(run.steady.result.half_width_x /
-                        reference_2d(run.scene, run.steady).hertz.half_width -
-                      1) < 0.01);
+  BOOST_TEST(
+    std::abs(run.steady.result.half_width_x /
+               reference_2d(run.situation(), run.steady).hertz.half_width -
+             1) < 0.01);
 }
 
 BOOST_AUTO_TEST_CASE(a_block_is_a_half_plane_near_the_patch)
@@ -262,7 +262,7 @@ BOOST_AUTO_TEST_CASE(a_block_is_a_half_plane_near_the_patch)
     scene.contact.approach.reset();
     scene.contact.normal_load = 50e3;
   });
-  const Reference2D reference = reference_2d(run.scene, run.steady);
+  const Reference2D reference = reference_2d(run.situation(), run.steady);
   BOOST_TEST(
     std::abs(run.steady.result.max_pressure / reference.hertz.max_pressure -
              1) < 5e-3);
@@ -350,13 +350,13 @@ BOOST_AUTO_TEST_CASE(refining_the_rim_does_not_spoil_the_calibrated_force)
         for (const auto &point : converged)
           {
             const Run run([&](SceneParameters &scene) {
-              scene.mesh.rim_levels     = levels;
-              scene.mesh.rim_edges      = edges;
-              scene.mesh.patch_offset   = offset;
-              scene.contact.creepages.x = point.first *
-                                          scene.contact.friction_coefficient *
-                                          estimate_patch(scene).half_width_x /
-                                          pair_constants(scene).relative_radius;
+              scene.mesh.rim_levels   = levels;
+              scene.mesh.rim_edges    = edges;
+              scene.mesh.patch_offset = offset;
+              scene.contact.creepages.x =
+                point.first * scene.contact.friction_coefficient *
+                estimate_patch(Situation(scene)).half_width_x /
+                pair_constants(Situation(scene)).relative_radius;
             });
             BOOST_TEST(std::abs(run.force() + point.second) < 6e-4);
           }

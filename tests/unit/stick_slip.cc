@@ -2,10 +2,10 @@
 
 #include "reduced_run.h"
 
-#include <rolling_contact/cycles/cycle_measures.h>
-#include <rolling_contact/cycles/verdict.h>
+#include <rolling_contact/algebra/cycle_measures.h>
+#include <rolling_contact/algebra/verdict.h>
 #include <rolling_contact/references/mass_on_belt.h>
-#include <rolling_contact/state/patch_friction.h>
+#include <rolling_contact/time/patch_friction.h>
 
 using namespace RollingContact;
 using namespace StabilityBodies;
@@ -28,15 +28,14 @@ namespace
       , centre(run.motion.state().eta[0])
     {}
 
-    static ReducedPair
-    pair_of(const References::MassOnBelt &belt)
+    static ReducedPair pair_of(const References::MassOnBelt &belt)
     {
       ReducedPair pair;
-      pair.K_m = pair.C_m = DenseMatrix(1, 1);
+      pair.K_m = pair.C_m = DenseMatrix::Zero(1, 1);
       pair.K_m(0, 0)      = belt.stiffness / belt.mass;
       pair.C_m(0, 0)      = belt.damping / belt.mass;
-      pair.Phi            = DenseMatrix(6, 1);
-      pair.W_res          = DenseMatrix(6, 6);
+      pair.Phi            = DenseMatrix::Zero(6, 1);
+      pair.W_res          = DenseMatrix::Zero(6, 6);
       for (unsigned int i = 0; i < 3; ++i)
         {
           pair.Phi(i, 0)           = 1 / std::sqrt(belt.mass);
@@ -46,10 +45,9 @@ namespace
       return pair;
     }
 
-    RollingState
-    state(const References::MassOnBelt             &belt,
-          const double                              mu,
-          const std::shared_ptr<const FrictionLaw> &law) const
+    RollingState state(const References::MassOnBelt             &belt,
+                       const double                              mu,
+                       const std::shared_ptr<const FrictionLaw> &law) const
     {
       RollingState rolling{rolling_problem({3, 1, 1.},
                                            static_compliance(pair),
@@ -67,16 +65,14 @@ namespace
     }
 
     /** Move the mass by this and let it go. Units: m. */
-    void
-    pull(const double distance)
+    void pull(const double distance)
     {
       ReducedState state = run.motion.state();
       state.eta[0] += distance;
       run.motion.set_state(state);
     }
 
-    bool
-    slides() const
+    bool slides() const
     {
       return std::abs(run.state.traction(0, 1)) >=
              run.problem.loads.friction[1] * run.state.pressure[1] * (1 - 1e-9);

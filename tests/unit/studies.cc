@@ -3,12 +3,12 @@
 #include "complaint.h"
 #include "scene_run.h"
 
-#include <rolling_contact/assessment/error_bounds.h>
+#include <rolling_contact/analyses/convergence.h>
+#include <rolling_contact/analyses/error_cost.h>
+#include <rolling_contact/analyses/force_history.h>
+#include <rolling_contact/analyses/study_errors.h>
 #include <rolling_contact/base/percentages.h>
-#include <rolling_contact/studies/convergence.h>
-#include <rolling_contact/studies/error_cost.h>
-#include <rolling_contact/studies/force_history.h>
-#include <rolling_contact/studies/study_errors.h>
+#include <rolling_contact/results/error_bounds.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,13 +24,10 @@ namespace
 {
   const double not_solved = std::numeric_limits<double>::quiet_NaN();
 
-  CostedError
-  point(const double seconds, const double error)
+  CostedError point(const double seconds, const double error)
   {
     return {"", "", seconds, error};
   }
-
-
 
   const std::vector<CostedError> some_points{point(3., 1e-3),
                                              point(1., 1e-2),
@@ -41,14 +38,11 @@ namespace
                                              point(1., 5e-3)};
 
   template <typename Values>
-  void
-  check_equal(const Values &found, const Values &expected)
+  void check_equal(const Values &found, const Values &expected)
   {
     BOOST_TEST(found == expected, boost::test_tools::per_element());
   }
 } // namespace
-
-
 
 BOOST_AUTO_TEST_CASE(front_of_made_up_points)
 {
@@ -56,8 +50,6 @@ BOOST_AUTO_TEST_CASE(front_of_made_up_points)
   check_equal(pareto_front({}), {});
   check_equal(pareto_front({point(1., not_solved)}), {});
 }
-
-
 
 /** No point of the front is beaten, and every other one is. */
 BOOST_AUTO_TEST_CASE(front_of_random_points)
@@ -81,8 +73,6 @@ BOOST_AUTO_TEST_CASE(front_of_random_points)
     }
 }
 
-
-
 BOOST_AUTO_TEST_CASE(cheapest_of_a_level)
 {
   const auto best =
@@ -97,8 +87,6 @@ BOOST_AUTO_TEST_CASE(cheapest_of_a_level)
   check_equal(points, {6, 6, 0, 0, 5});
   check_equal(levels, {1e-1, 1e-2, 3e-3, 1e-3, 1e-4});
 }
-
-
 
 BOOST_AUTO_TEST_CASE(extrapolation)
 {
@@ -116,13 +104,10 @@ BOOST_AUTO_TEST_CASE(extrapolation)
   BOOST_TEST(extrapolated(2., 2., 2., 3.) == 2.);
 }
 
-
-
 namespace
 {
   /** T_x = t^2 + slope h, T_y = -t, N = 10 t at the times up to 1. */
-  ForceHistory
-  made_up_history(const double h, const double slope)
+  ForceHistory made_up_history(const double h, const double slope)
   {
     ForceHistory history{h, {}};
     for (int k = 1; k * h < 1 + 1e-9; ++k)
@@ -133,8 +118,6 @@ namespace
     return history;
   }
 } // namespace
-
-
 
 BOOST_AUTO_TEST_CASE(histories_of_first_order)
 {
@@ -153,8 +136,6 @@ BOOST_AUTO_TEST_CASE(histories_of_first_order)
   BOOST_TEST(errors.force_mean == 0.03, boost::test_tools::tolerance(1e-10));
   BOOST_TEST((errors.load_largest < 1e-12));
 }
-
-
 
 /**
  * Forces at half of each step: means of the exact ones over the steps differ
@@ -185,8 +166,6 @@ BOOST_AUTO_TEST_CASE(histories_of_forces_within_their_steps)
              boost::test_tools::tolerance(1e-9));
 }
 
-
-
 BOOST_AUTO_TEST_CASE(shares_add_up)
 {
   check_equal(percentages({1., 1., 1.}), {34, 33, 33});
@@ -209,8 +188,6 @@ BOOST_AUTO_TEST_CASE(shares_add_up)
     }
 }
 
-
-
 BOOST_AUTO_TEST_CASE(methods_one_at_a_time)
 {
   SceneParameters  scene;
@@ -231,8 +208,6 @@ BOOST_AUTO_TEST_CASE(methods_one_at_a_time)
   BOOST_TEST(study_methods(study).size() == 12u);
 }
 
-
-
 namespace
 {
   StudySample
@@ -246,8 +221,6 @@ namespace
     return result;
   }
 } // namespace
-
-
 
 /** f(n) = (-0.5, 0.2) (1 - 8 / n^2), at two positions 0.001 apart. */
 BOOST_AUTO_TEST_CASE(errors_against_the_extrapolated_reference)
@@ -283,8 +256,6 @@ BOOST_AUTO_TEST_CASE(errors_against_the_extrapolated_reference)
   BOOST_TEST(lateral.force.n == 2u);
 }
 
-
-
 BOOST_AUTO_TEST_CASE(entries_that_do_not_fit)
 {
   SceneParameters scene;
@@ -319,8 +290,6 @@ BOOST_AUTO_TEST_CASE(entries_that_do_not_fit)
                       "Accuracy study/Reference time step"));
 }
 
-
-
 BOOST_AUTO_TEST_CASE(line_of_a_run)
 {
   RunReport  report;
@@ -340,8 +309,6 @@ BOOST_AUTO_TEST_CASE(line_of_a_run)
                       "of N (estimate: 2/n; not in time)\ntime   "));
   BOOST_TEST(contains(report.summary(timer, "run"), "\nfiles  run"));
 }
-
-
 
 /**
  * The bound on which estimates rest holds for these discs, out of the positions
@@ -367,8 +334,8 @@ BOOST_AUTO_TEST_CASE(estimates_hold)
         scene.mesh.patch_offset          = offset;
       },
       [](SceneParameters &) {});
-    return std::make_pair(result.force_x(),
-                          *error_bounds(result.scene, result.steady).force);
+    return std::make_pair(
+      result.force_x(), *error_bounds(result.situation(), result.steady).force);
   };
   const double creepage = 0.0022;
   const double converged =

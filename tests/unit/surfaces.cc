@@ -5,9 +5,12 @@
 
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/pair/moving_surfaces.h>
+#include <rolling_contact/program/analysis_table.h>
+#include <rolling_contact/scene/situation.h>
 #include <rolling_contact/scene/travelled_distance.h>
 #include <rolling_contact/surfaces/filtered_record.h>
 #include <rolling_contact/surfaces/short_waves.h>
+#include <rolling_contact/tables/transient_session.h>
 
 #include <cmath>
 #include <functional>
@@ -20,11 +23,10 @@ BOOST_AUTO_TEST_SUITE(surfaces)
 namespace
 {
   /** Rows of positions at equal spacing and heights, in the file's units. */
-  std::string
-  rows(const std::size_t                          n,
-       const double                               spacing,
-       const std::function<double(const double)> &height,
-       const double                               begin = 0.)
+  std::string rows(const std::size_t                          n,
+                   const double                               spacing,
+                   const std::function<double(const double)> &height,
+                   const double                               begin = 0.)
   {
     std::ostringstream text;
     text.precision(15);
@@ -34,12 +36,10 @@ namespace
     return text.str();
   }
 
-
-
   struct Records : public ScratchFolder
   {
-    SurfaceRecord
-    read_rows(const std::string &text, const RecordUnits &units = {}) const
+    SurfaceRecord read_rows(const std::string &text,
+                            const RecordUnits &units = {}) const
     {
       write(scratch / "rail.csv", text);
       return read_surface_record("Surfaces/Rail height",
@@ -48,15 +48,14 @@ namespace
                                  units);
     }
 
-    std::string
-    complaint_of(const std::string &text, const RecordUnits &units = {}) const
+    std::string complaint_of(const std::string &text,
+                             const RecordUnits &units = {}) const
     {
       return complaint([&]() { read_rows(text, units); });
     }
 
     /** A scene of a wheel on a straight rail with this record. */
-    SceneParameters
-    scene_with(const std::string &text)
+    SceneParameters scene_with(const std::string &text)
     {
       write(scratch / "rail.csv", text);
       SceneParameters scene;
@@ -65,25 +64,17 @@ namespace
       scene.rail.shape           = "block";
       scene.rail.radius          = 0.;
       scene.surfaces.height.rail = "rail.csv";
-      scene.surfaces.read(scratch);
       return scene;
     }
   };
 
-
-
   const ZoneSizes sizes{{0.5e-3, 0.5e-3}, {8e-3, 8e-3}};
 
-
-
-  double
-  wave(const double x)
+  double wave(const double x)
   {
     return 20e-6 * std::cos(2 * pi * x / 0.03);
   }
 } // namespace
-
-
 
 /** Units, comments, names and columns; the mean goes. */
 BOOST_FIXTURE_TEST_CASE(records_are_read_with_their_units, Records)
@@ -107,8 +98,6 @@ BOOST_FIXTURE_TEST_CASE(records_are_read_with_their_units, Records)
   BOOST_TEST(other.fingerprint() != record.fingerprint());
 }
 
-
-
 /** Uneven positions within reason are resampled, gaps are not filled. */
 BOOST_FIXTURE_TEST_CASE(uneven_records_are_resampled, Records)
 {
@@ -126,8 +115,6 @@ BOOST_FIXTURE_TEST_CASE(uneven_records_are_resampled, Records)
     BOOST_TEST(std::abs(record.heights[k] + record.mean -
                         wave(k * record.spacing)) < 5e-8);
 }
-
-
 
 /** What is wrong is named with its line and what to do. */
 BOOST_FIXTURE_TEST_CASE(bad_records_are_refused_by_their_line, Records)
@@ -165,8 +152,6 @@ BOOST_FIXTURE_TEST_CASE(bad_records_are_refused_by_their_line, Records)
   });
   BOOST_TEST(contains(column, "a number from 2 on, not \"height\""), column);
 }
-
-
 
 /** A wave that the elements follow passes exactly, one they cannot is gone. */
 BOOST_FIXTURE_TEST_CASE(records_are_filtered_for_the_elements, Records)
@@ -210,8 +195,6 @@ BOOST_FIXTURE_TEST_CASE(records_are_filtered_for_the_elements, Records)
              1e-7);
 }
 
-
-
 /** Once around, with or without the first point again, to a percent. */
 BOOST_FIXTURE_TEST_CASE(a_record_of_a_turn_comes_again, Records)
 {
@@ -254,8 +237,6 @@ BOOST_FIXTURE_TEST_CASE(a_record_of_a_turn_comes_again, Records)
   BOOST_TEST(!FilteredRecord(short_one, {2e-3, 1e-3}, turn).is_periodic());
 }
 
-
-
 /** Material goes with the flow; positions of files count as the wheel runs. */
 BOOST_FIXTURE_TEST_CASE(surfaces_move_with_the_flow, Records)
 {
@@ -274,7 +255,7 @@ BOOST_FIXTURE_TEST_CASE(surfaces_move_with_the_flow, Records)
     {
       scene.contact.speed     = 20. * flow;
       scene.surfaces.position = 0.09;
-      const MovingSurfaces surfaces(scene, sizes);
+      const MovingSurfaces surfaces(Situation(scene), sizes);
       // 0.01 m before it comes, it is upstream
       BOOST_TEST(std::abs(top_at(surfaces, 0.) + flow * 0.01) < 1e-6);
       BOOST_TEST(std::abs(top_at(surfaces, flow * 0.01)) < 1e-6);
@@ -284,17 +265,16 @@ BOOST_FIXTURE_TEST_CASE(surfaces_move_with_the_flow, Records)
       SceneParameters written      = scene;
       written.surfaces.height.rail = "1e-5*exp(-((x-0.012)/0.01)^2)";
       written.surfaces.position    = 0.;
-      written.surfaces.read(scratch);
-      const MovingSurfaces there(written, sizes);
+      written.prm_folder           = scratch;
+      const MovingSurfaces there(Situation(written), sizes);
       BOOST_TEST(std::abs(top_at(there, 0.) - 0.012) < 1e-6);
       BOOST_TEST(std::abs(top_at(there, -0.012)) < 1e-6);
       written.surfaces.position = 0.004;
-      BOOST_TEST(std::abs(top_at(MovingSurfaces(written, sizes), 0.) -
-                          (0.012 + flow * 0.004)) < 1e-6);
+      BOOST_TEST(
+        std::abs(top_at(MovingSurfaces(Situation(written), sizes), 0.) -
+                 (0.012 + flow * 0.004)) < 1e-6);
     }
 }
-
-
 
 /** A wheel's expression comes again after a turn, and must close there. */
 BOOST_AUTO_TEST_CASE(a_wheel_comes_again_after_a_turn)
@@ -302,9 +282,8 @@ BOOST_AUTO_TEST_CASE(a_wheel_comes_again_after_a_turn)
   SceneParameters scene;
   scene.contact.normal_load   = 100e3;
   scene.surfaces.height.wheel = "-2e-5*exp(-(x/0.02)^2)";
-  scene.surfaces.read("");
-  const double         turn = 2 * pi * scene.wheel.radius;
-  const MovingSurfaces flat(scene, sizes);
+  const double         turn   = 2 * pi * scene.wheel.radius;
+  const MovingSurfaces flat(Situation(scene), sizes);
   for (const double x : {0., 0.01, -0.013})
     BOOST_TEST(flat.height(x, 0., 3 * turn) == flat.height(x, 0., 0.),
                boost::test_tools::tolerance(1e-9));
@@ -312,18 +291,17 @@ BOOST_AUTO_TEST_CASE(a_wheel_comes_again_after_a_turn)
   // 100.3 waves do not close; they need not before the run comes there
   scene.surfaces.height.wheel =
     "2e-5*sin(2*pi*100.3*x/" + std::to_string(turn) + ")";
-  scene.surfaces.read("");
-  BOOST_TEST(complaint([&]() { MovingSurfaces(scene, sizes); }) == "");
+  BOOST_TEST(complaint([&]() { MovingSurfaces(Situation(scene), sizes); }) ==
+             "");
   scene.surfaces.position = turn / 2;
-  const std::string said  = complaint([&]() { MovingSurfaces(scene, sizes); });
+  const std::string said =
+    complaint([&]() { MovingSurfaces(Situation(scene), sizes); });
   BOOST_TEST(contains(said, "the height jumps by"), said);
   scene.surfaces.height.wheel =
     "2e-5*sin(2*pi*100*x/" + std::to_string(turn) + ")";
-  scene.surfaces.read("");
-  BOOST_TEST(complaint([&]() { MovingSurfaces(scene, sizes); }) == "");
+  BOOST_TEST(complaint([&]() { MovingSurfaces(Situation(scene), sizes); }) ==
+             "");
 }
-
-
 
 /** A record of a turn that drifts is warned of. */
 BOOST_FIXTURE_TEST_CASE(the_ends_of_a_turn_meet, Records)
@@ -336,14 +314,12 @@ BOOST_FIXTURE_TEST_CASE(the_ends_of_a_turn_meet, Records)
       write(scratch / "rail.csv", rows(2890, 1e-3, [&](const double x) {
               return 5e-6 * std::sin(40 * pi * x / 2.89) + drift * x / 2.89;
             }));
-      scene.surfaces.read(scratch);
-      const MovingSurfaces surfaces(scene, sizes);
+      scene.prm_folder = scratch;
+      const MovingSurfaces surfaces(Situation(scene), sizes);
       BOOST_TEST(surfaces.warnings.size() == (drift > 0. ? 1 : 0));
       BOOST_TEST(contains(surfaces.notes.at(0), "it comes again after a turn"));
     }
 }
-
-
 
 /** Expressions are held against the elements along all that passes. */
 BOOST_AUTO_TEST_CASE(expressions_suit_the_elements)
@@ -355,9 +331,8 @@ BOOST_AUTO_TEST_CASE(expressions_suit_the_elements)
   std::vector<std::string> warnings;
   const auto               said_of = [&](const std::string &height) {
     scene.surfaces.height.rail = height;
-    scene.surfaces.read("");
     return complaint(
-      [&]() { warnings = MovingSurfaces(scene, sizes).warnings; });
+      [&]() { warnings = MovingSurfaces(Situation(scene), sizes).warnings; });
   };
   BOOST_TEST(said_of("2e-6*cos(2*pi*x/4e-3)") == "");
   BOOST_TEST(warnings.empty());
@@ -376,27 +351,25 @@ BOOST_AUTO_TEST_CASE(expressions_suit_the_elements)
   const std::string later = "2e-6*cos(2*pi*x/4e-3)+if(x<-1,1e-6,0)*cos(2*pi*x/"
                             "0.7e-3)";
   BOOST_TEST(said_of(later) == "");
-  scene.analysis       = "transient";
+  scene.analysis       = analysis_kind("transient");
   scene.contact.speed  = 10.;
   scene.time.end_time  = 0.2;
   scene.time.time_step = 1e-5;
   BOOST_TEST(contains(said_of(later), "shorter than two elements"));
 }
 
-
-
 /** A record that is too coarse, too short or ends before the run. */
 BOOST_FIXTURE_TEST_CASE(records_suit_the_run, Records)
 {
   SceneParameters scene = scene_with(rows(601, 0.5e-3, wave));
   const auto      said  = [&]() {
-    return complaint([&]() { MovingSurfaces(scene, sizes); });
+    return complaint([&]() { MovingSurfaces(Situation(scene), sizes); });
   };
   BOOST_TEST(said() == "");
   scene.surfaces.position = 0.31;
   BOOST_TEST(contains(said(), "Surfaces/Position"), said());
   scene.surfaces.position = 0.1;
-  scene.analysis          = "transient";
+  scene.analysis          = analysis_kind("transient");
   scene.contact.speed     = -10.;
   scene.time.time_step    = 1e-4;
   scene.time.end_time     = 0.0195;
@@ -412,7 +385,60 @@ BOOST_FIXTURE_TEST_CASE(records_suit_the_run, Records)
   BOOST_TEST(contains(said(), "its points are 0.5 m apart"), said());
 }
 
+/** Steps that nobody announced: of a vehicle code, or after a limit cycle. */
+BOOST_FIXTURE_TEST_CASE(records_are_not_left, Records)
+{
+  SceneParameters scene   = scene_with(rows(601, 0.5e-3, wave));
+  scene.surfaces.position = 0.1;
+  for (const double flow : {1., -1.})
+    {
+      scene.contact.speed = 10. * flow;
+      const MovingSurfaces surfaces(Situation(scene), sizes);
+      const auto           said = [&](const double rolled) {
+        return complaint([&]() {
+          surfaces.heights({{{-8e-3, 0.}}, {{8e-3, 0.}}}, flow * rolled);
+        });
+      };
+      BOOST_TEST(said(0.) == "");
+      BOOST_TEST(said(0.2) == "");
+      BOOST_TEST(said(-0.1) == "");
+      BOOST_TEST(contains(said(0.201),
+                          "it goes from 0 to 0.3 m, and the wheel "
+                          "rolls to 0.301 m of it"),
+                 said(0.201));
+      BOOST_TEST(contains(said(0.201), "rail.csv"));
+      BOOST_TEST(contains(said(-0.101), "rolls to -0.001 m of it"),
+                 said(-0.101));
+      BOOST_TEST(said(5.) != "");
+    }
+}
 
+/** Up to the end of the record, and not beyond it; the session goes on. */
+BOOST_FIXTURE_TEST_CASE(a_session_ends_with_its_record, Records)
+{
+  SceneParameters scene            = scene_with(rows(601, 0.5e-3, wave));
+  scene.analysis                   = analysis_kind("transient");
+  scene.wheel.radius               = 0.46;
+  scene.wheel.hub_radius           = 0.3;
+  scene.rail.block_length          = 0.2;
+  scene.rail.block_depth           = 0.1;
+  scene.mesh.elements_across_patch = 12;
+  scene.contact.speed              = 10.;
+  scene.surfaces.position          = 0.297;
+  scene.time.time_step             = 1e-4;
+  scene.time.end_time              = 1e-4;
+  scene.time.inertia               = false;
+  TransientSession session((Situation(scene)));
+  for (unsigned int k = 0; k < 3; ++k)
+    session.step(StepInputs());
+  const double load = session.current().forces.normal_force;
+  const auto   said = complaint([&]() { session.step(StepInputs()); });
+  BOOST_TEST(contains(said, "rail.csv"), said);
+  BOOST_TEST(contains(said, "the wheel rolls to 0.301 m of it"), said);
+  BOOST_TEST(session.current().time == 3e-4,
+             boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(session.current().forces.normal_force == load);
+}
 
 /** The distance is the integral of the speed, the same however it is asked. */
 BOOST_AUTO_TEST_CASE(distance_is_the_integral_of_speed)

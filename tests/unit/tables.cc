@@ -1,12 +1,13 @@
 #include <boost/test/unit_test.hpp>
 
-#include "complaint.h"
-#include "scratch_folder.h"
+#include "drawing_run.h"
 
-#include <rolling_contact/parallel/ordered_work.h>
-#include <rolling_contact/run/results_table.h>
-#include <rolling_contact/sessions/kept_bodies.h>
+#include <rolling_contact/base/ordered_work.h>
+#include <rolling_contact/program/analysis_table.h>
+#include <rolling_contact/results/result_row.h>
+#include <rolling_contact/tables/kept_bodies.h>
 #include <rolling_contact/tables/load_bands.h>
+#include <rolling_contact/tables/table_output.h>
 
 #include <atomic>
 #include <cmath>
@@ -20,11 +21,10 @@ BOOST_AUTO_TEST_SUITE(tables)
 
 namespace
 {
-  SceneParameters
-  table_scene(const std::vector<std::string> &axes)
+  SceneParameters table_scene(const std::vector<std::string> &axes)
   {
     SceneParameters scene;
-    scene.analysis             = "table";
+    scene.analysis             = analysis_kind("table");
     scene.dimension            = 3;
     scene.wheel.lateral_radius = scene.rail.lateral_radius = 0.3;
     scene.contact.normal_load                              = 36e3;
@@ -33,12 +33,14 @@ namespace
     return scene;
   }
 
-
-
-  std::string
-  said_of(const std::vector<std::string> &axes)
+  TablePlan plan_of(const std::vector<std::string> &axes)
   {
-    return complaint([&]() { plan_table(table_scene(axes)); });
+    return plan_table(Situation(table_scene(axes)));
+  }
+
+  std::string said_of(const std::vector<std::string> &axes)
+  {
+    return complaint([&]() { plan_of(axes); });
   }
 } // namespace
 
@@ -73,8 +75,6 @@ BOOST_AUTO_TEST_CASE(axes_that_are_none)
                       "The state of the table with Contact/Approach = 1e-05"));
 }
 
-
-
 BOOST_AUTO_TEST_CASE(files_that_have_no_rows)
 {
   const ScratchFolder scratch;
@@ -83,10 +83,10 @@ BOOST_AUTO_TEST_CASE(files_that_have_no_rows)
   scene.table.file_of_rows  = "rows.csv";
   const auto said           = [&](const std::string &text) {
     std::ofstream(scratch.scratch / "rows.csv") << text;
-    return complaint([&]() { plan_table(scene); });
+    return complaint([&]() { plan_table(Situation(scene)); });
   };
-  BOOST_TEST(
-    contains(complaint([&]() { plan_table(scene); }), "cannot be read"));
+  BOOST_TEST(contains(complaint([&]() { plan_table(Situation(scene)); }),
+                      "cannot be read"));
   BOOST_TEST(contains(said(""), "the file is empty"));
   BOOST_TEST(contains(said("Contact/Spin\n"), "there is no row"));
   BOOST_TEST(contains(said("Contact/Spin,Contact/Spin\n0,1\n"), "two columns"));
@@ -99,20 +99,17 @@ BOOST_AUTO_TEST_CASE(files_that_have_no_rows)
     contains(said("Contact/Spn\n1\n"), "there is no entry Contact/Spn"));
   BOOST_TEST(said("\xEF\xBB\xBF\"Contact/Spin\" ; Contact/Creepage x\r\n"
                   "# a comment\r\n 0.5 ; -1e-3 \r\n") == "");
-  const TablePlan plan = plan_table(scene);
+  const TablePlan plan = plan_table(Situation(scene));
   BOOST_REQUIRE(plan.values.size() == 1u);
   BOOST_TEST(plan.values[0][0] == 0.5);
   BOOST_TEST(plan.values[0][1] == -1e-3);
 }
 
-
-
 BOOST_AUTO_TEST_CASE(neighbours_differ_by_one_step)
 {
-  const TablePlan plan =
-    plan_table(table_scene({"Contact/Creepage x = -0.01 : 0.01 : 5",
-                            "Contact/Normal load = 40e3, 20e3, 30e3",
-                            "Contact/Spin = 0, 1, 3, 4"}));
+  const TablePlan plan = plan_of({"Contact/Creepage x = -0.01 : 0.01 : 5",
+                                  "Contact/Normal load = 40e3, 20e3, 30e3",
+                                  "Contact/Spin = 0, 1, 3, 4"});
   BOOST_REQUIRE(plan.values.size() == 60u);
   BOOST_TEST(plan.values[0][1] == 20e3); // ascending, the last axis fastest
   BOOST_TEST(plan.values[1][2] == 1.);
@@ -143,13 +140,10 @@ BOOST_AUTO_TEST_CASE(neighbours_differ_by_one_step)
   BOOST_TEST(n_load_steps == 2u);
 }
 
-
-
 BOOST_AUTO_TEST_CASE(what_makes_new_bodies)
 {
   const auto n_groups = [](const std::string &axis) {
-    return plan_table(table_scene({axis, "Contact/Creepage y = 0, 0.001"}))
-      .groups.size();
+    return plan_of({axis, "Contact/Creepage y = 0, 0.001"}).groups.size();
   };
   BOOST_TEST(n_groups("Contact/Speed = 1, 2, 20") == 1u);
   BOOST_TEST(n_groups("Contact/Speed = -2, -1, 1, 2") == 2u);
@@ -159,16 +153,14 @@ BOOST_AUTO_TEST_CASE(what_makes_new_bodies)
   BOOST_TEST(n_groups("Mesh/Elements across patch = 8, 10, 12") == 3u);
 }
 
-
-
 BOOST_AUTO_TEST_CASE(each_load_has_its_elements)
 {
   SceneParameters scene =
     table_scene({"Contact/Normal load = 0, 20e3, 55e3, 70e3, 80e3, 100e3",
                  "Contact/Creepage x = 0, 0.001"});
   scene.mesh.elements_across_patch = 12;
-  const TablePlan plan             = plan_table(scene);
-  const auto      bands            = load_bands(scene, plan, smallest_patch);
+  const TablePlan plan             = plan_table(Situation(scene));
+  const auto      bands = load_bands(Situation(scene), plan, smallest_patch);
   BOOST_REQUIRE(bands.size() == 4u); // 100 and 80, 70 and 55, 20, 0 kN
   std::set<std::size_t> all;
   for (const LoadBand &band : bands)
@@ -176,13 +168,14 @@ BOOST_AUTO_TEST_CASE(each_load_has_its_elements)
       all.insert(band.states.begin(), band.states.end());
       if (!band.touches())
         continue;
-      SceneEntries entries(scene);
+      SceneEntries entries{Situation(scene)};
       const auto   made = band.scene(plan, entries);
       BOOST_TEST(patch_size(made) == band.largest_size);
       for (const std::size_t state : band.states)
         {
           plan.set(state, entries);
-          const double share = patch_size(entries.scene()) / band.largest_size;
+          const double share =
+            patch_size(entries.situation()) / band.largest_size;
           BOOST_TEST(share <= 1.);
           BOOST_TEST(share >= smallest_patch);
           BOOST_TEST(made.mesh.elements_across_patch * share >= 12 - 1e-6);
@@ -193,8 +186,6 @@ BOOST_AUTO_TEST_CASE(each_load_has_its_elements)
   BOOST_TEST(!bands.back().touches());
   BOOST_TEST(bands[0].states.size() == 4u);
 }
-
-
 
 BOOST_AUTO_TEST_CASE(work_in_threads_ends_in_order)
 {
@@ -246,7 +237,35 @@ BOOST_AUTO_TEST_CASE(work_in_threads_ends_in_order)
              }) == "disk");
 }
 
-
+/** A note to a solver's name is no fallback, unless it says so. */
+BOOST_FIXTURE_TEST_CASE(what_stood_in_for_a_solver, DrawingRun)
+{
+  const TablePlan plan = plan_table(
+    Situation(table_scene({"Contact/Creepage x = 0.001 : 0.005 : 5"})));
+  const std::vector<std::string> solvers{
+    "normal-tangential split, from fast sliding",
+    "normal-tangential split",
+    "normal-tangential split, fallback extragradient",
+    "normal-tangential split, edges unsettled",
+    "normal-tangential split, edges unsettled"};
+  for (std::size_t state = 0; state < solvers.size(); ++state)
+    {
+      begin_table_row(plan,
+                      state,
+                      state < 4 ? TableStatus::solved
+                                : TableStatus::not_converged,
+                      table);
+      table.set("solver", solvers[state]);
+      table.set("bound_force/muN", 0.01);
+      table.end_row();
+    }
+  table.flush();
+  ResultsTable again(run_folder);
+  RunContext   resumed{run_folder, again, report, timer, log};
+  restore_rows(plan, resumed);
+  BOOST_TEST(summary_of(again).n_fallbacks == 2u);
+  BOOST_TEST(summary_of(table).n_fallbacks == 0u);
+}
 
 BOOST_AUTO_TEST_CASE(rows_that_are_read_again)
 {
@@ -264,9 +283,13 @@ BOOST_AUTO_TEST_CASE(rows_that_are_read_again)
              "state,text,x,y\n3,\"a, \"\"b\"\"\nc\",0.1,\n1,,,true\n");
   again.restore(table.csv(), "f.csv");
   BOOST_TEST(again.csv() == table.csv());
-  BOOST_TEST(again.text(0, "text") == "a, \"b\"\nc");
-  BOOST_TEST(again.text(1, "text") == "");
-  BOOST_TEST(again.text(1, "none") == "");
+  BOOST_TEST(again.number(0, "x").value() == 0.1);
+  BOOST_TEST(again.number(1, "y").value() == 1.);
+  BOOST_TEST(!again.number(0, "text"));
+  BOOST_TEST(!again.number(1, "x"));
+  BOOST_TEST(!again.number(1, "none"));
+  BOOST_TEST(again.has_numbers("x"));
+  BOOST_TEST(!again.has_numbers("text"));
   again.sort_by("state");
   BOOST_TEST(again.csv() ==
              "state,text,x,y\n1,,,true\n3,\"a, \"\"b\"\"\nc\",0.1,\n");
@@ -277,6 +300,129 @@ BOOST_AUTO_TEST_CASE(rows_that_are_read_again)
                         ResultsTable().restore("a,b\n1,2\n3\n", "f.csv");
                       }),
                       "f.csv: row 2 has 1 columns"));
+}
+
+/** What is read of a table is what was set, whatever the file shows of it, and
+ * a text of a file is read as the value that it stands for. */
+BOOST_AUTO_TEST_CASE(cells_are_values)
+{
+  ResultsTable table, again;
+  table.set("x_m", 1. / 3);
+  table.set("status", "no contact", TableStatus::no_contact);
+  table.set("Contact/Spin", "0.12345678901234", 0.12345678901234);
+  table.set("known", std::optional<double>(2.));
+  table.set("unknown", std::optional<double>());
+  table.end_row();
+  BOOST_TEST(table.number(0, "x_m").value() == 1. / 3);
+  BOOST_TEST(
+    (*table.value<TableStatus>(0, "status") == TableStatus::no_contact));
+  BOOST_TEST(!table.value<double>(0, "status")); // another type
+  BOOST_TEST(!table.value<double>(0, "x_m"));    // set without a text
+  BOOST_TEST(!table.has_numbers("status"));
+  BOOST_TEST(table.csv() == "x_m,status,Contact/Spin,known,unknown\n"
+                            "0.333333333,no contact,0.12345678901234,2,\n");
+  again.restore(table.csv(),
+                "f.csv",
+                {{"status",
+                  [](const std::string &name, const std::size_t row) {
+                    return std::any(name + std::to_string(row));
+                  }},
+                 {"Contact/Spin", [](const std::string &text, std::size_t) {
+                    return std::any(2 * std::stod(text));
+                  }}});
+  BOOST_TEST(*again.value<std::string>(0, "status") == "no contact0");
+  BOOST_TEST(*again.value<double>(0, "Contact/Spin") == 2 * 0.12345678901234);
+  BOOST_TEST(again.number(0, "x_m").value() == 0.333333333);
+  BOOST_TEST(again.csv() == table.csv());
+}
+
+/** Every status has a name of its own, and a row that a stopped table left is
+ * of the state that it says. */
+BOOST_FIXTURE_TEST_CASE(rows_of_a_stopped_table, DrawingRun)
+{
+  const TablePlan                plan = plan_table(Situation(
+    table_scene({"Contact/Creepage x = 0.001, 0.002", "Contact/Spin = 0.1"})));
+  const std::vector<TableStatus> all{TableStatus::solved,
+                                     TableStatus::no_contact,
+                                     TableStatus::broken,
+                                     TableStatus::not_converged,
+                                     TableStatus::not_enclosed};
+  std::set<std::string>          names;
+  for (const TableStatus status : all)
+    {
+      names.insert(name_of(status));
+      ResultsTable left, read;
+      begin_table_row(plan, 1, status, left);
+      left.set("solver", "active set, fallback fixed point", SolvedBy{true});
+      left.end_row();
+      BOOST_TEST((status_of_row(left, 0) == status));
+      BOOST_TEST(state_of_row(left, 0) == 1u);
+      BOOST_TEST(*left.value<double>(0, "Contact/Creepage x") == 0.002);
+      run_folder.write_atomically("results.csv", left.csv());
+      RunContext context{run_folder, read, report, timer, log};
+      restore_rows(plan, context);
+      BOOST_TEST((status_of_row(read, 0) == status));
+      BOOST_TEST(state_of_row(read, 0) == 1u);
+      BOOST_TEST(read.value<SolvedBy>(0, "solver")->stood_in);
+      BOOST_TEST(read.csv() == left.csv());
+    }
+  BOOST_TEST(names.size() == all.size());
+  const auto said = [&](const std::string &text) {
+    run_folder.write_atomically("results.csv", text);
+    ResultsTable read;
+    RunContext   context{run_folder, read, report, timer, log};
+    return complaint([&]() { restore_rows(plan, context); });
+  };
+  const std::string head = "state,Contact/Creepage x,Contact/Spin,status\n";
+  BOOST_TEST(said(head + "1,0.002,0.1,solved\n") == "");
+  for (const char *row : {"2,0.002,0.1,solved\n",
+                          "1,0.001,0.1,solved\n",
+                          "1.5,0.002,0.1,solved\n",
+                          "-1,0.002,0.1,solved\n",
+                          ",0.002,0.1,solved\n",
+                          "1,,0.1,solved\n",
+                          "1,0.002,0.1,\n",
+                          "1,0.002,0.1,solved\n1,0.002,0.1,solved\n"})
+    BOOST_TEST(contains(said(head + row), "is none of its states"));
+  BOOST_TEST(contains(said(head + "1,0.002,0.1,done\n"),
+                      "row 1: column status has \"done\""));
+  BOOST_TEST(!solved_by("active set, from fast sliding").stood_in);
+  BOOST_TEST(solved_by("active set, edges unsettled").stood_in);
+}
+
+/** A summary counts what rows say: solved states alone have bounds and may
+ * lack them. */
+BOOST_AUTO_TEST_CASE(summary_of_rows)
+{
+  const TablePlan plan = plan_table(
+    Situation(table_scene({"Contact/Creepage x = 1e-3, 2e-3, 3e-3, 4e-3"})));
+  ResultsTable table;
+  const auto   add = [&](const std::size_t           state,
+                       const TableStatus           status,
+                       const std::optional<double> bound,
+                       const bool                  stood_in) {
+    begin_table_row(plan, state, status, table);
+    table.set("bound_force/muN", bound);
+    table.set("bound_max_pressure", bound);
+    table.set("solver", "any", SolvedBy{stood_in});
+    table.end_row();
+  };
+  add(0, TableStatus::solved, 0.01, false);
+  add(1, TableStatus::solved, 0.03, true);
+  add(2, TableStatus::solved, {}, false);
+  add(3, TableStatus::not_converged, 0.5, true);
+  const TableSummary summary = summary_of(table);
+  BOOST_TEST(summary.largest_bound.value() == 0.03);
+  BOOST_TEST(summary.n_fallbacks == 1u);
+  BOOST_TEST(summary.n_without_bound == 1u);
+  BOOST_TEST(summary.states.at(TableStatus::solved).size() == 3u);
+  BOOST_CHECK_EXCEPTION(summary.require_solved(plan),
+                        ConvergenceError,
+                        [](const ConvergenceError &error) {
+                          return contains(error.what(),
+                                          "1 x not converged, first state 3 "
+                                          "(Contact/Creepage x = 0.004)");
+                        });
 }
 
 BOOST_AUTO_TEST_SUITE_END()

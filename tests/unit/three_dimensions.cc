@@ -1,7 +1,8 @@
 #include "scene_run.h"
 
-#include <rolling_contact/assessment/reference_3d.h>
+#include <rolling_contact/analyses/creep_curve_parameters.h>
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/results/reference_3d.h>
 
 #include <cmath>
 #include <functional>
@@ -32,10 +33,9 @@ namespace
           change)
     {}
 
-    Reference3D
-    reference() const
+    Reference3D reference() const
     {
-      return reference_3d(scene,
+      return reference_3d(Situation(scene),
                           steady.result.normal_force,
                           steady.problem.loads.creepages);
     }
@@ -70,7 +70,7 @@ BOOST_AUTO_TEST_CASE(pressure_is_that_of_hertz)
   // the last nodes that touch lie within an element of the edge
   BOOST_TEST(std::abs(run.steady.result.half_width_y / hertz.half_width_y - 1) <
              0.06);
-  BOOST_TEST(run.steady.problem.operators.W().n_rows() ==
+  BOOST_TEST(run.steady.problem.operators.W().rows() ==
              run.steady.problem.n_nodes());
   // the rest of the approach is the compression of the bodies far from the
   // patch

@@ -3,7 +3,8 @@
 
 #include "scene_run.h"
 
-#include <rolling_contact/state/contact_stepper.h>
+#include <rolling_contact/program/analysis_table.h>
+#include <rolling_contact/time/contact_stepper.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,8 +18,7 @@ namespace RollingContact
    * Two discs, in 3D with a crown, that roll at 10 m/s without inertia.
    */
   template <int dim>
-  inline void
-  standard(SceneParameters &scene)
+  inline void standard(SceneParameters &scene)
   {
     scene.dimension = dim;
     for (BodyParameters *body : {&scene.wheel, &scene.rail})
@@ -37,8 +37,6 @@ namespace RollingContact
     scene.time.inertia               = false;
   }
 
-
-
   /**
    * A transient scene stepped in memory.
    */
@@ -47,21 +45,20 @@ namespace RollingContact
   {
     explicit TimeRun(const std::function<void(SceneParameters &)> &change)
     {
-      scene.analysis = "transient";
+      scene.analysis = analysis_kind("transient");
       standard<dim>(scene);
       change(scene);
       scene.check();
-      scene.read_surfaces();
       PairDemands demands;
       demands.displacements = true;
-      stepper = std::make_unique<ContactStepper<dim>>(scene, demands, context);
+      stepper =
+        std::make_unique<ContactStepper<dim>>(situation(), demands, context);
     }
 
     /**
      * @p n steps of the scene's length; the force ratio T_x/(mu N) after each.
      */
-    std::vector<double>
-    march(const unsigned int n)
+    std::vector<double> march(const unsigned int n)
     {
       std::vector<double> forces;
       for (unsigned int k = 0; k < n; ++k)
@@ -85,8 +82,7 @@ namespace RollingContact
       return forces;
     }
 
-    double
-    force_x() const
+    double force_x() const
     {
       const Resultants &result = stepper->current().result;
       return result.normal_force > 0.

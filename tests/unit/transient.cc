@@ -6,6 +6,7 @@
 
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
+#include <rolling_contact/time/march.h>
 
 #include <array>
 #include <cmath>
@@ -16,8 +17,7 @@ BOOST_AUTO_TEST_SUITE(transient)
 
 namespace
 {
-  void
-  with_inertia(SceneParameters &scene)
+  void with_inertia(SceneParameters &scene)
   {
     scene.time.inertia          = true;
     scene.time.initial_state    = InitialState::steady;
@@ -26,8 +26,6 @@ namespace
     scene.contact.slip_operator = SlipOperatorKind::upwind_2;
   }
 } // namespace
-
-
 
 /**
  * Without inertia, rolling at constant creepage ends in the state of the steady
@@ -51,7 +49,50 @@ BOOST_AUTO_TEST_CASE(start_up_ends_in_the_steady_state)
     }
 }
 
-
+/**
+ * A march takes the steps that are left, ends where the motion has settled, and
+ * each observer sees each step with the progress that includes it.
+ */
+BOOST_AUTO_TEST_CASE(observers_see_each_step_of_a_march)
+{
+  const auto change = [](SceneParameters &scene) {
+    scene.contact.creepages.x = 0.001;
+    scene.time.creepage_x     = "0.001 + 2 * t";
+  };
+  const double        h = 1e-4;
+  TimeRun<2>          by_hand(change), marched(change);
+  std::vector<double> expected, forces, times;
+  for (unsigned int k = 0; k < 4; ++k)
+    {
+      by_hand.stepper->advance(1e-4 + (2 + k) * h, h);
+      expected.push_back(by_hand.force_x());
+    }
+  TransientProgress progress;
+  progress.step        = 2;
+  double     distance  = 0.;
+  const auto see_force = [&](const StepOutcome &outcome) {
+    forces.push_back(marched.force_x());
+    distance += std::abs(outcome.speed) * h;
+  };
+  const auto see_time = [&](const StepOutcome &) {
+    BOOST_TEST(times.size() + 1 == forces.size());
+    times.push_back(progress.time);
+    BOOST_TEST(progress.step == 2 + times.size());
+  };
+  MarchedSteps steps{{h, 9}, 1e-4, 2};
+  steps.settled = [&]() { return times.size() == 4; };
+  march(steps, *marched.stepper, progress, {see_force, see_time});
+  BOOST_TEST(forces == expected, boost::test_tools::per_element());
+  BOOST_REQUIRE(times.size() == 4u);
+  BOOST_TEST(times.front() == 1e-4 + 3 * h);
+  BOOST_TEST(times.back() == 1e-4 + 6 * h);
+  BOOST_TEST(progress.rolled_distance == distance);
+  steps.settled      = {};
+  steps.steps.number = 7;
+  steps.done         = 6;
+  march(steps, *marched.stepper, progress, {see_force, see_time});
+  BOOST_TEST(times.back() == 1e-4 + 7 * h);
+}
 
 /**
  * The steady state as the initial state stays put, with and without inertia, in
@@ -78,8 +119,6 @@ BOOST_AUTO_TEST_CASE(steady_states_stay_put)
              })) < 1e-8);
 }
 
-
-
 /**
  * Without inertia only the rolled distance counts.
  */
@@ -98,8 +137,6 @@ BOOST_AUTO_TEST_CASE(massless_rolling_does_not_know_its_speed)
     BOOST_TEST(slow[k] == fast[k], boost::test_tools::tolerance(1e-9));
 }
 
-
-
 /**
  * With theta = 0.5 nothing but friction takes energy, and the balance closes.
  */
@@ -117,8 +154,6 @@ BOOST_AUTO_TEST_CASE(energy_balances_under_oscillating_creepage)
   BOOST_TEST(run.least_friction > -1e-12 * run.largest_energy);
   BOOST_TEST(run.last.energy.numerical_dissipation == 0.);
 }
-
-
 
 /**
  * Without inertia the bodies store what pressing them together takes, the
@@ -153,8 +188,6 @@ BOOST_AUTO_TEST_CASE(massless_bodies_store_the_work_of_the_load)
   BOOST_TEST(run.worst_balance < 1e-12 * run.largest_energy);
 }
 
-
-
 /**
  * Steady rolling without inertia: what the creepage supplies becomes heat.
  */
@@ -177,8 +210,6 @@ BOOST_AUTO_TEST_CASE(massless_rolling_heats_by_its_creepage)
   building.march(5); // the strain energy grows by the work of the contact
   BOOST_TEST(building.worst_balance < 1e-12 * building.largest_energy);
 }
-
-
 
 /**
  * Bodies so light that they are in equilibrium all the time. Reactions act at
@@ -234,8 +265,9 @@ BOOST_AUTO_TEST_CASE(loads_and_approaches_given_in_time_are_inverse)
       TimeRun<2> loaded([&](SceneParameters &scene) {
         light(scene);
         // of the same patch, so that the meshes are the same
-        scene.contact.approach    = {};
-        scene.contact.normal_load = estimate_patch(pressed.scene).normal_force;
+        scene.contact.approach = {};
+        scene.contact.normal_load =
+          estimate_patch(pressed.situation()).normal_force;
         scene.time.normal_load =
           significant(load[0], 17) + " + (t - " + significant(time[0], 17) +
           ") * (" + significant(slope_1, 17) + " + (t - " +
@@ -248,8 +280,6 @@ BOOST_AUTO_TEST_CASE(loads_and_approaches_given_in_time_are_inverse)
                  boost::test_tools::tolerance(1e-4));
     }
 }
-
-
 
 /**
  * A disc dropped on a block rebounds: what it had of energy it keeps but for
@@ -288,8 +318,6 @@ BOOST_AUTO_TEST_CASE(a_dropped_disc_rebounds)
       BOOST_TEST(run.worst_balance < 1e-12 * initial);
     }
 }
-
-
 
 /**
  * A column whose hub accelerates towards the rail lags behind it: at rest in
@@ -331,8 +359,6 @@ BOOST_AUTO_TEST_CASE(bodies_feel_the_acceleration_of_their_hub)
     }
 }
 
-
-
 /**
  * A step that cannot be solved is halved as often as allowed, then the run
  * stops and says when and why.
@@ -355,8 +381,6 @@ BOOST_AUTO_TEST_CASE(hopeless_steps_are_halved_then_refused)
                         });
   BOOST_TEST(run.said.str().find("halved") != std::string::npos);
 }
-
-
 
 /**
  * Half-space limit (a tiny load), circular patch, full adhesion: the force

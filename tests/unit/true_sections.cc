@@ -5,16 +5,16 @@
 #include "complaint.h"
 #include "scene_run.h"
 
-#include <rolling_contact/advice/unused_entries.h>
+#include <rolling_contact/base/ranks.h>
+#include <rolling_contact/contact/patch_area.h>
 #include <rolling_contact/mesh/body_mesh.h>
+#include <rolling_contact/mesh/rail_section_mesh.h>
+#include <rolling_contact/mesh/running_surfaces.h>
 #include <rolling_contact/mesh/section_shapes.h>
-#include <rolling_contact/parallel/ranks.h>
-#include <rolling_contact/patch/patch_area.h>
-#include <rolling_contact/profiles/nominal_profiles.h>
-#include <rolling_contact/profiles/rail_section.h>
-#include <rolling_contact/sections/rail_section_mesh.h>
-#include <rolling_contact/sections/running_surfaces.h>
-#include <rolling_contact/sections/wheel_section_mesh.h>
+#include <rolling_contact/mesh/wheel_section_mesh.h>
+#include <rolling_contact/scene/known_entries.h>
+#include <rolling_contact/surfaces/nominal_profiles.h>
+#include <rolling_contact/surfaces/rail_section.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,8 +29,7 @@ namespace
 {
   const double mm = 1e-3;
 
-  void
-  standard(SceneParameters &scene)
+  void standard(SceneParameters &scene)
   {
     scene.dimension                  = 3;
     scene.wheel.hub_radius           = 0.095;
@@ -49,19 +48,16 @@ namespace
   }
 
   /** A scene whose bodies are known. */
-  SceneParameters
-  scene_with(const std::function<void(SceneParameters &)> &change)
+  Situation scene_with(const std::function<void(SceneParameters &)> &change)
   {
     SceneParameters scene;
     standard(scene);
     change(scene);
     scene.check();
-    scene.read_profiles();
-    return scene;
+    return Situation(scene);
   }
 
-  Grading<3>
-  small_patch()
+  Grading<3> small_patch()
   {
     Grading<3> grading;
     grading.element_size_x = 0.9 * mm;
@@ -74,8 +70,7 @@ namespace
   }
 
   /** A profile with its contact at an arc length, coordinates along it. */
-  PlacedProfile
-  placed_at(const ProfileCurve &profile, const double contact)
+  PlacedProfile placed_at(const ProfileCurve &profile, const double contact)
   {
     return {profile,
             [contact, length = profile.length()](
@@ -87,8 +82,7 @@ namespace
             }};
   }
 
-  CoarseCells
-  cells_of(const double size)
+  CoarseCells cells_of(const double size)
   {
     CoarseCells cells;
     cells.size = size;
@@ -96,8 +90,8 @@ namespace
   }
 
   /** Area and moments about the origin of quadrilaterals in parts. */
-  SectionProperties
-  properties_of(const SectionMesh &mesh, const unsigned int parts)
+  SectionProperties properties_of(const SectionMesh &mesh,
+                                  const unsigned int parts)
   {
     double area = 0., first_y = 0., first_z = 0., yy = 0., zz = 0.;
     for (unsigned int quad = 0; quad < mesh.quads().size(); ++quad)
@@ -138,14 +132,11 @@ namespace
             yy - first_y * first_y / area};
   }
 
-  double
-  relative(const double value, const double expected)
+  double relative(const double value, const double expected)
   {
     return std::abs(value / expected - 1);
   }
 } // namespace
-
-
 
 BOOST_AUTO_TEST_CASE(the_section_of_the_60e1_is_that_of_the_standard)
 {
@@ -170,8 +161,6 @@ BOOST_AUTO_TEST_CASE(the_section_of_the_60e1_is_that_of_the_standard)
       BOOST_TEST(std::hypot(on[0] - there[0], on[1] - there[1]) < 1e-6);
     }
 }
-
-
 
 BOOST_AUTO_TEST_CASE(coarse_sections_are_not_distorted_and_fill_the_outline)
 {
@@ -207,15 +196,13 @@ BOOST_AUTO_TEST_CASE(coarse_sections_are_not_distorted_and_fill_the_outline)
       }
 }
 
-
-
 namespace
 {
   using Node = std::array<double, 2>;
 
   /** Vertices of the contact surface in the zone by (x, s). */
-  std::map<Node, dealii::Point<3>>
-  surface_nodes(const BodyMesh<3> &mesh, const Grading<3> &zone)
+  std::map<Node, dealii::Point<3>> surface_nodes(const BodyMesh<3> &mesh,
+                                                 const Grading<3>  &zone)
   {
     std::map<Node, dealii::Point<3>> nodes;
     const auto                       rounded = [](const double value) {
@@ -253,8 +240,7 @@ namespace
     BodyMesh<3>                      wheel_mesh, rail_mesh;
   };
 
-  Pair
-  bodies_of(const SceneParameters &scene, const Grading<3> &grading)
+  Pair bodies_of(const PairSpec &scene, const Grading<3> &grading)
   {
     Pair pair;
     pair.wheel      = scene.wheel.body_shape();
@@ -265,15 +251,14 @@ namespace
   }
 
   /** Nodes of both bodies at the same places, and on their profiles. */
-  void
-  check_nodes(const SceneParameters &scene, const Grading<3> &grading)
+  void check_nodes(const PairSpec &scene, const Grading<3> &grading)
   {
     const Pair pair  = bodies_of(scene, grading);
     const auto wheel = surface_nodes(pair.wheel_mesh, grading),
                rail  = surface_nodes(pair.rail_mesh, grading);
     BOOST_TEST(wheel.size() > 50);
     BOOST_TEST(wheel.size() == rail.size());
-    const auto &frame = *scene.profiles.frame;
+    const auto &frame = *scene.frame;
     for (const auto &[at, vertex] : rail)
       {
         BOOST_TEST(wheel.count(at) == 1);
@@ -306,8 +291,6 @@ namespace
   }
 } // namespace
 
-
-
 BOOST_AUTO_TEST_CASE(nodes_of_wheel_and_rail_face_each_other_on_the_profiles)
 {
   Grading<3> grading = small_patch();
@@ -327,8 +310,6 @@ BOOST_AUTO_TEST_CASE(nodes_of_wheel_and_rail_face_each_other_on_the_profiles)
                       grading);
         }
 }
-
-
 
 BOOST_AUTO_TEST_CASE(a_left_side_is_the_mirror_image_of_a_right_one)
 {
@@ -365,8 +346,6 @@ BOOST_AUTO_TEST_CASE(a_left_side_is_the_mirror_image_of_a_right_one)
     }
 }
 
-
-
 BOOST_AUTO_TEST_CASE(a_wheel_has_the_volume_of_its_section_swept_round_the_axle)
 {
   const auto scene = scene_with(
@@ -393,8 +372,6 @@ BOOST_AUTO_TEST_CASE(a_wheel_has_the_volume_of_its_section_swept_round_the_axle)
                       0.6 * 7670e-6) < 0.03);
 }
 
-
-
 BOOST_AUTO_TEST_CASE(cells_are_foretold_and_the_same_when_distributed)
 {
   const auto scene   = scene_with([](SceneParameters &) {});
@@ -419,8 +396,6 @@ BOOST_AUTO_TEST_CASE(cells_are_foretold_and_the_same_when_distributed)
                  surface_nodes(serial, grading).size());
     }
 }
-
-
 
 BOOST_AUTO_TEST_CASE(a_patch_on_the_tread_is_that_of_plain_bodies)
 {
@@ -454,8 +429,6 @@ BOOST_AUTO_TEST_CASE(a_patch_on_the_tread_is_that_of_plain_bodies)
   BOOST_TEST(std::abs(mirrored.force_x() - real.force_x()) < 1e-6);
   BOOST_TEST(std::abs(mirrored.force_y() + real.force_y()) < 1e-6);
 }
-
-
 
 BOOST_AUTO_TEST_CASE(measured_profiles_are_meshed_or_refused)
 {
@@ -493,8 +466,6 @@ BOOST_AUTO_TEST_CASE(measured_profiles_are_meshed_or_refused)
     0.2);
 }
 
-
-
 BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused_or_told)
 {
   const auto refused = [](const std::function<void(SceneParameters &)> &change,
@@ -522,7 +493,7 @@ BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused_or_told)
   given["Rail/Block depth"]  = "0.2";
   given["Wheel/Width"]       = "0.2";
   given["Rail/Block length"] = "0.6";
-  const auto told            = unused_entries(scene, given);
+  const auto told            = unused_entries(*scene.inputs, given);
   BOOST_TEST(told.size() == 2u);
   for (const std::string &sentence : told)
     BOOST_TEST(contains(sentence, "Profiles/Body sections = true"));

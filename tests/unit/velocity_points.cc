@@ -7,6 +7,7 @@
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/pair/watched_points.h>
+#include <rolling_contact/program/analysis_table.h>
 #include <rolling_contact/scene/run_signals.h>
 
 #include <cmath>
@@ -18,20 +19,16 @@ BOOST_AUTO_TEST_SUITE(velocity_points)
 
 namespace
 {
-  bool
-  says(const InputError &error, const std::string &text)
+  bool says(const InputError &error, const std::string &text)
   {
     BOOST_TEST_MESSAGE(error.what());
     return std::string(error.what()).find(text) != std::string::npos;
   }
 
-
-
-  void
-  refused(const std::string &section,
-          const std::string &text,
-          const std::string &why,
-          const unsigned int dimension = 3)
+  void refused(const std::string &section,
+               const std::string &text,
+               const std::string &why,
+               const unsigned int dimension = 3)
   {
     BOOST_CHECK_EXCEPTION(read_velocity_points(section, text, dimension),
                           InputError,
@@ -41,13 +38,10 @@ namespace
                           });
   }
 
-
-
   /** Discs with inertia whose hubs approach and leave each other, and whose
    * creepage oscillates. */
   template <int dim>
-  void
-  shaken(SceneParameters &scene)
+  void shaken(SceneParameters &scene)
   {
     scene.wheel.material.density = 7800.;
     scene.rail.material.density  = 7800.;
@@ -63,8 +57,6 @@ namespace
     scene.mesh.elements_across_patch = 6;
   }
 } // namespace
-
-
 
 BOOST_AUTO_TEST_CASE(points_are_read_or_refused)
 {
@@ -91,13 +83,11 @@ BOOST_AUTO_TEST_CASE(points_are_read_or_refused)
   refused("Rail", "a: 0.3, 0.1, 0", "its second number is 0", 2);
 }
 
-
-
 /** The same name on both bodies would be the same column. */
 BOOST_AUTO_TEST_CASE(names_differ_between_bodies)
 {
   SceneParameters scene;
-  scene.analysis = "transient";
+  scene.analysis = analysis_kind("transient");
   standard<2>(scene);
   shaken<2>(scene);
   scene.wheel.velocity_points = "a: 0.45, 90, 0";
@@ -123,8 +113,6 @@ BOOST_AUTO_TEST_CASE(names_differ_between_bodies)
   BOOST_TEST(run_signals(scene).size() == 2u);
 }
 
-
-
 /** Where points are: a field that is linear in the coordinates has their
  * coordinates as values. */
 BOOST_AUTO_TEST_CASE(points_are_where_they_are_said_to_be)
@@ -136,7 +124,10 @@ BOOST_AUTO_TEST_CASE(points_are_where_they_are_said_to_be)
     scene.rail.velocity_points = "deep: 0.02, 0.01, -0.1";
   });
   const auto         &pair = *run.stepper->current().pair;
-  WatchedPoints<3>    points(run.scene, pair.bodies(), [](const auto &) {});
+  WatchedPoints<3>    points(run.situation(),
+                          run.scene.points_with_velocities(),
+                          pair.bodies(),
+                          [](const auto &) {});
   std::vector<double> at = points.values(pair.bodies(), [&](const Side side) {
     const auto &dofs = pair.bodies().body(side)->dof_handler();
     BodyField   field;
@@ -162,8 +153,6 @@ BOOST_AUTO_TEST_CASE(points_are_where_they_are_said_to_be)
                  (i == 3 ? 5e-3 : 1e-10));
 }
 
-
-
 BOOST_AUTO_TEST_CASE(points_outside_are_refused)
 {
   for (const std::string text :
@@ -187,8 +176,6 @@ BOOST_AUTO_TEST_CASE(points_outside_are_refused)
                           return says(error, "Shape = block has no axle");
                         });
 }
-
-
 
 /** At a node: how far it moved in the step over its length, z upwards. */
 BOOST_AUTO_TEST_CASE(velocities_are_differences_of_displacements)
@@ -252,8 +239,6 @@ BOOST_AUTO_TEST_CASE(velocities_are_differences_of_displacements)
   BOOST_TEST(largest > 1e-3);
 }
 
-
-
 /** Twins that only press: both move as each other's mirror image. */
 BOOST_AUTO_TEST_CASE(twins_mirror_each_other)
 {
@@ -278,8 +263,6 @@ BOOST_AUTO_TEST_CASE(twins_mirror_each_other)
   BOOST_TEST(std::abs(v[1]) > 1e-3);
   BOOST_TEST(v[3] == -v[1], boost::test_tools::tolerance(1e-6));
 }
-
-
 
 /** From a checkpoint the velocities go on as they would have. */
 BOOST_AUTO_TEST_CASE(velocities_go_on_from_a_checkpoint)

@@ -7,6 +7,7 @@
 #include "time_run.h"
 
 #include <rolling_contact/base/constants.h>
+#include <rolling_contact/program/analysis_table.h>
 #include <rolling_contact/stability/correction.h>
 #include <rolling_contact/vibration/rolling_modes.h>
 
@@ -22,8 +23,7 @@ namespace VibratingPair
   /**
    * What both have: density, damping, inertia and a steady start.
    */
-  inline void
-  vibrating(SceneParameters &scene)
+  inline void vibrating(SceneParameters &scene)
   {
     for (BodyParameters *body : {&scene.wheel, &scene.rail})
       {
@@ -41,14 +41,11 @@ namespace VibratingPair
     scene.time.theta            = 0.5;
   }
 
-
-
   /**
    * A disc on a block with a pad that is not below the contact: the block
    * pitches, so that normal and tangential motion are coupled.
    */
-  inline void
-  disc_on_pad(SceneParameters &scene)
+  inline void disc_on_pad(SceneParameters &scene)
   {
     vibrating(scene);
     scene.rail.shape                   = "block";
@@ -68,14 +65,11 @@ namespace VibratingPair
     scene.contact.friction_coefficient = 0.41;
   }
 
-
-
   /**
    * The same in 3D with coarse elements, all of which slide: one vibration
    * grows.
    */
-  inline void
-  unstable_pair(SceneParameters &scene)
+  inline void unstable_pair(SceneParameters &scene)
   {
     disc_on_pad(scene);
     scene.mesh.elements_across_patch = 5;
@@ -84,8 +78,6 @@ namespace VibratingPair
     scene.contact.creepages.x        = 0.05;
     scene.contact.creepages.y        = -0.02;
   }
-
-
 
   /**
    * What the stability of the steady state on the same mesh says.
@@ -97,19 +89,21 @@ namespace VibratingPair
     {
       standard<dim>(run.scene);
       change(run.scene);
-      run.scene.analysis = "stability";
+      run.scene.analysis = analysis_kind("stability");
       run.scene.check();
       PairDemands pair;
       pair.displacements = true;
       pair.factors       = true;
-      steady =
-        solve_steady_state<dim>(run.scene, demands_in_time(pair), run.context);
+      steady             = solve_steady_state<dim>(run.situation(),
+                                       demands_in_time(pair),
+                                       run.context);
       BOOST_TEST_REQUIRE(steady.solver.converged);
-      bodies = std::make_unique<ModalBodies<dim>>(run.scene,
+      bodies = std::make_unique<ModalBodies<dim>>(run.situation(),
+                                                  run.scene.modes,
                                                   steady.pair->bodies(),
                                                   cut_off,
                                                   run.context);
-      const RollingConditions conditions(run.scene);
+      const RollingConditions conditions(run.situation(), run.scene.stability);
       rolling =
         std::make_unique<RollingModes<dim>>(*bodies,
                                             *steady.pair,
@@ -122,8 +116,7 @@ namespace VibratingPair
     }
 
     /** The vibrations from @p low to @p high (Hz) by the whole bodies. */
-    std::vector<CorrectedMode>
-    vibrations(const double low, const double high)
+    std::vector<CorrectedMode> vibrations(const double low, const double high)
     {
       const StabilityPencil pencil(reduced, contact);
       CorrectionOptions     options;

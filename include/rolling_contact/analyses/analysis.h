@@ -15,8 +15,7 @@ namespace RollingContact
      * Compute, and write what is to be written. Throws ConvergenceError if that
      * is not possible.
      */
-    virtual void
-    run() = 0;
+    virtual void run() = 0;
   };
 } // namespace RollingContact
 

@@ -1,10 +1,10 @@
 #ifndef rolling_contact_analyses_contact_table_h
 #define rolling_contact_analyses_contact_table_h
 
-#include <rolling_contact/analyses/analysis.h>
-#include <rolling_contact/profiles/conicity.h>
+#include <rolling_contact/analyses/analysis_kind.h>
 #include <rolling_contact/run/run_context.h>
-#include <rolling_contact/scene/scene_parameters.h>
+#include <rolling_contact/scene/situation.h>
+#include <rolling_contact/surfaces/conicity.h>
 
 #include <vector>
 
@@ -18,10 +18,9 @@ namespace RollingContact
   class ContactTable : public Analysis
   {
   public:
-    ContactTable(const SceneParameters &scene, RunContext &context);
+    ContactTable(const Situation &scene, RunContext &context);
 
-    void
-    run() override;
+    void run() override;
 
   private:
     /**
@@ -33,38 +32,33 @@ namespace RollingContact
       Profiles::RigidContact right, left;
     };
 
-    Row
-    find(const double shift) const;
+    Row find(const double shift) const;
 
     /**
      * The conicities with each positive shift as amplitude, NaN where they are
      * not known.
      */
-    void
-    find_conicities();
+    void find_conicities();
 
-    void
-    write_rows();
+    void write_rows();
 
-    void
-    summarise() const;
+    void summarise() const;
 
-    void
-    plot_sections() const;
+    void plot_sections() const;
 
-    void
-    plot_gaps() const;
+    void plot_gaps() const;
 
-    void
-    plot_steering() const;
+    void plot_steering() const;
 
-    const SceneParameters     &scene;
+    const Situation           &scene;
     RunContext                &context;
     Profiles::WheelOnRail      side;
     std::vector<Row>           rows;
     Profiles::RadiusDifference radius_difference;
     std::vector<double>        harmonic, equivalent; ///< conicities, 1
   };
+
+  AnalysisKind contact_table_kind();
 } // namespace RollingContact
 
 #endif

@@ -1,8 +1,10 @@
 #ifndef rolling_contact_analyses_creep_curve_h
 #define rolling_contact_analyses_creep_curve_h
 
-#include <rolling_contact/analyses/analysis.h>
+#include <rolling_contact/analyses/analysis_kind.h>
+#include <rolling_contact/analyses/creep_curve_parameters.h>
 #include <rolling_contact/analyses/creep_curve_plot.h>
+#include <rolling_contact/scene/situation.h>
 #include <rolling_contact/state/steady_state.h>
 
 namespace RollingContact
@@ -20,28 +22,28 @@ namespace RollingContact
   class CreepCurve : public Analysis
   {
   public:
-    CreepCurve(const SceneParameters &scene, RunContext &context)
+    CreepCurve(const Situation &scene, RunContext &context)
       : scene(scene)
       , context(context)
     {}
 
-    void
-    run() override;
+    void run() override;
 
   private:
     /**
      * Solve each point and add its row of results.
      */
-    void
-    march(const std::vector<CreepCurvePoint> &points, SteadyState<dim> &steady);
+    void march(const std::vector<CreepCurvePoint> &points,
+               SteadyState<dim>                   &steady);
 
-    void
-    solve_point(const CreepCurvePoint &point, SteadyState<dim> &steady);
+    void solve_point(const CreepCurvePoint &point, SteadyState<dim> &steady);
 
-    SceneParameters  scene; ///< its own, with the mesh of a target error
+    Situation        scene; ///< its own, with the mesh of a target error
     RunContext      &context;
     CreepCurveForces curve;
   };
+
+  AnalysisKind creep_curve_kind();
 } // namespace RollingContact
 
 #endif

@@ -61,11 +61,10 @@ namespace RollingContact
    * it the forces and the moment with their signs, those that are not zero.
    * @p scale: of friction, "mu".
    */
-  void
-  plot_creep_curve(const std::vector<Creepages> &points,
-                   const CreepCurveForces       &curve,
-                   const std::string            &scale,
-                   RunContext                   &context);
+  void plot_creep_curve(const std::vector<Creepages> &points,
+                        const CreepCurveForces       &curve,
+                        const std::string            &scale,
+                        RunContext                   &context);
 } // namespace RollingContact
 
 #endif

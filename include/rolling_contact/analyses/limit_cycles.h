@@ -1,11 +1,13 @@
 #ifndef rolling_contact_analyses_limit_cycles_h
 #define rolling_contact_analyses_limit_cycles_h
 
-#include <rolling_contact/analyses/analysis.h>
+#include <rolling_contact/analyses/analysis_kind.h>
 #include <rolling_contact/analyses/cycle_sweep.h>
+#include <rolling_contact/analyses/limit_cycle_parameters.h>
 #include <rolling_contact/analyses/vibrations.h>
-#include <rolling_contact/histories/cycle_watch.h>
-#include <rolling_contact/state/contact_stepper.h>
+#include <rolling_contact/scene/situation.h>
+#include <rolling_contact/time/contact_stepper.h>
+#include <rolling_contact/time/cycle_watch.h>
 
 namespace RollingContact
 {
@@ -20,10 +22,9 @@ namespace RollingContact
   class LimitCycles : public Analysis
   {
   public:
-    LimitCycles(const SceneParameters &scene, RunContext &context);
+    LimitCycles(const Situation &scene, RunContext &context);
 
-    void
-    run() override;
+    void run() override;
 
   private:
     /** The vibrations about the steady state of a scene that grow. */
@@ -33,36 +34,33 @@ namespace RollingContact
       double              largest = 0.; ///< growth, of all vibrations, 1/s
     };
 
-    SceneParameters
-    scene_at(const std::optional<double> &value) const;
+    Situation scene_at(const std::optional<double> &value) const;
 
-    Growing
-    growing(const SceneParameters &scene) const;
+    Growing growing(const Situation &scene) const;
 
     /** Frequencies of the starts at the first value where a vibration grows. */
-    std::vector<double>
-    find_starts() const;
+    std::vector<double> find_starts() const;
 
-    void
-    restore_rows();
+    void restore_rows();
 
     /** One run, and its row. */
-    void
-    take(const SweepRun &run);
+    void take(const SweepRun &run);
 
     /** Steps until the motion settles or the end; false if one does not
      * converge. */
-    bool
-    march(const SceneParameters &scene,
-          ContactStepper<dim>   &stepper,
-          CycleWatch            &watch) const;
+    bool settle(const Situation     &scene,
+                ContactStepper<dim> &stepper,
+                CycleWatch          &watch) const;
 
-    const SceneParameters             &scene;
+    const Situation                   &scene;
+    const LimitCycleParameters        &section;
     RunContext                        &context;
     ReducedBodies<dim>                 bodies;
     std::unique_ptr<RollingModes<dim>> modes;
     SweepState                         state;
   };
+
+  AnalysisKind limit_cycle_kind();
 } // namespace RollingContact
 
 #endif

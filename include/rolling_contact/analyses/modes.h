@@ -1,7 +1,8 @@
 #ifndef rolling_contact_analyses_modes_h
 #define rolling_contact_analyses_modes_h
 
-#include <rolling_contact/analyses/analysis.h>
+#include <rolling_contact/analyses/analysis_kind.h>
+#include <rolling_contact/scene/situation.h>
 #include <rolling_contact/vibration/vibrating_body.h>
 
 namespace RollingContact
@@ -15,27 +16,30 @@ namespace RollingContact
   class Modes : public Analysis
   {
   public:
-    Modes(const SceneParameters &scene, RunContext &context)
+    Modes(const Situation &scene, RunContext &context)
       : scene(scene)
       , context(context)
     {}
 
-    void
-    run() override;
+    void run() override;
 
   private:
-    void
-    add_rows(const VibratingBody<dim> &body, ResultsTable &table) const;
+    void add_rows(const VibratingBody<dim> &body, ResultsTable &table) const;
 
-    void
-    animate(const VibratingBody<dim> &body) const;
+    void animate(const VibratingBody<dim> &body) const;
 
-    void
-    summarise(const VibratingBody<dim> &body) const;
+    void summarise(const VibratingBody<dim> &body) const;
 
-    const SceneParameters &scene;
-    RunContext            &context;
+    const Situation &scene;
+    RunContext      &context;
   };
+
+  /**
+   * Rules for analyses of each body alone. Throws InputError.
+   */
+  void check_lone_bodies(const SceneParameters &scene);
+
+  AnalysisKind modes_kind();
 } // namespace RollingContact
 
 #endif

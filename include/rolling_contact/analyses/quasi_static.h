@@ -1,7 +1,8 @@
 #ifndef rolling_contact_analyses_quasi_static_h
 #define rolling_contact_analyses_quasi_static_h
 
-#include <rolling_contact/analyses/analysis.h>
+#include <rolling_contact/analyses/analysis_kind.h>
+#include <rolling_contact/scene/situation.h>
 #include <rolling_contact/state/steady_state.h>
 
 namespace RollingContact
@@ -15,30 +16,27 @@ namespace RollingContact
   class QuasiStatic : public Analysis
   {
   public:
-    QuasiStatic(const SceneParameters &scene, RunContext &context)
+    QuasiStatic(const Situation &scene, RunContext &context)
       : scene(scene)
       , context(context)
     {}
 
-    void
-    run() override;
+    void run() override;
 
   private:
-    void
-    report_no_contact();
+    void report_no_contact();
 
-    void
-    summarise(const SteadyState<dim> &steady);
+    void summarise(const SteadyState<dim> &steady);
 
-    void
-    write_residuals(const SteadyState<dim> &steady) const;
+    void write_residuals(const SteadyState<dim> &steady) const;
 
-    void
-    write_fields(const SteadyState<dim> &steady);
+    void write_fields(const SteadyState<dim> &steady);
 
-    SceneParameters scene; ///< its own, with the mesh of a target error
-    RunContext     &context;
+    Situation   scene; ///< its own, with the mesh of a target error
+    RunContext &context;
   };
+
+  AnalysisKind quasi_static_kind();
 } // namespace RollingContact
 
 #endif

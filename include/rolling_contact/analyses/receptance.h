@@ -1,8 +1,10 @@
 #ifndef rolling_contact_analyses_receptance_h
 #define rolling_contact_analyses_receptance_h
 
-#include <rolling_contact/analyses/analysis.h>
+#include <rolling_contact/analyses/analysis_kind.h>
+#include <rolling_contact/analyses/receptance_parameters.h>
 #include <rolling_contact/modes/frequency_response.h>
+#include <rolling_contact/scene/situation.h>
 #include <rolling_contact/vibration/vibrating_body.h>
 
 #include <complex>
@@ -22,13 +24,13 @@ namespace RollingContact
   class Receptance : public Analysis
   {
   public:
-    Receptance(const SceneParameters &scene, RunContext &context)
+    Receptance(const Situation &scene, RunContext &context)
       : scene(scene)
+      , section(scene.inputs->own<ReceptanceParameters>())
       , context(context)
     {}
 
-    void
-    run() override;
+    void run() override;
 
   private:
     /** What was measured, to be drawn. */
@@ -39,8 +41,7 @@ namespace RollingContact
     };
 
     /** Throws InputError if the file of a body cannot be used. */
-    void
-    read_measured(const Side side);
+    void read_measured(const Side side);
 
     /** A place and a direction on a body. */
     struct Station
@@ -54,34 +55,33 @@ namespace RollingContact
     std::vector<std::vector<double>>
     loads(const VibratingBody<dim> &body, std::vector<Station> &stations) const;
 
-    void
-    add_rows(const Side                               side,
-             const std::vector<Station>              &stations,
-             const double                             frequency,
-             const std::vector<std::complex<double>> &alpha,
-             ResultsTable                            &table) const;
+    void add_rows(const Side                  side,
+                  const std::vector<Station> &stations,
+                  const double                frequency,
+                  const ComplexMatrix        &alpha,
+                  ResultsTable               &table) const;
 
-    void
-    sweep(const VibratingBody<dim> &body, ResultsTable &table);
+    void sweep(const VibratingBody<dim> &body, ResultsTable &table);
 
     /** Solve the whole structure at the check frequencies; the largest error of
      * the modes over the largest of the receptances at that frequency. */
-    void
-    check(const VibratingBody<dim>               &body,
-          const VibratingStructure               &structure,
-          const FrequencyResponse                &response,
-          const std::vector<std::vector<double>> &forces) const;
+    void check(const VibratingBody<dim>               &body,
+               const VibratingStructure               &structure,
+               const FrequencyResponse                &response,
+               const std::vector<std::vector<double>> &forces) const;
 
-    void
-    plot(const Side                                            side,
-         const std::vector<Station>                           &stations,
-         const std::vector<double>                            &frequencies,
-         const std::vector<std::vector<std::complex<double>>> &alpha) const;
+    void plot(const Side                        side,
+              const std::vector<Station>       &stations,
+              const std::vector<double>        &frequencies,
+              const std::vector<ComplexMatrix> &alpha) const;
 
-    const SceneParameters        &scene;
+    const Situation              &scene;
+    const ReceptanceParameters   &section;
     RunContext                   &context;
     PerSide<std::optional<Curve>> measured;
   };
+
+  AnalysisKind receptance_kind();
 } // namespace RollingContact
 
 #endif

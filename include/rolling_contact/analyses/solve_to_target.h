@@ -1,8 +1,9 @@
 #ifndef rolling_contact_analyses_solve_to_target_h
 #define rolling_contact_analyses_solve_to_target_h
 
-#include <rolling_contact/assessment/target_error.h>
+#include <rolling_contact/results/target_error.h>
 #include <rolling_contact/run/run_context.h>
+#include <rolling_contact/scene/situation.h>
 #include <rolling_contact/state/adaptive_levels.h>
 
 #include <functional>
@@ -17,9 +18,8 @@ namespace RollingContact
    * for the states to be kept. Throws InputError if no mesh keeps the target.
    */
   template <int dim>
-  SteadyState<dim>
-  solve_to_target(
-    SceneParameters                                     &scene,
+  SteadyState<dim> solve_to_target(
+    Situation                                           &scene,
     const StateDemands                                  &demands,
     const TargetDemands                                 &targets,
     RunContext                                          &context,
@@ -28,8 +28,7 @@ namespace RollingContact
   /**
    * Warns if the largest error bound of the run is above `Mesh/Target error`.
    */
-  void
-  warn_of_missed_target(const SceneParameters &scene, RunContext &context);
+  void warn_of_missed_target(const Situation &scene, RunContext &context);
 } // namespace RollingContact
 
 #endif

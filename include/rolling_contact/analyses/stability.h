@@ -1,9 +1,9 @@
 #ifndef rolling_contact_analyses_stability_h
 #define rolling_contact_analyses_stability_h
 
-#include <rolling_contact/analyses/analysis.h>
+#include <rolling_contact/analyses/analysis_kind.h>
 #include <rolling_contact/run/run_context.h>
-#include <rolling_contact/scene/scene_parameters.h>
+#include <rolling_contact/scene/situation.h>
 #include <rolling_contact/state/steady_state.h>
 
 namespace RollingContact
@@ -17,22 +17,27 @@ namespace RollingContact
   class Stability : public Analysis
   {
   public:
-    Stability(const SceneParameters &scene, RunContext &context)
+    Stability(const Situation &scene, RunContext &context)
       : scene(scene)
       , context(context)
     {}
 
-    void
-    run() override;
+    void run() override;
 
   private:
     /** The state that is disturbed; its bodies keep their factors. */
-    SteadyState<dim>
-    steady_state();
+    SteadyState<dim> steady_state();
 
-    const SceneParameters &scene;
-    RunContext            &context;
+    const Situation &scene;
+    RunContext      &context;
   };
+
+  /**
+   * Rules for analyses of vibrations about a rolling state. Throws InputError.
+   */
+  void check_linearised_state(const SceneParameters &scene);
+
+  AnalysisKind stability_kind();
 } // namespace RollingContact
 
 #endif

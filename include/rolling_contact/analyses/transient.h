@@ -1,10 +1,11 @@
 #ifndef rolling_contact_analyses_transient_h
 #define rolling_contact_analyses_transient_h
 
-#include <rolling_contact/analyses/analysis.h>
-#include <rolling_contact/assessment/ill_posed_friction.h>
-#include <rolling_contact/assessment/uniqueness_warning.h>
-#include <rolling_contact/histories/transient_output.h>
+#include <rolling_contact/analyses/analysis_kind.h>
+#include <rolling_contact/results/ill_posed_friction.h>
+#include <rolling_contact/results/uniqueness_warning.h>
+#include <rolling_contact/scene/situation.h>
+#include <rolling_contact/time/transient_output.h>
 
 #include <optional>
 
@@ -21,48 +22,42 @@ namespace RollingContact
   class Transient : public Analysis
   {
   public:
-    Transient(const SceneParameters &scene, RunContext &context)
+    Transient(const Situation &scene, RunContext &context)
       : scene(scene)
       , context(context)
     {}
 
-    void
-    run() override;
+    void run() override;
 
   private:
-    void
-    describe(const ContactStepper<dim> &stepper, const TimeSteps &steps) const;
+    void describe(const ContactStepper<dim> &stepper,
+                  const TimeSteps           &steps) const;
 
     /**
-     * Of steps that are too long for the surfaces that move.
+     * Warn if the time steps are too long to resolve the surfaces that move.
      */
-    void
-    warn_of_long_steps(const ContactStepper<dim> &stepper,
-                       const TimeSteps           &steps) const;
+    void warn_of_long_steps(const ContactStepper<dim> &stepper,
+                            const TimeSteps           &steps) const;
 
     /**
-     * Steps until the end.
+     * March to the end with rows, fields, checkpoints and the display of the
+     * progress.
      */
-    void
-    march(const TimeSteps      &steps,
-          ContactStepper<dim>  &stepper,
-          TransientOutput<dim> &output);
+    void take_steps(const TimeSteps      &steps,
+                    ContactStepper<dim>  &stepper,
+                    TransientOutput<dim> &output);
 
-    void
-    take_step(const TimeSteps      &steps,
-              ContactStepper<dim>  &stepper,
-              TransientOutput<dim> &output);
+    void summarise(const ContactStepper<dim> &stepper) const;
 
-    void
-    summarise(const ContactStepper<dim> &stepper) const;
-
-    const SceneParameters          &scene;
+    const Situation                &scene;
     RunContext                     &context;
     TransientProgress               progress;
     PrmEntries                      files;   ///< fingerprints, for checkpoints
     UniquenessSummary               worst;   ///< of the steps of this run
     std::optional<IllPosedFriction> falling; ///< the same
   };
+
+  AnalysisKind transient_kind();
 } // namespace RollingContact
 
 #endif

@@ -1,6 +1,7 @@
 #ifndef rolling_contact_analyses_vibrations_h
 #define rolling_contact_analyses_vibrations_h
 
+#include <rolling_contact/scene/situation.h>
 #include <rolling_contact/stability/correction.h>
 #include <rolling_contact/stability/linear_contact.h>
 #include <rolling_contact/stability/pencil.h>
@@ -20,14 +21,12 @@ namespace RollingContact
     StabilityMode                mode;
     std::optional<CorrectedMode> corrected;
 
-    double
-    growth() const
+    double growth() const
     {
       return corrected ? corrected->growth() : mode.growth();
     }
 
-    bool
-    unstable() const
+    bool unstable() const
     {
       return corrected ? corrected->unstable() : mode.growth() > 0.;
     }
@@ -45,68 +44,60 @@ namespace RollingContact
      * The state of @p problem disturbed, @p pair: the bodies under the
      * conditions of the scene. Throws InputError, see linear_contact().
      */
-    Vibrations(const SceneParameters &scene,
-               ReducedPair            pair,
-               const ContactProblem  &problem,
-               const ContactState    &state);
+    Vibrations(const Situation      &scene,
+               ReducedPair           pair,
+               const ContactProblem &problem,
+               const ContactState   &state);
 
-    const ReducedPair &
-    bodies() const
+    const ReducedPair &bodies() const
     {
       return pair;
     }
 
-    const LinearContact &
-    contact() const
+    const LinearContact &contact() const
     {
       return linear;
     }
 
     /** All eigenvalues, of any frequency. Units: 1/s. */
-    const ComplexVector &
-    eigenvalues() const
+    const ComplexValues &eigenvalues() const
     {
       return all;
     }
 
     /**
-     * Those that grow, and so many more, from the least damped one on.
+     * The eigenvalues that grow and the n_stable least damped of the others.
      */
-    ComplexVector
-    least_damped(const std::size_t n_stable) const;
+    ComplexValues least_damped(const std::size_t n_stable) const;
 
     /**
      * The number of those that grow by more than @p least_growth (1/s).
      */
-    std::size_t
-    n_unstable(const double least_growth = 0.) const;
+    std::size_t n_unstable(const double least_growth = 0.) const;
 
     /**
      * The real eigenvalues that grow: the contact itself, no vibration. Units:
      * 1/s.
      */
-    std::vector<double>
-    real_growth() const;
+    std::vector<double> real_growth() const;
 
     /**
      * The vibrations of eigenvalues, corrected by the whole bodies if they are
      * given.
      */
     template <int dim>
-    std::vector<Finding>
-    find(const ComplexVector    &eigenvalues,
-         const WholeBodies<dim> *bodies) const;
+    std::vector<Finding> find(const ComplexValues    &eigenvalues,
+                              const WholeBodies<dim> *bodies) const;
 
   private:
-    bool
-    is_looked_at(const std::complex<double> s) const;
+    bool is_looked_at(const std::complex<double> s) const;
 
     const double      lowest, highest; ///< rad/s
     CorrectionOptions options;
     ReducedPair       pair;
     LinearContact     linear;
     StabilityPencil   pencil;
-    ComplexVector     all;
+    ComplexValues     all;
   };
 } // namespace RollingContact
 

@@ -14,8 +14,7 @@ namespace RollingContact
   {
     std::optional<double> x, y, moment;
 
-    bool
-    any() const
+    bool any() const
     {
       return x || y || moment;
     }

@@ -9,20 +9,10 @@
 namespace RollingContact
 {
   /**
-   * What an entry may be, for its help.
-   */
-  struct DescribedChoice
-  {
-    std::string name;
-    std::string help;
-  };
-
-  /**
    * The names of a table of choices as a selection, "one|another".
    */
   template <class Kind>
-  std::string
-  choice_names(const std::vector<Kind> &kinds)
+  std::string choice_names(const std::vector<Kind> &kinds)
   {
     std::string names;
     for (const Kind &kind : kinds)
@@ -30,15 +20,12 @@ namespace RollingContact
     return names;
   }
 
-
-
   /**
    * The names and helps of a table of choices for the help of an entry, "`one`:
    * what it is; `another`: what that is."
    */
   template <class Kind>
-  std::string
-  choice_help(const std::vector<Kind> &kinds)
+  std::string choice_help(const std::vector<Kind> &kinds)
   {
     std::string help;
     for (const Kind &kind : kinds)
@@ -46,17 +33,14 @@ namespace RollingContact
     return help + ".";
   }
 
-
-
   /**
    * The row of this @p name in a table of choices. Throws InputError, naming
    * the @p entry it was given in, if there is none.
    */
   template <class Kind>
-  const Kind &
-  choice(const std::vector<Kind> &kinds,
-         const std::string       &name,
-         const std::string       &entry)
+  const Kind &choice(const std::vector<Kind> &kinds,
+                     const std::string       &name,
+                     const std::string       &entry)
   {
     for (const Kind &kind : kinds)
       if (kind.name == name)

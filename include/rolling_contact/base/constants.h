@@ -4,6 +4,7 @@
 namespace RollingContact
 {
   constexpr double pi = 3.14159265358979323846;
+  constexpr double mm = 1e-3; ///< m
 } // namespace RollingContact
 
 #endif

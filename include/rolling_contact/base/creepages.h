@@ -18,14 +18,12 @@ namespace RollingContact
     /**
      * Rigid slip at the point (X, Y), in m. Units: 1.
      */
-    std::array<double, 2>
-    at(const std::array<double, 2> &point) const
+    std::array<double, 2> at(const std::array<double, 2> &point) const
     {
       return {{x - spin * point[1], y + spin * point[0]}};
     }
 
-    friend bool
-    operator==(const Creepages &one, const Creepages &other)
+    friend bool operator==(const Creepages &one, const Creepages &other)
     {
       return one.x == other.x && one.y == other.y && one.spin == other.spin;
     }

@@ -10,8 +10,7 @@ namespace RollingContact
    * What a deal.II exception says, in one line and without its frame.
    */
   template <typename DealIIException>
-  std::string
-  message_of(const DealIIException &error)
+  std::string message_of(const DealIIException &error)
   {
     std::ostringstream text;
     error.print_info(text);

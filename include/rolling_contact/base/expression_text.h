@@ -17,16 +17,14 @@ namespace RollingContact
   };
 
   /** The names in an expression for muParser, in their order. */
-  std::vector<ExpressionName>
-  names_in_expression(const std::string &text);
+  std::vector<ExpressionName> names_in_expression(const std::string &text);
 
   /**
    * What muParser would take without a word, but not as meant: a comma outside
    * of parentheses (of 0,5 it takes 5), more than one expression, an assignment
    * (t=5 is 5), a random number. A sentence; empty if there is nothing.
    */
-  std::string
-  trap_in_expression(const std::string &text);
+  std::string trap_in_expression(const std::string &text);
 
   /**
    * Why an expression that was not understood may not have been: the first name

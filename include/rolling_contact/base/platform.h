@@ -24,8 +24,7 @@ namespace RollingContact
     bool is_reference;
   };
 
-  BlasLibrary
-  loaded_blas();
+  BlasLibrary loaded_blas();
 
   /**
    * Sets one BLAS thread (process-wide, ending OpenBLAS's others, which would
@@ -33,8 +32,7 @@ namespace RollingContact
    * starts from it): every thread that factorises calls it. With both kinds of
    * threads on busy cores CHOLMOD can be 20 times slower.
    */
-  void
-  use_one_solver_thread();
+  void use_one_solver_thread();
 
   /** With less address space left, in bytes, a thread of OpenBLAS may wait
    * without end for its 128 MB, and the end of the process for this thread. */
@@ -45,24 +43,20 @@ namespace RollingContact
    * later, when there is none left, it would wait for it without end. Throws
    * MemoryError if there is not enough. Does nothing with another BLAS.
    */
-  void
-  reserve_blas_memory(const unsigned int n_threads);
+  void reserve_blas_memory(const unsigned int n_threads);
 
   /** Names and versions of the compiler, the C library, Boost and, if loaded,
    * SuiteSparse and BLAS. */
-  std::vector<std::pair<std::string, std::string>>
-  library_versions();
+  std::vector<std::pair<std::string, std::string>> library_versions();
 
-  unsigned int
-  n_host_cpus();
+  unsigned int n_host_cpus();
 
   /**
    * Columns for text on the screen: the environment's COLUMNS, or those of the
    * terminal that standard output or error is; at least 20 and at most 80, and
    * 80 if neither is known.
    */
-  std::size_t
-  screen_width();
+  std::size_t screen_width();
 } // namespace RollingContact
 
 #endif

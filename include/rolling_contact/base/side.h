@@ -15,8 +15,7 @@ namespace RollingContact
 
   inline constexpr std::array<Side, 2> both_sides{{Side::wheel, Side::rail}};
 
-  inline std::string
-  name_of(const Side side)
+  inline std::string name_of(const Side side)
   {
     return side == Side::wheel ? "wheel" : "rail";
   }
@@ -28,14 +27,12 @@ namespace RollingContact
     Object wheel{};
     Object rail{};
 
-    Object &
-    operator[](const Side side)
+    Object &operator[](const Side side)
     {
       return side == Side::wheel ? wheel : rail;
     }
 
-    const Object &
-    operator[](const Side side) const
+    const Object &operator[](const Side side) const
     {
       return side == Side::wheel ? wheel : rail;
     }

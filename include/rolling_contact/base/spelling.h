@@ -11,22 +11,21 @@ namespace RollingContact
    * to swap, to turn one word into the other (Levenshtein's distance with
    * transpositions); capitals and small letters are alike.
    */
-  std::size_t
-  edit_distance(const std::string &first, const std::string &second);
+  std::size_t edit_distance(const std::string &first,
+                            const std::string &second);
 
   /**
-   * Those of @p known, Section/Entry or Entry, that may be meant by one that is
-   * not among them: with few letters wrong, with the words of it in their own,
-   * or in another section. At most three, none if nothing is near.
+   * Names among @p known, Section/Entry or Entry, that may be meant by @p path,
+   * which is not among them: names that differ by a few letters, contain its
+   * words, or stand in another section. At most three; none if nothing is near.
    */
-  std::vector<std::string>
-  likely_meant(const std::string &path, const std::vector<std::string> &known);
+  std::vector<std::string> likely_meant(const std::string              &path,
+                                        const std::vector<std::string> &known);
 
   /**
    * "did you mean A, B or C?"; empty for none.
    */
-  std::string
-  did_you_mean(const std::vector<std::string> &meant);
+  std::string did_you_mean(const std::vector<std::string> &meant);
 } // namespace RollingContact
 
 #endif

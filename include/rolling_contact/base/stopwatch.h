@@ -12,16 +12,14 @@ namespace RollingContact
   class Stopwatch
   {
   public:
-    double
-    seconds() const
+    double seconds() const
     {
       return std::chrono::duration<double>(std::chrono::steady_clock::now() -
                                            start)
         .count();
     }
 
-    double
-    cpu_seconds() const
+    double cpu_seconds() const
     {
       return double(std::clock() - cpu_start) / CLOCKS_PER_SEC;
     }

@@ -6,8 +6,7 @@
 namespace RollingContact
 {
   /** The text as content or quoted attribute of an XML element, valid UTF-8. */
-  std::string
-  xml_escaped(const std::string &text);
+  std::string xml_escaped(const std::string &text);
 } // namespace RollingContact
 
 #endif

@@ -1,9 +1,9 @@
 #ifndef rolling_contact_contact_contact_operators_h
 #define rolling_contact_contact_contact_operators_h
 
+#include <rolling_contact/algebra/nodal_field.h>
+#include <rolling_contact/contact/slip_operator.h>
 #include <rolling_contact/contact/surface_frames.h>
-#include <rolling_contact/interface/slip_operator.h>
-#include <rolling_contact/linear_algebra/nodal_field.h>
 
 #include <array>
 #include <vector>
@@ -20,8 +20,7 @@ namespace RollingContact
     double convection = 1.;
     double rate       = 0.; ///< 1/m
 
-    friend bool
-    operator==(const TimeScaling &a, const TimeScaling &b)
+    friend bool operator==(const TimeScaling &a, const TimeScaling &b)
     {
       return a.convection == b.convection && a.rate == b.rate;
     }
@@ -71,14 +70,12 @@ namespace RollingContact
     /**
      * Replace W.
      */
-    void
-    set_compliance(DenseMatrix W);
+    void set_compliance(DenseMatrix W);
 
     /**
      * Replace convection and rate, 1 and 0 in operators just built.
      */
-    void
-    set_time_scaling(const TimeScaling &scaling);
+    void set_time_scaling(const TimeScaling &scaling);
 
     /**
      * Make W, an approximate one, give the @p displacement of the bodies under
@@ -92,39 +89,33 @@ namespace RollingContact
      * are: residuals before and after corrections are measured alike. Units: N
      * to m.
      */
-    void
-    correct(const std::vector<double> &forces,
-            const std::vector<double> &displacement);
+    void correct(const std::vector<double> &forces,
+                 const std::vector<double> &displacement);
 
     /**
      * True once W was corrected since it was set.
      */
-    bool
-    is_corrected() const
+    bool is_corrected() const
     {
       return corrected;
     }
 
-    unsigned int
-    n_nodes() const
+    unsigned int n_nodes() const
     {
       return contact_matrix.size();
     }
 
-    unsigned int
-    n_tangential() const
+    unsigned int n_tangential() const
     {
       return n_tangential_components;
     }
 
-    const Positions &
-    positions() const
+    const Positions &positions() const
     {
       return node_positions;
     }
 
-    const SurfaceFrames &
-    frames() const
+    const SurfaceFrames &frames() const
     {
       return surface_frames;
     }
@@ -133,16 +124,14 @@ namespace RollingContact
      * The place of a node in the plane of creepages and resultants, (x, y).
      * Units: m.
      */
-    std::array<double, 2>
-    place(const unsigned int i) const;
+    std::array<double, 2> place(const unsigned int i) const;
 
     /**
      * What share of the approach of the bodies closes the gap of a node, and of
      * its normal force is load: the cosine between its normal and the direction
      * of both; 1 in a plane.
      */
-    double
-    approach_share(const unsigned int i) const
+    double approach_share(const unsigned int i) const
     {
       return shares.empty() ? 1. : shares[i];
     }
@@ -151,8 +140,7 @@ namespace RollingContact
      * The load of unit pressure at each node, H^T of the approach_share():
      * areas() in a plane. Units: m^2.
      */
-    const std::vector<double> &
-    load_areas() const
+    const std::vector<double> &load_areas() const
     {
       return shares.empty() ? node_areas : areas_of_load;
     }
@@ -160,11 +148,9 @@ namespace RollingContact
     /**
      * The load of a pressure. Units: Pa to N.
      */
-    double
-    load(const std::vector<double> &pressure) const;
+    double load(const std::vector<double> &pressure) const;
 
-    const SparseRows &
-    H() const
+    const SparseRows &H() const
     {
       return contact_matrix;
     }
@@ -172,20 +158,17 @@ namespace RollingContact
     /**
      * Column @p j of H.
      */
-    const SparseRows::Row &
-    H_column(const unsigned int j) const
+    const SparseRows::Row &H_column(const unsigned int j) const
     {
       return H_columns[j];
     }
 
-    const DenseMatrix &
-    W() const &
+    const DenseMatrix &W() const &
     {
       return compliance;
     }
 
-    DenseMatrix
-    W() &&
+    DenseMatrix W() &&
     {
       return std::move(compliance);
     }
@@ -193,26 +176,22 @@ namespace RollingContact
     /**
      * W_nn H, the normal displacements of unit nodal pressures. Units: m/Pa.
      */
-    const DenseMatrix &
-    pressure_compliance() const
+    const DenseMatrix &pressure_compliance() const
     {
       return W_nn_H;
     }
 
-    const SlipOperator &
-    slip_operator() const
+    const SlipOperator &slip_operator() const
     {
       return B1;
     }
 
-    const NormalTangentialCoupling &
-    coupling() const
+    const NormalTangentialCoupling &coupling() const
     {
       return normal_tangential;
     }
 
-    const TimeScaling &
-    time_scaling() const
+    const TimeScaling &time_scaling() const
     {
       return scaling;
     }
@@ -220,8 +199,7 @@ namespace RollingContact
     /**
      * Convection times the direction of the flow, +1 or -1.
      */
-    double
-    flow_convection() const
+    double flow_convection() const
     {
       return B1.flow_direction() * scaling.convection;
     }
@@ -229,8 +207,7 @@ namespace RollingContact
     /**
      * Row sums of H. Units: m^2.
      */
-    const std::vector<double> &
-    areas() const
+    const std::vector<double> &areas() const
     {
       return node_areas;
     }
@@ -238,8 +215,7 @@ namespace RollingContact
     /**
      * Largest singular value of W_nn H, to three digits. Units: m/Pa.
      */
-    double
-    normal_norm() const
+    double normal_norm() const
     {
       return largest_normal;
     }
@@ -248,8 +224,7 @@ namespace RollingContact
      * Largest singular value of (flow convection B1 + rate) W_tt H, to three
      * digits; zero without friction. Units: 1/Pa.
      */
-    double
-    tangential_norm() const
+    double tangential_norm() const
     {
       return largest_tangential;
     }
@@ -270,15 +245,13 @@ namespace RollingContact
     /**
      * Tangential displacement W_tt H q under a traction. Units: Pa to m.
      */
-    NodalField
-    tangential_displacement(const NodalField &traction) const;
+    NodalField tangential_displacement(const NodalField &traction) const;
 
     /**
      * Tangential displacement W_tn H p under a pressure, zero when uncoupled.
      * Units: Pa to m.
      */
-    NodalField
-    tangential_displacement_of_pressure(
+    NodalField tangential_displacement_of_pressure(
       const std::vector<double> &pressure) const;
 
     /**
@@ -304,8 +277,7 @@ namespace RollingContact
      * larger than what is left, and is never added up. With a rate B2 sees
      * rigid motions, and nothing is left out. Units: Pa to m.
      */
-    NodalField
-    distortion_of_traction(const NodalField &traction) const;
+    NodalField distortion_of_traction(const NodalField &traction) const;
 
     /**
      * Displacement W_tn H p as the slip needs it, see distortion_of_traction().
@@ -317,38 +289,31 @@ namespace RollingContact
      * The tangential distortion under a unit traction at a node, or a unit
      * pressure: component T. Units: m/Pa.
      */
-    NodalField
-    distortion_of_unit(const NodalIndex &unit) const;
+    NodalField distortion_of_unit(const NodalIndex &unit) const;
 
     /**
      * Sum of the nodal forces H f of a scalar field, such as the load of a
      * pressure. Units: Pa to N.
      */
-    double
-    resultant(const std::vector<double> &field) const;
+    double resultant(const std::vector<double> &field) const;
 
   private:
     /**
      * First row and column of W's normal block.
      */
-    std::size_t
-    first_normal() const
+    std::size_t first_normal() const
     {
       return n_tangential_components * contact_matrix.size();
     }
 
-    NodalField
-    distortion(const std::size_t          first_column,
-               const std::vector<double> &forces) const;
+    NodalField distortion(const std::size_t          first_column,
+                          const std::vector<double> &forces) const;
 
-    void
-    find_pressure_compliance();
+    void find_pressure_compliance();
 
-    void
-    find_normal_norm();
+    void find_normal_norm();
 
-    void
-    find_tangential_norm();
+    void find_tangential_norm();
 
     unsigned int             n_tangential_components = 0;
     Positions                node_positions;

@@ -22,8 +22,7 @@ namespace RollingContact
 
     /** For Boost.Serialization. A member not listed here does not compile. */
     template <typename Archive>
-    void
-    serialize(Archive &archive, const unsigned int)
+    void serialize(Archive &archive, const unsigned int)
     {
       auto &[pressure,
              traction,

@@ -20,15 +20,14 @@ namespace RollingContact
   };
 
   /**
-   * Of a @p run with its leading edge, under the nodal @p pressure (Pa);
-   * @p surplus is that of EdgePressure::equivalent() in each tangential
-   * component (m).
+   * Examine the leading edge of a @p run of touching nodes under the nodal @p
+   * pressure (Pa); @p surplus is that of EdgePressure::equivalent() in each
+   * tangential component (m).
    */
-  EdgeExamination
-  examine_edge(const ContactProblem                   &contact,
-               const TouchingRun                      &run,
-               const std::vector<double>              &pressure,
-               const std::vector<std::vector<double>> &surplus);
+  EdgeExamination examine_edge(const ContactProblem                   &contact,
+                               const TouchingRun                      &run,
+                               const std::vector<double>              &pressure,
+                               const std::vector<std::vector<double>> &surplus);
 } // namespace RollingContact
 
 #endif

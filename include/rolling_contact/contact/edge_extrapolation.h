@@ -1,7 +1,7 @@
 #ifndef rolling_contact_contact_edge_extrapolation_h
 #define rolling_contact_contact_edge_extrapolation_h
 
-#include <rolling_contact/linear_algebra/nodal_field.h>
+#include <rolling_contact/algebra/nodal_field.h>
 
 #include <array>
 #include <vector>
@@ -24,8 +24,7 @@ namespace RollingContact
 
     /** For Boost.Serialization. A member not listed here does not compile. */
     template <typename Archive>
-    void
-    serialize(Archive &archive, const unsigned int)
+    void serialize(Archive &archive, const unsigned int)
     {
       auto &[first, a, b, c] = *this;
       archive &first &a &b &c;
@@ -44,16 +43,14 @@ namespace RollingContact
     EdgeExtrapolations        edges; ///< where not g1 = g2
     std::vector<unsigned int> sliding;
 
-    bool
-    empty() const
+    bool empty() const
     {
       return edges.empty() && sliding.empty();
     }
 
     /** For Boost.Serialization. A member not listed here does not compile. */
     template <typename Archive>
-    void
-    serialize(Archive &archive, const unsigned int)
+    void serialize(Archive &archive, const unsigned int)
     {
       auto &[edges, sliding] = *this;
       archive &edges &sliding;
@@ -77,9 +74,8 @@ namespace RollingContact
    * itself, which is taken to act alone, and the slip would no longer grow with
    * the traction, so that short stick zones come and go without end.
    */
-  EdgeExtrapolations
-  extrapolate_edges(const TangentialProblem &problem,
-                    const NodalField        &traction);
+  EdgeExtrapolations extrapolate_edges(const TangentialProblem &problem,
+                                       const NodalField        &traction);
 
   /**
    * The scheme that a traction asks for: extrapolate_edges(), and the nodes of
@@ -88,34 +84,31 @@ namespace RollingContact
    * sliding node does not depend on the size of its slip, and without a
    * friction law.
    */
-  SlipScheme
-  slip_scheme(const TangentialProblem &problem, const NodalField &traction);
+  SlipScheme slip_scheme(const TangentialProblem &problem,
+                         const NodalField        &traction);
 
   /**
    * The extrapolation at the edge that begins with node @p first; nullptr if
    * there is none.
    */
-  const EdgeExtrapolation *
-  find_edge(const EdgeExtrapolations &extrapolations, const unsigned int first);
+  const EdgeExtrapolation *find_edge(const EdgeExtrapolations &extrapolations,
+                                     const unsigned int        first);
 
   /**
    * The largest difference between two schemes, in the coefficients a and b of
    * their extrapolations; infinite if they are of different edges or nodes.
    */
-  double
-  difference(const SlipScheme &first, const SlipScheme &second);
+  double difference(const SlipScheme &first, const SlipScheme &second);
 
   /**
    * The scheme @p next with no sliding nodes that @p now does not have.
    */
-  SlipScheme
-  without_new_sliding(const SlipScheme &now, const SlipScheme &next);
+  SlipScheme without_new_sliding(const SlipScheme &now, const SlipScheme &next);
 
   /**
    * The scheme @p next with no extrapolations at edges where @p now has none.
    */
-  SlipScheme
-  without_new_edges(const SlipScheme &now, const SlipScheme &next);
+  SlipScheme without_new_edges(const SlipScheme &now, const SlipScheme &next);
 
   /**
    * The scheme @p next, where @p now has an edge as well @p part of the way
@@ -128,8 +121,7 @@ namespace RollingContact
    * The extrapolations of @p now at edges that @p next has as well, and the
    * sliding nodes of both.
    */
-  SlipScheme
-  common(const SlipScheme &now, const SlipScheme &next);
+  SlipScheme common(const SlipScheme &now, const SlipScheme &next);
 } // namespace RollingContact
 
 #endif

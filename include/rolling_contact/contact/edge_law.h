@@ -82,11 +82,10 @@ namespace RollingContact
    * interpolate upstream. A point between nodes is in contact if all nodes it
    * is interpolated from touch.
    */
-  SlipRows
-  slip_rows(const ContactProblem      &problem,
-            const std::vector<double> &pressure,
-            const SlipScheme          &scheme,
-            const bool                 edge_law);
+  SlipRows slip_rows(const ContactProblem      &problem,
+                     const std::vector<double> &pressure,
+                     const SlipScheme          &scheme,
+                     const bool                 edge_law);
 } // namespace RollingContact
 
 #endif

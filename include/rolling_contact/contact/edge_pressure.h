@@ -37,14 +37,12 @@ namespace RollingContact
                  const TouchingRun    &run,
                  const unsigned int    component);
 
-    const std::vector<unsigned int> &
-    nodes() const
+    const std::vector<unsigned int> &nodes() const
     {
       return run.nodes;
     }
 
-    unsigned int
-    component() const
+    unsigned int component() const
     {
       return direction;
     }
@@ -52,8 +50,7 @@ namespace RollingContact
     /**
      * Coordinate of node @p k of the run along the flow. Units: m.
      */
-    double
-    along(const std::size_t k) const
+    double along(const std::size_t k) const
     {
       return x[k];
     }
@@ -62,29 +59,25 @@ namespace RollingContact
      * Compliance (W_tt H)_kj between two nodes of the run, in this component.
      * Units: m/Pa.
      */
-    double
-    compliance(const std::size_t k, const std::size_t j) const;
+    double compliance(const std::size_t k, const std::size_t j) const;
 
     /**
      * The nodes across the flow around the first node over the length of its
      * element: the first node alone unless elements are more than twice as long
      * as wide.
      */
-    std::vector<unsigned int>
-    across_first() const;
+    std::vector<unsigned int> across_first() const;
 
     /**
      * How much less a traction at the nodes across the first one moves the
      * second node than the first. Units: m/Pa.
      */
-    double
-    fall_of_compliance() const;
+    double fall_of_compliance() const;
 
     /**
      * The values of a scalar nodal field on the run.
      */
-    std::vector<double>
-    on_run(const std::vector<double> &nodal) const;
+    std::vector<double> on_run(const std::vector<double> &nodal) const;
 
     /**
      * The pressure on the run that is tangentially equivalent to the nodal
@@ -93,17 +86,15 @@ namespace RollingContact
      * too short for a window and where the fit is singular, the pressure
      * itself. Units: Pa, m.
      */
-    std::vector<double>
-    equivalent(const std::vector<double> &pressure,
-               const std::vector<double> &surplus) const;
+    std::vector<double> equivalent(const std::vector<double> &pressure,
+                                   const std::vector<double> &surplus) const;
 
     /**
      * The largest relative correction of an equivalent pressure away from the
      * edge, where there should be none. Units: 1.
      */
-    double
-    irregularity(const std::vector<double> &equivalent,
-                 const std::vector<double> &pressure) const;
+    double irregularity(const std::vector<double> &equivalent,
+                        const std::vector<double> &pressure) const;
 
     /**
      * Coupling traction q_n on the run, the traction that answers the part of
@@ -121,8 +112,7 @@ namespace RollingContact
     /**
      * How many nodes from the edge the window holds; 0 if the run is too short.
      */
-    std::size_t
-    window() const;
+    std::size_t window() const;
 
     /**
      * What the correction of each node of the window is measured in. Units: Pa.
@@ -136,18 +126,16 @@ namespace RollingContact
      * size add to it, a polynomial of at least the degree @p lowest if there
      * are nodes enough.
      */
-    std::vector<double>
-    without_smooth_part(std::vector<double> displacement,
-                        const unsigned int  lowest) const;
+    std::vector<double> without_smooth_part(std::vector<double> displacement,
+                                            const unsigned int  lowest) const;
 
     /**
      * Correct @p field, whose displacement with all else that moves the surface
      * is @p displacement. All three on the run.
      */
-    void
-    smooth(const std::vector<double> &displacement,
-           const std::vector<double> &pressure,
-           std::vector<double>       &field) const;
+    void smooth(const std::vector<double> &displacement,
+                const std::vector<double> &pressure,
+                std::vector<double>       &field) const;
 
     const ContactOperators &operators;
     const TouchingRun      &run;

@@ -8,6 +8,16 @@
 namespace RollingContact
 {
   /**
+   * How friction follows the sliding speed when a steady state is disturbed.
+   */
+  enum class FrictionResponse
+  {
+    constant,  ///< each node keeps the mu it has
+    node,      ///< mu of each node follows its own speed at once
+    patch_mean ///< mu of all follows their mean speed with a delay
+  };
+
+  /**
    * Velocity-dependent (falling) friction: how the friction coefficient falls
    * with the sliding speed v = |s| V (m/s) from its static value mu_s, mu(v) =
    * mu_s (1 - drop(v)). The drop is 0 at rest, grows and is concave: mu falls
@@ -22,20 +32,17 @@ namespace RollingContact
      * Drop of the friction coefficient at a sliding speed v, 1 - mu(v) / mu_s.
      * Units: m/s to 1.
      */
-    virtual double
-    drop(const double speed) const = 0;
+    virtual double drop(const double speed) const = 0;
 
     /**
      * Derivative of the drop by the speed. Units: m/s to s/m.
      */
-    virtual double
-    slope(const double speed) const = 0;
+    virtual double slope(const double speed) const = 0;
 
     /**
      * The speed over which mu falls. Units: m/s.
      */
-    virtual double
-    decay_speed() const = 0;
+    virtual double decay_speed() const = 0;
 
     /**
      * How steeply mu / mu_s can fall from a node that slides with speed v and
@@ -44,8 +51,7 @@ namespace RollingContact
      * slipping node can stick; a sticking one can slip if it carries more than
      * the least mu. Not positive where nothing can fall. Units: s/m.
      */
-    double
-    steepest_fall(const double carried, const double speed) const;
+    double steepest_fall(const double carried, const double speed) const;
   };
 
   /**
@@ -65,8 +71,7 @@ namespace RollingContact
   /**
    * All friction laws, constant friction first.
    */
-  const std::vector<FrictionLawKind> &
-  friction_law_kinds();
+  const std::vector<FrictionLawKind> &friction_law_kinds();
 
   /**
    * The law of a name in friction_law_kinds() with the ratio mu_k / mu_s of

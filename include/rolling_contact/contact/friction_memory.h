@@ -28,8 +28,7 @@ namespace RollingContact
     /**
      * mu of the nodes.
      */
-    const std::vector<double> &
-    friction() const
+    const std::vector<double> &friction() const
     {
       return mu;
     }
@@ -37,8 +36,7 @@ namespace RollingContact
     /**
      * What part of a change of the law's mu at a node is one of its mu, 1 - E.
      */
-    double
-    immediate_part(const unsigned int i) const
+    double immediate_part(const unsigned int i) const
     {
       return 1 - left[i];
     }
@@ -47,15 +45,13 @@ namespace RollingContact
      * dmu/d|s| of some nodes by the sliding speeds of the same nodes, divided
      * by the speed V. Units: s/m.
      */
-    DenseMatrix
-    derivative(const std::vector<unsigned int> &nodes) const;
+    DenseMatrix derivative(const std::vector<unsigned int> &nodes) const;
 
   private:
     /**
      * Node before a node on its line of flow, or itself.
      */
-    void
-    find_lines();
+    void find_lines();
 
     const ContactProblem     &contact;
     const std::vector<double> speeds;
@@ -69,11 +65,10 @@ namespace RollingContact
    * flow, interpolated along the lines of flow; @p entering where it was not on
    * a line. Units: m.
    */
-  std::vector<double>
-  moved_with_flow(const ContactOperators    &operators,
-                  const std::vector<double> &values,
-                  const std::vector<double> &entering,
-                  const double               distance);
+  std::vector<double> moved_with_flow(const ContactOperators    &operators,
+                                      const std::vector<double> &values,
+                                      const std::vector<double> &entering,
+                                      const double               distance);
 } // namespace RollingContact
 
 #endif

@@ -30,15 +30,13 @@ namespace RollingContact
     /**
      * Names and values of all members, in their order.
      */
-    std::vector<std::pair<std::string, double>>
-    named() const;
+    std::vector<std::pair<std::string, double>> named() const;
 
     /**
      * Name and value of the largest invariant, or of the first that is not
      * finite; `none` and 0 if nothing is violated.
      */
-    std::pair<std::string, double>
-    worst() const;
+    std::pair<std::string, double> worst() const;
   };
 
   /**
@@ -46,24 +44,22 @@ namespace RollingContact
    * means. Not a number where the state is not; infinite where something is
    * violated that is measured by a load of zero.
    */
-  Invariants
-  invariants(const ContactProblem &problem, const ContactState &state);
+  Invariants invariants(const ContactProblem &problem,
+                        const ContactState   &state);
 
   /**
    * Limit of the invariants of a state whose natural residual is at most
    * @p tolerance: that, with a margin for rounding.
    */
-  double
-  invariant_limit(const double tolerance);
+  double invariant_limit(const double tolerance);
 
   /**
    * Throws ConvergenceError, with @p where in front of the message, if an
    * invariant of a converged state exceeds its limit or is not a number.
    */
-  void
-  check_invariants(const Invariants  &found,
-                   const double       tolerance,
-                   const std::string &where);
+  void check_invariants(const Invariants  &found,
+                        const double       tolerance,
+                        const std::string &where);
 } // namespace RollingContact
 
 #endif

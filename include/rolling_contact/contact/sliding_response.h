@@ -21,17 +21,16 @@ namespace RollingContact
    * dq_t = -mu p / |s| ds_t, and 0 elsewhere. One row and column for each of
    * @p nodes; empty if A_oo + C is singular. Units: 1/Pa.
    */
-  DenseMatrix
-  sliding_response(const TangentialProblem         &problem,
-                   const NodalField                &traction,
-                   const std::vector<unsigned int> &nodes);
+  DenseMatrix sliding_response(const TangentialProblem         &problem,
+                               const NodalField                &traction,
+                               const std::vector<unsigned int> &nodes);
 
   /**
    * The nodes that slip, |q - rho s| > mu p: where mu depends on the slip and
    * is known to a tolerance, |q| = mu p does not tell.
    */
-  std::vector<unsigned int>
-  slipping_nodes(const TangentialProblem &problem, const NodalField &traction);
+  std::vector<unsigned int> slipping_nodes(const TangentialProblem &problem,
+                                           const NodalField        &traction);
 } // namespace RollingContact
 
 #endif

@@ -21,8 +21,7 @@ namespace RollingContact
       double y, z, angle;
     };
 
-    bool
-    is_plane() const
+    bool is_plane() const
     {
       return nodes.empty();
     }

@@ -16,8 +16,8 @@ namespace RollingContact
    * begins and ends with exactly these. Throws InputError, naming the @p entry
    * with its section, if it is neither.
    */
-  std::vector<double>
-  number_list(const std::string &entry, const std::string &text);
+  std::vector<double> number_list(const std::string &entry,
+                                  const std::string &text);
 } // namespace RollingContact
 
 #endif

@@ -11,18 +11,16 @@ namespace RollingContact
   using PrmEntries = std::map<std::string, std::string>;
 
   /** The entries of a parameter file as the program writes it, used.prm. */
-  PrmEntries
-  prm_entries(const std::string &text);
+  PrmEntries prm_entries(const std::string &text);
 
   /**
    * Throws InputError naming the first entry that differs and both values.
    * Numbers are compared as numbers. `may_differ` holds entries, and sections
    * as "Section/". Not finding an entry on one side is a difference.
    */
-  void
-  refuse_changed_entries(const PrmEntries            &old_entries,
-                         const PrmEntries            &new_entries,
-                         const std::set<std::string> &may_differ);
+  void refuse_changed_entries(const PrmEntries            &old_entries,
+                              const PrmEntries            &new_entries,
+                              const std::set<std::string> &may_differ);
 } // namespace RollingContact
 
 #endif

@@ -37,21 +37,18 @@ namespace RollingContact
    * text, a line that is none of a .prm file, a '{' in an entry, an entry twice
    * or a section that is not ended, or if there are more than 100 inclusions.
    */
-  PrmText
-  read_prm(const std::filesystem::path &file);
+  PrmText read_prm(const std::filesystem::path &file);
 
   /**
    * A text as that of a .prm file, see read_prm(); @p name stands for it in
    * messages.
    */
-  PrmText
-  read_prm_text(const std::string &text, const std::string &name);
+  PrmText read_prm_text(const std::string &text, const std::string &name);
 
   /**
    * What keeps a value from standing in a .prm file; empty if nothing.
    */
-  std::string
-  problem_of_value(const std::string &value);
+  std::string problem_of_value(const std::string &value);
 } // namespace RollingContact
 
 #endif

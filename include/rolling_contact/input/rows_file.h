@@ -23,8 +23,8 @@ namespace RollingContact
    * be read, has no rows, a name twice or none, or a cell that is no number,
    * naming the line.
    */
-  NamedRows
-  read_rows(const std::string &entry, const std::filesystem::path &file);
+  NamedRows read_rows(const std::string           &entry,
+                      const std::filesystem::path &file);
 } // namespace RollingContact
 
 #endif

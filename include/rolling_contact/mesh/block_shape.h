@@ -13,21 +13,17 @@ namespace RollingContact
   public:
     using BodyShape::BodyShape;
 
-    void
-    check(const unsigned int dimension, const bool rigid) const override;
+    void check(const unsigned int dimension, const bool rigid) const override;
 
-    double
-    thickness_below() const override;
+    double thickness_below() const override;
 
-    double
-    reach_x() const override;
+    double reach_x() const override;
 
     std::unique_ptr<SurfaceChart>
     chart(const CoarseCells &cells) const override;
 
   protected:
-    std::vector<double>
-    dimensions() const override;
+    std::vector<double> dimensions() const override;
   };
 } // namespace RollingContact
 

@@ -5,7 +5,7 @@
 
 #include <rolling_contact/mesh/chart.h>
 #include <rolling_contact/mesh/grading.h>
-#include <rolling_contact/sections/swept_mesh.h>
+#include <rolling_contact/mesh/swept_mesh.h>
 
 #include <memory>
 
@@ -44,8 +44,8 @@ namespace RollingContact
     /**
      * A corner of a cell in the chart, x counted from the contact point.
      */
-    dealii::Point<dim>
-    chart_point(const CellIterator &cell, const unsigned int vertex) const;
+    dealii::Point<dim> chart_point(const CellIterator &cell,
+                                   const unsigned int  vertex) const;
 
     /**
      * Corners of a cell in the chart, x counted from the contact point.
@@ -59,9 +59,8 @@ namespace RollingContact
    * making it; where sizes change it has some more.
    */
   template <int dim>
-  double
-  least_cells(const std::shared_ptr<const BodyShape> &shape,
-              const Grading<dim>                     &grading);
+  double least_cells(const std::shared_ptr<const BodyShape> &shape,
+                     const Grading<dim>                     &grading);
 
   /**
    * Mesh a body, or take the mesh it brings: boxes in its chart, refined as @p
@@ -73,10 +72,9 @@ namespace RollingContact
    * mesh have the same cells and vertices.
    */
   template <int dim>
-  BodyMesh<dim>
-  make_body_mesh(const std::shared_ptr<const BodyShape> &shape,
-                 const Grading<dim>                     &grading,
-                 const MeshKind kind = MeshKind::serial);
+  BodyMesh<dim> make_body_mesh(const std::shared_ptr<const BodyShape> &shape,
+                               const Grading<dim>                     &grading,
+                               const MeshKind kind = MeshKind::serial);
 } // namespace RollingContact
 
 #endif

@@ -2,10 +2,10 @@
 #define rolling_contact_mesh_body_shape_h
 
 #include <rolling_contact/mesh/shape_parameters.h>
+#include <rolling_contact/mesh/surface_chart.h>
 #include <rolling_contact/mesh/zone_box.h>
 #include <rolling_contact/references/clamped_annulus.h>
 #include <rolling_contact/references/hertz_line.h>
-#include <rolling_contact/sections/surface_chart.h>
 
 #include <array>
 #include <memory>
@@ -37,7 +37,7 @@ namespace RollingContact
   class BodyShape
   {
   public:
-    explicit BodyShape(const ShapeParameters &parameters);
+    explicit BodyShape(const ShapeSpec &parameters);
 
     virtual ~BodyShape() = default;
 
@@ -45,57 +45,50 @@ namespace RollingContact
      * Rules for the entries of this shape; a rigid body is a surface only.
      * Throws InputError.
      */
-    virtual void
-    check(const unsigned int dimension, const bool rigid) const = 0;
+    virtual void check(const unsigned int dimension,
+                       const bool         rigid) const = 0;
 
     /**
      * Height of the undeformed surface at (@p x, @p y), 0 at the contact point
      * and negative where the surface falls away: two circular profiles unless a
      * shape says otherwise.
      */
-    virtual double
-    surface_height(const double x, const double y) const;
+    virtual double surface_height(const double x, const double y) const;
 
     /**
      * Thickness of material under the contact point.
      */
-    virtual double
-    thickness_below() const = 0;
+    virtual double thickness_below() const = 0;
 
     /**
      * How far from the contact point the contact zone may reach along x.
      */
-    virtual double
-    reach_x() const = 0;
+    virtual double reach_x() const = 0;
 
     /**
      * How far from the contact point the contact zone may reach across.
      */
-    virtual double
-    reach_y() const;
+    virtual double reach_y() const;
 
     /**
      * Between which coordinates across the contact zone may lie: as far as
      * reach_y() to both sides unless a shape says otherwise.
      */
-    virtual std::array<double, 2>
-    room_across() const;
+    virtual std::array<double, 2> room_across() const;
 
     /**
      * Largest half-width of a patch that line_compression() is asked for.
      */
-    virtual double
-    largest_half_width() const;
+    virtual double largest_half_width() const;
 
     /**
      * Approximate compression between the middle of the patch of a line contact
      * and the place where the body is held: that of a layer of
      * thickness_below() unless a shape says otherwise. E in Pa.
      */
-    virtual double
-    line_compression(const References::HertzLine &contact,
-                     const double                 young_modulus,
-                     const double                 poisson_ratio) const;
+    virtual double line_compression(const References::HertzLine &contact,
+                                    const double                 young_modulus,
+                                    const double poisson_ratio) const;
 
     /**
      * The clamped annulus that this body is, whose exact compression is known;
@@ -108,27 +101,23 @@ namespace RollingContact
     /**
      * The axis that the body is revolved about; nothing for other bodies.
      */
-    virtual std::optional<Axle>
-    axle() const;
+    virtual std::optional<Axle> axle() const;
 
     /**
      * Largest coarse cell along x that still resolves the shape.
      */
-    virtual double
-    largest_coarse_size() const;
+    virtual double largest_coarse_size() const;
 
     /**
      * The chart with these coarse cells, which refers to this shape; nullptr
      * for one that is swept or has a mesh().
      */
-    virtual std::unique_ptr<SurfaceChart>
-    chart(const CoarseCells &cells) const;
+    virtual std::unique_ptr<SurfaceChart> chart(const CoarseCells &cells) const;
 
     /**
      * Whether swept_mesh() has its coarse cells.
      */
-    virtual bool
-    is_swept() const;
+    virtual bool is_swept() const;
 
     /**
      * The coarse cells of a swept section with these sizes along x and across,
@@ -144,8 +133,7 @@ namespace RollingContact
      * Whether its coarse cells are its own and do not depend on the zone of
      * contact nodes, so that none of those is on its surface.
      */
-    virtual bool
-    has_own_cells() const;
+    virtual bool has_own_cells() const;
 
     /**
      * Boxes of the surface of contact as boxes of x and the coordinate across
@@ -157,8 +145,7 @@ namespace RollingContact
     /**
      * Whether it is that of the wheel.
      */
-    bool
-    is_of_wheel() const
+    bool is_of_wheel() const
     {
       return parameters.section == "Wheel";
     }
@@ -173,17 +160,14 @@ namespace RollingContact
     /**
      * The mesh that the shape brings; nullptr if the program meshes it.
      */
-    virtual std::shared_ptr<const FileMesh>
-    mesh() const;
+    virtual std::shared_ptr<const FileMesh> mesh() const;
 
-    bool
-    hub_clamped() const
+    bool hub_clamped() const
     {
       return hub() == Hub::clamped;
     }
 
-    Hub
-    hub() const
+    Hub hub() const
     {
       return parameters.hub;
     }
@@ -192,24 +176,21 @@ namespace RollingContact
      * True for mirror images of each other, which share one mesh. Bodies that
      * bring their meshes or are swept never do.
      */
-    bool
-    is_twin_of(const BodyShape &other) const;
+    bool is_twin_of(const BodyShape &other) const;
 
   protected:
     /**
      * Whatever makes two bodies of this class differ, in any order.
      */
-    virtual std::vector<double>
-    dimensions() const = 0;
+    virtual std::vector<double> dimensions() const = 0;
 
     /**
      * Throws InputError if the body has no width (3D) or its profile falls too
      * far at its ends, @p end_x along x.
      */
-    void
-    check_extent(const unsigned int dimension, const double end_x) const;
+    void check_extent(const unsigned int dimension, const double end_x) const;
 
-    const ShapeParameters parameters;
+    const ShapeSpec parameters;
   };
 
   /**
@@ -218,30 +199,28 @@ namespace RollingContact
   struct BodyShapeKind
   {
     using Maker =
-      std::shared_ptr<const BodyShape> (*)(const ShapeParameters &parameters);
+      std::shared_ptr<const BodyShape> (*)(const ShapeSpec &parameters);
 
     std::string name;
     std::string help; ///< how it is held
     Maker       make;
-    bool        from_file  = false; ///< needs ShapeParameters::mesh
+    bool        from_file  = false; ///< needs ShapeSpec::mesh
     bool        is_section = false; ///< which is that of a section
   };
 
-  const std::vector<BodyShapeKind> &
-  body_shape_kinds();
+  const std::vector<BodyShapeKind> &body_shape_kinds();
 
   /**
    * The sentence about all kinds, for the list of parameters.
    */
-  std::string
-  body_shape_help();
+  std::string body_shape_help();
 
   /**
    * The shape of a name in body_shape_kinds(); its entries are not checked.
    * Throws InputError for any other name.
    */
-  std::shared_ptr<const BodyShape>
-  make_body_shape(const std::string &name, const ShapeParameters &parameters);
+  std::shared_ptr<const BodyShape> make_body_shape(const std::string &name,
+                                                   const ShapeSpec &parameters);
 } // namespace RollingContact
 
 #endif

@@ -3,7 +3,7 @@
 
 #include <rolling_contact/mesh/chart.h>
 #include <rolling_contact/mesh/grading.h>
-#include <rolling_contact/sections/swept_mesh.h>
+#include <rolling_contact/mesh/swept_mesh.h>
 
 #include <array>
 #include <vector>
@@ -17,20 +17,18 @@ namespace RollingContact
    * @p enough.
    */
   template <int dim>
-  double
-  count_cells(const std::array<std::vector<double>, dim> &breaks,
-              const BodyChart<dim>                       &chart,
-              const Grading<dim>                         &grading,
-              const double                                enough);
+  double count_cells(const std::array<std::vector<double>, dim> &breaks,
+                     const BodyChart<dim>                       &chart,
+                     const Grading<dim>                         &grading,
+                     const double                                enough);
 
   /**
-   * The same for the coarse cells of a swept section, each divided by the
-   * places of its corners in the chart.
+   * Number of cells that the coarse cells of a swept section become, each
+   * divided by the places of its corners in the chart.
    */
-  double
-  count_cells(const SweptMesh  &mesh,
-              const Grading<3> &grading,
-              const double      enough);
+  double count_cells(const SweptMesh  &mesh,
+                     const Grading<3> &grading,
+                     const double      enough);
 
   /**
    * Lower and upper corner in the chart of the part of a coarse cell from

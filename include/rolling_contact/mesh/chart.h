@@ -27,14 +27,12 @@ namespace RollingContact
     dealii::Point<dim>
     pull_back(const dealii::Point<dim> &point) const override;
 
-    std::unique_ptr<dealii::Manifold<dim, dim>>
-    clone() const override;
+    std::unique_ptr<dealii::Manifold<dim, dim>> clone() const override;
 
     /**
      * Length of a closed surface in the chart; 0 for an open one.
      */
-    double
-    period() const
+    double period() const
     {
       return length;
     }
@@ -43,8 +41,7 @@ namespace RollingContact
      * The chart's x, unlike the manifold's counted from the contact point:
      * negative upstream, wrapped opposite the contact.
      */
-    double
-    centred_x(const double manifold_x) const;
+    double centred_x(const double manifold_x) const;
 
   private:
     std::shared_ptr<const BodyShape>    shape; ///< which the chart refers to

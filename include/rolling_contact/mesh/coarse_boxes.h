@@ -3,7 +3,7 @@
 
 #include <rolling_contact/mesh/chart.h>
 #include <rolling_contact/mesh/grading.h>
-#include <rolling_contact/sections/swept_mesh.h>
+#include <rolling_contact/mesh/swept_mesh.h>
 
 #include <array>
 #include <memory>
@@ -42,8 +42,7 @@ namespace RollingContact
    * The grading of the cells of a body with a swept section, of which @p
    * grading asks for the nodes of the interface.
    */
-  Grading<3>
-  grading_of_body(const BodyShape &shape, const Grading<3> &grading);
+  Grading<3> grading_of_body(const BodyShape &shape, const Grading<3> &grading);
 
   /**
    * As fewest_cells() for a body with a swept section; as few as its own

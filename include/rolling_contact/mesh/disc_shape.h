@@ -13,39 +13,31 @@ namespace RollingContact
   public:
     using BodyShape::BodyShape;
 
-    void
-    check(const unsigned int dimension, const bool rigid) const override;
+    void check(const unsigned int dimension, const bool rigid) const override;
 
-    double
-    thickness_below() const override;
+    double thickness_below() const override;
 
-    std::optional<Axle>
-    axle() const override;
+    std::optional<Axle> axle() const override;
 
-    double
-    reach_x() const override;
+    double reach_x() const override;
 
-    double
-    largest_half_width() const override;
+    double largest_half_width() const override;
 
-    double
-    line_compression(const References::HertzLine &contact,
-                     const double                 young_modulus,
-                     const double                 poisson_ratio) const override;
+    double line_compression(const References::HertzLine &contact,
+                            const double                 young_modulus,
+                            const double poisson_ratio) const override;
 
     std::optional<References::Annulus>
     clamped_annulus(const double young_modulus,
                     const double poisson_ratio) const override;
 
-    double
-    largest_coarse_size() const override;
+    double largest_coarse_size() const override;
 
     std::unique_ptr<SurfaceChart>
     chart(const CoarseCells &cells) const override;
 
   protected:
-    std::vector<double>
-    dimensions() const override;
+    std::vector<double> dimensions() const override;
   };
 } // namespace RollingContact
 

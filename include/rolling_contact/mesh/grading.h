@@ -27,8 +27,7 @@ namespace RollingContact
 
     /** For Boost.Serialization. A member not listed here does not compile. */
     template <typename Archive>
-    void
-    serialize(Archive &archive, const unsigned int)
+    void serialize(Archive &archive, const unsigned int)
     {
       auto &[lower, upper, size] = *this;
       archive &lower &upper &size;
@@ -86,8 +85,7 @@ namespace RollingContact
      * alike, with equal angles round an axle, none longer than @p along nor, in
      * the section, than @p across. Units: m.
      */
-    static Grading
-    uniform(const double along, const double across)
+    static Grading uniform(const double along, const double across)
     {
       Grading grading;
       grading.element_size_x = along;
@@ -100,28 +98,25 @@ namespace RollingContact
      * Uniform, with as few cells as resolve the shape; a section from a file is
      * swept as it is.
      */
-    static Grading
-    unrefined()
+    static Grading unrefined()
     {
       return uniform(infinity, infinity);
     }
 
     /**
-     * That of a body which is coupled by a mortar to an interface of this
+     * Grading of a body which is coupled by a mortar to an interface of this
      * grading: elements shorter than the interface's, in a zone larger by some
      * of them, so that none hangs where they are coupled. Its cells are halved
      * in all directions at once: some more depth saves many. The zone reaches
      * as far downstream as upstream, as a body that is its own mirror image has
      * its modes found in halves.
      */
-    Grading
-    of_coupled_body() const;
+    Grading of_coupled_body() const;
 
     /**
      * Elements across the patch that the mesh was made for.
      */
-    unsigned int
-    elements_across() const
+    unsigned int elements_across() const
     {
       return std::lround(2 * std::abs(leading_edge_x) / element_size_x);
     }
@@ -131,8 +126,7 @@ namespace RollingContact
      * across, as stresses fade over the width of a slender patch; @p deeper
      * times that.
      */
-    double
-    element_size_z() const
+    double element_size_z() const
     {
       const double largest = 2.5;
       return deeper * (dim == 3 && element_size_y > 0.
@@ -143,14 +137,12 @@ namespace RollingContact
     /**
      * Centre and semi-axis in x of the ellipse of nodes that may touch.
      */
-    double
-    centre_x() const
+    double centre_x() const
     {
       return upstream * element_size_x / 2;
     }
 
-    double
-    semi_axis_x() const
+    double semi_axis_x() const
     {
       return zone_x + std::abs(centre_x());
     }
@@ -159,15 +151,13 @@ namespace RollingContact
      * True if the middle of a box of the surface lies in the zone of nodes that
      * may touch, by a margin that keeps rounding from deciding.
      */
-    bool
-    in_zone(const dealii::Point<dim - 1> &lower,
-            const dealii::Point<dim - 1> &upper) const;
+    bool in_zone(const dealii::Point<dim - 1> &lower,
+                 const dealii::Point<dim - 1> &upper) const;
 
     /**
      * The first and the last coordinate across of nodes that may touch.
      */
-    std::array<double, 2>
-    zone_across() const
+    std::array<double, 2> zone_across() const
     {
       if (zone_boxes.empty())
         return {{-zone_y, zone_y}};
@@ -183,8 +173,7 @@ namespace RollingContact
     /**
      * Let more nodes touch: the zone grows by @p n_elements on each side.
      */
-    void
-    enlarge_zone(const unsigned int n_elements)
+    void enlarge_zone(const unsigned int n_elements)
     {
       zone_x += n_elements * element_size_x;
       zone_y += n_elements * element_size_y;
@@ -197,50 +186,43 @@ namespace RollingContact
      * True if a cell that fills the box [lower, upper] of the chart (x from the
      * contact point) is too large.
      */
-    bool
-    refine(const dealii::Point<dim> &lower,
-           const dealii::Point<dim> &upper) const;
+    bool refine(const dealii::Point<dim> &lower,
+                const dealii::Point<dim> &upper) const;
 
     /**
      * Size of a cell, or of a face of the surface, measured in x: the largest
      * of its extents over the element sizes, times that in x.
      */
-    double
-    size_in_x(const dealii::Point<dim> &lower,
-              const dealii::Point<dim> &upper) const;
+    double size_in_x(const dealii::Point<dim> &lower,
+                     const dealii::Point<dim> &upper) const;
 
     /**
      * Size allowed by the zone, without rim and boxes, at the point of the box
      * [lower, upper] nearest to it.
      */
-    double
-    allowed_size(const dealii::Point<dim> &lower,
-                 const dealii::Point<dim> &upper) const;
+    double allowed_size(const dealii::Point<dim> &lower,
+                        const dealii::Point<dim> &upper) const;
 
   private:
     /**
      * The zone longer by an element on its downstream side too.
      */
-    void
-    make_even_in_x();
+    void make_even_in_x();
 
     /**
      * Distance of the box [lower, upper] of the chart from the zone along the
      * surface, measured in x.
      */
-    double
-    outside_zone(const dealii::Point<dim> &lower,
-                 const dealii::Point<dim> &upper) const;
+    double outside_zone(const dealii::Point<dim> &lower,
+                        const dealii::Point<dim> &upper) const;
 
-    bool
-    exceeds_rim(const double              size,
-                const dealii::Point<dim> &lower,
-                const dealii::Point<dim> &upper) const;
+    bool exceeds_rim(const double              size,
+                     const dealii::Point<dim> &lower,
+                     const dealii::Point<dim> &upper) const;
 
-    bool
-    exceeds_boxes(const double              size,
-                  const dealii::Point<dim> &lower,
-                  const dealii::Point<dim> &upper) const;
+    bool exceeds_boxes(const double              size,
+                       const dealii::Point<dim> &lower,
+                       const dealii::Point<dim> &upper) const;
   };
 } // namespace RollingContact
 

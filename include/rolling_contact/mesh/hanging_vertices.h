@@ -17,8 +17,7 @@ namespace RollingContact
   using HangingVertices =
     std::map<unsigned int, std::vector<std::pair<unsigned int, double>>>;
 
-  HangingVertices
-  hanging_vertices(const dealii::Triangulation<3> &cells);
+  HangingVertices hanging_vertices(const dealii::Triangulation<3> &cells);
 } // namespace RollingContact
 
 #endif

@@ -13,27 +13,20 @@ namespace RollingContact
   public:
     using BodyShape::BodyShape;
 
-    void
-    check(const unsigned int dimension, const bool rigid) const override;
+    void check(const unsigned int dimension, const bool rigid) const override;
 
-    double
-    thickness_below() const override;
+    double thickness_below() const override;
 
-    std::optional<Axle>
-    axle() const override;
+    std::optional<Axle> axle() const override;
 
-    double
-    reach_x() const override;
+    double reach_x() const override;
 
-    double
-    reach_y() const override;
+    double reach_y() const override;
 
-    std::shared_ptr<const FileMesh>
-    mesh() const override;
+    std::shared_ptr<const FileMesh> mesh() const override;
 
   protected:
-    std::vector<double>
-    dimensions() const override;
+    std::vector<double> dimensions() const override;
   };
 } // namespace RollingContact
 

@@ -11,8 +11,7 @@ namespace RollingContact
    * Cells that fit into 70 % of the free memory; infinity if that is not known.
    */
   template <int dim>
-  double
-  largest_mesh(const MeshKind kind);
+  double largest_mesh(const MeshKind kind);
 
   /**
    * Throws MemoryError with the @p remedy if a mesh of @p n_cells would need
@@ -21,10 +20,9 @@ namespace RollingContact
    * levels. The ranks are taken to share one machine.
    */
   template <int dim>
-  void
-  check_mesh_memory(const double       n_cells,
-                    const MeshKind     kind,
-                    const std::string &remedy);
+  void check_mesh_memory(const double       n_cells,
+                         const MeshKind     kind,
+                         const std::string &remedy);
 } // namespace RollingContact
 
 #endif

@@ -1,8 +1,8 @@
 #ifndef rolling_contact_mesh_profiled_section_h
 #define rolling_contact_mesh_profiled_section_h
 
+#include <rolling_contact/mesh/placed_profile.h>
 #include <rolling_contact/mesh/zone_box.h>
-#include <rolling_contact/sections/placed_profile.h>
 
 #include <array>
 #include <vector>
@@ -37,42 +37,35 @@ namespace RollingContact
       double along, distance;
     };
 
-    Foot
-    nearest(const Point &point) const;
+    Foot nearest(const Point &point) const;
 
-    Point
-    at(const double along) const;
+    Point at(const double along) const;
 
     /**
      * Unit tangent there, towards the field side.
      */
-    Point
-    tangent(const double along) const;
+    Point tangent(const double along) const;
 
     /**
      * Where the contact's origin is.
      */
-    double
-    contact() const;
+    double contact() const;
 
     /**
      * The coordinate across the surface of contact, as on the right-hand side,
      * at a length along the profile; beyond where it is known, by length.
      */
-    double
-    coordinate(const double along) const;
+    double coordinate(const double along) const;
 
     /**
      * A box of the surface of contact, of the side of the track that this is
      * on, as one over the profile: x, and the length along it, mirrored on the
      * left.
      */
-    ZoneBox
-    on_profile(const ZoneBox &box) const;
+    ZoneBox on_profile(const ZoneBox &box) const;
 
   private:
-    double
-    along(const double coordinate) const;
+    double along(const double coordinate) const;
 
     PlacedProfile         placed;
     double                outwards; ///< of the profile's z: 1 or -1
@@ -85,10 +78,9 @@ namespace RollingContact
    * that is nearer than ProfiledSection::largest_offset; heights are over
    * @p top. Units: m.
    */
-  void
-  put_on_profile(const ProfiledSection &profile,
-                 const double           top,
-                 SectionPoint          &point);
+  void put_on_profile(const ProfiledSection &profile,
+                      const double           top,
+                      SectionPoint          &point);
 
   /**
    * Let the edges of a section's contact boundary whose ends are on the profile
@@ -96,10 +88,9 @@ namespace RollingContact
    * length along the profile and the depth under it. Heights are over @p top.
    * Units: m.
    */
-  void
-  follow_profile(const ProfiledSection &profile,
-                 const double           top,
-                 SectionMesh           &section);
+  void follow_profile(const ProfiledSection &profile,
+                      const double           top,
+                      SectionMesh           &section);
 } // namespace RollingContact
 
 #endif

@@ -2,7 +2,7 @@
 #define rolling_contact_mesh_section_file_shape_h
 
 #include <rolling_contact/mesh/body_shape.h>
-#include <rolling_contact/sections/section_mesh.h>
+#include <rolling_contact/mesh/section_mesh.h>
 
 namespace RollingContact
 {
@@ -19,37 +19,28 @@ namespace RollingContact
   public:
     using BodyShape::BodyShape;
 
-    void
-    check(const unsigned int dimension, const bool rigid) const override;
+    void check(const unsigned int dimension, const bool rigid) const override;
 
-    double
-    thickness_below() const override;
+    double thickness_below() const override;
 
-    std::optional<Axle>
-    axle() const override;
+    std::optional<Axle> axle() const override;
 
-    double
-    reach_x() const override;
+    double reach_x() const override;
 
-    double
-    reach_y() const override;
+    double reach_y() const override;
 
-    double
-    largest_half_width() const override;
+    double largest_half_width() const override;
 
-    double
-    line_compression(const References::HertzLine &contact,
-                     const double                 young_modulus,
-                     const double                 poisson_ratio) const override;
+    double line_compression(const References::HertzLine &contact,
+                            const double                 young_modulus,
+                            const double poisson_ratio) const override;
 
-    bool
-    is_swept() const override
+    bool is_swept() const override
     {
       return true;
     }
 
-    bool
-    has_own_cells() const override
+    bool has_own_cells() const override
     {
       return true;
     }
@@ -64,12 +55,10 @@ namespace RollingContact
     equal_cells(const double along, const double across) const override;
 
   protected:
-    std::vector<double>
-    dimensions() const override;
+    std::vector<double> dimensions() const override;
 
   private:
-    bool
-    is_revolved() const
+    bool is_revolved() const
     {
       return parameters.radius > 0.;
     }
@@ -79,8 +68,7 @@ namespace RollingContact
      * radius). Edges of the contact boundary between points of the profile or,
      * without one, of the circle with the Lateral radius follow it.
      */
-    SectionMesh
-    section() const;
+    SectionMesh section() const;
   };
 } // namespace RollingContact
 

@@ -2,34 +2,29 @@
 #define rolling_contact_mesh_section_shapes_h
 
 #include <rolling_contact/mesh/body_shape.h>
-#include <rolling_contact/sections/placed_profile.h>
-#include <rolling_contact/sections/swept_mesh.h>
+#include <rolling_contact/mesh/placed_profile.h>
+#include <rolling_contact/mesh/swept_mesh.h>
 
 namespace RollingContact
 {
   /**
-   * A body with a true section under a profile, ShapeParameters::profile.
+   * A body with a true section under a profile, ShapeSpec::profile.
    */
   class SectionShape : public BodyShape
   {
   public:
-    double
-    surface_height(const double x, const double y) const override;
+    double surface_height(const double x, const double y) const override;
 
-    double
-    thickness_below() const override;
+    double thickness_below() const override;
 
-    double
-    reach_y() const override;
+    double reach_y() const override;
 
     /**
      * Where nodes face those of the other body.
      */
-    std::array<double, 2>
-    room_across() const override;
+    std::array<double, 2> room_across() const override;
 
-    bool
-    is_swept() const override
+    bool is_swept() const override
     {
       return true;
     }
@@ -42,25 +37,22 @@ namespace RollingContact
     std::shared_ptr<const SweptMesh>
     equal_cells(const double along, const double across) const override;
 
-    const RunningSurface &
-    running_surface() const
+    const RunningSurface &running_surface() const
     {
       return surface;
     }
 
   protected:
-    SectionShape(const ShapeParameters &parameters,
-                 const RunningSurface  &surface);
+    SectionShape(const ShapeSpec &parameters, const RunningSurface &surface);
 
-    std::vector<double>
-    dimensions() const override;
+    std::vector<double> dimensions() const override;
 
     /**
      * The section's coarse quadrilaterals, under the running surface at most so
      * deep.
      */
-    virtual SectionMesh
-    section(const CoarseCells &across, const double deepest) const = 0;
+    virtual SectionMesh section(const CoarseCells &across,
+                                const double       deepest) const = 0;
 
     /**
      * Where the section is in the body's frame, and the ends of coarse cells
@@ -72,8 +64,7 @@ namespace RollingContact
     /**
      * A point of the running surface as one of section().
      */
-    virtual SectionPoint
-    surface_point(const double coordinate) const = 0;
+    virtual SectionPoint surface_point(const double coordinate) const = 0;
 
     const PlacedProfile &placed;
     const RunningSurface surface;
@@ -86,26 +77,22 @@ namespace RollingContact
   class RailShape : public SectionShape
   {
   public:
-    explicit RailShape(const ShapeParameters &parameters);
+    explicit RailShape(const ShapeSpec &parameters);
 
-    void
-    check(const unsigned int dimension, const bool rigid) const override;
+    void check(const unsigned int dimension, const bool rigid) const override;
 
-    double
-    reach_x() const override;
+    double reach_x() const override;
 
-    double
-    largest_coarse_size() const override;
+    double largest_coarse_size() const override;
 
   protected:
-    SectionMesh
-    section(const CoarseCells &across, const double deepest) const override;
+    SectionMesh section(const CoarseCells &across,
+                        const double       deepest) const override;
 
     std::pair<SectionPlacement, std::vector<double>>
     sweep(const CoarseCells &along) const override;
 
-    SectionPoint
-    surface_point(const double coordinate) const override;
+    SectionPoint surface_point(const double coordinate) const override;
   };
 
   /**
@@ -114,35 +101,28 @@ namespace RollingContact
   class WheelShape : public SectionShape
   {
   public:
-    explicit WheelShape(const ShapeParameters &parameters);
+    explicit WheelShape(const ShapeSpec &parameters);
 
-    void
-    check(const unsigned int dimension, const bool rigid) const override;
+    void check(const unsigned int dimension, const bool rigid) const override;
 
-    double
-    thickness_below() const override;
+    double thickness_below() const override;
 
-    std::optional<Axle>
-    axle() const override;
+    std::optional<Axle> axle() const override;
 
-    double
-    reach_x() const override;
+    double reach_x() const override;
 
-    double
-    largest_half_width() const override;
+    double largest_half_width() const override;
 
-    double
-    largest_coarse_size() const override;
+    double largest_coarse_size() const override;
 
   protected:
-    SectionMesh
-    section(const CoarseCells &across, const double deepest) const override;
+    SectionMesh section(const CoarseCells &across,
+                        const double       deepest) const override;
 
     std::pair<SectionPlacement, std::vector<double>>
     sweep(const CoarseCells &along) const override;
 
-    SectionPoint
-    surface_point(const double coordinate) const override;
+    SectionPoint surface_point(const double coordinate) const override;
   };
 } // namespace RollingContact
 

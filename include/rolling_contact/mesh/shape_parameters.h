@@ -1,8 +1,8 @@
 #ifndef rolling_contact_mesh_shape_parameters_h
 #define rolling_contact_mesh_shape_parameters_h
 
-#include <rolling_contact/mesh_files/file_mesh.h>
-#include <rolling_contact/sections/placed_profile.h>
+#include <rolling_contact/mesh/file_mesh.h>
+#include <rolling_contact/mesh/placed_profile.h>
 
 #include <memory>
 #include <string>
@@ -23,11 +23,16 @@ namespace RollingContact
   /**
    * Whether nothing but inertia holds a body.
    */
-  inline bool
-  is_loose(const Hub hub)
+  inline bool is_loose(const Hub hub)
   {
     return hub == Hub::free || hub == Hub::mass;
   }
+
+  /**
+   * The part of its radius up to which the profile of a disc or wheel is its
+   * circle and may be meshed for a patch; it leaves the circle at 0.5.
+   */
+  constexpr double usable_rim = 0.55;
 
   /**
    * What section `Wheel` or `Rail` says of the shape of its body. Every shape
@@ -39,11 +44,10 @@ namespace RollingContact
      * Throws InputError "section/entry = value: allowed" unless the
      * @p condition holds.
      */
-    void
-    require(const bool         condition,
-            const std::string &entry,
-            const double       value,
-            const std::string &allowed) const;
+    void require(const bool         condition,
+                 const std::string &entry,
+                 const double       value,
+                 const std::string &allowed) const;
 
     std::string  section;               ///< Wheel or Rail, for messages
     double       radius         = 0.46; ///< in the rolling direction; 0 flat
@@ -58,11 +62,27 @@ namespace RollingContact
     unsigned int contact_boundary = 1;
     unsigned int hub_boundary     = 2;
     unsigned int cells_along      = 96; ///< of a section, along x
+  };
 
-    std::shared_ptr<const FileMesh> mesh; ///< what mesh_file holds, once read
+  /**
+   * The entries of a shape with what its files hold.
+   */
+  struct ShapeSpec : public ShapeParameters
+  {
+    ShapeSpec(const ShapeParameters               &entries,
+              std::shared_ptr<const FileMesh>      mesh    = nullptr,
+              std::shared_ptr<const PlacedProfile> profile = nullptr)
+      : ShapeParameters(entries)
+      , mesh(std::move(mesh))
+      , profile(std::move(profile))
+    {}
 
-    /** Of a body with a true section, or with one from a file under a profile,
-     * once profiles are read. */
+    std::shared_ptr<const FileMesh> mesh; ///< what mesh_file holds, or nullptr
+
+    /**
+     * Profile in its place on a body with a true section, or with a section
+     * from a file; nullptr for other bodies.
+     */
     std::shared_ptr<const PlacedProfile> profile;
   };
 } // namespace RollingContact

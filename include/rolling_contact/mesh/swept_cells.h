@@ -3,7 +3,7 @@
 
 #include <deal.II/grid/tria.h>
 
-#include <rolling_contact/sections/swept_mesh.h>
+#include <rolling_contact/mesh/swept_mesh.h>
 
 #include <utility>
 
@@ -14,17 +14,15 @@ namespace RollingContact
   /**
    * Create the coarse cells of a swept section, with boundary ids.
    */
-  void
-  create_swept_cells(const SweptMesh          &mesh,
-                     dealii::Triangulation<3> &triangulation);
+  void create_swept_cells(const SweptMesh          &mesh,
+                          dealii::Triangulation<3> &triangulation);
 
   /**
    * The chart point of a corner of a cell of any level, x from the contact.
    */
-  dealii::Point<3>
-  swept_chart_point(const SweptMesh         &mesh,
-                    const SweptCellIterator &cell,
-                    const unsigned int       vertex);
+  dealii::Point<3> swept_chart_point(const SweptMesh         &mesh,
+                                     const SweptCellIterator &cell,
+                                     const unsigned int       vertex);
 
   /**
    * Lower and upper corner of a cell in the chart.
@@ -36,8 +34,8 @@ namespace RollingContact
    * Put all vertices where the coarse cells' maps have them: those of the
    * running surface on the profile. Cells must not be refined after that.
    */
-  void
-  move_vertices(const SweptMesh &mesh, dealii::Triangulation<3> &triangulation);
+  void move_vertices(const SweptMesh          &mesh,
+                     dealii::Triangulation<3> &triangulation);
 } // namespace RollingContact
 
 #endif

@@ -13,8 +13,7 @@ namespace RollingContact
   {
     std::array<double, 2> lower, upper;
 
-    bool
-    contains(const double x, const double y) const
+    bool contains(const double x, const double y) const
     {
       return lower[0] <= x && x <= upper[0] && lower[1] <= y && y <= upper[1];
     }
@@ -22,8 +21,7 @@ namespace RollingContact
     /**
      * With distances added on all sides.
      */
-    ZoneBox
-    grown(const double in_x, const double in_y) const
+    ZoneBox grown(const double in_x, const double in_y) const
     {
       return {{{lower[0] - in_x, lower[1] - in_y}},
               {{upper[0] + in_x, upper[1] + in_y}}};

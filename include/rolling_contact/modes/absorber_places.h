@@ -1,7 +1,7 @@
 #ifndef rolling_contact_modes_absorber_places_h
 #define rolling_contact_modes_absorber_places_h
 
-#include <rolling_contact/linear_algebra/factorisation.h>
+#include <rolling_contact/algebra/factorisation.h>
 #include <rolling_contact/modes/absorbers.h>
 #include <rolling_contact/modes/mode_character.h>
 
@@ -18,16 +18,15 @@ namespace RollingContact
    * there is no circle within a tenth of the body's radius. The @p notes say
    * which circles were taken.
    */
-  AbsorberPlaces
-  absorber_places(const std::vector<AbsorberRing>  &rings,
-                  const std::string                &section,
-                  const BodyPlaces                 &places,
-                  const Axle                       &axle,
-                  const StructuralModes            &modes,
-                  const std::vector<ModeCharacter> &characters,
-                  const Factorisation              &factor,
-                  const double                      shift,
-                  std::vector<std::string>         &notes);
+  AbsorberPlaces absorber_places(const std::vector<AbsorberRing>  &rings,
+                                 const std::string                &section,
+                                 const BodyPlaces                 &places,
+                                 const Axle                       &axle,
+                                 const StructuralModes            &modes,
+                                 const std::vector<ModeCharacter> &characters,
+                                 const Factorisation              &factor,
+                                 const double                      shift,
+                                 std::vector<std::string>         &notes);
 } // namespace RollingContact
 
 #endif

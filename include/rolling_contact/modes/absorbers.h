@@ -1,8 +1,8 @@
 #ifndef rolling_contact_modes_absorbers_h
 #define rolling_contact_modes_absorbers_h
 
-#include <rolling_contact/elasticity/absorber_ring.h>
-#include <rolling_contact/linear_algebra/complex_matrix.h>
+#include <rolling_contact/algebra/dense_matrix.h>
+#include <rolling_contact/bodies/absorber_ring.h>
 
 #include <vector>
 
@@ -33,8 +33,7 @@ namespace RollingContact
     DenseMatrix residual;
 
     /** c, of all rings. */
-    std::size_t
-    n_coordinates() const;
+    std::size_t n_coordinates() const;
   };
 
   /**
@@ -54,12 +53,11 @@ namespace RollingContact
    * forces of radial and circumferential absorbers, of the order of Omega /
    * omega_0, are left out. Units: rad/s, 1/s^2, 1/s.
    */
-  void
-  hang_absorbers(const AbsorberPlaces            &places,
-                 const std::vector<AbsorberRing> &rings,
-                 const double                     rate,
-                 DenseMatrix                     &K_m,
-                 DenseMatrix                     &C_m);
+  void hang_absorbers(const AbsorberPlaces            &places,
+                      const std::vector<AbsorberRing> &rings,
+                      const double                     rate,
+                      DenseMatrix                     &K_m,
+                      DenseMatrix                     &C_m);
 
   /**
    * Let absorbers and forces f_n at other places of the body know of each other
@@ -74,23 +72,21 @@ namespace RollingContact
    * of all of which and of z it gets the columns; @p residual: W_res. Units:
    * m/N, 1/sqrt(kg), m/N.
    */
-  void
-  join_absorbers(const AbsorberPlaces            &places,
-                 const std::vector<AbsorberRing> &rings,
-                 const DenseMatrix               &cross,
-                 DenseMatrix                     &shapes,
-                 DenseMatrix                     &residual);
+  void join_absorbers(const AbsorberPlaces            &places,
+                      const std::vector<AbsorberRing> &rings,
+                      const DenseMatrix               &cross,
+                      DenseMatrix                     &shapes,
+                      DenseMatrix                     &residual);
 
   /**
    * z of absorbers that follow the body at rest, sqrt(n m) (P eta + @p
    * left_out) with what the modes leave out of their motion: springs that carry
    * nothing. Units: m, m kg^(1/2).
    */
-  std::vector<double>
-  absorbers_at_rest(const AbsorberPlaces            &places,
-                    const std::vector<AbsorberRing> &rings,
-                    const std::vector<double>       &eta,
-                    const std::vector<double>       &left_out);
+  std::vector<double> absorbers_at_rest(const AbsorberPlaces            &places,
+                                        const std::vector<AbsorberRing> &rings,
+                                        const std::vector<double>       &eta,
+                                        const std::vector<double> &left_out);
 
   /**
    * Dynamic stiffness Z(s) of rings, which take Z W from the body where it
@@ -101,33 +97,30 @@ namespace RollingContact
    *
    * Units: rad/s, 1/s to N/m.
    */
-  ComplexMatrix
-  absorber_stiffness(const AbsorberPlaces            &places,
-                     const std::vector<AbsorberRing> &rings,
-                     const double                     rate,
-                     const std::complex<double>       s);
+  ComplexMatrix absorber_stiffness(const AbsorberPlaces            &places,
+                                   const std::vector<AbsorberRing> &rings,
+                                   const double                     rate,
+                                   const std::complex<double>       s);
 
   /**
-   * Receptances with what hangs on a structure: @p alpha without it, column
-   * after column, of n places and then of the motions L^T x, with
+   * Receptances with what hangs on a structure: @p alpha without it, of n
+   * places and then of the motions L^T x, with
    * Z of absorber_stiffness(); those of the n places are
    *
    *   alpha - alpha_nL (1 + Z alpha_LL)^-1 Z alpha_Ln.
    *
    * Units: m/N, N/m.
    */
-  std::vector<std::complex<double>>
-  receptances_with(const std::vector<std::complex<double>> &alpha,
-                   const ComplexMatrix                     &Z,
-                   const std::size_t                        n);
+  ComplexMatrix receptances_with(const ComplexMatrix &alpha,
+                                 const ComplexMatrix &Z,
+                                 const std::size_t    n);
 
   /**
    * The largest part by which the compliance that the modes leave out softens
    * the springs of the absorbers, of k R. Units: 1.
    */
-  double
-  softening(const AbsorberPlaces            &places,
-            const std::vector<AbsorberRing> &rings);
+  double softening(const AbsorberPlaces            &places,
+                   const std::vector<AbsorberRing> &rings);
 } // namespace RollingContact
 
 #endif

@@ -1,7 +1,7 @@
 #ifndef rolling_contact_modes_body_places_h
 #define rolling_contact_modes_body_places_h
 
-#include <rolling_contact/elasticity/direct_body.h>
+#include <rolling_contact/bodies/direct_body.h>
 
 #include <array>
 #include <vector>

@@ -1,8 +1,8 @@
 #ifndef rolling_contact_modes_body_reflections_h
 #define rolling_contact_modes_body_reflections_h
 
-#include <rolling_contact/linear_algebra/reflection.h>
-#include <rolling_contact/linear_algebra/symmetric_sparse_matrix.h>
+#include <rolling_contact/algebra/reflection.h>
+#include <rolling_contact/algebra/symmetric_sparse_matrix.h>
 #include <rolling_contact/modes/body_places.h>
 
 #include <vector>
@@ -17,10 +17,9 @@ namespace RollingContact
    * that are graded towards one side, and those that hang on rigid masses, have
    * none.
    */
-  std::vector<Reflection>
-  body_reflections(const BodyPlaces            &places,
-                   const SymmetricSparseMatrix &K,
-                   const SymmetricSparseMatrix &M);
+  std::vector<Reflection> body_reflections(const BodyPlaces            &places,
+                                           const SymmetricSparseMatrix &K,
+                                           const SymmetricSparseMatrix &M);
 } // namespace RollingContact
 
 #endif

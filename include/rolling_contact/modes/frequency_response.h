@@ -1,7 +1,7 @@
 #ifndef rolling_contact_modes_frequency_response_h
 #define rolling_contact_modes_frequency_response_h
 
-#include <rolling_contact/linear_algebra/factorisation.h>
+#include <rolling_contact/algebra/factorisation.h>
 #include <rolling_contact/modes/structural_modes.h>
 
 #include <complex>
@@ -50,16 +50,15 @@ namespace RollingContact
                       const std::vector<std::vector<double>> &loads);
 
     /**
-     * alpha, row and column by place, at a frequency (Hz), column after column.
-     * With @p modal_damping = false without the damping ratios. Units: m/N.
+     * alpha, row and column by place, at a frequency (Hz). With @p
+     * modal_damping = false without the damping ratios. Units: m/N.
      */
-    std::vector<Complex>
-    receptances(const double frequency, const bool modal_damping = true) const;
+    ComplexMatrix receptances(const double frequency,
+                              const bool   modal_damping = true) const;
 
-    std::size_t
-    n_places() const
+    std::size_t n_places() const
     {
-      return phi.n_columns();
+      return phi.cols();
     }
 
   private:
@@ -74,7 +73,7 @@ namespace RollingContact
    * D x = b of the full structure with a complex factor: what modes leave out
    * is in them. Units: Hz, m/N.
    */
-  std::vector<std::complex<double>>
+  ComplexMatrix
   direct_receptances(const VibratingStructure               &structure,
                      const std::vector<std::vector<double>> &loads,
                      const double                            frequency);

@@ -1,9 +1,9 @@
 #ifndef rolling_contact_modes_full_dynamics_h
 #define rolling_contact_modes_full_dynamics_h
 
-#include <rolling_contact/linear_algebra/complex_columns.h>
-#include <rolling_contact/linear_algebra/factorisation.h>
-#include <rolling_contact/linear_algebra/skew_sparse_matrix.h>
+#include <rolling_contact/algebra/factorisation.h>
+#include <rolling_contact/algebra/lapack.h>
+#include <rolling_contact/algebra/skew_sparse_matrix.h>
 #include <rolling_contact/modes/structural_modes.h>
 
 #include <complex>
@@ -74,21 +74,21 @@ namespace RollingContact
      * are read once for all of them. Throws ConvergenceError if that is not
      * reached, as when |s| is beyond the modes. Units: 1/s, N to m.
      */
-    std::vector<ComplexVector>
-    solve(const ComplexVector              &s,
-          const std::vector<ComplexVector> &b,
-          const double                      tolerance) const;
+    std::vector<ComplexVector> solve(const ComplexValues              &s,
+                                     const std::vector<ComplexVector> &b,
+                                     const double tolerance) const;
 
     /** Iterations of all solutions so far, two triangular solves each. */
-    unsigned int
-    n_iterations() const
+    unsigned int n_iterations() const
     {
       return iterations;
     }
 
   private:
-    /** Of one s: (s^2 + s C_m + K_m)^-1 and, of what is attached, Z and
-     * (1 + Z L^T P^-1 L)^-1. */
+    /**
+     * Factors at one complex rate s: (s^2 + s C_m + K_m)^-1 and, for what is
+     * attached to the body, Z and (1 + Z L^T P^-1 L)^-1.
+     */
     struct AtOneRate
     {
       std::complex<double>     s;
@@ -97,41 +97,37 @@ namespace RollingContact
       std::optional<ComplexLU> woodbury;
     };
 
-    /** Of the vectors of a block, one by one. */
+    /** Factors of each vector of a block, in its order. */
     using Rates = std::vector<const AtOneRate *>;
 
-    AtOneRate
-    at(const std::complex<double> s) const;
+    AtOneRate at(const std::complex<double> s) const;
 
     /** D(s) X. */
-    ComplexColumns
-    multiply(const Rates &rates, const ComplexColumns &X) const;
+    ComplexMatrix multiply(const Rates &rates, const ComplexMatrix &X) const;
 
     /** P(s)^-1 B. */
-    ComplexColumns
-    precondition(const Rates &rates, const ComplexColumns &B) const;
+    ComplexMatrix precondition(const Rates         &rates,
+                               const ComplexMatrix &B) const;
 
     /** X += Phi [(s^2 + s C_m + K_m)^-1 - Lambda^-1] Q. */
-    void
-    add_modes(const Rates &rates, ComplexColumns Q, ComplexColumns &X) const;
+    void add_modes(const Rates &rates, ComplexMatrix Q, ComplexMatrix &X) const;
 
     /** Forces of what is attached on the structure, that X has to bear. */
-    void
-    add_attached(const Rates          &rates,
-                 const ComplexColumns &X,
-                 ComplexColumns       &result) const;
+    void add_attached(const Rates         &rates,
+                      const ComplexMatrix &X,
+                      ComplexMatrix       &result) const;
 
     /** Forces of the flow, and what it adds to the velocities. */
-    void
-    add_flow(const Rates          &rates,
-             const ComplexColumns &X,
-             ComplexColumns       &velocities,
-             ComplexColumns       &result) const;
+    void add_flow(const Rates         &rates,
+                  const ComplexMatrix &X,
+                  ComplexMatrix       &velocities,
+                  ComplexMatrix       &result) const;
 
     TurningStructure       structure;
     const Factorisation   &factor;
     const StructuralModes &modes;
-    std::vector<double>    modal_damping; ///< 2 zeta omega
+    Eigen::VectorXd        modal_damping; ///< 2 zeta omega
+    Eigen::VectorXd        inverse_eigenvalues;
     DenseMatrix            K_m, C_m;
     DenseMatrix            M_phi;
 

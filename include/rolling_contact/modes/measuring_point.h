@@ -29,29 +29,25 @@ namespace RollingContact
 
     /** Values at the unknowns that a force of 1 N along an axis (0, 1, 2: x, y,
      * z) makes. */
-    std::vector<double>
-    load(const unsigned int axis, const std::size_t n_unknowns) const;
+    std::vector<double> load(const unsigned int axis,
+                             const std::size_t  n_unknowns) const;
 
     /** The motion along an axis of a field of the unknowns. */
-    double
-    motion(const unsigned int axis, const double *values) const;
+    double motion(const unsigned int axis, const double *values) const;
 
     /** The unknown along an axis of the nearest node; -1 if it is held. */
-    std::array<int, 3>
-    nearest_unknowns() const
+    std::array<int, 3> nearest_unknowns() const
     {
       return nearest;
     }
 
-    /** Of the nearest node. Units: m. */
-    double
-    distance() const
+    /** Distance of the asked point from the nearest node. Units: m. */
+    double distance() const
     {
       return nearest_distance;
     }
 
-    std::size_t
-    n_nodes() const
+    std::size_t n_nodes() const
     {
       return weights[2].size();
     }

@@ -13,11 +13,10 @@ namespace RollingContact
    * what is @p given and what loss stiffness H and viscous damping C (empty if
    * there is none) add; 0 for a rigid mode. Units: 1, N/m, N s/m.
    */
-  std::vector<double>
-  total_damping(const StructuralModes       &modes,
-                const std::vector<double>   &given,
-                const SymmetricSparseMatrix &H,
-                const SymmetricSparseMatrix &C);
+  std::vector<double> total_damping(const StructuralModes       &modes,
+                                    const std::vector<double>   &given,
+                                    const SymmetricSparseMatrix &H,
+                                    const SymmetricSparseMatrix &C);
 } // namespace RollingContact
 
 #endif

@@ -37,10 +37,9 @@ namespace RollingContact
    * The character of all modes of a body. Rings of nodes at the same distance
    * from the axle give the Fourier series.
    */
-  std::vector<ModeCharacter>
-  mode_characters(const BodyPlaces          &places,
-                  const std::optional<Axle> &axle,
-                  const StructuralModes     &modes);
+  std::vector<ModeCharacter> mode_characters(const BodyPlaces          &places,
+                                             const std::optional<Axle> &axle,
+                                             const StructuralModes     &modes);
 
   /**
    * Choose among the equivalent shapes of modes: of a pair whose eigenvalues
@@ -48,11 +47,10 @@ namespace RollingContact
    * the second does not; and the motion there is positive, so that shapes do
    * not depend on the random start. @p contact: the unknowns there.
    */
-  void
-  align_pairs(const std::vector<ModeCharacter> &characters,
-              const std::array<int, 3>         &contact,
-              const double                      tolerance,
-              StructuralModes                  &modes);
+  void align_pairs(const std::vector<ModeCharacter> &characters,
+                   const std::array<int, 3>         &contact,
+                   const double                      tolerance,
+                   StructuralModes                  &modes);
 } // namespace RollingContact
 
 #endif

@@ -38,8 +38,7 @@ namespace RollingContact
     /**
      * Sort the nodes, find weights and the widest gap between neighbours.
      */
-    void
-    close();
+    void close();
 
     std::vector<Node> nodes;
     double            mass = 0.;     ///< of all nodes, kg
@@ -53,8 +52,7 @@ namespace RollingContact
    * All circles of nodes that go the whole way round, without a gap wider than
    * widest_ring_gap. Keeps pointers into @p places.
    */
-  std::vector<NodeRing>
-  node_rings(const BodyPlaces &places, const Axle &axle);
+  std::vector<NodeRing> node_rings(const BodyPlaces &places, const Axle &axle);
 } // namespace RollingContact
 
 #endif

@@ -1,10 +1,10 @@
 #ifndef rolling_contact_modes_structural_modes_h
 #define rolling_contact_modes_structural_modes_h
 
-#include <rolling_contact/linear_algebra/dense_matrix.h>
-#include <rolling_contact/linear_algebra/factorisation.h>
-#include <rolling_contact/linear_algebra/reflection.h>
-#include <rolling_contact/linear_algebra/symmetric_sparse_matrix.h>
+#include <rolling_contact/algebra/dense_matrix.h>
+#include <rolling_contact/algebra/factorisation.h>
+#include <rolling_contact/algebra/reflection.h>
+#include <rolling_contact/algebra/symmetric_sparse_matrix.h>
 
 #include <cstddef>
 #include <functional>
@@ -20,8 +20,10 @@ namespace RollingContact
   {
     double cut_off = 10e3; ///< all up to this frequency. Units: Hz
 
-    /** Of || K phi - lambda M phi || over lambda || M phi ||, as far as
-     * rounding allows. */
+    /**
+     * Bound of the residual || K phi - lambda M phi || over lambda || M phi ||,
+     * as far as rounding allows.
+     */
     double tolerance = 1e-8;
 
     unsigned int block_size = 8;
@@ -62,23 +64,20 @@ namespace RollingContact
     double      lanczos_seconds = 0.;
     double      count_seconds   = 0.;
 
-    std::size_t
-    size() const
+    std::size_t size() const
     {
       return frequencies.size();
     }
 
     /** Eigenvalue (2 pi f_j)^2. Units: 1/s^2. */
-    double
-    eigenvalue(const std::size_t j) const;
+    double eigenvalue(const std::size_t j) const;
   };
 
   /**
    * Added to K for a body that nothing holds, times M, so that it is positive
    * definite: (2 pi f)^2 of a fiftieth of the cut-off. Units: 1/s^2.
    */
-  double
-  shift_of_free_body(const double cut_off);
+  double shift_of_free_body(const double cut_off);
 
   /**
    * All modes up to the cut-off, from the factor of K + shift M. With

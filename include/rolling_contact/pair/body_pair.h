@@ -1,10 +1,10 @@
 #ifndef rolling_contact_pair_body_pair_h
 #define rolling_contact_pair_body_pair_h
 
+#include <rolling_contact/base/broadcast.h>
 #include <rolling_contact/base/side.h>
-#include <rolling_contact/distributed/make_body.h>
-#include <rolling_contact/parallel/broadcast.h>
-#include <rolling_contact/scene/scene_parameters.h>
+#include <rolling_contact/bodies/make_body.h>
+#include <rolling_contact/scene/pair_spec.h>
 
 #include <memory>
 #include <string>
@@ -43,17 +43,16 @@ namespace RollingContact
      * direct bodies. Collective; @p scene and @p grading are the same on all
      * ranks.
      */
-    BodyPair(const SceneParameters &scene,
-             const Grading<dim>    &grading,
-             const PairDemands     &demands,
-             const bool             statics);
+    BodyPair(const PairSpec     &scene,
+             const Grading<dim> &grading,
+             const PairDemands  &demands,
+             const bool          statics);
 
     /**
      * Free the memory of the factors or preconditioners of K, which only static
      * solutions need.
      */
-    void
-    release_statics();
+    void release_statics();
 
     /**
      * Give all ranks the @p object of the rank of a direct body, such as its
@@ -61,8 +60,7 @@ namespace RollingContact
      * already, and nothing is sent for them. Collective.
      */
     template <typename Object>
-    Object
-    on_all_ranks(const Side side, Object object) const
+    Object on_all_ranks(const Side side, Object object) const
     {
       if (solver == BodySolver::direct && is_elastic(side))
         Ranks::broadcast(object, rank_of(side));
@@ -72,8 +70,7 @@ namespace RollingContact
     /**
      * True for an elastic body, false for a rigid one.
      */
-    bool
-    is_elastic(const Side side) const
+    bool is_elastic(const Side side) const
     {
       return elastic[side];
     }
@@ -82,8 +79,7 @@ namespace RollingContact
      * True for an elastic body but the rail of twins, which is the body of the
      * wheel.
      */
-    bool
-    has_own_body(const Side side) const
+    bool has_own_body(const Side side) const
     {
       return is_elastic(side) && !(side == Side::rail && are_twins);
     }
@@ -92,8 +88,7 @@ namespace RollingContact
      * The body, and for both sides of twins the same one; nullptr for a rigid
      * body and on ranks that hold nothing of it.
      */
-    ElasticBody<dim> *
-    body(const Side side) const
+    ElasticBody<dim> *body(const Side side) const
     {
       return bodies[side].get();
     }
@@ -101,8 +96,7 @@ namespace RollingContact
     /**
      * The rank that holds a direct body, or the model of a distributed one.
      */
-    unsigned int
-    rank_of(const Side side) const
+    unsigned int rank_of(const Side side) const
     {
       return ranks[side];
     }
@@ -111,8 +105,7 @@ namespace RollingContact
      * True if both bodies are meshed by the program with the same geometry,
      * material and model.
      */
-    bool
-    twins() const
+    bool twins() const
     {
       return are_twins;
     }
@@ -121,8 +114,7 @@ namespace RollingContact
      * Number of threads, 1 or 2, for work on both bodies: MPI may be used by
      * one thread only, which rules out a second one for distributed bodies.
      */
-    unsigned int
-    n_threads() const
+    unsigned int n_threads() const
     {
       return are_twins || solver != BodySolver::direct ? 1 : body_threads;
     }
@@ -130,8 +122,7 @@ namespace RollingContact
     /**
      * Sum over the bodies on all ranks; twins count once.
      */
-    std::size_t
-    n_unknowns() const
+    std::size_t n_unknowns() const
     {
       return total_unknowns;
     }
@@ -139,8 +130,7 @@ namespace RollingContact
     /**
      * How K is solved: direct or distributed.
      */
-    BodySolver
-    body_solver() const
+    BodySolver body_solver() const
     {
       return solver;
     }
@@ -149,8 +139,7 @@ namespace RollingContact
      * Why the program took this body solver, a part of a sentence; empty if the
      * scene or the number of ranks decided.
      */
-    const std::string &
-    reason_for_solver() const
+    const std::string &reason_for_solver() const
     {
       return reason;
     }
@@ -161,27 +150,24 @@ namespace RollingContact
      * `automatic`, on one rank, direct bodies are built, and replaced by
      * distributed ones if their factors do not fit into the memory.
      */
-    void
-    choose_and_build(const SceneParameters &scene,
-                     const Grading<dim>    &grading,
-                     const PairDemands     &demands,
-                     const bool             statics);
+    void choose_and_build(const PairSpec     &scene,
+                          const Grading<dim> &grading,
+                          const PairDemands  &demands,
+                          const bool          statics);
 
     /**
      * Mesh the bodies of this rank and prepare K for the given solver.
      */
-    void
-    build(const SceneParameters &scene,
-          const Grading<dim>    &grading,
-          const PairDemands     &demands,
-          const bool             statics);
+    void build(const PairSpec     &scene,
+               const Grading<dim> &grading,
+               const PairDemands  &demands,
+               const bool          statics);
 
     /**
      * Bytes of the factors of direct bodies, known if K was @p analysed, else
      * predicted.
      */
-    double
-    factor_memory(const bool analysed) const;
+    double factor_memory(const bool analysed) const;
 
     BodySolver                                 solver;
     std::string                                reason;

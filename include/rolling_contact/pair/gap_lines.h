@@ -2,7 +2,7 @@
 #define rolling_contact_pair_gap_lines_h
 
 #include <rolling_contact/mesh/zone_box.h>
-#include <rolling_contact/profiles/contact_frame.h>
+#include <rolling_contact/surfaces/contact_frame.h>
 
 #include <cmath>
 #include <vector>
@@ -39,14 +39,12 @@ namespace RollingContact
     {}
 
     /** Whether approach and load have one direction with all normals. */
-    bool
-    is_one() const
+    bool is_one() const
     {
       return frame.kind() == Profiles::SurfaceKind::plane;
     }
 
-    double
-    operator()(const double s) const
+    double operator()(const double s) const
     {
       return is_one() ? 1. : std::cos(frame.surface(s).angle + load_angle);
     }
@@ -60,15 +58,14 @@ namespace RollingContact
    * Lines over the whole of the profiles, with gaps of up to a millimetre
    * along the approach.
    */
-  std::vector<GapLine>
-  lines_across(const Profiles::ContactFrame &frame, const ApproachShare &share);
+  std::vector<GapLine> lines_across(const Profiles::ContactFrame &frame,
+                                    const ApproachShare          &share);
 
   /**
    * The rectangle around all places where the gap is below @p depth; lower
    * above upper if there is none.
    */
-  ZoneBox
-  overlap(const std::vector<GapLine> &lines, const double depth);
+  ZoneBox overlap(const std::vector<GapLine> &lines, const double depth);
 } // namespace RollingContact
 
 #endif

@@ -1,7 +1,7 @@
 #ifndef rolling_contact_pair_interface_mesh_h
 #define rolling_contact_pair_interface_mesh_h
 
-#include <rolling_contact/interface/trace.h>
+#include <rolling_contact/contact/trace.h>
 #include <rolling_contact/mesh/grading.h>
 
 namespace RollingContact
@@ -12,8 +12,7 @@ namespace RollingContact
    * bodies would have there.
    */
   template <int dim>
-  Trace
-  interface_mesh(const Grading<dim> &grading);
+  Trace interface_mesh(const Grading<dim> &grading);
 } // namespace RollingContact
 
 #endif

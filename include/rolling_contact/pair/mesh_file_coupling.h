@@ -1,9 +1,9 @@
 #ifndef rolling_contact_pair_mesh_file_coupling_h
 #define rolling_contact_pair_mesh_file_coupling_h
 
-#include <rolling_contact/interface/surface_coupling.h>
-#include <rolling_contact/interface/trace.h>
-#include <rolling_contact/scene/scene_parameters.h>
+#include <rolling_contact/contact/surface_coupling.h>
+#include <rolling_contact/contact/trace.h>
+#include <rolling_contact/scene/pair_spec.h>
 
 namespace RollingContact
 {
@@ -50,11 +50,10 @@ namespace RollingContact
    * surface), or, with profiles, is not on the body's. @p mesh is in the axes
    * of the body. Needs no other rank.
    */
-  FileSurface
-  couple_to_interface(const SceneParameters &scene,
-                      const Side             side,
-                      const FileMesh        &mesh,
-                      const Trace           &interface);
+  FileSurface couple_to_interface(const PairSpec &scene,
+                                  const Side      side,
+                                  const FileMesh &mesh,
+                                  const Trace    &interface);
 
   /**
    * Throw InputError if the elements of an interface whose nodes no generated
@@ -62,12 +61,11 @@ namespace RollingContact
    * @p surface: pressures that alternate from node to node would deform
    * nothing. Units: m.
    */
-  void
-  check_resolution(const SceneParameters &scene,
-                   const Side             side,
-                   const FileSurface     &surface,
-                   const double           element_size_x,
-                   const double           element_size_y);
+  void check_resolution(const PairSpec    &scene,
+                        const Side         side,
+                        const FileSurface &surface,
+                        const double       element_size_x,
+                        const double       element_size_y);
 } // namespace RollingContact
 
 #endif

@@ -2,7 +2,7 @@
 #define rolling_contact_pair_mesh_limits_h
 
 #include <rolling_contact/mesh/grading.h>
-#include <rolling_contact/scene/scene_parameters.h>
+#include <rolling_contact/scene/pair_spec.h>
 
 namespace RollingContact
 {
@@ -20,25 +20,22 @@ namespace RollingContact
    * root of a load in 3D.
    */
   template <int dim>
-  void
-  check_element_size(const SceneParameters &scene, const Grading<dim> &grading);
+  void check_element_size(const PairSpec &scene, const Grading<dim> &grading);
 
   /**
    * Throws MemoryError if the dense matrices of contact space with so many
    * unknowns, W of each body and of the pair and products of it, do not fit
    * into 70 % of the free memory.
    */
-  void
-  check_contact_memory(const double n_unknowns);
+  void check_contact_memory(const double n_unknowns);
 
   /**
-   * The same before a mesh is made, by the size of the zone and of its elements
-   * alone: some less than there will be.
+   * Check the memory of the contact problem before a mesh is made, by the size
+   * of the zone and of its elements alone, which counts somewhat fewer nodes
+   * than there will be. Throws InputError.
    */
   template <int dim>
-  void
-  check_contact_memory(const SceneParameters &scene,
-                       const Grading<dim>    &grading);
+  void check_contact_memory(const PairSpec &scene, const Grading<dim> &grading);
 } // namespace RollingContact
 
 #endif

@@ -1,7 +1,7 @@
 #ifndef rolling_contact_pair_mesh_unit_check_h
 #define rolling_contact_pair_mesh_unit_check_h
 
-#include <rolling_contact/scene/scene_parameters.h>
+#include <rolling_contact/scene/pair_spec.h>
 
 namespace RollingContact
 {
@@ -11,8 +11,7 @@ namespace RollingContact
    * patch that Mesh unit must be wrong. Nothing else shows this for a flat
    * boundary before the pair of bodies is built.
    */
-  void
-  check_mesh_units(const SceneParameters &scene);
+  void check_mesh_units(const PairSpec &scene);
 } // namespace RollingContact
 
 #endif

@@ -1,7 +1,7 @@
 #ifndef rolling_contact_pair_moving_surfaces_h
 #define rolling_contact_pair_moving_surfaces_h
 
-#include <rolling_contact/scene/scene_parameters.h>
+#include <rolling_contact/scene/pair_spec.h>
 #include <rolling_contact/surfaces/filtered_record.h>
 
 #include <array>
@@ -37,10 +37,9 @@ namespace RollingContact
      * than two elements, steps, heights beyond reason, a record that ends
      * before the run, a tread that does not close where the run comes to it.
      */
-    MovingSurfaces(const SceneParameters &scene, const ZoneSizes &sizes);
+    MovingSurfaces(const PairSpec &scene, const ZoneSizes &sizes);
 
-    bool
-    in_use() const
+    bool in_use() const
     {
       return moves;
     }
@@ -49,15 +48,11 @@ namespace RollingContact
      * Sum of the heights of both bodies at a place of the frame after the
      * material moved by @p travelled along x since t = 0.
      */
-    double
-    height(const double x, const double y, const double travelled) const;
+    double height(const double x, const double y, const double travelled) const;
 
-    /**
-     * The same at many places.
-     */
-    std::vector<double>
-    heights(const std::vector<std::array<double, 2>> &at,
-            const double                              travelled) const;
+    /** Heights at many places. Units: m. */
+    std::vector<double> heights(const std::vector<std::array<double, 2>> &at,
+                                const double travelled) const;
 
     /**
      * What share of mu there is at the places then, Surfaces/Friction share of
@@ -83,8 +78,7 @@ namespace RollingContact
    * Throws InputError, before anything is meshed, if the surfaces do not suit
    * elements of the size that the estimated patch asks for.
    */
-  void
-  check_moving_surfaces(const SceneParameters &scene);
+  void check_moving_surfaces(const PairSpec &scene);
 } // namespace RollingContact
 
 #endif

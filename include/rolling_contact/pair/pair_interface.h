@@ -1,10 +1,11 @@
 #ifndef rolling_contact_pair_pair_interface_h
 #define rolling_contact_pair_pair_interface_h
 
-#include <rolling_contact/interface/surface_coupling.h>
-#include <rolling_contact/interface/trace.h>
+#include <rolling_contact/contact/surface_coupling.h>
+#include <rolling_contact/contact/trace.h>
 #include <rolling_contact/pair/body_pair.h>
 #include <rolling_contact/pair/mesh_file_coupling.h>
+#include <rolling_contact/scene/pair_spec.h>
 
 #include <vector>
 
@@ -28,9 +29,9 @@ namespace RollingContact
      * couple_to_interface(). Collective; @p scene and @p grading are the same
      * on all ranks.
      */
-    PairInterface(const SceneParameters &scene,
-                  const Grading<dim>    &grading,
-                  const BodyPair<dim>   &bodies);
+    PairInterface(const PairSpec      &scene,
+                  const Grading<dim>  &grading,
+                  const BodyPair<dim> &bodies);
 
     /**
      * The surface nodes of the generated bodies, or a mesh of its own if both
@@ -71,8 +72,7 @@ namespace RollingContact
      * Whether nodes are turned against a body, which mixes normal and
      * tangential components.
      */
-    bool
-    turns_nodes() const
+    bool turns_nodes() const
     {
       return nodes_turned;
     }
@@ -82,18 +82,16 @@ namespace RollingContact
      * Turn the nodes against the elastic bodies whose surface is that of
      * contact, and against bodies that keep the axes of their files.
      */
-    void
-    turn_nodes(const SceneParameters &scene, const BodyPair<dim> &bodies);
+    void turn_nodes(const PairSpec &scene, const BodyPair<dim> &bodies);
 
     bool nodes_turned = false;
 
     /**
      * Take the nodes of a generated body; its surface, on all ranks.
      */
-    Trace
-    surface_of(const Side           side,
-               const Grading<dim>  &grading,
-               const BodyPair<dim> &bodies);
+    Trace surface_of(const Side           side,
+                     const Grading<dim>  &grading,
+                     const BodyPair<dim> &bodies);
   };
 } // namespace RollingContact
 

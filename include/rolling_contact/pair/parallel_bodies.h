@@ -13,10 +13,9 @@ namespace RollingContact
    * exception of either reaches the caller.
    */
   template <typename First, typename Second>
-  void
-  for_both_bodies(const unsigned int n_threads,
-                  const First       &first,
-                  const Second      &second)
+  void for_both_bodies(const unsigned int n_threads,
+                       const First       &first,
+                       const Second      &second)
   {
     if (n_threads == 1)
       {

@@ -3,7 +3,7 @@
 
 #include <rolling_contact/mesh/zone_box.h>
 #include <rolling_contact/references/contact_modulus.h>
-#include <rolling_contact/scene/scene_parameters.h>
+#include <rolling_contact/scene/pair_spec.h>
 
 #include <vector>
 
@@ -26,30 +26,26 @@ namespace RollingContact
     double shortest_x = 0., narrowest_y = 0.;
 
     /** Whether a point of the plane of contact is in it. */
-    bool
-    contains(const double x, const double y) const;
+    bool contains(const double x, const double y) const;
   };
 
   /**
    * Throws InputError if the approach is more than the bodies allow.
    */
-  PatchEstimate
-  estimate_patch(const SceneParameters &scene);
+  PatchEstimate estimate_patch(const PairSpec &scene);
 
   /**
    * Under this load (N) in place of the scene's, or with its approach if there
    * is none.
    */
-  PatchEstimate
-  estimate_patch(const SceneParameters       &scene,
-                 const std::optional<double> &load);
+  PatchEstimate estimate_patch(const PairSpec              &scene,
+                               const std::optional<double> &load);
 
   /**
    * Whether there is a patch to estimate: a load or an approach above 0. With
    * profiles without the half-space, which takes 0.03 s.
    */
-  bool
-  bodies_touch(const SceneParameters &scene);
+  bool bodies_touch(const PairSpec &scene);
 
   /**
    * Constants of Hertzian and tangential contact of wheel and rail, a rigid one
@@ -70,8 +66,7 @@ namespace RollingContact
     double dundurs_beta = 0.;
   };
 
-  PairConstants
-  pair_constants(const SceneParameters &scene);
+  PairConstants pair_constants(const PairSpec &scene);
 } // namespace RollingContact
 
 #endif

@@ -3,6 +3,7 @@
 
 #include <rolling_contact/mesh/grading.h>
 #include <rolling_contact/pair/body_pair.h>
+#include <rolling_contact/scene/pair_spec.h>
 
 #include <vector>
 
@@ -14,8 +15,8 @@ namespace RollingContact
   template <int dim>
   struct PlaceOfContact
   {
-    SceneParameters scene;
-    Grading<dim>    grading;
+    PairSpec     scene;
+    Grading<dim> grading;
   };
 
   /**
@@ -33,8 +34,8 @@ namespace RollingContact
    * those that are elastic have sections from files and live on one rank.
    */
   template <int dim>
-  const BodyPair<dim> &
-  for_several_places(const SceneParameters &scene, const BodyPair<dim> &bodies);
+  const BodyPair<dim> &for_several_places(const PairSpec      &scene,
+                                          const BodyPair<dim> &bodies);
 } // namespace RollingContact
 
 #endif

@@ -2,7 +2,7 @@
 #define rolling_contact_pair_profile_patch_h
 
 #include <rolling_contact/mesh/zone_box.h>
-#include <rolling_contact/profiles/contact_frame.h>
+#include <rolling_contact/surfaces/contact_frame.h>
 
 #include <optional>
 #include <vector>
@@ -18,8 +18,10 @@ namespace RollingContact
     std::vector<ZoneBox> boxes; ///< that touch, side by side
     double half_width_x = 0.;   ///< half of the longest stretch along x
     double half_width_y = 0.;   ///< of the widest patch
-    /** Those of the shortest and of the narrowest of the patches that carry a
-     * tenth of the load or more. */
+    /**
+     * Half-lengths in x of the shortest, and in y of the narrowest, of the
+     * patches that carry a tenth of the load or more. Units: m.
+     */
     double shortest_x = 0., narrowest_y = 0.;
     double normal_force = 0.;
     double approach     = 0.;
@@ -28,19 +30,18 @@ namespace RollingContact
   };
 
   /**
-   * Of half-spaces with the contact modulus E* (Pa) on a coarse grid, under a
-   * load or with an approach if there is none. All members are zero if the
-   * surfaces do not touch. On a curved surface of contact load and approach
-   * are inclined against the normal of its plane by an angle (rad), see
-   * SurfaceFrames. Throws InputError if the patch reaches the ends of the
+   * Patch between half-spaces with the contact modulus E* (Pa) on a coarse
+   * grid, under a load or, if there is none, with an approach. All members are
+   * zero if the surfaces do not touch. On a curved surface of contact load and
+   * approach are inclined against the normal of its plane by an angle (rad),
+   * see SurfaceFrames. Throws InputError if the patch reaches the ends of the
    * profiles.
    */
-  ProfilePatch
-  profile_patch(const Profiles::ContactFrame &frame,
-                const double                  contact_modulus,
-                const std::optional<double>  &load,
-                const double                  approach,
-                const double                  load_angle = 0.);
+  ProfilePatch profile_patch(const Profiles::ContactFrame &frame,
+                             const double                  contact_modulus,
+                             const std::optional<double>  &load,
+                             const double                  approach,
+                             const double                  load_angle = 0.);
 } // namespace RollingContact
 
 #endif

@@ -2,7 +2,7 @@
 #define rolling_contact_pair_profile_surface_h
 
 #include <rolling_contact/contact/contact_operators.h>
-#include <rolling_contact/scene/scene_parameters.h>
+#include <rolling_contact/scene/pair_spec.h>
 
 namespace RollingContact
 {
@@ -11,26 +11,23 @@ namespace RollingContact
    * normals; beyond the end of the rail as if it went on in its plane. Without
    * nodes where that surface is plane, and for bodies without profiles.
    */
-  SurfaceFrames
-  surface_frames(const SceneParameters             &scene,
-                 const ContactOperators::Positions &at);
+  SurfaceFrames surface_frames(const PairSpec                    &scene,
+                               const ContactOperators::Positions &at);
 
   /**
    * Gap of the profiles at a place (x, s) of the surface of contact; 1 cm where
    * one of them has ended. Units: m.
    */
-  double
-  gap_of_profiles(const SceneParameters       &scene,
-                  const std::array<double, 2> &at);
+  double gap_of_profiles(const PairSpec              &scene,
+                         const std::array<double, 2> &at);
 
   /**
    * Rigid slip of the profiles beyond that of creepages, T components at each
    * node; empty if there is none. Units: 1.
    */
-  NodalField
-  slip_of_profiles(const SceneParameters             &scene,
-                   const ContactOperators::Positions &at,
-                   const unsigned int                 n_tangential);
+  NodalField slip_of_profiles(const PairSpec                    &scene,
+                              const ContactOperators::Positions &at,
+                              const unsigned int                 n_tangential);
 } // namespace RollingContact
 
 #endif

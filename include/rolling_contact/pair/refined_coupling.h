@@ -3,6 +3,7 @@
 
 #include <rolling_contact/mesh/hanging_vertices.h>
 #include <rolling_contact/pair/mesh_file_coupling.h>
+#include <rolling_contact/scene/pair_spec.h>
 
 namespace RollingContact
 {
@@ -11,12 +12,11 @@ namespace RollingContact
    * there: vertices that hang are none of the contact nodes, the corners that
    * they move with are.
    */
-  FileSurface
-  couple_refined_to_interface(const SceneParameters &scene,
-                              const Side             side,
-                              const FileMesh        &mesh,
-                              const HangingVertices &hanging,
-                              const Trace           &interface);
+  FileSurface couple_refined_to_interface(const PairSpec        &scene,
+                                          const Side             side,
+                                          const FileMesh        &mesh,
+                                          const HangingVertices &hanging,
+                                          const Trace           &interface);
 } // namespace RollingContact
 
 #endif

@@ -5,6 +5,7 @@
 #include <rolling_contact/pair/body_pair.h>
 #include <rolling_contact/pair/moving_surfaces.h>
 #include <rolling_contact/pair/pair_interface.h>
+#include <rolling_contact/scene/pair_spec.h>
 
 #include <memory>
 #include <vector>
@@ -29,33 +30,31 @@ namespace RollingContact
      * interface between them. Throws InputError if they do not suit the zone of
      * contact nodes. Keeps a copy of the scene. Collective.
      */
-    RollingPair(const SceneParameters &scene,
-                const Grading<dim>    &grading,
-                const PairDemands     &demands,
-                const bool             statics = true);
+    RollingPair(const PairSpec     &scene,
+                const Grading<dim> &grading,
+                const PairDemands  &demands,
+                const bool          statics = true);
 
     /**
-     * The same bodies at another place: of a scene that differs from theirs in
-     * where and how they touch only, with an interface of its own. What was
+     * Pair of the same bodies at another place: the scene differs from theirs
+     * only in where and how they touch, and the interface is its own. What was
      * built for the bodies is shared, so that their factors serve all places
      * (PairDemands::displacements keeps them) and they are condensed for each.
-     * Their mesh must have small elements where this one touches, see
+     * Their mesh must have small elements where this pair touches, see
      * grading_of_places(). Throws InputError unless elastic bodies have
      * sections from files, which are coupled by mortars, and live on one rank.
      */
-    RollingPair(const SceneParameters &scene,
-                const Grading<dim>    &grading,
-                const PairDemands     &demands,
-                const BodyPair<dim>   &bodies);
+    RollingPair(const PairSpec      &scene,
+                const Grading<dim>  &grading,
+                const PairDemands   &demands,
+                const BodyPair<dim> &bodies);
 
-    const BodyPair<dim> &
-    bodies() const
+    const BodyPair<dim> &bodies() const
     {
       return body_pair;
     }
 
-    const PairInterface<dim> &
-    interface() const
+    const PairInterface<dim> &interface() const
     {
       return pair_interface;
     }
@@ -63,8 +62,7 @@ namespace RollingContact
     /**
      * Nodes and elements of the interface.
      */
-    const Trace &
-    trace() const
+    const Trace &trace() const
     {
       return pair_interface.trace;
     }
@@ -73,8 +71,7 @@ namespace RollingContact
      * Directions of a body's displacement that are among the values of the
      * contact: all, or z alone without friction. Numbers of axes, from 0.
      */
-    const std::vector<unsigned int> &
-    contact_directions() const
+    const std::vector<unsigned int> &contact_directions() const
     {
       return components;
     }
@@ -82,8 +79,7 @@ namespace RollingContact
     /**
      * Surfaces that move with the material, on the elements of this pair.
      */
-    const MovingSurfaces &
-    moving_surfaces() const
+    const MovingSurfaces &moving_surfaces() const
     {
       return surfaces;
     }
@@ -91,8 +87,7 @@ namespace RollingContact
     /**
      * Free what only static solutions need, see BodyPair.
      */
-    void
-    release_statics()
+    void release_statics()
     {
       body_pair.release_statics();
     }
@@ -104,19 +99,17 @@ namespace RollingContact
      * W of the first one by the second overload. Units of W: m/N. The first
      * overload is collective.
      */
-    ContactProblem
-    contact_problem(const ContactParameters &contact);
+    ContactProblem contact_problem(const ContactParameters &contact);
 
-    ContactProblem
-    contact_problem(const ContactParameters &contact, DenseMatrix W) const;
+    ContactProblem contact_problem(const ContactParameters &contact,
+                                   DenseMatrix              W) const;
 
     /**
      * mu, mu_s of a law that falls, of the nodes after the material moved by
      * @p travelled along x since t = 0. Units: m.
      */
-    std::vector<double>
-    friction_at_nodes(const ContactParameters &contact,
-                      const double             travelled) const;
+    std::vector<double> friction_at_nodes(const ContactParameters &contact,
+                                          const double travelled) const;
 
     /**
      * Give a problem of this pair the load or approach, the creepages and the
@@ -124,16 +117,15 @@ namespace RollingContact
      * and gap are made of must be as it was: slip operator, contact matrices,
      * direction of the flow, roughness, and whether there is friction.
      */
-    void
-    set_loads(const ContactParameters &contact, ContactProblem &problem) const;
+    void set_loads(const ContactParameters &contact,
+                   ContactProblem          &problem) const;
 
     /**
      * Compliance W of the pair from those of the bodies. Inputs: for each body
      * on the rank of BodyPair::rank_of(), empty elsewhere, for a rigid body and
      * for the rail of twins. Result: on all ranks. Units: m/N. Collective.
      */
-    DenseMatrix
-    pair_compliance(PerSide<DenseMatrix> body_compliances) const;
+    DenseMatrix pair_compliance(PerSide<DenseMatrix> body_compliances) const;
 
     /**
      * Motion of the wheel relative to the rail from the motions of the bodies.
@@ -148,8 +140,7 @@ namespace RollingContact
      * False if the W of contact_problem() is an approximation that the
      * response() of the bodies corrects.
      */
-    bool
-    compliance_is_exact() const;
+    bool compliance_is_exact() const;
 
     /**
      * Static displacement W r of the pair for each of several sets of nodal
@@ -165,40 +156,36 @@ namespace RollingContact
      * Forces on the contact nodes of a body from the nodal forces of the pair,
      * see nodal_forces(). Units: N.
      */
-    std::vector<double>
-    forces_on_body(const Side side, std::vector<double> forces) const;
+    std::vector<double> forces_on_body(const Side          side,
+                                       std::vector<double> forces) const;
 
     /**
      * A body in time, with the pair's contact nodes; nullptr for a rigid body
      * and on ranks that hold nothing of it. Collective for distributed bodies.
      */
-    std::unique_ptr<BodyDynamics>
-    in_time(const Side         side,
-            const ThetaScheme &scheme,
-            const MassKind     mass) const;
+    std::unique_ptr<BodyDynamics> in_time(const Side         side,
+                                          const ThetaScheme &scheme,
+                                          const MassKind     mass) const;
 
     /**
      * Static displacement of a body under the reactions of a contact state,
      * without the rigid approach of the wheel. Empty on ranks that hold nothing
      * of the body. Units: m. Collective for distributed bodies.
      */
-    BodyField
-    displacement(const Side            side,
-                 const ContactProblem &problem,
-                 const ContactState   &state) const;
+    BodyField displacement(const Side            side,
+                           const ContactProblem &problem,
+                           const ContactState   &state) const;
 
   private:
     /**
      * W of the pair from those of the bodies on the interface, each on the rank
      * of its body. Collective.
      */
-    DenseMatrix
-    added_compliance(PerSide<DenseMatrix> at_interface) const;
+    DenseMatrix added_compliance(PerSide<DenseMatrix> at_interface) const;
 
-    void
-    choose_components();
+    void choose_components();
 
-    const SceneParameters     scene;
+    const PairSpec            scene;
     BodyPair<dim>             body_pair;
     PairInterface<dim>        pair_interface;
     const MovingSurfaces      surfaces;

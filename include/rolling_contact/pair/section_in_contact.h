@@ -3,7 +3,7 @@
 
 #include <rolling_contact/mesh/profiled_section.h>
 #include <rolling_contact/pair/mesh_file_coupling.h>
-#include <rolling_contact/scene/scene_parameters.h>
+#include <rolling_contact/scene/pair_spec.h>
 
 #include <array>
 
@@ -22,13 +22,11 @@ namespace RollingContact
     /**
      * Whether there is one on this side.
      */
-    static bool
-    is_on(const SceneParameters &scene, const Side side);
+    static bool is_on(const PairSpec &scene, const Side side);
 
-    SectionInContact(const SceneParameters &scene, const Side side);
+    SectionInContact(const PairSpec &scene, const Side side);
 
-    AxesOfContact
-    axes() const
+    AxesOfContact axes() const
     {
       return {turn, origin[0], origin[1]};
     }
@@ -37,21 +35,18 @@ namespace RollingContact
      * The mesh of the body in space with its vertices in the axes of the
      * contact; on a curved surface those of the contact faces alone.
      */
-    FileMesh
-    seen_from_contact(const FileMesh &mesh) const;
+    FileMesh seen_from_contact(const FileMesh &mesh) const;
 
     /**
      * How far a vertex of the mesh, in the axes of the body, is off the
      * profile.
      */
-    double
-    off_profile(const FileMesh::Point &vertex) const;
+    double off_profile(const FileMesh::Point &vertex) const;
 
     /**
      * A vertex in the file's axes, across and out of the body.
      */
-    ProfiledSection::Point
-    in_file(const FileMesh::Point &vertex) const;
+    ProfiledSection::Point in_file(const FileMesh::Point &vertex) const;
 
   private:
     bool                   is_left, is_curved;

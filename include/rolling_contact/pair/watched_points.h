@@ -1,8 +1,10 @@
 #ifndef rolling_contact_pair_watched_points_h
 #define rolling_contact_pair_watched_points_h
 
-#include <rolling_contact/elasticity/body_point.h>
+#include <rolling_contact/bodies/body_point.h>
 #include <rolling_contact/pair/body_pair.h>
+#include <rolling_contact/scene/pair_spec.h>
+#include <rolling_contact/scene/velocity_points.h>
 
 #include <functional>
 #include <string>
@@ -12,7 +14,7 @@ namespace RollingContact
 {
   /**
    * The named points of a scene in its bodies, see
-   * SceneParameters::velocity_points(). Their motion is that of the points of
+   * PairSpec::velocity_points(). Their motion is that of the points of
    * the wheel, then of the rail, by components x, (in 3D) y and z, z upwards
    * for both bodies.
    */
@@ -27,33 +29,32 @@ namespace RollingContact
      * of its body, for a wheel without axle and for bodies that are spread over
      * ranks. Collective.
      */
-    WatchedPoints(const SceneParameters                          &scene,
+    WatchedPoints(const PairSpec                                 &scene,
+                  const PerSide<std::vector<VelocityPoint>>      &wanted,
                   const BodyPair<dim>                            &bodies,
                   const std::function<void(const std::string &)> &tell);
 
-    std::size_t
-    n_values() const
+    std::size_t n_values() const
     {
       return dim * n_points;
     }
 
     /**
-     * Of all points, from fields of the bodies in their own frames; @p field is
-     * called for bodies with points, on all ranks. Collective.
+     * Values at all points, from fields of the bodies in their own frames; @p
+     * field is called for bodies with points, on all ranks. Collective.
      */
     std::vector<double>
     values(const BodyPair<dim>                        &bodies,
            const std::function<BodyField(const Side)> &field) const;
 
     /**
-     * Of the points of one body alone; on ranks that hold nothing of the body
-     * and for a body without points empty. Not collective.
+     * Values at the points of one body alone; empty for a body without points,
+     * and on ranks that hold nothing of the body. Not collective.
      */
-    std::vector<double>
-    values_of(const Side side, const BodyField &field) const;
+    std::vector<double> values_of(const Side       side,
+                                  const BodyField &field) const;
 
-    bool
-    has_any(const Side side) const
+    bool has_any(const Side side) const
     {
       return n_of_body[side] > 0;
     }

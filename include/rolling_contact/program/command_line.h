@@ -17,8 +17,7 @@ namespace RollingContact
      */
     CommandLine(const int argc, const char *const *argv);
 
-    static std::string
-    help();
+    static std::string help();
 
     struct Setting
     {

@@ -1,7 +1,7 @@
 #ifndef rolling_contact_program_scene_doubts_h
 #define rolling_contact_program_scene_doubts_h
 
-#include <rolling_contact/scene/scene_parameters.h>
+#include <rolling_contact/scene/situation.h>
 #include <rolling_contact/tables/table_plan.h>
 
 #include <optional>
@@ -18,10 +18,9 @@ namespace RollingContact
    * is its plan). @p given holds the entries that the scene gives,
    * Section/Entry.
    */
-  std::vector<std::string>
-  doubts_of(const SceneParameters          &scene,
-            const std::optional<TablePlan> &table,
-            std::set<std::string>           given);
+  std::vector<std::string> doubts_of(const Situation                &scene,
+                                     const std::optional<TablePlan> &table,
+                                     std::set<std::string>           given);
 } // namespace RollingContact
 
 #endif

@@ -3,7 +3,7 @@
 
 #include <rolling_contact/input/prm_text.h>
 #include <rolling_contact/program/command_line.h>
-#include <rolling_contact/scene/scene_parameters.h>
+#include <rolling_contact/scene/situation.h>
 
 #include <string>
 #include <vector>
@@ -16,9 +16,9 @@ namespace RollingContact
    */
   struct SceneInput
   {
-    SceneParameters scene;
-    std::string     original; ///< the file
-    std::string     used;     ///< every entry that differs from its default
+    Situation   scene;
+    std::string original; ///< the file
+    std::string used;     ///< every entry that differs from its default
     /** Entries without effect and values that are hardly meant so. */
     std::vector<std::string> warnings;
   };
@@ -27,31 +27,27 @@ namespace RollingContact
    * Read and check a scene. Throws InputError, one message with file and line
    * where deal.II knows them.
    */
-  SceneInput
-  read_scene(const CommandLine &command_line);
+  SceneInput read_scene(const CommandLine &command_line);
 
   /**
-   * The same of a text that was read; files it names are relative to a @p
-   * folder, @p name stands for the text in messages. Throws InputError.
+   * The scene of a text that was read; files it names are relative to a @p
+   * folder, and @p name stands for the text in messages. Throws InputError.
    */
-  SceneInput
-  scene_of_text(const PrmText                           &text,
-                const std::string                       &name,
-                const std::filesystem::path             &folder,
-                const std::vector<CommandLine::Setting> &settings);
+  SceneInput scene_of_text(const PrmText                           &text,
+                           const std::string                       &name,
+                           const std::filesystem::path             &folder,
+                           const std::vector<CommandLine::Setting> &settings);
 
   /**
    * Every parameter with its default and documentation, as a .prm file.
    */
-  std::string
-  documented_parameters();
+  std::string documented_parameters();
 
   /**
    * Every parameter with its default, meaning, unit and allowed values, as
-   * entries_as_json() of `input/prm_declared.h` writes them.
+   * entries_as_json() of `scene/entries.h` writes them.
    */
-  std::string
-  parameters_as_json();
+  std::string parameters_as_json();
 } // namespace RollingContact
 
 #endif

@@ -23,9 +23,8 @@ namespace RollingContact::References
      * theta, w = w' = 0 inside, bending moment and Kirchhoff's shear zero
      * outside, f = k^2 sqrt(D / (rho t)) / (2 pi) (Leissa 1969). Units: Hz.
      */
-    std::vector<double>
-    frequencies(const unsigned int n_diameters,
-                const unsigned int n_frequencies) const;
+    std::vector<double> frequencies(const unsigned int n_diameters,
+                                    const unsigned int n_frequencies) const;
   };
 } // namespace RollingContact::References
 

@@ -11,10 +11,9 @@ namespace RollingContact::References
    * shrinks to 4 eps max(1, |root|): meant for logarithms, where that is a
    * relative error of the quantity itself.
    */
-  double
-  bracketed_root(const std::function<double(double)> &function,
-                 const double                         lower,
-                 const double                         upper);
+  double bracketed_root(const std::function<double(double)> &function,
+                        const double                         lower,
+                        const double                         upper);
 } // namespace RollingContact::References
 
 #endif

@@ -29,48 +29,41 @@ namespace RollingContact::References
     /**
      * Creepage mu a/R from which the whole patch slides.
      */
-    double
-    saturation_creepage() const;
+    double saturation_creepage() const;
 
     /**
      * Half-width of the stick zone, c = a (1 - |creepage|/saturation) (m), zero
      * in full sliding.
      */
-    double
-    stick_half_width() const;
+    double stick_half_width() const;
 
     /**
      * Ends of the stick zone (m), the smaller first; empty (both ends on the
      * leading edge) in full sliding.
      */
-    std::pair<double, double>
-    stick_interval() const;
+    std::pair<double, double> stick_interval() const;
 
     /**
      * Force on the wheel over its largest, T/(mu N) = -sign(creepage) (1 -
      * c^2/a^2).
      */
-    double
-    force_ratio() const;
+    double force_ratio() const;
 
     /**
      * Traction on the wheel (Pa), q = -sign(creepage) mu p0
      * [sqrt(1 - x^2/a^2) - (c/a) sqrt(1 - (x - m)^2/c^2)], the second term in
      * the stick zone only, m its middle; zero outside the patch.
      */
-    double
-    traction(const double x) const;
+    double traction(const double x) const;
 
     /**
      * Relative slip s(x), dimensionless: zero in the stick zone. Outside the
      * patch it is that of the free surfaces.
      */
-    double
-    slip(const double x) const;
+    double slip(const double x) const;
 
   private:
-    double
-    stick_middle() const;
+    double stick_middle() const;
 
     HertzLine contact;
     double    relative_radius;

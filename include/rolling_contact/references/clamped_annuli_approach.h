@@ -20,19 +20,17 @@ namespace RollingContact::References
    * (N/m); the approach is the sum of the two exact compressions between hub
    * and middle of the patch.
    */
-  AnnuliContact
-  approach_of_two_clamped_annuli(const Annulus &first,
-                                 const Annulus &second,
-                                 const double   load_per_length);
+  AnnuliContact approach_of_two_clamped_annuli(const Annulus &first,
+                                               const Annulus &second,
+                                               const double   load_per_length);
 
   /**
    * Load per length (N/m) of two clamped annuli at an approach (m), zero if
    * that is not positive.
    */
-  double
-  load_of_two_clamped_annuli(const Annulus &first,
-                             const Annulus &second,
-                             const double   approach);
+  double load_of_two_clamped_annuli(const Annulus &first,
+                                    const Annulus &second,
+                                    const double   approach);
 } // namespace RollingContact::References
 
 #endif

@@ -41,18 +41,16 @@ namespace RollingContact::References
      * the middle of the patch, for a half-width a (m), per load per length
      * P = pi a p0/2: m per N/m.
      */
-    double
-    radial_displacement(const double half_width, const double angle = 0) const;
+    double radial_displacement(const double half_width,
+                               const double angle = 0) const;
 
   private:
     /**
      * Response to the Hertz pressure with p0 = 1, inwards, over R/(2 G).
      */
-    double
-    disc_response(const double half_angle, const double angle) const;
+    double disc_response(const double half_angle, const double angle) const;
 
-    double
-    hub_response(const double half_angle, const double angle) const;
+    double hub_response(const double half_angle, const double angle) const;
 
     Annulus annulus;
 

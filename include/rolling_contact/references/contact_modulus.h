@@ -8,11 +8,10 @@ namespace RollingContact::References
    * (Johnson 1985, section 4.2). A rigid body has E = infinity: it contributes
    * nothing.
    */
-  double
-  contact_modulus(const double young_modulus_1,
-                  const double poisson_ratio_1,
-                  const double young_modulus_2,
-                  const double poisson_ratio_2);
+  double contact_modulus(const double young_modulus_1,
+                         const double poisson_ratio_1,
+                         const double young_modulus_2,
+                         const double poisson_ratio_2);
 
   /**
    * Dundurs' constant of two bodies in plane strain,
@@ -23,18 +22,16 @@ namespace RollingContact::References
    * zero means that normal and tangential contact are uncoupled. E in Pa; a
    * rigid body has E = infinity.
    */
-  double
-  dundurs_beta(const double young_modulus_1,
-               const double poisson_ratio_1,
-               const double young_modulus_2,
-               const double poisson_ratio_2);
+  double dundurs_beta(const double young_modulus_1,
+                      const double poisson_ratio_1,
+                      const double young_modulus_2,
+                      const double poisson_ratio_2);
 
   /**
    * Relative radius R (m) of two profiles, 1/R = 1/R1 + 1/R2. A flat profile
    * has R = infinity, a concave one R < 0; the sum must be positive.
    */
-  double
-  relative_radius(const double radius_1, const double radius_2);
+  double relative_radius(const double radius_1, const double radius_2);
 
   /**
    * Elasticity of the pair in tangential contact: G in Pa, nu.
@@ -50,11 +47,10 @@ namespace RollingContact::References
    * + nu2/G2)/2 (Kalker 1990), so that E* = G/(1-nu). A rigid body has E =
    * infinity.
    */
-  CombinedElasticity
-  combined_elasticity(const double young_modulus_1,
-                      const double poisson_ratio_1,
-                      const double young_modulus_2,
-                      const double poisson_ratio_2);
+  CombinedElasticity combined_elasticity(const double young_modulus_1,
+                                         const double poisson_ratio_1,
+                                         const double young_modulus_2,
+                                         const double poisson_ratio_2);
 } // namespace RollingContact::References
 
 #endif

@@ -25,9 +25,8 @@ namespace RollingContact::References
    * at once is ill-posed: see falling_friction_growth(). A rigid body is left
    * out of @p bodies.
    */
-  double
-  falling_friction_gain(const double                         fall,
-                        const std::vector<ShearedHalfSpace> &bodies);
+  double falling_friction_gain(const double                         fall,
+                               const std::vector<ShearedHalfSpace> &bodies);
 
   /**
    * The rate s at which a disturbance of the sliding of half-spaces grows that
@@ -41,10 +40,9 @@ namespace RollingContact::References
    * With two equal bodies s = c k / sqrt(gain^2 - 1). It goes with k: there is
    * no limit for short waves. 0 where the gain is 1 or less. Units: 1/s.
    */
-  double
-  falling_friction_growth(const double                         fall,
-                          const std::vector<ShearedHalfSpace> &bodies,
-                          const double                         wavelength);
+  double falling_friction_growth(const double                         fall,
+                                 const std::vector<ShearedHalfSpace> &bodies,
+                                 const double wavelength);
 } // namespace RollingContact::References
 
 #endif

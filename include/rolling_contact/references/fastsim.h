@@ -16,13 +16,12 @@ namespace RollingContact::References
    * steps; 200 leave 4e-4 of mu N. The theory itself is 5 to 10 % off, more
    * where spin dominates. The flow direction is that of kalker_forces().
    */
-  TangentialForce
-  fastsim(const Creepages          &creepages,
-          const HertzEllipse       &contact,
-          const CombinedElasticity &elasticity,
-          const double              friction_coefficient,
-          const int                 flow_direction = 1,
-          const unsigned int        n_strips       = 200);
+  TangentialForce fastsim(const Creepages          &creepages,
+                          const HertzEllipse       &contact,
+                          const CombinedElasticity &elasticity,
+                          const double              friction_coefficient,
+                          const int                 flow_direction = 1,
+                          const unsigned int        n_strips       = 200);
 } // namespace RollingContact::References
 
 #endif

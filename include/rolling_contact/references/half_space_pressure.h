@@ -18,14 +18,12 @@ namespace RollingContact::References
     double      first_x, first_y;
     double      size_x, size_y;
 
-    double
-    x(const std::size_t i) const
+    double x(const std::size_t i) const
     {
       return first_x + i * size_x;
     }
 
-    double
-    y(const std::size_t j) const
+    double y(const std::size_t j) const
     {
       return first_y + j * size_y;
     }
@@ -57,13 +55,12 @@ namespace RollingContact::References
    * less than 1e-4 of their sum. Costs the square of the number of rectangles.
    * Throws std::runtime_error if that takes more than 1000 rounds.
    */
-  HalfSpacePressure
-  half_space_pressure(const ContactGrid           &grid,
-                      const std::vector<double>   &gap,
-                      const double                 contact_modulus,
-                      const std::optional<double> &load,
-                      const double                 approach,
-                      const std::vector<double>   &shares = {});
+  HalfSpacePressure half_space_pressure(const ContactGrid         &grid,
+                                        const std::vector<double> &gap,
+                                        const double contact_modulus,
+                                        const std::optional<double> &load,
+                                        const double                 approach,
+                                        const std::vector<double> &shares = {});
 } // namespace RollingContact::References
 
 #endif

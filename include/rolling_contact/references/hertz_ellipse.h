@@ -13,14 +13,12 @@ namespace RollingContact::References
      * Pressure p0 sqrt(1 - x^2/a^2 - y^2/b^2) (Pa), x and y (m) from the middle
      * of the patch; zero outside.
      */
-    double
-    pressure(const double x, const double y) const;
+    double pressure(const double x, const double y) const;
 
     /**
      * Load 2 pi a b p0/3 (N).
      */
-    double
-    load() const;
+    double load() const;
 
     double half_width_x;
     double half_width_y;
@@ -35,21 +33,19 @@ namespace RollingContact::References
    *   A = P RD(0, b^2, a^2)/(2 pi E*),  B = P RD(0, a^2, b^2)/(2 pi E*),
    *   approach = 3 P RF(0, a^2, b^2)/(2 pi E*),  p0 = 3 P/(2 pi a b).
    */
-  HertzEllipse
-  hertz_ellipse(const double load,
-                const double curvature_x,
-                const double curvature_y,
-                const double contact_modulus);
+  HertzEllipse hertz_ellipse(const double load,
+                             const double curvature_x,
+                             const double curvature_y,
+                             const double contact_modulus);
 
   /**
    * Load (N) of hertz_ellipse() at an approach (m), zero if that is not
    * positive.
    */
-  double
-  load_of_hertz_ellipse(const double approach,
-                        const double curvature_x,
-                        const double curvature_y,
-                        const double contact_modulus);
+  double load_of_hertz_ellipse(const double approach,
+                               const double curvature_x,
+                               const double curvature_y,
+                               const double contact_modulus);
 } // namespace RollingContact::References
 
 #endif

@@ -34,8 +34,8 @@ namespace RollingContact::References
    * Kalker's asymptotes, which meet the table with steps of up to 7 % (C33 for
    * a > b: 17 %). a is the semi-axis in the rolling direction.
    */
-  KalkerCoefficients
-  kalker_coefficients(const double axis_ratio, const double poisson_ratio);
+  KalkerCoefficients kalker_coefficients(const double axis_ratio,
+                                         const double poisson_ratio);
 
   /**
    * Forces of Kalker's linear theory, c = sqrt(a b), f the direction of the
@@ -44,11 +44,10 @@ namespace RollingContact::References
    *   Mz = -G c^3 (f C23 y + c C33 spin).
    * Kalker writes them for f = -1 (his leading edge is x = +a).
    */
-  CreepForces
-  kalker_forces(const Creepages          &creepages,
-                const HertzEllipse       &contact,
-                const CombinedElasticity &elasticity,
-                const int                 flow_direction = 1);
+  CreepForces kalker_forces(const Creepages          &creepages,
+                            const HertzEllipse       &contact,
+                            const CombinedElasticity &elasticity,
+                            const int                 flow_direction = 1);
 } // namespace RollingContact::References
 
 #endif

@@ -15,11 +15,10 @@ namespace RollingContact::References
    * It lies 1.6 % below that of the clamped annulus of the paper. E in Pa;
    * zero without a patch.
    */
-  double
-  compression_of_disc(const double     radius,
-                      const double     young_modulus,
-                      const double     poisson_ratio,
-                      const HertzLine &contact);
+  double compression_of_disc(const double     radius,
+                             const double     young_modulus,
+                             const double     poisson_ratio,
+                             const HertzLine &contact);
 
   /**
    * Approximate compression (m) of a wide layer of depth D (m), held at its
@@ -30,11 +29,10 @@ namespace RollingContact::References
    * to 8 % below that of an infinite bonded layer with D = 5 a to 100 a. E in
    * Pa; zero without a patch.
    */
-  double
-  compression_of_layer(const double     depth,
-                       const double     young_modulus,
-                       const double     poisson_ratio,
-                       const HertzLine &contact);
+  double compression_of_layer(const double     depth,
+                              const double     young_modulus,
+                              const double     poisson_ratio,
+                              const HertzLine &contact);
 
   /**
    * Half-width (m) at which an approach (m) is reached, given the approach as a
@@ -42,8 +40,7 @@ namespace RollingContact::References
    * approach is not positive. Throws an InputError if the largest half-width
    * does not reach it.
    */
-  double
-  half_width_of_approach(
+  double half_width_of_approach(
     const std::function<double(double)> &approach_of_half_width,
     const double                         largest_half_width,
     const double                         approach);

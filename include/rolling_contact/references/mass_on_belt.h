@@ -19,16 +19,14 @@ namespace RollingContact::References
      * mu_k) exp(-v / v_c): (N (mu_s - mu_k) exp(-v_b / v_c) / v_c - c) / (2 m).
      * Units: m/s, 1/s.
      */
-    double
-    growth(const double decay_speed) const;
+    double growth(const double decay_speed) const;
 
     /**
      * The speed of the belt below which steady sliding with that law is
      * unstable, v_c ln(N (mu_s - mu_k) / (c v_c)); 0 where it is stable at any.
      * Units: m/s.
      */
-    double
-    critical_speed(const double decay_speed) const;
+    double critical_speed(const double decay_speed) const;
 
     /**
      * The cycle of sticking and sliding with two values of friction, mu_s at
@@ -41,8 +39,7 @@ namespace RollingContact::References
       double slip_time;  ///< s
     };
 
-    Cycle
-    stick_slip_cycle() const;
+    Cycle stick_slip_cycle() const;
   };
 } // namespace RollingContact::References
 

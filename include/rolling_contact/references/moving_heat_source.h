@@ -19,12 +19,11 @@ namespace RollingContact
      * +x. For V a/kappa above 20 this is f's convolution with 1/(b sqrt(pi V
      * x)), b = k / sqrt(kappa). Units: m, W/m^2, m/s, W/(m K), m^2/s; K.
      */
-    std::vector<double>
-    moving_heat_source(const std::vector<double> &x,
-                       const std::vector<double> &flux,
-                       const double               speed,
-                       const double               conductivity,
-                       const double               diffusivity);
+    std::vector<double> moving_heat_source(const std::vector<double> &x,
+                                           const std::vector<double> &flux,
+                                           const double               speed,
+                                           const double conductivity,
+                                           const double diffusivity);
   } // namespace References
 } // namespace RollingContact
 

@@ -20,12 +20,11 @@ namespace RollingContact::References
    * of F. A heuristic, not for contacts where spin dominates. The flow
    * direction is that of kalker_forces().
    */
-  TangentialForce
-  shen_hedrick_elkins(const Creepages          &creepages,
-                      const HertzEllipse       &contact,
-                      const CombinedElasticity &elasticity,
-                      const double              friction_coefficient,
-                      const int                 flow_direction = 1);
+  TangentialForce shen_hedrick_elkins(const Creepages          &creepages,
+                                      const HertzEllipse       &contact,
+                                      const CombinedElasticity &elasticity,
+                                      const double friction_coefficient,
+                                      const int    flow_direction = 1);
 } // namespace RollingContact::References
 
 #endif

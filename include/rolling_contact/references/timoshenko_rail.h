@@ -26,8 +26,8 @@ namespace RollingContact::References
      * axis, D(k) = (kappa G A k^2 + s - rho A omega^2)(E I k^2 + kappa G A -
      * rho I omega^2) - (kappa G A k)^2. Units: Hz, m.
      */
-    std::complex<double>
-    receptance(const double frequency, const double x = 0.) const;
+    std::complex<double> receptance(const double frequency,
+                                    const double x = 0.) const;
   };
 } // namespace RollingContact::References
 

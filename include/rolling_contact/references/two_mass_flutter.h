@@ -25,14 +25,12 @@ namespace RollingContact::References
      * Hurwitz' determinant vanishes. Throws InputError for damping that is
      * negative, or k12 or k3 that are not positive.
      */
-    double
-    critical_friction() const;
+    double critical_friction() const;
 
     /**
      * The eigenvalue of greatest growth without damping. Units: 1/s.
      */
-    std::complex<double>
-    undamped_eigenvalue(const double mu) const;
+    std::complex<double> undamped_eigenvalue(const double mu) const;
   };
 } // namespace RollingContact::References
 

@@ -1,19 +1,14 @@
 #ifndef rolling_contact_run_log_h
 #define rolling_contact_run_log_h
 
+#include <rolling_contact/base/verbosity.h>
+
 #include <iosfwd>
 #include <string>
 #include <vector>
 
 namespace RollingContact
 {
-  enum class Verbosity
-  {
-    quiet,
-    normal,
-    verbose
-  };
-
   /**
    * What the program says while it runs, wrapped at screen_width() columns.
    * Warnings and errors are said at every verbosity; warnings are also kept,
@@ -29,21 +24,16 @@ namespace RollingContact
     Log(Verbosity verbosity, std::ostream &out, std::ostream &errors);
 
     /** Said unless quiet. */
-    void
-    message(const std::string &text);
+    void message(const std::string &text);
 
     /** Said only when verbose. */
-    void
-    detail(const std::string &text);
+    void detail(const std::string &text);
 
-    void
-    warning(const std::string &text);
+    void warning(const std::string &text);
 
-    void
-    error(const std::string &text);
+    void error(const std::string &text);
 
-    const std::vector<std::string> &
-    warnings() const;
+    const std::vector<std::string> &warnings() const;
 
   private:
     const Verbosity          verbosity;

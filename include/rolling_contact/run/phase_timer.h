@@ -29,8 +29,7 @@ namespace RollingContact
   /**
    * "mesh and assembly", "contact solve", ...: the name in tables and run.json.
    */
-  std::string
-  name_of(const Phase phase);
+  std::string name_of(const Phase phase);
 
   /**
    * Wall and CPU seconds per phase, from the construction of the timer
@@ -59,9 +58,8 @@ namespace RollingContact
       Scope(PhaseTimer &timer, const Phase phase);
       ~Scope();
 
-      Scope(const Scope &) = delete;
-      Scope &
-      operator=(const Scope &) = delete;
+      Scope(const Scope &)            = delete;
+      Scope &operator=(const Scope &) = delete;
 
     private:
       PhaseTimer *timer;
@@ -73,21 +71,17 @@ namespace RollingContact
      * Charge what the process took before the timer was made, most of it for
      * loading its libraries, to Phase::start. Wall time to 10 ms.
      */
-    void
-    charge_start();
+    void charge_start();
 
     /** The phases in the order of first use, then Phase::other; open ones count
      * up to now. */
-    std::vector<Row>
-    rows() const;
+    std::vector<Row> rows() const;
 
     /** The sum of the rows, under Phase::other. */
-    static Row
-    total(const std::vector<Row> &rows);
+    static Row total(const std::vector<Row> &rows);
 
     /** The rows, their total and shares as a table of 80 columns. */
-    std::string
-    summary() const;
+    std::string summary() const;
 
   private:
     struct Instant
@@ -96,15 +90,11 @@ namespace RollingContact
       double cpu;
     };
 
-    static Instant
-    now();
-    static void
-    charge(Row &row, const Instant &begin, const Instant &end);
+    static Instant now();
+    static void    charge(Row &row, const Instant &begin, const Instant &end);
 
-    void
-    enter(const Phase phase);
-    void
-    leave();
+    void enter(const Phase phase);
+    void leave();
 
     const std::thread::id    owner;
     Instant                  last_change;

@@ -12,8 +12,7 @@ namespace RollingContact
   inline const std::string program_name = "rolling-contact";
 
   /** Letters, digits, '.', '_', '-', no leading '.'. */
-  bool
-  is_plain_name(const std::string &name);
+  bool is_plain_name(const std::string &name);
 
   /** What run.json tells about the run that left it. */
   struct PreviousRun
@@ -24,18 +23,16 @@ namespace RollingContact
 
   /** Never throws for what the file holds: text that is not JSON, or nested
    * too deeply, is no record of this program. */
-  PreviousRun
-  read_previous_run(const std::filesystem::path &folder);
+  PreviousRun read_previous_run(const std::filesystem::path &folder);
 
   /** The text of run.json: the program's name, further members as
    * JSON without the outer braces, the files. */
-  std::string
-  record_text(const std::string &members, const std::set<std::string> &files);
+  std::string record_text(const std::string           &members,
+                          const std::set<std::string> &files);
 
   /** Whether a first run died before it could leave its mark, or nothing was
    * ever there. */
-  bool
-  is_empty_folder(const std::filesystem::path &folder);
+  bool is_empty_folder(const std::filesystem::path &folder);
 } // namespace RollingContact
 
 #endif

@@ -24,8 +24,7 @@ namespace RollingContact
              const std::uint64_t n_done_before         = 0,
              const double        seconds_between_lines = 5.);
 
-    void
-    report(const std::uint64_t n_done);
+    void report(const std::uint64_t n_done);
 
   private:
     Log                &log;

@@ -21,10 +21,9 @@ namespace RollingContact
    * Writes a ParaView collection. Blocks shown together differ in `part` and
    * have the same time. Throws InputError if the file cannot be written.
    */
-  void
-  write_pvd(const std::vector<PvdBlock> &blocks,
-            RunFolder                   &folder,
-            const std::string           &file_name);
+  void write_pvd(const std::vector<PvdBlock> &blocks,
+                 RunFolder                   &folder,
+                 const std::string           &file_name);
 } // namespace RollingContact
 
 #endif

@@ -3,9 +3,13 @@
 
 #include <rolling_contact/run/run_folder.h>
 
+#include <any>
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <map>
+#include <memory>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <variant>
@@ -13,6 +17,12 @@
 
 namespace RollingContact
 {
+  /**
+   * The unit of a column, which its name ends with: "Pa" of max_pressure_Pa,
+   * "mu N" of bound_force/muN; "1" if it has none.
+   */
+  std::string unit_of_column(const std::string &column);
+
   /**
    * Rows of a CSV file, columns in the order of first use, names with their
    * unit. results.csv has a row for each computed state and is rewritten whole
@@ -24,6 +34,18 @@ namespace RollingContact
   class ResultsTable
   {
   public:
+    /** A cell whose value is of any type; the file has the text. */
+    struct Named
+    {
+      std::string text;
+      std::any    value;
+    };
+
+    /** What a text of a column stands for in a row, by column. */
+    using Readers = std::map<
+      std::string,
+      std::function<std::any(const std::string &text, const std::size_t row)>>;
+
     /** results.csv, row by row. */
     explicit ResultsTable(RunFolder &folder);
 
@@ -36,94 +58,107 @@ namespace RollingContact
      * dropped. */
     ~ResultsTable();
 
-    ResultsTable(const ResultsTable &) = delete;
-    ResultsTable &
-    operator=(const ResultsTable &) = delete;
+    ResultsTable(const ResultsTable &)            = delete;
+    ResultsTable &operator=(const ResultsTable &) = delete;
 
     /** Sets a cell of the current row: a bool, an integer, a floating-point
-     * number or a text. */
+     * number, a text, or one of them that may be unknown: leave_empty(). */
+    template <typename Value>
+    void set(const std::string &column, const Value &value);
+    template <typename Value>
+    void set(const std::string &column, const std::optional<Value> &value);
+
+    /** Sets the cell of a value that is @p known, else leave_empty(). */
+    template <typename Value>
+    void set_if(const bool known, const std::string &column, const Value &value)
+    {
+      known ? set(column, value) : leave_empty(column);
+    }
+
+    /** Sets a cell that stands in the file as a text and is read as value(). */
     template <typename Value>
     void
-    set(const std::string &column, const Value &value);
+    set(const std::string &column, const std::string &text, const Value &value);
 
     /** The column exists, its cell of the current row has no value. */
-    void
-    leave_empty(const std::string &column);
+    void leave_empty(const std::string &column);
 
     /** Finishes the current row. */
-    void
-    end_row();
+    void end_row();
 
     /** Sets all cells of a row of another table in the current row; a column
      * that it leaves empty exists here as well. */
-    void
-    take_row(const ResultsTable &other, const std::size_t row);
+    void take_row(const ResultsTable &other, const std::size_t row);
 
     /** Adds all rows of another table at once: a file that is written has all
      * of them or none. */
-    void
-    append(const ResultsTable &other);
+    void append(const ResultsTable &other);
 
     /** Forgets all rows of a table without a folder. */
-    void
-    clear();
+    void clear();
 
-    /** Adds the rows of a file that csv() wrote; their cells are texts. Throws
-     * InputError naming the @p file if it is none. */
-    void
-    restore(const std::string &text, const std::string &file);
+    /** Adds the rows of a file that csv() wrote: texts where there are readers,
+     * else what looks like a number is one. Throws InputError naming the
+     * @p file if it is none. */
+    void restore(const std::string &text,
+                 const std::string &file,
+                 const Readers     &readers = {});
 
     /** Puts the rows into the order of a column of numbers; all of them have
      * it. */
-    void
-    sort_by(const std::string &column);
+    void sort_by(const std::string &column);
 
     /** Writes rows not yet in the file. */
-    void
-    flush();
+    void flush();
 
-    std::size_t
-    n_rows() const;
+    std::size_t n_rows() const;
 
-    const std::vector<std::string> &
-    columns() const
+    const std::vector<std::string> &columns() const
     {
       return column_names;
     }
 
-    /** A cell as it stands in the file, without quotes; empty if it was never
-     * set or there is no such column. */
-    std::string
-    text(const std::size_t row, const std::string &column) const;
+    /** Whether none of the cells of a column is a text. */
+    bool has_numbers(const std::string &column) const;
+
+    /** A cell with all its digits, a bool as 0 or 1; nothing if it was never
+     * set or is no number. */
+    std::optional<double> number(const std::size_t  row,
+                                 const std::string &column) const;
+
+    /** The value of a cell that was set with a text; null if it has none of
+     * this type. */
+    template <typename Value>
+    const Value *value(const std::size_t row, const std::string &column) const;
 
     /** Numbers with 9 significant digits; a cell never set is empty. */
-    std::string
-    csv() const;
+    std::string csv() const;
 
     /** For the screen: those of the columns that exist, 4 significant digits,
      * "-" for a cell never set. */
-    std::string
-    screen_table(const std::vector<std::string> &columns) const;
+    std::string screen_table(const std::vector<std::string> &columns) const;
 
   private:
-    using Cell =
-      std::variant<std::monostate, bool, std::int64_t, double, std::string>;
-    using Row = std::vector<Cell>; ///< by column; those behind it are empty
+    using Cell = std::variant<std::monostate,
+                              bool,
+                              std::int64_t,
+                              double,
+                              std::string,
+                              std::shared_ptr<const Named>>;
+    using Row  = std::vector<Cell>; ///< by column; those behind it are empty
 
-    std::size_t
-    index_of(const std::string &column);
+    std::size_t index_of(const std::string &column);
 
-    void
-    set_cell(const std::string &column, const Cell &cell);
+    void set_cell(const std::string &column, const Cell &cell);
 
-    std::string
-    csv_of(const Row &row) const;
+    /** An empty one if it was never set or there is no such column. */
+    const Cell &cell(const std::size_t row, const std::string &column) const;
 
-    void
-    write_now_and_then();
+    std::string csv_of(const Row &row) const;
 
-    void
-    update_csv() const;
+    void write_now_and_then();
+
+    void update_csv() const;
 
     RunFolder                         *folder     = nullptr;
     bool                               row_by_row = false;
@@ -141,11 +176,8 @@ namespace RollingContact
     mutable std::size_t n_csv_rows = 0, n_csv_columns = 0;
   };
 
-
-
   template <typename Value>
-  void
-  ResultsTable::set(const std::string &column, const Value &value)
+  void ResultsTable::set(const std::string &column, const Value &value)
   {
     if constexpr (std::is_same_v<Value, bool>)
       set_cell(column, Cell(value));
@@ -155,6 +187,30 @@ namespace RollingContact
       set_cell(column, Cell(static_cast<double>(value)));
     else
       set_cell(column, Cell(std::string(value)));
+  }
+
+  template <typename Value>
+  void ResultsTable::set(const std::string          &column,
+                         const std::optional<Value> &value)
+  {
+    value ? set(column, *value) : leave_empty(column);
+  }
+
+  template <typename Value>
+  void ResultsTable::set(const std::string &column,
+                         const std::string &text,
+                         const Value       &value)
+  {
+    set_cell(column, std::make_shared<const Named>(Named{text, value}));
+  }
+
+  template <typename Value>
+  const Value *ResultsTable::value(const std::size_t  row,
+                                   const std::string &column) const
+  {
+    const auto *named =
+      std::get_if<std::shared_ptr<const Named>>(&cell(row, column));
+    return named ? std::any_cast<Value>(&(*named)->value) : nullptr;
   }
 } // namespace RollingContact
 

@@ -42,14 +42,12 @@ namespace RollingContact
     /** Removes what was begun and not published. */
     ~RunFolder();
 
-    RunFolder(const RunFolder &) = delete;
-    RunFolder &
-    operator=(const RunFolder &) = delete;
+    RunFolder(const RunFolder &)            = delete;
+    RunFolder &operator=(const RunFolder &) = delete;
 
     /** Throws InputError if open() would refuse; changes nothing. Only for the
      * root. */
-    void
-    check() const;
+    void check() const;
 
     /**
      * Creates the folder, or removes an old run's files from it, no others.
@@ -57,8 +55,7 @@ namespace RollingContact
      * else, cannot be written to, or belongs to a run that is still going.
      * Collective: errors are thrown on all ranks.
      */
-    void
-    open();
+    void open();
 
     /** What of an old run may differ and what it left for the new one. */
     struct Resumption
@@ -80,31 +77,26 @@ namespace RollingContact
      * (naming the entry and both values), or its run is still going.
      * Collective: errors are thrown on all ranks.
      */
-    void
-    reopen(const Resumption &resumption);
+    void reopen(const Resumption &resumption);
 
-    const std::filesystem::path &
-    get_path() const;
+    const std::filesystem::path &get_path() const;
 
     /**
      * Path to write the file `name` to; a temporary name in the same folder.
      * Names are plain: letters, digits, '.', '_', '-', no leading '.'. Only for
      * the root.
      */
-    std::filesystem::path
-    temporary(const std::string &name);
+    std::filesystem::path temporary(const std::string &name);
 
     /**
      * As temporary(), for a file that grows while the run goes on and is to be
      * looked at meanwhile: its temporary name is `name.part`, not hidden.
      */
-    std::filesystem::path
-    growing(const std::string &name);
+    std::filesystem::path growing(const std::string &name);
 
     /** Gives the finished temporary file its final name, replacing any file
      * of that name in one step. Throws InputError if there is no such file. */
-    void
-    publish(const std::string &name);
+    void publish(const std::string &name);
 
     /**
      * Like growing() for the growing file of the run that is continued: its
@@ -112,61 +104,47 @@ namespace RollingContact
      * which stays. Throws InputError if neither is that long. Only for the
      * root.
      */
-    std::filesystem::path
-    continued(const std::string &name, const std::uintmax_t n_bytes);
+    std::filesystem::path continued(const std::string   &name,
+                                    const std::uintmax_t n_bytes);
 
     /**
      * As publish(), and the file and its name outlive a loss of power.
      */
-    void
-    publish_durably(const std::string &name);
+    void publish_durably(const std::string &name);
 
     /**
      * As temporary() and publish() for a text; InputError if the disk is full.
      */
-    void
-    write_atomically(const std::string &name, const std::string &text);
+    void write_atomically(const std::string &name, const std::string &text);
 
     /**
      * Like write_atomically() for a file in pieces: rank r writes its text to
      * names[r], as many names as ranks. Collective: errors are thrown on all
      * ranks.
      */
-    void
-    write_pieces(const std::vector<std::string> &names,
-                 const std::string              &text);
+    void write_pieces(const std::vector<std::string> &names,
+                      const std::string              &text);
 
     /** Writes run.json; `members` are JSON members without the outer braces,
      * `members_if_stopped` those of the run.json that is left if the process is
      * ended at once, see leave_on_stop(); empty if the run is over. */
-    void
-    write_record(const std::string &members,
-                 const std::string &members_if_stopped = "");
+    void write_record(const std::string &members,
+                      const std::string &members_if_stopped = "");
 
     /** The published files, sorted; run.json is not among them. */
-    std::vector<std::string>
-    files() const;
+    std::vector<std::string> files() const;
 
   private:
-    std::filesystem::path
-    final_path(const std::string &name) const;
-    std::filesystem::path
-    temporary_path(const std::string &name) const;
-    std::filesystem::path
-    growing_path(const std::string &name) const;
+    std::filesystem::path final_path(const std::string &name) const;
+    std::filesystem::path temporary_path(const std::string &name) const;
+    std::filesystem::path growing_path(const std::string &name) const;
 
-    void
-    lock();
-    void
-    begin(const std::vector<std::string> &names);
-    void
-    write_run_json() const;
-    void
-    remove_old_files();
-    void
-    adopt_old_files(const std::set<std::string> &growing);
-    void
-    remove_unpublished_files();
+    void lock();
+    void begin(const std::vector<std::string> &names);
+    void write_run_json() const;
+    void remove_old_files();
+    void adopt_old_files(const std::set<std::string> &growing);
+    void remove_unpublished_files();
 
     const std::filesystem::path folder;
     const std::string           original_prm;

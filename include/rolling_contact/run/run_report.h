@@ -44,8 +44,7 @@ namespace RollingContact
     bool        estimated = false;
     std::string remark;
 
-    std::string
-    text() const;
+    std::string text() const;
   };
 
   /**
@@ -62,8 +61,7 @@ namespace RollingContact
   /**
    * Totals of the ranks so far. Collective.
    */
-  RankTotals
-  totals_of_ranks(const PhaseTimer &timer);
+  RankTotals totals_of_ranks(const PhaseTimer &timer);
 
   /**
    * What a run was and did, as it stands in run.json. Filled by the driver and
@@ -92,38 +90,32 @@ namespace RollingContact
 
     /** Rewrites run.json; to be called at the start, whenever something worth
      * keeping happened, and at the end. */
-    void
-    write(RunFolder        &folder,
-          const RunStatus   status,
-          const PhaseTimer &timer) const;
+    void write(RunFolder        &folder,
+               const RunStatus   status,
+               const PhaseTimer &timer) const;
 
     /** Adds a finding, in place of an earlier one with this label. */
-    void
-    set_finding(const std::string &label, const std::string &text);
+    void set_finding(const std::string &label, const std::string &text);
 
     /** The objects as text for the screen: built, then left out. */
-    std::string
-    objects_summary() const;
+    std::string objects_summary() const;
 
     /**
      * What a user wants first, as lines for the screen: the findings, errors,
      * seconds and where they went in percent that add up to 100, files.
      */
-    std::string
-    summary(const PhaseTimer &timer, const std::string &folder) const;
+    std::string summary(const PhaseTimer  &timer,
+                        const std::string &folder) const;
 
   private:
-    /** Of run.json, without braces. */
-    std::string
-    members(const RunStatus status, const PhaseTimer &timer) const;
+    /** Members of run.json, without the braces around them. */
+    std::string members(const RunStatus status, const PhaseTimer &timer) const;
 
-    std::string
-    all_errors() const;
+    std::string all_errors() const;
 
     /** "3.1 s, 120 MB; 2.9 s CPU: ..."; with the totals of the ranks if
      * known. */
-    std::string
-    cost(const PhaseTimer &timer) const;
+    std::string cost(const PhaseTimer &timer) const;
   };
 } // namespace RollingContact
 

@@ -1,21 +1,19 @@
 #ifndef rolling_contact_scene_body_parameters_h
 #define rolling_contact_scene_body_parameters_h
 
-#include <rolling_contact/elasticity/absorber_ring.h>
-#include <rolling_contact/elasticity/body_model.h>
-#include <rolling_contact/elasticity/material.h>
+#include <rolling_contact/bodies/absorber_ring.h>
+#include <rolling_contact/bodies/body_model.h>
+#include <rolling_contact/bodies/material.h>
 #include <rolling_contact/mesh/body_shape.h>
 
 #include <filesystem>
 #include <string>
 
-namespace dealii
-{
-  class ParameterHandler;
-}
-
 namespace RollingContact
 {
+  class Entries;
+  struct Reader;
+
   /**
    * What gives the undeformed surface of a body from a mesh file.
    */
@@ -43,57 +41,34 @@ namespace RollingContact
   {
     explicit BodyParameters(const std::string &section);
 
-    void
-    declare(dealii::ParameterHandler &prm);
+    void declare(Entries &entries);
 
     /**
      * Rules across entries. Throws InputError.
      */
-    void
-    check(const unsigned int dimension) const;
+    void check(const unsigned int dimension) const;
 
     /**
      * Throws InputError if the body has no static compliance: nothing but
      * inertia holds it along some axis.
      */
-    void
-    check_held(const unsigned int dimension) const;
-
-    /**
-     * Read the mesh or section file of an elastic body, if there is one, from
-     * @p folder; a section under a profile has the axes of that. Throws
-     * InputError.
-     */
-    void
-    read_mesh(const unsigned int           dimension,
-              const std::filesystem::path &folder,
-              const bool                   is_under_profile = false);
-
-    /**
-     * That with a true section if there is a `profile` and no file, else the
-     * shape of the name `shape`; one from a file needs read_mesh().
-     */
-    std::shared_ptr<const BodyShape>
-    body_shape() const;
+    void check_held(const unsigned int dimension) const;
 
     /**
      * The absorbers that hang on it. Throws InputError if the lists of entries
      * do not fit each other or a value is not allowed.
      */
-    std::vector<AbsorberRing>
-    absorbers() const;
+    std::vector<AbsorberRing> absorbers() const;
 
     /**
      * Whether it is elastic with a mesh or a section from a file.
      */
-    bool
-    is_from_file() const;
+    bool is_from_file() const;
 
     /**
      * Whether it is elastic with a section from a file.
      */
-    bool
-    is_section() const;
+    bool is_section() const;
 
     std::string   shape     = "disc";
     bool          rigid     = false;
@@ -106,57 +81,95 @@ namespace RollingContact
     double        heat_capacity        = 460.; ///< J/(kg K)
     std::string   velocity_points;             ///< see read_velocity_points()
 
+  protected:
+    /**
+     * Rules of the entries and of a shape made of them; @p is_read: it has all
+     * of its files, so that its size and axle are known. Throws InputError.
+     */
+    void check_with(const BodyShape   &body_shape,
+                    const bool         is_read,
+                    const unsigned int dimension) const;
+
   private:
-    void
-    declare_profile(dealii::ParameterHandler &prm);
-
-    void
-    declare_extent(dealii::ParameterHandler &prm);
-
-    void
-    declare_mesh_file(dealii::ParameterHandler &prm);
-
-    void
-    declare_material(dealii::ParameterHandler &prm);
-
-    void
-    declare_points(dealii::ParameterHandler &prm);
-
-    void
-    declare_hub(dealii::ParameterHandler &prm);
-
-    void
-    declare_foundation(dealii::ParameterHandler &prm);
-
-    void
-    declare_damping(dealii::ParameterHandler &prm);
-
-    void
-    declare_dampers(dealii::ParameterHandler &prm);
-
-    void
-    check_material(const unsigned int dimension) const;
+    /**
+     * A reader that looks at this body in a scene.
+     */
+    Reader reader(bool (*reads)(const BodyParameters &),
+                  const std::string &otherwise) const;
 
     /**
-     * Rules for what is at the hub and for damping.
+     * Who reads entries on the damping of the body, and on that of its modes.
      */
-    void
-    check_model() const;
+    std::vector<Reader> readers_of_damping() const;
 
-    void
-    check_foundation() const;
+    static Reader analyses_of_modes();
+
+    void declare_profile(Entries &entries);
+
+    void declare_mesh_file(Entries &entries);
+
+    void declare_material(Entries &entries);
+
+    void declare_hub(Entries &entries);
+
+    void declare_foundation(Entries &entries);
+
+    void declare_damping(Entries &entries);
+
+    void declare_dampers(Entries &entries);
+
+    void check_material(const unsigned int dimension) const;
+
+    /**
+     * Rules for what is at the hub and for damping; @p body_shape: of a body
+     * whose files are read, else nullptr.
+     */
+    void check_model(const BodyShape *body_shape) const;
+
+    void check_foundation(const BodyShape *body_shape) const;
 
     /**
      * Throws InputError unless a pad lies wholly within @p reach of x = 0.
      */
-    void
-    check_pads_on(const double reach) const;
+    void check_pads_on(const double reach) const;
 
-    void
-    check_damping() const;
+    void check_damping(const BodyShape *body_shape) const;
 
-    void
-    check_dampers(const unsigned int dimension) const;
+    void check_dampers(const BodyShape   *body_shape,
+                       const unsigned int dimension) const;
+  };
+
+  /**
+   * A body: its entries, and what the files they name hold.
+   */
+  struct BodySpec : public BodyParameters
+  {
+    explicit BodySpec(const BodyParameters &entries)
+      : BodyParameters(entries)
+    {}
+
+    /**
+     * Read the mesh or section file of an elastic body, if there is one, from
+     * @p folder; a section under a profile has the axes of that. Throws
+     * InputError.
+     */
+    void read_mesh(const unsigned int           dimension,
+                   const std::filesystem::path &folder,
+                   const bool                   is_under_profile = false);
+
+    /**
+     * Rules across entries and files. Throws InputError.
+     */
+    void check(const unsigned int dimension) const;
+
+    /**
+     * The shape with a true section if there is a profile and no file, else
+     * that of the name `shape`.
+     */
+    std::shared_ptr<const BodyShape> body_shape() const;
+
+    std::shared_ptr<const FileMesh>      mesh;    ///< none: it has no file
+    std::shared_ptr<const PlacedProfile> profile; ///< see ShapeSpec
   };
 } // namespace RollingContact
 

@@ -4,49 +4,42 @@
 #include <rolling_contact/base/asked_forces.h>
 #include <rolling_contact/base/creepages.h>
 #include <rolling_contact/contact/friction_law.h>
-#include <rolling_contact/interface/operators.h>
+#include <rolling_contact/contact/operators.h>
 
 #include <optional>
 #include <string>
 
-namespace dealii
-{
-  class ParameterHandler;
-}
-
 namespace RollingContact
 {
+  class Entries;
+
   /**
    * Section `Contact`: load, creepages, friction and the choice of operators.
    */
   struct ContactParameters
   {
-    void
-    declare(dealii::ParameterHandler &prm);
+    void declare(Entries &entries);
 
     /**
      * Rules across entries. Throws InputError.
      */
-    void
-    check(const unsigned int dimension) const;
+    void check(const unsigned int dimension) const;
 
     /**
      * The law by which mu falls; nullptr if it is constant.
      */
-    std::shared_ptr<const FrictionLaw>
-    falling_friction() const;
+    std::shared_ptr<const FrictionLaw> falling_friction() const;
 
     /**
-     * Give creepages.x and y the values that follow from creepage_size.
+     * The creepages with x and y as they follow from creepage_size, if that is
+     * given.
      */
-    void
-    take_creepage_by_size();
+    Creepages asked_creepages() const;
 
     /**
      * Rolling speed, 1 where it is not given. Units: m/s.
      */
-    double
-    rolling_speed() const
+    double rolling_speed() const
     {
       return speed.value_or(1.);
     }
@@ -54,27 +47,28 @@ namespace RollingContact
     /**
      * Direction of the material flow along x, the sign of the speed.
      */
-    int
-    flow() const
+    int flow() const
     {
       return rolling_speed() < 0. ? -1 : 1;
     }
 
-    /** One of them is given. Of a vertical load, the normal load is what it
-     * is without friction, see SceneParameters::read_profiles(), and a state
-     * finds its own. Units: N, m. */
+    /** One of them is given. In a Situation, the normal load of a vertical one
+     * is what it is without friction, and a state finds its own. Units: N, m.
+     */
     std::optional<double> normal_load, vertical_load, approach;
     double                friction_coefficient = 0.3;
     std::string           friction_law         = "constant";
     double                kinetic_friction     = 0.; ///< of the laws that fall
-    double friction_decay_speed = 0.; ///< of the laws that fall, m/s
-    double friction_memory      = 0.; ///< of the laws that fall, m
+    double friction_decay_speed   = 0.; ///< of the laws that fall, m/s
+    double friction_memory_length = 0.; ///< of the laws that fall, m
     /** How such a law follows vibration: `automatic` or a FrictionResponse. */
     std::string friction_response = "automatic";
-    double      friction_delay    = 60e-6; ///< of `patch mean`, s
+    double      friction_memory   = 60e-6; ///< of `patch mean`, s
     Creepages   creepages;
-    /** Of creepages.x and y together, which follow from it and the angle from
-     * x towards y (rad). */
+    /**
+     * Length of creepages.x and y together, which follow from it and the angle
+     * from x towards y (rad).
+     */
     std::optional<double> creepage_size;
     double                creepage_direction = 0.;
     AskedForces           forces; ///< in place of creepages
@@ -84,29 +78,17 @@ namespace RollingContact
     std::string           roughness;
 
   private:
-    void
-    declare_load(dealii::ParameterHandler &prm);
+    void declare_load(Entries &entries);
 
-    void
-    declare_friction(dealii::ParameterHandler &prm);
+    void declare_friction(Entries &entries);
 
-    void
-    declare_rolling(dealii::ParameterHandler &prm);
+    void declare_rolling(Entries &entries);
 
-    void
-    declare_forces(dealii::ParameterHandler &prm);
+    void check_load() const;
 
-    void
-    declare_operators(dealii::ParameterHandler &prm);
+    void check_friction_law() const;
 
-    void
-    check_load() const;
-
-    void
-    check_friction_law() const;
-
-    void
-    check_forces(const unsigned int dimension) const;
+    void check_forces(const unsigned int dimension) const;
   };
 } // namespace RollingContact
 

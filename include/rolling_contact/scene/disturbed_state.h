@@ -11,8 +11,8 @@ namespace RollingContact
    * Throws InputError, with @p why in front, unless the steady state of a scene
    * is one that is linearised: without surfaces that pass, on one plane.
    */
-  void
-  check_disturbed_state(const SceneParameters &scene, const std::string &why);
+  void check_disturbed_state(const SceneParameters &scene,
+                             const std::string     &why);
 } // namespace RollingContact
 
 #endif

@@ -3,13 +3,10 @@
 
 #include <optional>
 
-namespace dealii
-{
-  class ParameterHandler;
-}
-
 namespace RollingContact
 {
+  class Entries;
+
   /**
    * What part of the rim of the patch gets smaller elements.
    */
@@ -33,14 +30,12 @@ namespace RollingContact
    */
   struct MeshParameters
   {
-    void
-    declare(dealii::ParameterHandler &prm);
+    void declare(Entries &entries);
 
     /**
      * True if the mesh is to follow the leading edge it finds.
      */
-    bool
-    aligned() const
+    bool aligned() const
     {
       return !patch_offset;
     }
@@ -48,8 +43,7 @@ namespace RollingContact
     /**
      * The given offset, 0 when aligned. Units: elements.
      */
-    double
-    offset() const
+    double offset() const
     {
       return patch_offset.value_or(0.);
     }
@@ -78,18 +72,12 @@ namespace RollingContact
     /**
      * Throws InputError if the target of the error cannot be one.
      */
-    void
-    check() const;
+    void check() const;
 
   private:
-    void
-    declare_patch(dealii::ParameterHandler &prm);
+    void declare_patch(Entries &entries);
 
-    void
-    declare_zone(dealii::ParameterHandler &prm);
-
-    void
-    declare_levels(dealii::ParameterHandler &prm);
+    void declare_zone(Entries &entries);
   };
 } // namespace RollingContact
 

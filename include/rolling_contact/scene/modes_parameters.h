@@ -3,34 +3,31 @@
 
 #include <optional>
 
-namespace dealii
-{
-  class ParameterHandler;
-}
-
 namespace RollingContact
 {
+  class Entries;
+
   /**
    * Section `Modes`: which modes of the bodies are wanted.
    */
   struct ModesParameters
   {
-    void
-    declare(dealii::ParameterHandler &prm);
+    void declare(Entries &entries);
 
     /**
      * Throws InputError.
      */
-    void
-    check() const;
+    void check() const;
 
     double maximum_frequency = 5000.; ///< Hz
     double cut_off_ratio     = 2.;    ///< of a basis over the maximum frequency
     double tolerance         = 1e-8;
     bool   count             = true;
 
-    /** Of the cells of bodies without a zone of contact nodes; none: as few as
-     * resolve the shape. Units: m. */
+    /**
+     * Largest size of the cells of bodies without a zone of contact nodes;
+     * empty for as few as resolve the shape. Units: m.
+     */
     std::optional<double> element_size;
 
     unsigned int animated = 4; ///< modes of each body

@@ -1,24 +1,21 @@
 #ifndef rolling_contact_scene_output_parameters_h
 #define rolling_contact_scene_output_parameters_h
 
-#include <rolling_contact/run/log.h>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
+#include <rolling_contact/base/verbosity.h>
 
 namespace RollingContact
 {
+  class Entries;
+
   /**
    * Section `Output`.
    */
   struct OutputParameters
   {
-    void
-    declare(dealii::ParameterHandler &prm);
+    void declare(Entries &entries);
 
     bool      body_fields      = true;
+    bool      contact_problem  = false;
     bool      interface_fields = true;
     bool      plot             = true;
     Verbosity verbosity        = Verbosity::normal;

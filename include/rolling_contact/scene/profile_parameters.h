@@ -1,9 +1,9 @@
 #ifndef rolling_contact_scene_profile_parameters_h
 #define rolling_contact_scene_profile_parameters_h
 
-#include <rolling_contact/profiles/contact_frame.h>
-#include <rolling_contact/profiles/profile_file.h>
-#include <rolling_contact/sections/placed_profile.h>
+#include <rolling_contact/mesh/placed_profile.h>
+#include <rolling_contact/surfaces/contact_frame.h>
+#include <rolling_contact/surfaces/profile_file.h>
 
 #include <filesystem>
 #include <memory>
@@ -11,35 +11,29 @@
 #include <string>
 #include <vector>
 
-namespace dealii
-{
-  class ParameterHandler;
-}
-
 namespace RollingContact
 {
+  class Entries;
+
   /**
    * Sections `Profiles` and `Contact table`: the sections of wheel and rail,
    * where they are, and the shifts of the wheelset. Units: m, rad, rad/s, 1.
    */
   struct ProfileParameters
   {
-    void
-    declare(dealii::ParameterHandler &prm);
+    void declare(Entries &entries);
 
     /**
      * Throws InputError if a value is out of its range, among them the radius
      * of the wheel, or a file is no profile.
      */
-    void
-    check(const double                 wheel_radius,
-          const std::filesystem::path &prm_folder) const;
+    void check(const double                 wheel_radius,
+               const std::filesystem::path &prm_folder) const;
 
     /**
      * Whether the surfaces of the bodies are profiles.
      */
-    bool
-    in_use() const
+    bool in_use() const
     {
       return !wheel_profile.empty() || !rail_profile.empty();
     }
@@ -47,8 +41,7 @@ namespace RollingContact
     /**
      * Whether the creepages are those of the wheelset's motion.
      */
-    bool
-    gives_creepages() const
+    bool gives_creepages() const
     {
       return in_use() && creepage_source == CreepageSource::kinematics;
     }
@@ -57,46 +50,46 @@ namespace RollingContact
      * Find the frame of the contact, from files in @p prm_folder. Throws
      * InputError if the wheel is not above the rail.
      */
-    void
+    std::shared_ptr<const Profiles::ContactFrame>
     find_frame(const double                 wheel_radius,
-               const std::filesystem::path &prm_folder);
+               const std::filesystem::path &prm_folder) const;
 
-    Profiles::ProfileCurve
-    wheel(const std::filesystem::path &prm_folder) const;
+    /**
+     * Whether profiles, track and position of the wheelset are those of other
+     * entries, and so the frame of the contact of the same wheel.
+     */
+    bool have_frame_of(const ProfileParameters &other) const;
+
+    Profiles::ProfileCurve wheel(const std::filesystem::path &prm_folder) const;
 
     /** In its place in the track. */
-    Profiles::ProfileCurve
-    rail(const std::filesystem::path &prm_folder) const;
+    Profiles::ProfileCurve rail(const std::filesystem::path &prm_folder) const;
 
     /**
      * Whether elastic bodies have the true sections of wheel and rail.
      */
-    bool
-    has_true_sections() const
+    bool has_true_sections() const
     {
       return in_use() && true_sections;
     }
 
-    /**
-     * What the bodies of true sections are made of, once the frame is found.
-     */
-    std::shared_ptr<const PlacedProfile>
-    placed_wheel() const;
+    using Frame = std::shared_ptr<const Profiles::ContactFrame>;
 
-    std::shared_ptr<const PlacedProfile>
-    placed_rail() const;
+    /**
+     * What the bodies of true sections are made of.
+     */
+    std::shared_ptr<const PlacedProfile> placed_wheel(const Frame &frame) const;
+
+    std::shared_ptr<const PlacedProfile> placed_rail(const Frame &frame) const;
 
     /**
      * Whether a profile is that of a file, and has no name of its own.
      */
-    bool
-    wheel_is_file() const;
+    bool wheel_is_file() const;
 
-    bool
-    rail_is_file() const;
+    bool rail_is_file() const;
 
-    bool
-    has_files() const
+    bool has_files() const
     {
       return wheel_is_file() || rail_is_file();
     }
@@ -104,8 +97,7 @@ namespace RollingContact
     /**
      * The tape circle's distance from the middle of the wheelset.
      */
-    double
-    tape_circle() const;
+    double tape_circle() const;
 
     /** Who gives the creepages. */
     enum class CreepageSource
@@ -124,8 +116,7 @@ namespace RollingContact
     };
 
     /** How the file of a profile is read that is mirrored so. */
-    Profiles::FileOptions
-    file_options(const Mirror mirror) const;
+    Profiles::FileOptions file_options(const Mirror mirror) const;
 
     std::string wheel_profile, rail_profile; ///< none: the shapes of the bodies
     std::string inclination = "1/40";
@@ -146,30 +137,17 @@ namespace RollingContact
     CreepageSource        creepage_source = CreepageSource::given;
     std::optional<double> pitch_rate; ///< none: no longitudinal creepage
 
-    /** Of the contact; none where the bodies have shapes. */
-    std::shared_ptr<const Profiles::ContactFrame> frame;
-
     std::vector<double> shifts;
     double              conicity_amplitude = 3e-3;
 
   private:
-    void
-    declare_sections(dealii::ParameterHandler &prm);
+    void declare_sections(Entries &entries);
 
-    void
-    declare_bodies(dealii::ParameterHandler &prm);
+    void declare_track(Entries &entries);
 
-    void
-    declare_track(dealii::ParameterHandler &prm);
+    void declare_wheelset(Entries &entries);
 
-    void
-    declare_wheelset(dealii::ParameterHandler &prm);
-
-    void
-    declare_table(dealii::ParameterHandler &prm);
-
-    double
-    slope_of_inclination() const;
+    double slope_of_inclination() const;
   };
 } // namespace RollingContact
 

@@ -35,16 +35,14 @@ namespace RollingContact
    * surfaces that move, velocities of the contact and of named points, as far
    * as the scene has them.
    */
-  std::vector<RunSignal>
-  run_signals(const SceneParameters &scene);
+  std::vector<RunSignal> run_signals(const SceneParameters &scene);
 
   /**
    * The signal that the spectrogram is of, `Spectrum/Spectrogram signal`, or
    * the lateral velocity of the contact, in 2D that along. Throws InputError
    * if there is no such signal.
    */
-  RunSignal
-  spectrogram_signal(const SceneParameters &scene);
+  RunSignal spectrogram_signal(const SceneParameters &scene);
 } // namespace RollingContact
 
 #endif

@@ -5,20 +5,16 @@
 
 #include <string>
 
-namespace dealii
-{
-  class ParameterHandler;
-}
-
 namespace RollingContact
 {
+  class Entries;
+
   /**
    * The entries of section `Contact` that choose and limit the solver.
    */
   struct SolverParameters
   {
-    void
-    declare(dealii::ParameterHandler &prm);
+    void declare(Entries &entries);
 
     std::string    solver = "automatic";
     SolverControls controls;

@@ -4,13 +4,10 @@
 #include <cstddef>
 #include <optional>
 
-namespace dealii
-{
-  class ParameterHandler;
-}
-
 namespace RollingContact
 {
+  class Entries;
+
   struct TimeSteps;
 
   /**
@@ -19,21 +16,18 @@ namespace RollingContact
    */
   struct SoundParameters
   {
-    void
-    declare(dealii::ParameterHandler &prm);
+    void declare(Entries &entries);
 
     /**
      * Rules for the sound of modes up to a frequency (Hz) over these steps.
      * Throws InputError.
      */
-    void
-    check(const TimeSteps &steps, const double maximum_frequency) const;
+    void check(const TimeSteps &steps, const double maximum_frequency) const;
 
     /**
      * Steps at the beginning that are left out. Units: s.
      */
-    std::size_t
-    skipped_rows(const double time_step) const;
+    std::size_t skipped_rows(const double time_step) const;
 
     /** Fewest steps that a sound is estimated from. */
     static constexpr std::size_t least_rows = 64;
@@ -45,8 +39,10 @@ namespace RollingContact
     double       skipped_time   = 0.;   ///< s
     bool         wav_file       = true;
     unsigned int sampling_rate  = 44100; ///< Hz
-    /** Of the WAV file; none: the next of 1, 2, 5, 10, ... above what is there.
-     * Units: Pa. */
+    /**
+     * Pressure that is full scale in the WAV file; empty for the next of 1, 2,
+     * 5, 10, ... above the largest. Units: Pa.
+     */
     std::optional<double> full_scale_pressure;
   };
 } // namespace RollingContact

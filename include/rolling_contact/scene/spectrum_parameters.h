@@ -4,13 +4,10 @@
 #include <cstddef>
 #include <string>
 
-namespace dealii
-{
-  class ParameterHandler;
-}
-
 namespace RollingContact
 {
+  class Entries;
+
   struct TimeSteps;
 
   /**
@@ -29,15 +26,13 @@ namespace RollingContact
    */
   struct SpectrumParameters
   {
-    void
-    declare(dealii::ParameterHandler &prm);
+    void declare(Entries &entries);
 
     /**
      * Whether a transient run ends with spectra; @p of_interest: a surface
      * moves, a vibration is excited or points are named.
      */
-    bool
-    wanted(const bool of_interest) const
+    bool wanted(const bool of_interest) const
     {
       return write == WriteSpectrum::always ||
              (write == WriteSpectrum::automatic && of_interest);
@@ -47,25 +42,22 @@ namespace RollingContact
      * Why a run of these steps has no spectra although they are wanted, a
      * sentence; empty if it has.
      */
-    std::string
-    why_none(const TimeSteps &steps) const;
+    std::string why_none(const TimeSteps &steps) const;
 
     /**
      * Rows of a history that are left out, and those in a segment; 0: to be
      * chosen. Units: s.
      */
-    std::size_t
-    skipped_rows(const double time_step) const;
+    std::size_t skipped_rows(const double time_step) const;
 
-    std::size_t
-    rows_in_segment(const double time_step) const;
+    std::size_t rows_in_segment(const double time_step) const;
 
     /**
      * Rows in a window of the spectrogram of so many rows; chosen: those of
      * 10 ms, a quarter of them at most. Units: s.
      */
-    std::size_t
-    rows_in_window(const double time_step, const std::size_t n_rows) const;
+    std::size_t rows_in_window(const double      time_step,
+                               const std::size_t n_rows) const;
 
     /** Fewest rows of a segment. */
     static constexpr std::size_t least_rows = 32;
@@ -81,8 +73,6 @@ namespace RollingContact
     double      spectrogram_window = 0.; ///< s; 0 chooses
 
   private:
-    void
-    declare_lines(dealii::ParameterHandler &prm);
   };
 } // namespace RollingContact
 

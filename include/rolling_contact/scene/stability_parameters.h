@@ -1,27 +1,22 @@
 #ifndef rolling_contact_scene_stability_parameters_h
 #define rolling_contact_scene_stability_parameters_h
 
-namespace dealii
-{
-  class ParameterHandler;
-}
-
 namespace RollingContact
 {
+  class Entries;
+
   /**
    * Section `Stability`: what the steady rolling state is disturbed by, and how
    * its eigenvalues are proved.
    */
   struct StabilityParameters
   {
-    void
-    declare(dealii::ParameterHandler &prm);
+    void declare(Entries &entries);
 
     /**
      * Throws InputError.
      */
-    void
-    check() const;
+    void check() const;
 
     double lowest_frequency = 60.; ///< Hz
     bool   rotation         = true;

@@ -4,32 +4,26 @@
 #include <string>
 #include <vector>
 
-namespace dealii
-{
-  class ParameterHandler;
-}
-
 namespace RollingContact
 {
+  class Entries;
+
   /**
    * Section `Accuracy study`.
    */
   struct StudyParameters
   {
-    void
-    declare(dealii::ParameterHandler &prm);
+    void declare(Entries &entries);
 
     /**
      * Throws InputError.
      */
-    void
-    check(const unsigned int dimension) const;
+    void check(const unsigned int dimension) const;
 
     /**
      * Meshes that the levels of `adaptive` start from.
      */
-    const std::vector<unsigned int> &
-    starts_of_levels() const
+    const std::vector<unsigned int> &starts_of_levels() const
     {
       return adaptive_starts.empty() ? elements : adaptive_starts;
     }
@@ -54,20 +48,10 @@ namespace RollingContact
     double                    reference_time_step = 1e-6;
 
   private:
-    void
-    declare_meshes(dealii::ParameterHandler &prm);
-    void
-    declare_cases(dealii::ParameterHandler &prm);
-
-    void
-    declare_methods(dealii::ParameterHandler &prm);
-    void
-    declare_time(dealii::ParameterHandler &prm);
-
-    void
-    check_meshes() const;
-    void
-    check_time_steps() const;
+    void declare_meshes(Entries &entries);
+    void declare_methods(Entries &entries);
+    void check_meshes() const;
+    void check_time_steps() const;
   };
 } // namespace RollingContact
 

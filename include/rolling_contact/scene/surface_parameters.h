@@ -8,13 +8,10 @@
 #include <memory>
 #include <string>
 
-namespace dealii
-{
-  class ParameterHandler;
-}
-
 namespace RollingContact
 {
+  class Entries;
+
   class HeightExpression;
 
   /**
@@ -23,27 +20,17 @@ namespace RollingContact
    */
   struct SurfaceParameters
   {
-    void
-    declare(dealii::ParameterHandler &prm);
+    void declare(Entries &entries);
 
     /**
      * Rules across entries. Throws InputError.
      */
-    void
-    check(const unsigned int dimension) const;
-
-    /**
-     * Read expressions and records; files are relative to the folder. Throws
-     * InputError.
-     */
-    void
-    read(const std::filesystem::path &folder);
+    void check(const unsigned int dimension) const;
 
     /**
      * Whether a surface moves.
      */
-    bool
-    in_use() const
+    bool in_use() const
     {
       return !height.wheel.empty() || !height.rail.empty();
     }
@@ -51,19 +38,39 @@ namespace RollingContact
     /**
      * "Surfaces/Wheel height" or "Surfaces/Rail height".
      */
-    static std::string
-    entry(const Side side);
+    static std::string entry(const Side side);
 
     PerSide<std::string> height;         ///< an expression, a file, or empty
     std::string          friction_share; ///< an expression, or empty
     double               position            = 0.; ///< m, rolled before t = 0
     double               shortest_wavelength = 0.; ///< m, or 0
     RecordUnits          units;
+  };
 
-    /** What read() made of them; one of them, or none for a smooth surface. */
+  /**
+   * Surfaces of wheel and rail: their entries, and the expressions and records
+   * that those name.
+   */
+  struct SurfaceSpec : public SurfaceParameters
+  {
+    explicit SurfaceSpec(const SurfaceParameters &entries)
+      : SurfaceParameters(entries)
+    {}
+
+    /**
+     * Read expressions and records; files are relative to the folder. Throws
+     * InputError.
+     */
+    void read(const std::filesystem::path &folder);
+
+    /** An expression or a record of each side, or none for a smooth one. */
     PerSide<std::shared_ptr<const SurfaceRecord>>    records;
     PerSide<std::shared_ptr<const HeightExpression>> expressions;
     std::shared_ptr<const HeightExpression>          share; ///< of mu; or none
+
+    /** How far the wheel has rolled, `Position` included, while the run lasts.
+     * Units: m. */
+    double least_rolled = 0., most_rolled = 0.;
   };
 } // namespace RollingContact
 

@@ -5,13 +5,10 @@
 #include <string>
 #include <vector>
 
-namespace dealii
-{
-  class ParameterHandler;
-}
-
 namespace RollingContact
 {
+  class Entries;
+
   /**
    * An entry of a scene and the values it takes, ascending, in its own unit.
    */
@@ -28,22 +25,19 @@ namespace RollingContact
    */
   struct TableParameters
   {
-    void
-    declare(dealii::ParameterHandler &prm);
+    void declare(Entries &entries);
 
     /**
      * Throws InputError unless there are either axes, all of them with an
      * entry and numbers, or a file of rows.
      */
-    void
-    check() const;
+    void check() const;
 
     /**
      * The axes that are given, in their order. Throws InputError naming the one
      * that is none, whose entry another has, or that has a number twice.
      */
-    std::vector<TableAxis>
-    axes() const;
+    std::vector<TableAxis> axes() const;
 
     static constexpr unsigned int max_axes = 8;
 

@@ -53,21 +53,17 @@ namespace RollingContact
      * Throws InputError, naming the entry and the time, if it is not finite.
      * Units: s.
      */
-    double
-    value(const double time) const;
+    double value(const double time) const;
 
-    bool
-    is_constant() const;
+    bool is_constant() const;
 
     /**
      * True if more than half of what it does from @p begin to @p end it does
      * within an eighth of that time: a jump, or as good as one. Units: s.
      */
-    bool
-    jumps_between(const double begin, const double end) const;
+    bool jumps_between(const double begin, const double end) const;
 
-    bool
-    is_table() const
+    bool is_table() const
     {
       return points.size() > 1;
     }
@@ -75,14 +71,11 @@ namespace RollingContact
     /**
      * Text that differs if the table differs: its size, ends and CRC-32.
      */
-    std::string
-    table_fingerprint() const;
+    std::string table_fingerprint() const;
 
   private:
-    void
-    read_expression();
-    void
-    read_table(std::filesystem::path file, const std::string &column);
+    void read_expression();
+    void read_table(std::filesystem::path file, const std::string &column);
 
     std::string entry, text;
     /**

@@ -1,7 +1,7 @@
 #ifndef rolling_contact_scene_time_parameters_h
 #define rolling_contact_scene_time_parameters_h
 
-#include <rolling_contact/dynamics/theta_scheme.h>
+#include <rolling_contact/bodies/theta_scheme.h>
 #include <rolling_contact/input/prm_entries.h>
 #include <rolling_contact/scene/contact_parameters.h>
 #include <rolling_contact/scene/time_function.h>
@@ -9,16 +9,12 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
-#include <set>
 #include <string>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace RollingContact
 {
+  class Entries;
+
   /**
    * What drives a transient run: the histories of section Time, and the
    * constants of section Contact where those are empty. Either the load or the
@@ -37,8 +33,7 @@ namespace RollingContact
     /** In place of creepages. Units: N, N, N m. */
     std::optional<TimeFunction> longitudinal_force, lateral_force, spin_moment;
 
-    Creepages
-    creepages(const double time) const
+    Creepages creepages(const double time) const
     {
       return {creepage_x.value(time), creepage_y.value(time), spin.value(time)};
     }
@@ -46,21 +41,18 @@ namespace RollingContact
     /**
      * What is asked for at a time. Units: s.
      */
-    AskedForces
-    forces(const double time) const;
+    AskedForces forces(const double time) const;
 
     /**
      * True if one of them jumps, see TimeFunction. Units: s.
      */
-    bool
-    jump_between(const double begin, const double end) const;
+    bool jump_between(const double begin, const double end) const;
 
     /**
      * Acceleration of the wheel's hub towards the rail, by the approach before,
      * at and after a time; 0 at the start. Units: s, m/s^2.
      */
-    double
-    hub_acceleration(const double time, const double h) const;
+    double hub_acceleration(const double time, const double h) const;
   };
 
   /**
@@ -104,44 +96,39 @@ namespace RollingContact
    */
   struct TimeParameters
   {
-    void
-    declare(dealii::ParameterHandler &prm);
+    void declare(Entries &entries);
 
     /**
      * Check rules across entries, for Analysis = transient; table files are
      * relative to the folder of the .prm file. The histories are tried at up to
      * 1000 times. Throws InputError.
      */
-    void
-    check(const ContactParameters     &contact,
-          const unsigned int           dimension,
-          const std::filesystem::path &prm_folder) const;
+    void check(const ContactParameters     &contact,
+               const unsigned int           dimension,
+               const std::filesystem::path &prm_folder) const;
+
+    /**
+     * Rules for a run until the motion repeats itself; @p why begins messages.
+     * Throws InputError.
+     */
+    void check_cycles(const TimeSteps &all, const std::string &why) const;
 
     /**
      * Throws InputError.
      */
-    DrivingFunctions
-    histories(const ContactParameters     &contact,
-              const std::filesystem::path &prm_folder) const;
+    DrivingFunctions histories(const ContactParameters     &contact,
+                               const std::filesystem::path &prm_folder) const;
 
     /**
      * Throws InputError if a length is given and the speed is not constant.
      */
-    TimeSteps
-    steps(const TimeFunction &speed) const;
+    TimeSteps steps(const TimeFunction &speed) const;
 
     /**
      * Part of critical damping that theta brings at `Damping frequency`, zeta =
      * (theta - 1/2) omega dt. Units: s, 1.
      */
-    double
-    numerical_damping(const double time_step) const;
-
-    /**
-     * Entries that may differ when a run is resumed, see RunFolder.
-     */
-    static std::set<std::string>
-    free_on_resume();
+    double numerical_damping(const double time_step) const;
 
     double       end_time            = 0.;
     double       rolled_distance     = 0.;
@@ -178,22 +165,12 @@ namespace RollingContact
     double       periodic_after      = 0.;   ///< s
 
   private:
-    void
-    declare_steps(dealii::ParameterHandler &prm);
-    void
-    declare_scheme(dealii::ParameterHandler &prm);
-    void
-    declare_start(dealii::ParameterHandler &prm);
-    void
-    declare_histories(dealii::ParameterHandler &prm);
-    void
-    declare_output(dealii::ParameterHandler &prm);
-    void
-    declare_end(dealii::ParameterHandler &prm);
-
-    void
-    check_entries(const ContactParameters &contact,
-                  const unsigned int       dimension) const;
+    void declare_steps(Entries &entries);
+    void declare_start(Entries &entries);
+    void declare_histories(Entries &entries);
+    void declare_output(Entries &entries);
+    void check_entries(const ContactParameters &contact,
+                       const unsigned int       dimension) const;
   };
 } // namespace RollingContact
 

@@ -21,12 +21,10 @@ namespace RollingContact
     /**
      * At a time of at least 0. Throws InputError where the speed is not finite.
      */
-    double
-    value(const double time) const;
+    double value(const double time) const;
 
   private:
-    double
-    between(const double begin, const double end) const;
+    double between(const double begin, const double end) const;
 
     TimeFunction                speed;
     double                      panel;

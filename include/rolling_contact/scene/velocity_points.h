@@ -26,17 +26,15 @@ namespace RollingContact
    * a name or a number is missing or not allowed, or a name comes twice, and in
    * 2D where the point is not in the plane.
    */
-  std::vector<VelocityPoint>
-  read_velocity_points(const std::string &section,
-                       const std::string &text,
-                       const unsigned int dimension);
+  std::vector<VelocityPoint> read_velocity_points(const std::string &section,
+                                                  const std::string &text,
+                                                  const unsigned int dimension);
 
   /**
    * The column of history.csv with the velocity of a point along an axis, 'x',
    * 'y' or 'z'.
    */
-  std::string
-  velocity_column(const std::string &point, const char axis);
+  std::string velocity_column(const std::string &point, const char axis);
 } // namespace RollingContact
 
 #endif

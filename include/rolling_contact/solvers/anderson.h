@@ -1,7 +1,7 @@
 #ifndef rolling_contact_solvers_anderson_h
 #define rolling_contact_solvers_anderson_h
 
-#include <rolling_contact/linear_algebra/nodal_field.h>
+#include <rolling_contact/algebra/nodal_field.h>
 
 #include <cstddef>
 #include <deque>
@@ -23,8 +23,7 @@ namespace RollingContact
     /**
      * The next iterate from x and its image G(x).
      */
-    NodalField
-    next(const NodalField &x, const NodalField &image);
+    NodalField next(const NodalField &x, const NodalField &image);
 
   private:
     std::size_t            depth;

@@ -35,19 +35,16 @@ namespace RollingContact
      * true if that ends the iteration: converged, when it is at most
      * @p tolerance, or not a number, which then is the reason of the failure.
      */
-    bool
-    ends_with(const NaturalResidual &now, const double tolerance);
+    bool ends_with(const NaturalResidual &now, const double tolerance);
 
     /**
      * Count the work of a part, whose history follows what is there.
      */
-    void
-    add_work(const SolverReport &part);
+    void add_work(const SolverReport &part);
 
     /** For Boost.Serialization. A member not listed here does not compile. */
     template <typename Archive>
-    void
-    serialize(Archive &archive, const unsigned int)
+    void serialize(Archive &archive, const unsigned int)
     {
       auto &[solver,
              used_fallback,
@@ -91,8 +88,8 @@ namespace RollingContact
   public:
     virtual ~ContactSolver() = default;
 
-    virtual SolverReport
-    solve(const ContactProblem &problem, ContactState &state) const = 0;
+    virtual SolverReport solve(const ContactProblem &problem,
+                               ContactState         &state) const = 0;
   };
 
   /**
@@ -107,8 +104,8 @@ namespace RollingContact
 
     virtual ~NormalSolver() = default;
 
-    virtual SolverReport
-    solve(const ContactProblem &problem, ContactState &state) const = 0;
+    virtual SolverReport solve(const ContactProblem &problem,
+                               ContactState         &state) const = 0;
 
   protected:
     SolverControls controls;
@@ -127,15 +124,15 @@ namespace RollingContact
 
     virtual ~TangentialSolver() = default;
 
-    virtual SolverReport
-    solve(const TangentialProblem &problem, ContactState &state) const = 0;
+    virtual SolverReport solve(const TangentialProblem &problem,
+                               ContactState            &state) const = 0;
 
   protected:
     /**
      * SolverReport::ends_with() for the tangential residual of a traction.
      */
-    bool
-    ends_with(const double tangential_residual, SolverReport &report) const;
+    bool ends_with(const double  tangential_residual,
+                   SolverReport &report) const;
 
     SolverControls controls;
   };
@@ -155,8 +152,7 @@ namespace RollingContact
   /**
    * All contact solvers, the default first.
    */
-  const std::vector<ContactSolverKind> &
-  contact_solver_kinds();
+  const std::vector<ContactSolverKind> &contact_solver_kinds();
 
   /**
    * The solver of a name in contact_solver_kinds(), with

@@ -16,8 +16,8 @@ namespace RollingContact
   public:
     using TangentialSolver::TangentialSolver;
 
-    SolverReport
-    solve(const TangentialProblem &problem, ContactState &state) const override;
+    SolverReport solve(const TangentialProblem &problem,
+                       ContactState            &state) const override;
   };
 } // namespace RollingContact
 

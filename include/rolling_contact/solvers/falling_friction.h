@@ -28,8 +28,8 @@ namespace RollingContact
       , controls(controls)
     {}
 
-    SolverReport
-    solve(const ContactProblem &problem, ContactState &state) const override;
+    SolverReport solve(const ContactProblem &problem,
+                       ContactState         &state) const override;
 
   private:
     struct Iterate;
@@ -38,30 +38,27 @@ namespace RollingContact
      * Iterate with @p part of the way in mu. Counts its work in @p report,
      * which tells whether it converged.
      */
-    void
-    settle(const ContactProblem &problem,
-           const double          part,
-           ContactState         &state,
-           SolverReport         &report) const;
+    void settle(const ContactProblem &problem,
+                const double          part,
+                ContactState         &state,
+                SolverReport         &report) const;
 
     /**
      * One outer iteration: solve with mu = @p friction, from the state of
      * @p iterate and into it. False if that fails.
      */
-    bool
-    solve_with(const std::vector<double> &friction,
-               const ContactProblem      &problem,
-               Iterate                   &iterate,
-               SolverReport              &report) const;
+    bool solve_with(const std::vector<double> &friction,
+                    const ContactProblem      &problem,
+                    Iterate                   &iterate,
+                    SolverReport              &report) const;
 
     /**
      * Try Newton's step for mu from @p iterate, which stays as it was, with
      * false returned, unless the residual halves.
      */
-    bool
-    try_newton(const ContactProblem &problem,
-               Iterate              &iterate,
-               SolverReport         &report) const;
+    bool try_newton(const ContactProblem &problem,
+                    Iterate              &iterate,
+                    SolverReport         &report) const;
 
     std::unique_ptr<const ContactSolver> fixed_mu_solver;
     SolverControls                       controls;

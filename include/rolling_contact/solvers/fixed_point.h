@@ -19,8 +19,8 @@ namespace RollingContact
       : controls(controls)
     {}
 
-    SolverReport
-    solve(const ContactProblem &problem, ContactState &state) const override;
+    SolverReport solve(const ContactProblem &problem,
+                       ContactState         &state) const override;
 
   private:
     SolverControls controls;

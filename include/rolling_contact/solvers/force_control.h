@@ -18,11 +18,10 @@ namespace RollingContact
    * 1e-9 of mu N off, or a tenth of the tolerance of the residual. Throws
    * InputError if friction cannot carry them.
    */
-  SolverReport
-  solve_for_forces(const std::function<SolverReport()> &solve,
-                   const SolverControls                &controls,
-                   ContactProblem                      &problem,
-                   ContactState                        &state);
+  SolverReport solve_for_forces(const std::function<SolverReport()> &solve,
+                                const SolverControls                &controls,
+                                ContactProblem                      &problem,
+                                ContactState                        &state);
 } // namespace RollingContact
 
 #endif

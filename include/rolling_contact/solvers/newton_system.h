@@ -37,8 +37,7 @@ namespace RollingContact
     /**
      * The state after a full step; false if the matrix is singular.
      */
-    bool
-    solve(ContactState &target);
+    bool solve(ContactState &target);
 
     /**
      * How traction and pressure of a state that solves the problem change with
@@ -47,12 +46,11 @@ namespace RollingContact
      * constants are left as they are. Empty if the matrix is singular. Units: 1
      * to Pa.
      */
-    std::vector<ContactState>
-    response(const std::vector<NodalField> &slips);
+    std::vector<ContactState> response(const std::vector<NodalField> &slips);
 
   private:
-    std::size_t
-    place(const std::size_t touching, const unsigned int component) const
+    std::size_t place(const std::size_t  touching,
+                      const unsigned int component) const
     {
       return touching * n_components + component;
     }
@@ -61,42 +59,33 @@ namespace RollingContact
      * Where a node slides, z over its length in @p direction; false where it
      * sticks. @p size is that length, @p bound b.
      */
-    bool
-    slides(const std::size_t      touching,
-           std::array<double, 2> &direction,
-           double                &size,
-           double                &bound) const;
+    bool slides(const std::size_t      touching,
+                std::array<double, 2> &direction,
+                double                &size,
+                double                &bound) const;
 
-    double
-    coefficient(const std::size_t touching) const;
+    double coefficient(const std::size_t touching) const;
 
-    void
-    add_columns();
+    void add_columns();
 
-    void
-    add_column(const std::size_t touching, const unsigned int component);
+    void add_column(const std::size_t touching, const unsigned int component);
 
-    void
-    add_edge_rows();
+    void add_edge_rows();
 
     /**
      * Turn the slip rows of a node into those of its friction law, mu falling
      * by @p fall with the slip. Units: 1.
      */
-    void
-    set_friction_rows(const std::size_t touching, const double fall);
+    void set_friction_rows(const std::size_t touching, const double fall);
 
-    void
-    set_right(const std::size_t touching);
+    void set_right(const std::size_t touching);
 
-    void
-    set_load_rows();
+    void set_load_rows();
 
     /**
      * -dmu/d|s| of a node under the friction law. Units: 1.
      */
-    double
-    fall(const std::size_t touching) const;
+    double fall(const std::size_t touching) const;
 
     const ContactProblem &problem;
     ContactState          now; ///< nothing carried by nodes that do not touch

@@ -16,8 +16,8 @@ namespace RollingContact
   public:
     using NormalSolver::NormalSolver;
 
-    SolverReport
-    solve(const ContactProblem &problem, ContactState &state) const override;
+    SolverReport solve(const ContactProblem &problem,
+                       ContactState         &state) const override;
   };
 } // namespace RollingContact
 

@@ -24,39 +24,36 @@ namespace RollingContact
       const SolverControls                          &controls,
       const bool                                     economical = false);
 
-    SolverReport
-    solve(const ContactProblem &problem, ContactState &state) const override;
+    SolverReport solve(const ContactProblem &problem,
+                       ContactState         &state) const override;
 
   private:
     /**
      * Solve for the traction by the first that succeeds of the first @p
      * n_solvers tangential solvers; false if none does.
      */
-    bool
-    solve_with_any(const TangentialProblem &problem,
-                   const std::size_t        n_solvers,
-                   ContactState            &state,
-                   SolverReport            &report) const;
+    bool solve_with_any(const TangentialProblem &problem,
+                        const std::size_t        n_solvers,
+                        ContactState            &state,
+                        SolverReport            &report) const;
 
     /**
      * Tolerance of a round after which the edge extrapolations will change by
      * about as much as before, by @p change.
      */
-    double
-    tolerance_of_round(const ContactProblem &problem,
-                       const double          change) const;
+    double tolerance_of_round(const ContactProblem &problem,
+                              const double          change) const;
 
     /**
      * Alternate normal and tangential solves, with the edge extrapolations of
      * the state, until the residual is at most @p tolerance. Returns those the
      * traction asks for, none where it fails.
      */
-    SlipScheme
-    alternate(const ContactProblem &problem,
-              const std::size_t     n_solvers,
-              const double          tolerance,
-              ContactState         &state,
-              SolverReport         &report) const;
+    SlipScheme alternate(const ContactProblem &problem,
+                         const std::size_t     n_solvers,
+                         const double          tolerance,
+                         ContactState         &state,
+                         SolverReport         &report) const;
 
     std::unique_ptr<NormalSolver>                  normal;
     std::vector<std::unique_ptr<TangentialSolver>> tangential;

@@ -23,8 +23,8 @@ namespace RollingContact
       , controls(controls)
     {}
 
-    SolverReport
-    solve(const ContactProblem &problem, ContactState &state) const override;
+    SolverReport solve(const ContactProblem &problem,
+                       ContactState         &state) const override;
 
   private:
     std::shared_ptr<const ContactSolver> step_solver;

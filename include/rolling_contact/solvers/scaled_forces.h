@@ -22,21 +22,17 @@ namespace RollingContact
       : m(m)
     {}
 
-    std::vector<double>
-    value(const std::vector<double> &F) const;
+    std::vector<double> value(const std::vector<double> &F) const;
 
     /**
      * dG/dF.
      */
-    DenseMatrix
-    derivative(const std::vector<double> &F) const;
+    DenseMatrix derivative(const std::vector<double> &F) const;
 
   private:
-    double
-    growth(const double size) const;
+    double growth(const double size) const;
 
-    double
-    grown(const double size) const;
+    double grown(const double size) const;
 
     const double m;
     const double last = 1 - 1e-6;
@@ -49,17 +45,16 @@ namespace RollingContact
    * changes with the state. Empty if the laws are singular there. Units: N, N m
    * over 1, 1/m.
    */
-  DenseMatrix
-  force_derivative(const ContactProblem &problem,
-                   const SolverControls &controls,
-                   const ContactState   &state);
+  DenseMatrix force_derivative(const ContactProblem &problem,
+                               const SolverControls &controls,
+                               const ContactState   &state);
 
   /**
    * mu N, and the moment of pure spin at full sliding, for the components that
    * are asked for; 1 without contact. Units: N, N m.
    */
-  std::vector<double>
-  force_scales(const ContactProblem &problem, const ContactState &state);
+  std::vector<double> force_scales(const ContactProblem &problem,
+                                   const ContactState   &state);
 
   /**
    * Asked and present forces of friction alone over their scales.
@@ -72,17 +67,10 @@ namespace RollingContact
   /**
    * force_derivative() of the scaled forces.
    */
-  DenseMatrix
-  scaled_derivative(const ContactProblem      &problem,
-                    const SolverControls      &controls,
-                    const ContactState        &state,
-                    const std::vector<double> &scales);
-
-  /**
-   * Product of two square matrices of a few rows.
-   */
-  DenseMatrix
-  product(const DenseMatrix &first, const DenseMatrix &second);
+  DenseMatrix scaled_derivative(const ContactProblem      &problem,
+                                const SolverControls      &controls,
+                                const ContactState        &state,
+                                const std::vector<double> &scales);
 
   /**
    * How far creepages found for asked forces are off if forces and moment are
@@ -91,11 +79,10 @@ namespace RollingContact
    * Empty if friction may not carry what is asked for then, or the creepages
    * are not decided by it. Units: 1 to 1, 1/m.
    */
-  std::vector<double>
-  creepage_margins(const ContactProblem &problem,
-                   const SolverControls &controls,
-                   const ContactState   &state,
-                   const double          part);
+  std::vector<double> creepage_margins(const ContactProblem &problem,
+                                       const SolverControls &controls,
+                                       const ContactState   &state,
+                                       const double          part);
 } // namespace RollingContact
 
 #endif

@@ -38,32 +38,27 @@ namespace RollingContact
      * What is taken of the scheme @p asked by the solution with the scheme
      * @p now.
      */
-    SlipScheme
-    admitted(const SlipScheme &now, SlipScheme asked);
+    SlipScheme admitted(const SlipScheme &now, SlipScheme asked);
 
     /**
      * The scheme to solve with next, and one round more. @p asked comes from
      * admitted().
      */
-    SlipScheme
-    next(const SlipScheme &now, const SlipScheme &asked);
+    SlipScheme next(const SlipScheme &now, const SlipScheme &asked);
 
     /**
      * Exclude the edges that @p failed has and @p solved has not. False if
      * there are none.
      */
-    bool
-    exclude_new_edges(const SlipScheme &solved, const SlipScheme &failed);
+    bool exclude_new_edges(const SlipScheme &solved, const SlipScheme &failed);
 
-    unsigned int
-    round() const
+    unsigned int round() const
     {
       return n_rounds;
     }
 
   private:
-    SlipScheme
-    accelerated(const SlipScheme &now, const SlipScheme &asked);
+    SlipScheme accelerated(const SlipScheme &now, const SlipScheme &asked);
 
     static constexpr std::size_t         depth = 3;
     const unsigned int                   plain_rounds;

@@ -19,18 +19,17 @@ namespace RollingContact
   public:
     using TangentialSolver::TangentialSolver;
 
-    SolverReport
-    solve(const TangentialProblem &problem, ContactState &state) const override;
+    SolverReport solve(const TangentialProblem &problem,
+                       ContactState            &state) const override;
 
   private:
     /**
      * Take that many extragradient steps, or fewer; returns how many were
      * taken.
      */
-    unsigned int
-    rescue(const TangentialProblem &problem,
-           const unsigned int       n_steps,
-           ContactState            &state) const;
+    unsigned int rescue(const TangentialProblem &problem,
+                        const unsigned int       n_steps,
+                        ContactState            &state) const;
   };
 } // namespace RollingContact
 

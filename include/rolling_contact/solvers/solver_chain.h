@@ -19,20 +19,19 @@ namespace RollingContact
     SolverChain(std::shared_ptr<const ContactSolver> split,
                 const SolverControls                &controls);
 
-    SolverReport
-    solve(const ContactProblem &problem, ContactState &state) const override;
+    SolverReport solve(const ContactProblem &problem,
+                       ContactState         &state) const override;
 
   private:
     /**
      * Try a solver; its effort goes into the report and, if it succeeds, its
      * name there and its solution into @p state.
      */
-    bool
-    attempt(const ContactSolver  &solver,
-            const ContactProblem &problem,
-            ContactState          from,
-            SolverReport         &report,
-            ContactState         &state) const;
+    bool attempt(const ContactSolver  &solver,
+                 const ContactProblem &problem,
+                 ContactState          from,
+                 SolverReport         &report,
+                 ContactState         &state) const;
 
     std::shared_ptr<const ContactSolver> split, newton;
     SolverControls                       controls;

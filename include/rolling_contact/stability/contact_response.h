@@ -1,7 +1,7 @@
 #ifndef rolling_contact_stability_contact_response_h
 #define rolling_contact_stability_contact_response_h
 
-#include <rolling_contact/linear_algebra/complex_matrix.h>
+#include <rolling_contact/algebra/dense_matrix.h>
 #include <rolling_contact/stability/linear_contact.h>
 
 namespace RollingContact
@@ -26,21 +26,18 @@ namespace RollingContact
     /**
      * G(s), by a solution with the unknowns of the contact.
      */
-    ComplexMatrix
-    operator()(const std::complex<double> s) const;
+    ComplexMatrix operator()(const std::complex<double> s) const;
 
     /**
      * Its finite poles, found by a real @p shift. Units: 1/s.
      */
-    ComplexVector
-    poles(const double shift) const;
+    ComplexValues poles(const double shift) const;
 
   private:
     /**
      * Normal rows are in m, those of slip in Pa: solutions want them alike.
      */
-    void
-    scale_rows();
+    void scale_rows();
 
     DenseMatrix   statics, viscosity, motion, velocity;
     ComplexMatrix reaction;

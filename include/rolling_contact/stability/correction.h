@@ -13,7 +13,7 @@ namespace RollingContact
    * each k, (T + 1) N complex values each. Units: 1/s, N to m.
    */
   using BodyResponse = std::function<
-    std::vector<ComplexVector>(const ComplexVector              &s,
+    std::vector<ComplexVector>(const ComplexValues              &s,
                                const std::vector<ComplexVector> &forces)>;
 
   struct CorrectionOptions
@@ -47,8 +47,7 @@ namespace RollingContact
 
     unsigned int n_responses = 0; ///< answers of the full bodies
 
-    double
-    growth() const
+    double growth() const
     {
       return s.real();
     }
@@ -57,14 +56,12 @@ namespace RollingContact
      * True where the growth is less than its own uncertainty: neither stable
      * nor unstable is shown then.
      */
-    bool
-    undecided() const;
+    bool undecided() const;
 
     /**
      * True where the growth is positive beyond its uncertainty.
      */
-    bool
-    unstable() const;
+    bool unstable() const;
 
     /**
      * The damping ratio that would have to be added to make the mode stable,
@@ -90,20 +87,18 @@ namespace RollingContact
    * modes take their steps side by side, so that the full bodies answer a
    * number of them at once; each keeps two dense complex matrices of contact.
    */
-  std::vector<CorrectedMode>
-  correct(const ReducedPair                &pair,
-          const LinearContact              &contact,
-          const std::vector<StabilityMode> &modes,
-          const BodyResponse               &response,
-          const CorrectionOptions          &options = {});
+  std::vector<CorrectedMode> correct(const ReducedPair                &pair,
+                                     const LinearContact              &contact,
+                                     const std::vector<StabilityMode> &modes,
+                                     const BodyResponse               &response,
+                                     const CorrectionOptions &options = {});
 
   /**
    * W(s) f of the reduced pair.
    */
-  ComplexVector
-  reduced_response(const ReducedPair         &pair,
-                   const std::complex<double> s,
-                   const ComplexVector       &forces);
+  ComplexVector reduced_response(const ReducedPair         &pair,
+                                 const std::complex<double> s,
+                                 const ComplexVector       &forces);
 } // namespace RollingContact
 
 #endif

@@ -2,21 +2,12 @@
 #define rolling_contact_stability_linear_contact_h
 
 #include <rolling_contact/contact/contact_problem.h>
+#include <rolling_contact/contact/friction_law.h>
 
 #include <vector>
 
 namespace RollingContact
 {
-  /**
-   * How friction follows the sliding speed when a steady state is disturbed.
-   */
-  enum class FrictionResponse
-  {
-    constant,  ///< each node keeps the mu it has
-    node,      ///< mu of each node follows its own speed at once
-    patch_mean ///< mu of all follows their mean speed with a delay
-  };
-
   /**
    * What a state is linearised with besides itself.
    */
@@ -75,17 +66,14 @@ namespace RollingContact
     unsigned int n_slipping = 0; ///< stick with |q| nearly mu p
     unsigned int n_sticking = 0; ///< slip of almost no size
 
-    unsigned int
-    n_unknowns() const
+    unsigned int n_unknowns() const
     {
-      return N_r.n_rows();
+      return N_r.rows();
     }
 
-    unsigned int
-    n_slip() const;
+    unsigned int n_slip() const;
 
-    unsigned int
-    n_border() const
+    unsigned int n_border() const
     {
       return n_opening + n_slipping + n_sticking;
     }
@@ -98,10 +86,9 @@ namespace RollingContact
    * friction that remembers a sliding distance, or with a memory of no
    * duration.
    */
-  LinearContact
-  linear_contact(const ContactProblem       &problem,
-                 const ContactState         &state,
-                 const LinearContactOptions &options);
+  LinearContact linear_contact(const ContactProblem       &problem,
+                               const ContactState         &state,
+                               const LinearContactOptions &options);
 } // namespace RollingContact
 
 #endif

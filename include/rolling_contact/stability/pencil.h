@@ -1,7 +1,7 @@
 #ifndef rolling_contact_stability_pencil_h
 #define rolling_contact_stability_pencil_h
 
-#include <rolling_contact/linear_algebra/complex_matrix.h>
+#include <rolling_contact/algebra/dense_matrix.h>
 #include <rolling_contact/stability/linear_contact.h>
 #include <rolling_contact/stability/reduced_pair.h>
 
@@ -23,14 +23,12 @@ namespace RollingContact
     /**
      * |Im s| / 2 pi. Units: Hz.
      */
-    double
-    frequency() const;
+    double frequency() const;
 
     /**
      * Re s; unstable where positive. Units: 1/s.
      */
-    double
-    growth() const
+    double growth() const
     {
       return s.real();
     }
@@ -38,14 +36,12 @@ namespace RollingContact
     /**
      * -Re s / |s|; -1 for a real positive s.
      */
-    double
-    damping_ratio() const;
+    double damping_ratio() const;
 
     /**
      * True for a real s: the contact itself, no vibration.
      */
-    bool
-    is_real() const
+    bool is_real() const
     {
       return s.imag() == 0.;
     }
@@ -54,8 +50,7 @@ namespace RollingContact
      * |eta_k|^2 of each mode: the share of it in the kinetic energy. The sum is
      * 1.
      */
-    std::vector<double>
-    participation() const;
+    std::vector<double> participation() const;
   };
 
   /**
@@ -87,28 +82,23 @@ namespace RollingContact
      * those of the algebraic equations.
      * Units: 1/s.
      */
-    ComplexVector
-    eigenvalues() const;
+    ComplexValues eigenvalues() const;
 
     /**
      * The motion of an eigenvalue by two steps of inverse iteration, and the
      * eigenvalue anew.
      */
-    StabilityMode
-    mode(const std::complex<double> s) const;
+    StabilityMode mode(const std::complex<double> s) const;
 
-    std::size_t
-    size() const
+    std::size_t size() const
     {
-      return A.n_rows();
+      return A.rows();
     }
 
   private:
-    void
-    add_bodies(const ReducedPair &pair, const LinearContact &contact);
+    void add_bodies(const ReducedPair &pair, const LinearContact &contact);
 
-    void
-    add_contact(const ReducedPair &pair, const LinearContact &contact);
+    void add_contact(const ReducedPair &pair, const LinearContact &contact);
 
     std::size_t n_modes = 0;
     double      rate    = 1.; ///< w, 1/s
@@ -127,10 +117,9 @@ namespace RollingContact
     std::vector<StabilityMode> real;
   };
 
-  UnstableModes
-  unstable_modes(const StabilityPencil &pencil,
-                 const double           greatest_frequency,
-                 const double           least_growth = 0.);
+  UnstableModes unstable_modes(const StabilityPencil &pencil,
+                               const double           greatest_frequency,
+                               const double           least_growth = 0.);
 } // namespace RollingContact
 
 #endif

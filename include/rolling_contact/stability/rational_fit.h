@@ -1,7 +1,7 @@
 #ifndef rolling_contact_stability_rational_fit_h
 #define rolling_contact_stability_rational_fit_h
 
-#include <rolling_contact/linear_algebra/complex_matrix.h>
+#include <rolling_contact/algebra/dense_matrix.h>
 
 namespace RollingContact
 {
@@ -21,7 +21,7 @@ namespace RollingContact
      * Support points are added until the fit agrees with the values to
      * @p tolerance of their largest, or there are @p most_points.
      */
-    RationalFit(const ComplexVector &points,
+    RationalFit(const ComplexValues &points,
                 const ComplexMatrix &values,
                 const double         tolerance   = 1e-10,
                 const unsigned int   most_points = 40);
@@ -29,11 +29,9 @@ namespace RollingContact
     /**
      * All functions at @p s.
      */
-    ComplexVector
-    operator()(const std::complex<double> s) const;
+    ComplexVector operator()(const std::complex<double> s) const;
 
-    unsigned int
-    n_support_points() const
+    unsigned int n_support_points() const
     {
       return support.size();
     }
@@ -42,14 +40,14 @@ namespace RollingContact
      * Largest difference from the values of the construction, over the largest
      * of them.
      */
-    double
-    error() const
+    double error() const
     {
       return largest_error;
     }
 
   private:
-    ComplexVector support, weights;
+    ComplexValues support;
+    ComplexVector weights;
     ComplexMatrix at_support; ///< a column for each support point
     double        largest_error = 0.;
   };

@@ -1,7 +1,7 @@
 #ifndef rolling_contact_stability_reduced_pair_h
 #define rolling_contact_stability_reduced_pair_h
 
-#include <rolling_contact/linear_algebra/dense_matrix.h>
+#include <rolling_contact/algebra/dense_matrix.h>
 
 namespace RollingContact
 {
@@ -28,10 +28,9 @@ namespace RollingContact
 
     unsigned int n_wheel_modes = 0; ///< the first columns of Phi
 
-    unsigned int
-    n_modes() const
+    unsigned int n_modes() const
     {
-      return K_m.n_rows();
+      return K_m.rows();
     }
   };
 
@@ -41,8 +40,7 @@ namespace RollingContact
    * compliance that come from different matrices fail here: then W_res would
    * push where it should give way.
    */
-  void
-  check(const ReducedPair &pair);
+  void check(const ReducedPair &pair);
 
   /**
    * Let the material of the bodies pass through their modes, as a wheel does
@@ -54,8 +52,7 @@ namespace RollingContact
    * with the skew matrix S_ij = integral of rho phi_i . d(phi_j)/dtheta, m x m,
    * zero where modes do not turn. Units: 1, rad/s.
    */
-  void
-  add_rotation(ReducedPair &pair, const DenseMatrix &S, const double rate);
+  void add_rotation(ReducedPair &pair, const DenseMatrix &S, const double rate);
 } // namespace RollingContact
 
 #endif

@@ -1,7 +1,7 @@
 #ifndef rolling_contact_stability_unstable_count_h
 #define rolling_contact_stability_unstable_count_h
 
-#include <rolling_contact/linear_algebra/complex_matrix.h>
+#include <rolling_contact/algebra/dense_matrix.h>
 #include <rolling_contact/stability/linear_contact.h>
 #include <rolling_contact/stability/reduced_pair.h>
 
@@ -71,24 +71,21 @@ namespace RollingContact
     explicit UnstableCounter(const ReducedPair  &pair,
                              const CountOptions &options = {});
 
-    UnstableCount
-    count(const LinearContact &contact) const;
+    UnstableCount count(const LinearContact &contact) const;
 
     /**
      * Number p of motions of the patch.
      */
-    unsigned int
-    n_motions() const
+    unsigned int n_motions() const
     {
-      return U.n_columns();
+      return U.cols();
     }
 
     /**
      * False if H is solved for with the modes each time, as poles that share a
      * vector give no residues.
      */
-    bool
-    uses_residues() const
+    bool uses_residues() const
     {
       return poles_hold;
     }
@@ -97,39 +94,32 @@ namespace RollingContact
     using MatrixFunction =
       std::function<ComplexMatrix(const std::complex<double>)>;
 
-    void
-    find_motions(const ReducedPair &pair);
+    void find_motions(const ReducedPair &pair);
 
-    void
-    find_poles(const ReducedPair &pair);
+    void find_poles(const ReducedPair &pair);
 
-    void
-    set_contour();
+    void set_contour();
 
-    ComplexMatrix
-    body_response(const std::complex<double> s) const;
+    ComplexMatrix body_response(const std::complex<double> s) const;
 
     /**
      * H by a solution with the modes.
      */
-    ComplexMatrix
-    solved_response(const std::complex<double> s) const;
+    ComplexMatrix solved_response(const std::complex<double> s) const;
 
     /**
      * Points for the rational fit of G.
      */
-    ComplexVector
-    fit_points() const;
+    ComplexValues fit_points() const;
 
-    bool
-    inside(const std::complex<double> s) const;
+    bool inside(const std::complex<double> s) const;
 
     CountOptions               options;
     DenseMatrix                K_m, C_m, W_res, U, L;
-    ComplexVector              poles;
+    ComplexValues              poles;
     ComplexMatrix              left, right; ///< residues of H
     bool                       poles_hold = true;
-    ComplexVector              contour;  ///< counter-clockwise, closed
+    ComplexValues              contour;  ///< counter-clockwise, closed
     std::vector<ComplexMatrix> response; ///< H there
   };
 } // namespace RollingContact

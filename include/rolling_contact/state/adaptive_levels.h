@@ -1,10 +1,8 @@
 #ifndef rolling_contact_state_adaptive_levels_h
 #define rolling_contact_state_adaptive_levels_h
 
-#include <rolling_contact/patch/refinement_marks.h>
-#include <rolling_contact/state/steady_state.h>
-
-#include <functional>
+#include <rolling_contact/contact/refinement_marks.h>
+#include <rolling_contact/state/state_finder.h>
 
 namespace RollingContact
 {
@@ -20,9 +18,9 @@ namespace RollingContact
   class AdaptiveLevels
   {
   public:
-    AdaptiveLevels(const SceneParameters &scene,
-                   const StateDemands    &demands,
-                   RunContext            &context)
+    AdaptiveLevels(const PairSpec     &scene,
+                   const StateDemands &demands,
+                   RunContext         &context)
       : scene(scene)
       , demands(demands)
       , context(context)
@@ -43,41 +41,25 @@ namespace RollingContact
     /**
      * Throws InputError, before anything is meshed.
      */
-    void
-    check_budget() const;
+    void check_budget() const;
 
     /**
      * The next level's grading; false, with the reason said, if the budget does
      * not allow one.
      */
-    bool
-    refine(const SteadyState<dim> &steady, Grading<dim> &grading);
+    bool refine(const SteadyState<dim> &steady, Grading<dim> &grading);
 
-    bool
-    refine_uniformly(const SteadyState<dim> &steady, Grading<dim> &grading);
+    bool refine_uniformly(const SteadyState<dim> &steady,
+                          Grading<dim>           &grading);
 
-    bool
-    refine_marked(const SteadyState<dim> &steady, Grading<dim> &grading);
+    bool refine_marked(const SteadyState<dim> &steady, Grading<dim> &grading);
 
-    void
-    add_bulk_boxes(const SteadyState<dim> &steady, Grading<dim> &grading);
+    void add_bulk_boxes(const SteadyState<dim> &steady, Grading<dim> &grading);
 
-    SteadyState<dim>
-    solve_next(const SteadyState<dim> &previous, Grading<dim> grading);
-
-    const SceneParameters &scene;
-    StateDemands           demands;
-    RunContext            &context;
+    const PairSpec &scene;
+    StateDemands    demands;
+    RunContext     &context;
   };
-
-  /**
-   * The state of @p previous at the nodes of another mesh: interpolated, zero
-   * where that mesh had no trace.
-   */
-  template <int dim>
-  ContactState
-  transferred_state(const SteadyState<dim> &previous,
-                    const ContactProblem   &problem);
 } // namespace RollingContact
 
 #endif

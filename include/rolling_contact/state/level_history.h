@@ -45,8 +45,7 @@ namespace RollingContact
   class LevelHistory
   {
   public:
-    void
-    add(const LevelValues &values)
+    void add(const LevelValues &values)
     {
       levels.push_back(values);
     }
@@ -54,8 +53,7 @@ namespace RollingContact
     /**
      * Change from the level before; none at the first.
      */
-    std::optional<double>
-    change() const;
+    std::optional<double> change() const;
 
     /**
      * Richardson's extrapolation, for two levels or more. The factor by which
@@ -64,8 +62,7 @@ namespace RollingContact
      * The error of the limit is the distance from the limit the levels before
      * pointed to, or from the last values if there is none.
      */
-    std::optional<LevelLimit>
-    limit() const;
+    std::optional<LevelLimit> limit() const;
 
   private:
     std::vector<LevelValues> levels;

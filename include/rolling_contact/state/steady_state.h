@@ -1,14 +1,14 @@
 #ifndef rolling_contact_state_steady_state_h
 #define rolling_contact_state_steady_state_h
 
+#include <rolling_contact/contact/resultants.h>
 #include <rolling_contact/pair/patch_estimate.h>
 #include <rolling_contact/pair/rolling_pair.h>
-#include <rolling_contact/patch/resultants.h>
 #include <rolling_contact/run/run_context.h>
+#include <rolling_contact/scene/pair_spec.h>
 #include <rolling_contact/solvers/contact_solver.h>
 #include <rolling_contact/state/level_history.h>
 
-#include <functional>
 #include <memory>
 #include <string>
 
@@ -42,8 +42,7 @@ namespace RollingContact
    * Hertz's, time cannot go back to enlarge the zone, and small errors of the
    * compliance add up.
    */
-  StateDemands
-  demands_in_time(const PairDemands &pair);
+  StateDemands demands_in_time(const PairDemands &pair);
 
   /**
    * One steady rolling state on the mesh that was made for it.
@@ -68,30 +67,28 @@ namespace RollingContact
   };
 
   /**
-   * Makes the pair of a scene on a grading of its interface; none: a
-   * RollingPair with bodies of its own.
-   */
-  template <int dim>
-  using PairMaker =
-    std::function<std::shared_ptr<RollingPair<dim>>(const SceneParameters &,
-                                                    const Grading<dim> &)>;
-
-  /**
    * Element sizes for a patch of this size; offset in elements.
    */
   template <int dim>
-  Grading<dim>
-  make_grading(const SceneParameters &scene,
-               const StateDemands    &demands,
-               const PatchEstimate   &patch,
-               const unsigned int     elements_across_patch,
-               const double           offset);
+  Grading<dim> make_grading(const PairSpec      &scene,
+                            const StateDemands  &demands,
+                            const PatchEstimate &patch,
+                            const unsigned int   elements_across_patch,
+                            const double         offset);
 
   /**
    * What the solvers start from: contact on the estimated patch, no traction.
    */
-  ContactState
-  initial_state(const ContactProblem &problem, const PatchEstimate &patch);
+  ContactState initial_state(const ContactProblem &problem,
+                             const PatchEstimate  &patch);
+
+  /**
+   * The state of @p previous at the nodes of another mesh: interpolated, zero
+   * where that mesh had no trace.
+   */
+  template <int dim>
+  ContactState transferred_state(const SteadyState<dim> &previous,
+                                 const ContactProblem   &problem);
 
   /**
    * Solve the contact problem of a state with the scene's solver, from where it
@@ -99,30 +96,15 @@ namespace RollingContact
    * forces of friction are asked for, with the creepages that have them.
    */
   template <int dim>
-  void
-  solve_contact(const SceneParameters &scene,
-                const StateDemands    &demands,
-                SteadyState<dim>      &steady);
-
-  /**
-   * Mesh, condense and solve the scene's state on this grading, from the state
-   * that @p start makes for the problem.
-   */
-  template <int dim>
-  SteadyState<dim>
-  solve_on(const SceneParameters                                     &scene,
-           const StateDemands                                        &demands,
-           const Grading<dim>                                        &grading,
-           const std::function<ContactState(const ContactProblem &)> &start,
-           RunContext                                                &context,
-           const PairMaker<dim> &make_pair = {});
+  void solve_contact(const PairSpec     &scene,
+                     const StateDemands &demands,
+                     SteadyState<dim>   &steady);
 
   /**
    * True if the patch reaches the border of the candidate zone.
    */
   template <int dim>
-  bool
-  zone_too_small(const SteadyState<dim> &steady)
+  bool zone_too_small(const SteadyState<dim> &steady)
   {
     return reaches_border(steady.pair->trace().border_nodes(),
                           steady.problem,
@@ -130,33 +112,18 @@ namespace RollingContact
   }
 
   /**
-   * Mesh, condense and solve. The mesh is made for the Hertz estimate and made
-   * again when the patch turns out to differ much from it or reaches the border
-   * of the candidate zone, and when it is to be aligned with the leading edge.
-   * Throws ConvergenceError if the patch cannot be enclosed.
-   */
-  template <int dim>
-  SteadyState<dim>
-  solve_steady_state(const SceneParameters &scene,
-                     const StateDemands    &demands,
-                     RunContext            &context,
-                     const PairMaker<dim>  &make_pair = {});
-
-  /**
    * Why a solve failed, "reason. Natural residual 1e-3, required 1e-10".
    */
-  std::string
-  shortfall(const SolverReport &solver, const double tolerance);
+  std::string shortfall(const SolverReport &solver, const double tolerance);
 
   /**
    * Throws ConvergenceError, with @p where in front, unless the state converged
    * on a patch inside its candidate zone.
    */
   template <int dim>
-  void
-  require_solved(const SceneParameters  &scene,
-                 const SteadyState<dim> &steady,
-                 const std::string      &where);
+  void require_solved(const PairSpec         &scene,
+                      const SteadyState<dim> &steady,
+                      const std::string      &where);
 } // namespace RollingContact
 
 #endif

@@ -23,20 +23,18 @@ namespace RollingContact
    * nothing. Throws InputError: waves of fewer than two elements, heights and
    * slopes beyond reason.
    */
-  std::string
-  judge(const Examined &it, const ShortWaves &found);
+  std::string judge(const Examined &it, const ShortWaves &found);
 
   /**
    * Throws InputError if the expression jumps where one turn ends and the next
    * begins, half a turn from 0, and this lies between @p begin and @p end.
    * Units: m.
    */
-  void
-  check_seam(const HeightExpression &expression,
-             const Examined         &it,
-             const double            turn,
-             const double            begin,
-             const double            end);
+  void check_seam(const HeightExpression &expression,
+                  const Examined         &it,
+                  const double            turn,
+                  const double            begin,
+                  const double            end);
 } // namespace RollingContact
 
 #endif

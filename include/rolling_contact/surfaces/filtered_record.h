@@ -1,7 +1,7 @@
 #ifndef rolling_contact_surfaces_filtered_record_h
 #define rolling_contact_surfaces_filtered_record_h
 
-#include <rolling_contact/signals/low_pass.h>
+#include <rolling_contact/algebra/low_pass.h>
 #include <rolling_contact/surfaces/surface_record.h>
 
 #include <memory>
@@ -24,11 +24,9 @@ namespace RollingContact
                    const Signals::CutOff &cut_off,
                    const double           circumference);
 
-    double
-    value(const double position) const;
+    double value(const double position) const;
 
-    bool
-    is_periodic() const
+    bool is_periodic() const
     {
       return period > 0.;
     }

@@ -27,18 +27,15 @@ namespace RollingContact
     /**
      * Throws InputError where it is not finite.
      */
-    double
-    value(const double x, const double y) const;
+    double value(const double x, const double y) const;
 
-    bool
-    depends_on_y() const
+    bool depends_on_y() const
     {
       return has_y;
     }
 
   private:
-    [[noreturn]] void
-    reject(const std::string &reason) const;
+    [[noreturn]] void reject(const std::string &reason) const;
 
     std::string                                entry, text, otherwise;
     bool                                       has_y = false;

@@ -24,11 +24,10 @@ namespace RollingContact
    * the middle; of long lines 128 stretches of 256 elements. Under Hann's
    * window, the worst of the stretches. Units: m.
    */
-  ShortWaves
-  short_waves(const std::function<double(const double)> &height,
-              const double                               begin,
-              const double                               end,
-              const double                               element);
+  ShortWaves short_waves(const std::function<double(const double)> &height,
+                         const double                               begin,
+                         const double                               end,
+                         const double                               element);
 } // namespace RollingContact
 
 #endif

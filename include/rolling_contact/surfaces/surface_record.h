@@ -30,8 +30,7 @@ namespace RollingContact
     double              mean      = 0.; ///< of the file, taken out
     bool                resampled = false;
 
-    double
-    end() const
+    double end() const
     {
       return begin + spacing * (heights.size() - 1.);
     }
@@ -39,16 +38,14 @@ namespace RollingContact
     /**
      * Text that differs if the record differs: its size, ends and CRC-32.
      */
-    std::string
-    fingerprint() const;
+    std::string fingerprint() const;
   };
 
   /**
    * Whether the text of an entry names a file, `FILE.csv` or `table: FILE
    * column`, and no expression.
    */
-  bool
-  names_a_record(const std::string &text);
+  bool names_a_record(const std::string &text);
 
   /**
    * Read the file that the text of an entry names, relative to @p folder: the
@@ -60,11 +57,10 @@ namespace RollingContact
    * line and what is allowed: what is no number, gaps, heights beyond 5 mm
    * about their mean and slopes beyond 0.1, which ask for another unit.
    */
-  SurfaceRecord
-  read_surface_record(const std::string           &entry,
-                      const std::string           &text,
-                      const std::filesystem::path &folder,
-                      const RecordUnits           &units);
+  SurfaceRecord read_surface_record(const std::string           &entry,
+                                    const std::string           &text,
+                                    const std::filesystem::path &folder,
+                                    const RecordUnits           &units);
 
   /** No surface on which a wheel rolls is higher about its mean, m. */
   inline constexpr double highest_surface = 5e-3;

@@ -1,7 +1,8 @@
 #ifndef rolling_contact_tables_bodies_of_places_h
 #define rolling_contact_tables_bodies_of_places_h
 
-#include <rolling_contact/state/steady_state.h>
+#include <rolling_contact/scene/situation.h>
+#include <rolling_contact/state/state_finder.h>
 #include <rolling_contact/tables/load_bands.h>
 
 #include <memory>
@@ -20,7 +21,7 @@ namespace RollingContact
   {
   public:
     /** Keeps references to all of them. */
-    BodiesOfPlaces(const SceneParameters       &scene,
+    BodiesOfPlaces(const Situation             &scene,
                    const TablePlan             &plan,
                    const std::vector<LoadBand> &bands)
       : scene(scene)
@@ -32,36 +33,31 @@ namespace RollingContact
      * What makes pairs of a band on the shared bodies, which are built unless
      * they are there; empty if the band shares none.
      */
-    PairMaker<dim>
-    pair_maker(const LoadBand     &band,
-               const StateDemands &demands,
-               RunContext         &context);
+    PairMaker<dim> pair_maker(const LoadBand     &band,
+                              const StateDemands &demands,
+                              RunContext         &context);
 
     /**
      * Whether wheel and rail are such bodies.
      */
-    bool
-    may_share() const;
+    bool may_share() const;
 
     /**
      * Whether bodies are kept for another band.
      */
-    bool
-    keeps_bodies() const
+    bool keeps_bodies() const
     {
       return kept != nullptr;
     }
 
   private:
     /** What the bodies of a band depend on besides the place: its text. */
-    std::string
-    structure_of(const LoadBand &band) const;
+    std::string structure_of(const LoadBand &band) const;
 
     /** The bands on the same bodies that touch. */
-    std::vector<const LoadBand *>
-    sharing(const std::string &structure) const;
+    std::vector<const LoadBand *> sharing(const std::string &structure) const;
 
-    const SceneParameters         &scene;
+    const Situation               &scene;
     const TablePlan               &plan;
     const std::vector<LoadBand>   &bands;
     std::string                    structure;

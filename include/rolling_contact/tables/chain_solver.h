@@ -1,27 +1,15 @@
 #ifndef rolling_contact_tables_chain_solver_h
 #define rolling_contact_tables_chain_solver_h
 
-#include <rolling_contact/run/run_context.h>
+#include <rolling_contact/scene/situation.h>
 #include <rolling_contact/state/steady_state.h>
-#include <rolling_contact/tables/table_plan.h>
+#include <rolling_contact/tables/table_rows.h>
 
 #include <functional>
-#include <string>
 #include <vector>
 
 namespace RollingContact
 {
-  /**
-   * What became of a state of a table, as column status has it.
-   */
-  namespace TableStatus
-  {
-    inline const std::string solved = "solved", no_contact = "no contact",
-                             not_converged = "not converged",
-                             not_enclosed  = "outside of the zone",
-                             broken        = "broken invariant";
-  } // namespace TableStatus
-
   /**
    * The rows of consecutive states, and those of them whose patch reached the
    * border of the candidate zone, which have no row yet.
@@ -31,24 +19,6 @@ namespace RollingContact
     ResultsTable             rows;
     std::vector<std::size_t> not_enclosed;
   };
-
-  /**
-   * Begin the row of a state: its number, its entries and what became of it.
-   */
-  void
-  begin_table_row(const TablePlan   &plan,
-                  const std::size_t  state,
-                  const std::string &status,
-                  ResultsTable      &rows);
-
-  /**
-   * Add the row of a state of which nothing is known but its status.
-   */
-  void
-  add_unsolved_row(const TablePlan   &plan,
-                   const std::size_t  state,
-                   const std::string &status,
-                   ResultsTable      &rows);
 
   /**
    * Solves states one after the other on bodies that are at hand, each from the
@@ -61,13 +31,13 @@ namespace RollingContact
   public:
     /** Adds columns to the row of a state that is solved. */
     using MoreColumns = std::function<
-      void(const SceneParameters &, const SteadyState<dim> &, ResultsTable &)>;
+      void(const Situation &, const SteadyState<dim> &, ResultsTable &)>;
 
     /**
      * @p scene: any of the table, @p base: bodies and a state on them. Keeps
      * references to plan and base, and the folder and the log of the context.
      */
-    ChainSolver(const SceneParameters  &scene,
+    ChainSolver(const Situation        &scene,
                 const TablePlan        &plan,
                 const SteadyState<dim> &base,
                 const MoreColumns      &more_columns,
@@ -77,23 +47,20 @@ namespace RollingContact
      * Unless @p keep_all, states that are not enclosed in the zone get no row.
      * Throws Interrupted between two states.
      */
-    void
-    solve(const std::vector<std::size_t> &states,
-          const bool                      keep_all,
-          SolvedChain                    &chain);
+    void solve(const std::vector<std::size_t> &states,
+               const bool                      keep_all,
+               SolvedChain                    &chain);
 
   private:
     /**
      * True if the state is enclosed in the zone.
      */
-    bool
-    solve_state(const SceneParameters &scene);
+    bool solve_state(const Situation &scene);
 
-    void
-    add_row(const std::size_t      state,
-            const SceneParameters &scene,
-            const bool             enclosed,
-            ResultsTable          &rows);
+    void add_row(const std::size_t state,
+                 const Situation  &scene,
+                 const bool        enclosed,
+                 SolvedChain      &chain);
 
     SceneEntries            entries;
     const TablePlan        &plan;

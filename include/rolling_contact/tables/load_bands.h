@@ -1,6 +1,7 @@
 #ifndef rolling_contact_tables_load_bands_h
 #define rolling_contact_tables_load_bands_h
 
+#include <rolling_contact/scene/situation.h>
 #include <rolling_contact/tables/table_plan.h>
 
 namespace RollingContact
@@ -17,8 +18,7 @@ namespace RollingContact
     std::size_t              largest = 0; ///< the state to make the mesh for
     double largest_size = 0., smallest_size = 0.; ///< half-widths of patches, m
 
-    bool
-    touches() const
+    bool touches() const
     {
       return largest_size > 0.;
     }
@@ -26,8 +26,7 @@ namespace RollingContact
     /**
      * The scene of the largest patch, with the elements that this takes.
      */
-    SceneParameters
-    scene(const TablePlan &plan, SceneEntries &entries) const;
+    Situation scene(const TablePlan &plan, SceneEntries &entries) const;
   };
 
   /**
@@ -35,10 +34,9 @@ namespace RollingContact
    * patches down to a share @p smallest of its largest one. Throws InputError
    * naming the state that no patch can be estimated for.
    */
-  std::vector<LoadBand>
-  load_bands(const SceneParameters &scene,
-             const TablePlan       &plan,
-             const double           smallest);
+  std::vector<LoadBand> load_bands(const Situation &scene,
+                                   const TablePlan &plan,
+                                   const double     smallest);
 } // namespace RollingContact
 
 #endif

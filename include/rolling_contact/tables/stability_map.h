@@ -2,6 +2,7 @@
 #define rolling_contact_tables_stability_map_h
 
 #include <rolling_contact/analyses/vibrations.h>
+#include <rolling_contact/scene/situation.h>
 #include <rolling_contact/tables/bodies_of_places.h>
 #include <rolling_contact/tables/table.h>
 
@@ -20,7 +21,7 @@ namespace RollingContact
   class StabilityMap : public Table<dim>
   {
   public:
-    StabilityMap(const SceneParameters &scene, RunContext &context)
+    StabilityMap(const Situation &scene, RunContext &context)
       : Table<dim>(scene, context)
       , places(scene, plan, this->bands)
     {}
@@ -33,59 +34,48 @@ namespace RollingContact
       Finding     finding;
     };
 
-    void
-    take_bodies(const SceneParameters  &scene,
-                const SteadyState<dim> &base) override;
+    void take_bodies(const Situation        &scene,
+                     const SteadyState<dim> &base) override;
 
-    void
-    add_columns(const SceneParameters  &scene,
-                const SteadyState<dim> &steady,
-                ResultsTable           &row) const override;
+    void add_columns(const Situation        &scene,
+                     const SteadyState<dim> &steady,
+                     ResultsTable           &row) const override;
 
-    void
-    leave_bodies(const LoadBand         &band,
-                 const SceneParameters  &scene,
-                 const SteadyState<dim> &base) override;
+    void leave_bodies(const LoadBand         &band,
+                      const Situation        &scene,
+                      const SteadyState<dim> &base) override;
 
     /**
      * If the state that squeals most of all is one of the band.
      */
-    void
-    prove_worst(const LoadBand         &band,
-                const SceneParameters  &scene,
-                const SteadyState<dim> &base);
+    void prove_worst(const LoadBand         &band,
+                     const Situation        &scene,
+                     const SteadyState<dim> &base);
 
     /**
      * On bodies that have been kept for all places: back where it is.
      */
-    void
-    prove_on_kept_bodies();
+    void prove_on_kept_bodies();
 
-    PairMaker<dim>
-    pair_maker(const LoadBand &band) override
+    PairMaker<dim> pair_maker(const LoadBand &band) override
     {
       return places.pair_maker(band, demands(), context);
     }
 
     /** Modes take longer than states do with more elements. */
-    double
-    smallest_share() const override
+    double smallest_share() const override
     {
       return 0.7;
     }
 
-    std::string
-    sets(const std::size_t n) const override;
+    std::string sets(const std::size_t n) const override;
 
     /** With factors, and a zone that is seldom too small. */
-    StateDemands
-    demands() const override;
+    StateDemands demands() const override;
 
-    void
-    draw() override;
+    void draw() override;
 
-    void
-    summarise() override;
+    void summarise() override;
 
     using Table<dim>::context;
     using Table<dim>::plan;
@@ -96,6 +86,8 @@ namespace RollingContact
     std::unique_ptr<RollingModes<dim>> rolling;
     std::optional<Proof>               proof;
   };
+
+  AnalysisKind stability_map_kind();
 } // namespace RollingContact
 
 #endif

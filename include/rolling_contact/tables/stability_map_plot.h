@@ -1,32 +1,12 @@
 #ifndef rolling_contact_tables_stability_map_plot_h
 #define rolling_contact_tables_stability_map_plot_h
 
-#include <rolling_contact/run/run_context.h>
-#include <rolling_contact/tables/table_plan.h>
+#include <rolling_contact/tables/table_rows.h>
 
-#include <string>
 #include <vector>
 
 namespace RollingContact
 {
-  /**
-   * A vibration as column vibrations of a stability map has it, "1035.1:1.042".
-   */
-  struct ListedVibration
-  {
-    double frequency = 0.; ///< Hz
-    double growth    = 0.; ///< 1/s
-  };
-
-  std::string
-  text_of(const std::vector<ListedVibration> &vibrations);
-
-  /**
-   * Throws InputError naming the row if it is none.
-   */
-  std::vector<ListedVibration>
-  vibrations_of(const std::string &text, const std::size_t row);
-
   /**
    * One vibration followed along an axis.
    */
@@ -35,8 +15,7 @@ namespace RollingContact
     std::vector<double>          at; ///< values of the axis
     std::vector<ListedVibration> vibrations;
 
-    double
-    largest_growth() const;
+    double largest_growth() const;
   };
 
   /**
@@ -52,8 +31,7 @@ namespace RollingContact
    * Over two axes stability_map.svg, _frequency.svg and _count.svg, over one
    * root_locus.svg; nothing for more axes and rows of a file.
    */
-  void
-  plot_stability_map(const TablePlan &plan, RunContext &context);
+  void plot_stability_map(const TablePlan &plan, RunContext &context);
 } // namespace RollingContact
 
 #endif

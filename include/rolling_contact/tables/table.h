@@ -1,9 +1,10 @@
 #ifndef rolling_contact_tables_table_h
 #define rolling_contact_tables_table_h
 
-#include <rolling_contact/analyses/analysis.h>
+#include <rolling_contact/analyses/analysis_kind.h>
 #include <rolling_contact/run/run_context.h>
-#include <rolling_contact/state/steady_state.h>
+#include <rolling_contact/scene/situation.h>
+#include <rolling_contact/state/state_finder.h>
 #include <rolling_contact/tables/load_bands.h>
 
 #include <vector>
@@ -23,43 +24,37 @@ namespace RollingContact
   class Table : public Analysis
   {
   public:
-    Table(const SceneParameters &scene, RunContext &context);
+    Table(const Situation &scene, RunContext &context);
 
-    void
-    run() override;
+    void run() override;
 
   protected:
     /**
      * What a row has of a state that is solved, besides that of the state
      * itself. Several threads call it.
      */
-    virtual void
-    add_columns(const SceneParameters &,
-                const SteadyState<dim> &,
-                ResultsTable &) const
+    virtual void add_columns(const Situation &,
+                             const SteadyState<dim> &,
+                             ResultsTable &) const
     {}
 
     /**
      * Bodies are there, and a state on them, to solve others.
      */
-    virtual void
-    take_bodies(const SceneParameters &, const SteadyState<dim> &)
+    virtual void take_bodies(const Situation &, const SteadyState<dim> &)
     {}
 
     /**
      * All states on these bodies have their rows; the bodies will go.
      */
     virtual void
-    leave_bodies(const LoadBand &,
-                 const SceneParameters &,
-                 const SteadyState<dim> &)
+    leave_bodies(const LoadBand &, const Situation &, const SteadyState<dim> &)
     {}
 
     /**
      * What makes the pairs of a band; none: each makes bodies of its own.
      */
-    virtual PairMaker<dim>
-    pair_maker(const LoadBand &)
+    virtual PairMaker<dim> pair_maker(const LoadBand &)
     {
       return {};
     }
@@ -67,43 +62,36 @@ namespace RollingContact
     /**
      * The smallest patch that bodies serve, over the one they are made for.
      */
-    virtual double
-    smallest_share() const;
+    virtual double smallest_share() const;
 
-    /**
-     * So many sets of bodies that states share, in words.
-     */
-    virtual std::string
-    sets(const std::size_t n) const;
+    /** Number of sets of bodies that states share, in words for the log. */
+    virtual std::string sets(const std::size_t n) const;
 
     /**
      * What bodies and mesh must have, beyond what the scene says.
      */
-    virtual StateDemands
-    demands() const;
+    virtual StateDemands demands() const;
 
     /**
      * When all states have rows, in the order of their numbers.
      */
-    virtual void
-    draw();
+    virtual void draw();
 
     /**
      * Say what all rows together tell.
      */
-    virtual void
-    summarise()
+    virtual void summarise()
     {}
 
-    const SceneParameters &scene;
-    RunContext            &context;
-    const TablePlan        plan;
-    std::vector<LoadBand>  bands;
+    const Situation      &scene;
+    RunContext           &context;
+    const TablePlan       plan;
+    std::vector<LoadBand> bands;
 
   private:
     /**
-     * So many states, one after the other, start from a common one: what a
-     * stopped run may lose in each thread.
+     * States of a chain, which are solved one after the other and each start
+     * from the last: as many as a stopped run may lose in each thread.
      */
     static constexpr std::size_t chain_length = 32;
 
@@ -112,42 +100,33 @@ namespace RollingContact
     /**
      * The chains of a band of which there are no rows yet.
      */
-    Chains
-    chains_of(const LoadBand &band) const;
+    Chains chains_of(const LoadBand &band) const;
 
-    void
-    solve_band(const LoadBand &band);
+    void solve_band(const LoadBand &band);
 
-    void
-    solve_band_that_touches(const LoadBand &band, const Chains &chains);
+    void solve_band_that_touches(const LoadBand &band, const Chains &chains);
 
     /**
      * Solve chains on bodies, and return what is left of them because its patch
      * reaches the border of the zone.
      */
-    Chains
-    solve_chains(const Chains           &chains,
-                 const SteadyState<dim> &base,
-                 const SceneParameters  &scene,
-                 const bool              keep_all);
+    Chains solve_chains(const Chains           &chains,
+                        const SteadyState<dim> &base,
+                        const Situation        &scene,
+                        const bool              keep_all);
 
-    /**
-     * The same bodies with a larger zone.
-     */
-    SteadyState<dim>
-    enlarged(const SteadyState<dim> &base,
-             const SceneParameters  &scene,
-             const unsigned int      n_elements,
-             const PairMaker<dim>   &make_pair);
+    /** Steady state of the same bodies with a larger zone of contact nodes. */
+    SteadyState<dim> enlarged(const SteadyState<dim> &base,
+                              const Situation        &scene,
+                              const unsigned int      n_elements,
+                              const PairMaker<dim>   &make_pair);
 
-    void
-    describe(const LoadBand         &band,
-             const SceneParameters  &scene,
-             const SteadyState<dim> &base,
-             const std::size_t       n_states);
+    void describe(const LoadBand         &band,
+                  const Situation        &scene,
+                  const SteadyState<dim> &base,
+                  const std::size_t       n_states);
 
-    void
-    finish();
+    void finish();
 
     const unsigned int n_threads;
     std::vector<bool>  has_row;
@@ -155,6 +134,18 @@ namespace RollingContact
     unsigned int       n_bodies = 0;  ///< sets of them that were built
     double             seconds  = 0.; ///< of solving states
   };
+
+  /**
+   * Rules for analyses of many states. Throws InputError.
+   */
+  void check_table(const SceneParameters &scene);
+
+  /**
+   * What --resume goes on with.
+   */
+  RunFolder::Resumption table_resumption(const Situation &scene);
+
+  AnalysisKind table_kind();
 } // namespace RollingContact
 
 #endif

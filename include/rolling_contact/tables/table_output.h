@@ -1,8 +1,8 @@
 #ifndef rolling_contact_tables_table_output_h
 #define rolling_contact_tables_table_output_h
 
-#include <rolling_contact/run/run_context.h>
-#include <rolling_contact/tables/table_plan.h>
+#include <rolling_contact/scene/situation.h>
+#include <rolling_contact/tables/table_rows.h>
 
 #include <map>
 #include <optional>
@@ -12,59 +12,40 @@
 namespace RollingContact
 {
   /**
-   * Read the rows that a stopped run has left in the folder. Throws InputError
-   * if they are not those of the plan, as where the file of rows has changed.
-   */
-  void
-  restore_rows(const TablePlan &plan, RunContext &context);
-
-  /**
-   * The states that have a row.
-   */
-  std::vector<std::size_t>
-  states_with_rows(const ResultsTable &results);
-
-  /**
    * What must be said of all rows of a table together.
    */
   struct TableSummary
   {
-    std::map<std::string, std::vector<std::size_t>> states; ///< by status
+    std::map<TableStatus, std::vector<std::size_t>> states;
     std::optional<double> largest_bound; ///< of the force, over mu N
     std::size_t           n_without_bound = 0, n_fallbacks = 0;
 
-    void
-    note(RunReport &report) const;
+    void note(RunReport &report) const;
 
-    void
-    warn(const TablePlan &plan, Log &log) const;
+    void warn(const TablePlan &plan, Log &log) const;
 
     /**
      * Throws ConvergenceError unless all states are solved or do not touch.
      */
-    void
-    require_solved(const TablePlan &plan) const;
+    void require_solved(const TablePlan &plan) const;
   };
 
-  TableSummary
-  summary_of(const ResultsTable &results);
+  TableSummary summary_of(const ResultsTable &results);
 
   /**
    * table.h5: axes, every quantity of results.csv as an array over them with
    * its unit, NaN for states that are not solved, and the bounds of the errors
    * in the units of what they bound.
    */
-  void
-  write_table_file(const TablePlan       &plan,
-                   const SceneParameters &scene,
-                   RunContext            &context);
+  void write_table_file(const TablePlan &plan,
+                        const Situation &scene,
+                        RunContext      &context);
 
   /**
    * table_1.svg and so on: forces and moment over each axis, a line for some
    * values of the next one, the others in their middle.
    */
-  void
-  plot_sections(const TablePlan &plan, RunContext &context);
+  void plot_sections(const TablePlan &plan, RunContext &context);
 } // namespace RollingContact
 
 #endif

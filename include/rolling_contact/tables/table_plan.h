@@ -2,6 +2,7 @@
 #define rolling_contact_tables_table_plan_h
 
 #include <rolling_contact/scene/scene_entries.h>
+#include <rolling_contact/scene/situation.h>
 
 #include <string>
 #include <vector>
@@ -21,16 +22,14 @@ namespace RollingContact
     /**
      * "Contact/Normal load = 60000, Contact/Creepage x = 0.001".
      */
-    std::string
-    name(const std::size_t state) const;
+    std::string name(const std::size_t state) const;
   };
 
   /**
    * Throws InputError if section Table says something impossible, or more than
    * a million states.
    */
-  TableStates
-  table_states(const SceneParameters &scene);
+  TableStates table_states(const SceneParameters &scene);
 
   /**
    * States that share bodies but for the size of their patch, in the order in
@@ -53,22 +52,19 @@ namespace RollingContact
     /**
      * Set the entries of a state.
      */
-    void
-    set(const std::size_t state, SceneEntries &entries) const;
+    void set(const std::size_t state, SceneEntries &entries) const;
   };
 
   /**
    * Throws InputError if an entry is unknown or no number, or a value is not
    * allowed, alone or together with others, in any of the states.
    */
-  TablePlan
-  plan_table(const SceneParameters &scene);
+  TablePlan plan_table(const Situation &scene);
 
   /**
    * A number as an entry takes it, which reads as the same number again.
    */
-  std::string
-  exact_text(const double value);
+  std::string exact_text(const double value);
 } // namespace RollingContact
 
 #endif

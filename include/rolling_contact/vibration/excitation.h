@@ -29,18 +29,15 @@ namespace RollingContact
      * Add it to a state at t = 0 that steps of length @p h follow, to the
      * forces of which half a step and one and a half before as well. Units: s.
      */
-    void
-    add_to(ReducedState &state, const double h) const;
+    void add_to(ReducedState &state, const double h) const;
 
     /**
      * Disturbance of the friction of the patch, m of LinearContact, at a time;
      * 0 without one. Units: s, 1.
      */
-    double
-    friction(const double time) const;
+    double friction(const double time) const;
 
-    std::complex<double>
-    eigenvalue() const
+    std::complex<double> eigenvalue() const
     {
       return s;
     }
@@ -52,15 +49,14 @@ namespace RollingContact
   };
 
   /**
-   * Of the vibrations among @p eigenvalues (1/s) the one whose frequency is
-   * nearest to @p frequency (Hz) of those that grow; where none grows the one
-   * nearest to i 2 pi frequency in the complex plane. Throws InputError that
-   * names @p entry if there are none.
+   * The growing vibration among @p eigenvalues (1/s) whose frequency is nearest
+   * to @p frequency (Hz); where none grows, the one nearest to i 2 pi frequency
+   * in the complex plane. Throws InputError that names @p entry if there are
+   * none.
    */
-  std::complex<double>
-  vibration_near(const ComplexVector &eigenvalues,
-                 const double         frequency,
-                 const std::string   &entry);
+  std::complex<double> vibration_near(const ComplexValues &eigenvalues,
+                                      const double         frequency,
+                                      const std::string   &entry);
 } // namespace RollingContact
 
 #endif

@@ -4,6 +4,9 @@
 #include <rolling_contact/modes/absorbers.h>
 #include <rolling_contact/modes/full_dynamics.h>
 #include <rolling_contact/pair/body_pair.h>
+#include <rolling_contact/scene/modes_parameters.h>
+#include <rolling_contact/scene/pair_spec.h>
+#include <rolling_contact/scene/stability_parameters.h>
 #include <rolling_contact/vibration/vibrating_body.h>
 
 #include <memory>
@@ -19,14 +22,17 @@ namespace RollingContact
   {
     RollingConditions() = default;
 
-    explicit RollingConditions(const SceneParameters &scene);
+    RollingConditions(const PairSpec            &scene,
+                      const StabilityParameters &stability);
 
     double speed = 0.; ///< of rolling, m/s; 0: the wheel does not turn
     double added_damping =
       0.; ///< damping ratio that all modes have in addition
 
-    /** Of the wheel: on the circles where they were when the modes were
-     * found. */
+    /**
+     * Dampers of the wheel, on the circles where they were when the modes were
+     * found.
+     */
     std::vector<AbsorberRing> absorbers;
   };
 
@@ -43,48 +49,45 @@ namespace RollingContact
      * Find the modes up to a frequency (Hz) of @p bodies, which must outlive
      * this and have kept their factors. Throws InputError for bodies without.
      */
-    ModalBodies(const SceneParameters &scene,
+    ModalBodies(const PairSpec        &scene,
+                const ModesParameters &wanted,
                 const BodyPair<dim>   &bodies,
                 const double           cut_off,
                 RunContext            &context);
 
     /** nullptr for a rigid body. */
-    const VibratingBody<dim> *
-    body(const Side side) const
+    const VibratingBody<dim> *body(const Side side) const
     {
       return bodies[side].get();
     }
 
     /** 0 for a rigid body. */
-    std::size_t
-    n_modes(const Side side) const
+    std::size_t n_modes(const Side side) const
     {
       return bodies[side] ? bodies[side]->modes.size() : 0;
     }
 
     /** Unknowns of the reduced equations of a body: its modes, then what
      * absorbers add. 0 for a rigid body. */
-    std::size_t
-    n_coordinates(const Side side) const
+    std::size_t n_coordinates(const Side side) const
     {
       return n_modes(side) + hanging[side].n_coordinates();
     }
 
-    /** Those of a wheel that does not turn, with the absorbers that it had when
-     * the modes were found. */
-    RollingConditions
-    standing() const;
+    /**
+     * Conditions of a wheel that does not turn, with the dampers that it had
+     * when the modes were found.
+     */
+    RollingConditions standing() const;
 
     /** Where absorbers hang on a body. */
-    const AbsorberPlaces &
-    absorber_places(const Side side) const
+    const AbsorberPlaces &absorber_places(const Side side) const
     {
       return hanging[side];
     }
 
     /** Angular velocity of the wheel, 0 if it does not turn. Units: rad/s. */
-    double
-    rate(const Side side, const RollingConditions &conditions) const;
+    double rate(const Side side, const RollingConditions &conditions) const;
 
     /**
      * The stiffness and the damping matrix of the coordinates of a body. Units:
@@ -101,7 +104,10 @@ namespace RollingContact
     whole_body(const Side side, const RollingConditions &conditions) const;
 
   private:
-    /** Of a body that does not turn. */
+    /**
+     * Damping and gyroscopic matrices of one body as it stands, without
+     * rotation.
+     */
     struct Part
     {
       SymmetricSparseMatrix C;

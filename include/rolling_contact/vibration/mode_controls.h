@@ -16,12 +16,11 @@ namespace RollingContact
    * there are less than six unknowns for each: more modes than a mesh can tell
    * apart, whose search takes hours.
    */
-  ModeControls
-  mode_controls(const ModesParameters &wanted,
-                const double           cut_off,
-                const std::size_t      n_unknowns,
-                const std::string     &section,
-                Log                   &log);
+  ModeControls mode_controls(const ModesParameters &wanted,
+                             const double           cut_off,
+                             const std::size_t      n_unknowns,
+                             const std::string     &section,
+                             Log                   &log);
 } // namespace RollingContact
 
 #endif

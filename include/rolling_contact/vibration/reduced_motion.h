@@ -1,32 +1,14 @@
 #ifndef rolling_contact_vibration_reduced_motion_h
 #define rolling_contact_vibration_reduced_motion_h
 
-#include <rolling_contact/dynamics/theta_scheme.h>
+#include <rolling_contact/bodies/theta_scheme.h>
+#include <rolling_contact/pair/pair_motion.h>
 #include <rolling_contact/stability/reduced_pair.h>
 
 #include <vector>
 
 namespace RollingContact
 {
-  /**
-   * What wheel and rail by their modes have at the end of a step: amplitudes of
-   * the modes, and the nodal forces at the middles of the last two steps, which
-   * the rate of the residual displacement is taken from. Units: m kg^(1/2), m
-   * kg^(1/2)/s, N, s.
-   */
-  struct ReducedState
-  {
-    std::vector<double> eta, rate; ///< of the modes
-    std::vector<double> forces, forces_before;
-    double              last_step = 0.; ///< 0: none has been taken
-
-    /** From the middle of the step before to that of the last one, s. */
-    double distance = 0.;
-
-    /** Constant modal load that keeps the state the motion began with. */
-    std::vector<double> load;
-  };
-
   /**
    * Wheel and rail by their modes and a massless residual compliance, in time
    * by the implicit midpoint rule. With v = eta' and m = n + 1/2 the middle of
@@ -67,21 +49,18 @@ namespace RollingContact
      * the wheel, m values. What modes beyond the basis would take of it is left
      * out. Throws InputError if it is that of other bodies. Units: kg^(1/2).
      */
-    void
-    set_hub_inertia(std::vector<double> inertia);
+    void set_hub_inertia(std::vector<double> inertia);
 
     /**
      * Prepare steps of this length. Throws InputError unless it is above 0.
      * Units: s.
      */
-    void
-    set_time_step(const double h);
+    void set_time_step(const double h);
 
     /**
      * W of the step. Units: m/N.
      */
-    const DenseMatrix &
-    compliance() const
+    const DenseMatrix &compliance() const
     {
       return W;
     }
@@ -94,28 +73,35 @@ namespace RollingContact
      * as long as these do: a load on the modes makes up for what K_m has beyond
      * the static stiffness. Units: m kg^(1/2), N.
      */
-    void
-    rest_at(const std::vector<double> &eta, const std::vector<double> &forces);
+    void rest_at(const std::vector<double> &eta,
+                 const std::vector<double> &forces);
+
+    /**
+     * The constant modal load that keeps the state of rest_at(). Units: m
+     * kg^(1/2)/s^2.
+     */
+    const std::vector<double> &load_at_rest() const
+    {
+      return rest_load;
+    }
 
     /**
      * Begin a step, in place of one that was begun and not ended. Unless
      * @p smooth forces may jump in it, so that those before tell nothing.
      * @p hub_acceleration is that in its middle. Units: m/s^2.
      */
-    void
-    begin_step(const bool smooth = true, const double hub_acceleration = 0.);
+    void begin_step(const bool   smooth           = true,
+                    const double hub_acceleration = 0.);
 
     /**
      * u_m and u'_m at the nodes without forces. Units: m, m/s.
      */
-    const std::vector<double> &
-    free_displacement() const
+    const std::vector<double> &free_displacement() const
     {
       return free_u;
     }
 
-    const std::vector<double> &
-    free_velocity() const
+    const std::vector<double> &free_velocity() const
     {
       return free_v;
     }
@@ -125,15 +111,13 @@ namespace RollingContact
      * is that of the modes, eta^T K_m eta / 2, and of the residual compliance,
      * and damping has the work of the skew part of K_m as well. Units: N, J.
      */
-    const StepEnergy &
-    end_step(const std::vector<double> &forces);
+    const StepEnergy &end_step(const std::vector<double> &forces);
 
     /**
      * Motion of wheel relative to rail at the middle of the last step. Units:
      * m/s.
      */
-    const std::vector<double> &
-    contact_velocity() const
+    const std::vector<double> &contact_velocity() const
     {
       return velocity;
     }
@@ -141,14 +125,12 @@ namespace RollingContact
     /**
      * Kinetic and strain energy now, and what the last step did. Units: J.
      */
-    const StepEnergy &
-    energy() const
+    const StepEnergy &energy() const
     {
       return step_energy;
     }
 
-    const ReducedState &
-    state() const
+    const ReducedState &state() const
     {
       return now;
     }
@@ -156,17 +138,14 @@ namespace RollingContact
     /**
      * Go on from a state. Throws InputError if it is that of other bodies.
      */
-    void
-    set_state(ReducedState state);
+    void set_state(ReducedState state);
 
-    const ReducedPair &
-    bodies() const
+    const ReducedPair &bodies() const
     {
       return pair;
     }
 
-    std::size_t
-    memory_consumption() const;
+    std::size_t memory_consumption() const;
 
   private:
     /** The weights of the two steps before in the rate of the forces. */
@@ -175,16 +154,16 @@ namespace RollingContact
       double before, earlier;
     };
 
-    Past
-    past(const bool smooth) const;
+    Past past(const bool smooth) const;
 
-    /** Of the residual compliance: that which BDF2 keeps. Units: J. */
-    double
-    residual_energy() const;
+    /**
+     * Energy stored in the residual compliance, in the measure that BDF2
+     * conserves. Units: J.
+     */
+    double residual_energy() const;
 
     /** Kinetic and strain energy of the state. */
-    void
-    find_energy();
+    void find_energy();
 
     const ReducedPair   pair;
     DenseMatrix         shapes;                      ///< Phi^T
@@ -193,7 +172,8 @@ namespace RollingContact
     double              h     = 0.;
     bool                begun = false, continues = true;
     ReducedState        now;
-    std::vector<double> hub_inertia, load; ///< load: of the step that has begun
+    std::vector<double> rest_load, hub_inertia;
+    std::vector<double> load; ///< of the step that has begun
     std::vector<double> K_eta;
     std::vector<double> residual, residual_before; ///< W_res f, m
     std::vector<double> free_rate, free_u, free_v, velocity;

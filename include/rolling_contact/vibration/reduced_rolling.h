@@ -1,8 +1,8 @@
 #ifndef rolling_contact_vibration_reduced_rolling_h
 #define rolling_contact_vibration_reduced_rolling_h
 
-#include <rolling_contact/motion/pair_integrator.h>
-#include <rolling_contact/vibration/excitation.h>
+#include <rolling_contact/pair/pair_integrator.h>
+#include <rolling_contact/vibration/reduced_motion.h>
 #include <rolling_contact/vibration/rolling_modes.h>
 
 namespace RollingContact
@@ -24,112 +24,60 @@ namespace RollingContact
                    const DenseMatrix                &W,
                    const RollingConditions          &conditions);
 
-    void
-    set_time_step(const double h) override;
+    void set_time_step(const double h) override;
 
-    bool
-    compliance_depends_on_step() const override;
+    bool compliance_depends_on_step() const override;
 
-    DenseMatrix
-    compliance() const override;
+    DenseMatrix compliance() const override;
 
     std::vector<std::vector<double>>
     response(const std::vector<std::vector<double>> &forces) override;
 
-    double
-    displacement_factor() const override;
+    double displacement_factor() const override;
 
-    bool
-    laws_in_the_middle() const override;
+    bool laws_in_the_middle() const override;
 
-    FreeMotion
-    begin_step(const double hub_acceleration, const bool smooth) override;
+    FreeMotion begin_step(const double hub_acceleration,
+                          const bool   smooth) override;
 
-    StepEnergy
-    end_step(const ContactProblem &problem, const ContactState &state) override;
+    StepEnergy end_step(const ContactProblem &problem,
+                        const ContactState   &state) override;
 
-    void
-    start_from(const ContactProblem &problem,
-               const ContactState   &state) override;
+    void start_from(const ContactProblem &problem,
+                    const ContactState   &state) override;
 
-    /**
-     * Add a vibration to the state that steps of length @p h follow. Units: s.
-     */
-    void
-    excite(const Excitation &vibration, const double h);
+    double stored_energy() const override;
 
-    /**
-     * How the state differs from the one that start_from() came to rest in.
-     */
-    ReducedState
-    disturbance() const;
+    std::vector<double> contact_velocity() const override;
 
-    /**
-     * Add such differences to the state.
-     */
-    void
-    disturb(const ReducedState &differences);
+    BodyDynamics::Memory memory_consumption() const override;
 
-    double
-    stored_energy() const override;
+    BodyField displacement(const Side            side,
+                           const ContactProblem &problem,
+                           const ContactState   &state) const override;
 
-    std::vector<double>
-    contact_velocity() const override;
+    void watch(const WatchedPoints<dim> &points) override;
 
-    BodyDynamics::Memory
-    memory_consumption() const override;
+    std::vector<double> watched_displacement() const override;
 
-    BodyField
-    displacement(const Side            side,
+    void remember() override;
+
+    void go_back() override;
+
+    PairMotion save() const override;
+
+    void restore(const PairMotion     &saved,
                  const ContactProblem &problem,
-                 const ContactState   &state) const override;
+                 const ContactState   &state) override;
 
-    void
-    watch(const WatchedPoints<dim> &points) override;
-
-    std::vector<double>
-    watched_displacement() const override;
-
-    void
-    remember() override;
-
-    void
-    go_back() override;
-
-    PerSide<BodyMotion>
-    save() const override;
-
-    void
-    restore(const PerSide<BodyMotion> &saved,
-            const ContactProblem      &problem,
-            const ContactState        &state) override;
-
-    PastStep
-    past() const override;
-
-    void
-    set_past(const PastStep &past) override;
-
-    const ReducedPair &
-    reduced() const
+    const ReducedPair *reduced_pair() const override
     {
-      return motion.bodies();
+      return &motion.bodies();
     }
 
-    const ModalBodies<dim> &
-    modes() const
+    const ReducedState *reduced_state() const override
     {
-      return *modal;
-    }
-
-    /**
-     * Velocities of the modes at the end of the last step, those of the wheel
-     * first. Units: m kg^(1/2)/s.
-     */
-    const std::vector<double> &
-    modal_velocities() const
-    {
-      return motion.state().rate;
+      return &motion.state();
     }
 
   private:
@@ -138,7 +86,7 @@ namespace RollingContact
     const RollingPair<dim>           &pair;
     const RollingConditions           conditions;
     ReducedMotion                     motion;
-    ReducedState                      kept, rest;
+    ReducedState                      kept;
     DenseMatrix watched; ///< motion of points by the modes, kg^(-1/2)
     double      h = 0.;
   };

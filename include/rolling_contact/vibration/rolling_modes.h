@@ -26,17 +26,14 @@ namespace RollingContact
     /**
      * What a disturbance of a state under these conditions moves.
      */
-    ReducedPair
-    reduced(const RollingConditions &conditions) const;
+    ReducedPair reduced(const RollingConditions &conditions) const;
 
     /** The side and the number, among its coordinates, of a column of the
      * reduced pair; those from n_modes() of that side on are absorbers. */
-    std::pair<Side, std::size_t>
-    coordinate_of(const std::size_t column) const;
+    std::pair<Side, std::size_t> coordinate_of(const std::size_t column) const;
 
     /** The column of the first coordinate of a side. */
-    std::size_t
-    first_column(const Side side) const;
+    std::size_t first_column(const Side side) const;
 
     /**
      * Static amplitudes of all coordinates under nodal forces, Lambda^-1 Phi^T
@@ -51,24 +48,21 @@ namespace RollingContact
      * towards the rail and displacements are those relative to it: -Phi^T M e_z
      * of the wheel, 0 of the rail. Units: kg^(1/2).
      */
-    std::vector<double>
-    hub_inertia() const;
+    std::vector<double> hub_inertia() const;
 
     /**
      * Displacement of a body by amplitudes of all coordinates, of which those
      * of absorbers move nothing of it. Units: m kg^(1/2), m.
      */
-    BodyField
-    displacement(const Side side, const std::vector<double> &eta) const;
+    BodyField displacement(const Side                 side,
+                           const std::vector<double> &eta) const;
 
-    const ModalBodies<dim> &
-    bodies() const
+    const ModalBodies<dim> &bodies() const
     {
       return modal;
     }
 
-    const RollingPair<dim> &
-    pair() const
+    const RollingPair<dim> &pair() const
     {
       return rolling;
     }
@@ -76,8 +70,7 @@ namespace RollingContact
   private:
     /** Motions of the unknowns of a body, by columns, as the relative motion at
      * the contact nodes. */
-    DenseMatrix
-    at_contact(const Side side, const DenseMatrix &motions) const;
+    DenseMatrix at_contact(const Side side, const DenseMatrix &motions) const;
 
     const ModalBodies<dim> &modal;
     const RollingPair<dim> &rolling;
@@ -103,7 +96,7 @@ namespace RollingContact
      * nodal forces, of each s and forces. Units: 1/s, N to m.
      */
     std::vector<ComplexVector>
-    response(const ComplexVector              &s,
+    response(const ComplexValues              &s,
              const std::vector<ComplexVector> &forces) const;
 
     /**
@@ -111,17 +104,15 @@ namespace RollingContact
      */
     std::vector<ComplexVector>
     motion(const Side                        side,
-           const ComplexVector              &s,
+           const ComplexValues              &s,
            const std::vector<ComplexVector> &forces) const;
 
     /** Iterations so far, two triangular solves each. */
-    unsigned int
-    n_iterations() const;
+    unsigned int n_iterations() const;
 
   private:
     /** Nodal forces of contact as those of all unknowns of a body. */
-    ComplexVector
-    load(const Side side, const ComplexVector &forces) const;
+    ComplexVector load(const Side side, const ComplexVector &forces) const;
 
     const RollingModes<dim>               &rolling;
     PerSide<std::unique_ptr<FullDynamics>> bodies;

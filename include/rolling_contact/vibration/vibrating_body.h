@@ -1,13 +1,15 @@
 #ifndef rolling_contact_vibration_vibrating_body_h
 #define rolling_contact_vibration_vibrating_body_h
 
-#include <rolling_contact/elasticity/direct_body.h>
+#include <rolling_contact/bodies/direct_body.h>
 #include <rolling_contact/modes/absorbers.h>
 #include <rolling_contact/modes/body_places.h>
 #include <rolling_contact/modes/mode_character.h>
 #include <rolling_contact/modes/structural_modes.h>
 #include <rolling_contact/run/run_context.h>
-#include <rolling_contact/scene/scene_parameters.h>
+#include <rolling_contact/scene/body_parameters.h>
+#include <rolling_contact/scene/modes_parameters.h>
+#include <rolling_contact/scene/pair_spec.h>
 
 #include <memory>
 #include <vector>
@@ -26,17 +28,19 @@ namespace RollingContact
      * Build all of it and tell the log. Units: Hz. Throws ConvergenceError if
      * the modes are not those that the inertia counts.
      */
-    VibratingBody(const SceneParameters &scene,
+    VibratingBody(const PairSpec        &scene,
                   const Side             side,
+                  const ModesParameters &wanted,
                   const double           cut_off,
                   RunContext            &context);
 
     /**
-     * The same of a body that rolls, with its mesh and the factor of K, which
-     * must outlive this.
+     * Vibrating body made of a body that rolls, with its mesh and the factor of
+     * K, which must outlive this.
      */
-    VibratingBody(const SceneParameters &scene,
+    VibratingBody(const PairSpec        &scene,
                   const Side             side,
+                  const ModesParameters &wanted,
                   const DirectBody<dim> &rolling,
                   const double           cut_off,
                   RunContext            &context);
@@ -45,8 +49,7 @@ namespace RollingContact
      * Damping ratio of each mode that the scene gives, by nodal diameters and
      * for single modes. Throws InputError for a single mode that there is not.
      */
-    std::vector<double>
-    given_damping() const;
+    std::vector<double> given_damping() const;
 
     /**
      * Where the absorbers that the scene gives the body hang on it; empty if
@@ -54,11 +57,10 @@ namespace RollingContact
      * more nodal diameters than they act on as a continuous ring. Units: Hz.
      * Throws InputError if there is no place for them.
      */
-    AbsorberPlaces
-    absorbers(const double highest, RunContext &context) const;
+    AbsorberPlaces absorbers(const double highest, RunContext &context) const;
 
     const Side                 side;
-    const BodyParameters       parameters;
+    const BodySpec             parameters;
     const DirectBody<dim>     *body;
     BodyPlaces                 places;
     SymmetricSparseMatrix      K, M, H, C;
@@ -68,37 +70,30 @@ namespace RollingContact
     std::vector<ModeCharacter> characters;
 
   private:
-    VibratingBody(const SceneParameters           &scene,
+    VibratingBody(const PairSpec                  &scene,
                   const Side                       side,
                   std::unique_ptr<DirectBody<dim>> own,
                   const DirectBody<dim>           *body,
                   const double                     shift);
 
-    void
-    find_matrices(RunContext &context);
+    void find_matrices(RunContext &context);
 
-    void
-    factorise(RunContext &context);
+    void factorise(RunContext &context);
 
-    void
-    find_modes(const ModesParameters &wanted,
-               const double           cut_off,
-               RunContext            &context);
+    void find_modes(const ModesParameters &wanted,
+                    const double           cut_off,
+                    RunContext            &context);
 
-    void
-    report_modes(const ModesParameters &wanted, RunContext &context) const;
+    void report_modes(const ModesParameters &wanted, RunContext &context) const;
 
-    std::vector<double>
-    damping_of_single_modes() const;
+    std::vector<double> damping_of_single_modes() const;
 
-    void
-    warn_of_diameters(const std::vector<AbsorberRing> &rings,
-                      const double                     highest,
-                      RunContext                      &context) const;
+    void warn_of_diameters(const std::vector<AbsorberRing> &rings,
+                           const double                     highest,
+                           RunContext                      &context) const;
 
-    void
-    warn_of_pairs(const std::optional<double> &speed,
-                  RunContext                  &context) const;
+    void warn_of_pairs(const std::optional<double> &speed,
+                       RunContext                  &context) const;
 
     std::unique_ptr<DirectBody<dim>> own_body;
     std::unique_ptr<Factorisation>   own_factor;

@@ -1,0 +1,25 @@
+#ifndef rolling_contact_base_ordered_work_h
+#define rolling_contact_base_ordered_work_h
+
+#include <cstddef>
+#include <functional>
+
+namespace RollingContact
+{
+  /**
+   * Do the tasks 0, 1, ..., @p n_tasks - 1 in several threads of this process,
+   * each with one thread for linear algebra, and for each in this order what
+   * follows it in the calling thread, as soon as those before are done.
+   * @p make_worker is called in each thread and returns what does a task there.
+   * When a task or @p follow throws, or this process is interrupted(), no more
+   * tasks are begun, and once all threads have ended the exception is thrown,
+   * that of the lowest task; what follows the tasks below it was done.
+   */
+  void do_in_order(
+    const std::size_t                                        n_tasks,
+    const unsigned int                                       n_threads,
+    const std::function<std::function<void(std::size_t)>()> &make_worker,
+    const std::function<void(std::size_t)>                  &follow);
+} // namespace RollingContact
+
+#endif

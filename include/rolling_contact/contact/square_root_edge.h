@@ -1,0 +1,60 @@
+#ifndef rolling_contact_contact_square_root_edge_h
+#define rolling_contact_contact_square_root_edge_h
+
+#include <array>
+#include <vector>
+
+namespace RollingContact
+{
+  /**
+   * How far a discrete field f >= 0 that ends like a square root is from the
+   * exact one at the nodes next to its end: f_k^2 = f(x_k)^2 + s d_k(xi), k =
+   * 0, 1, ... from the outermost node with f_k > 0 inwards, s the growth of
+   * f(x)^2 over an element at the end, xi the distance from it to node 0 in
+   * elements, below zero outside, where the area of the node reaches over the
+   * end. d_k are polynomials in xi, those of linear elements on a half-plane:
+   * the same for all loads and radii, and nearly so for all materials. Their
+   * coefficients are fitted to Hertz and Carter by
+   * tests/campaigns/edge_deviations.
+   */
+  class SquareRootEdge
+  {
+  public:
+    /**
+     * The end of the pressure, where the gap opens.
+     */
+    static SquareRootEdge of_pressure();
+
+    /**
+     * The end of the stick zone downstream: f = mu p - |q|.
+     */
+    static SquareRootEdge of_stick_zone();
+
+    /**
+     * At one node.
+     */
+    struct Deviation
+    {
+      double of_square; ///< s d_k
+      double growth;    ///< s
+    };
+
+    /**
+     * The deviations at the nodes next to the end, for the discrete values @p
+     * from_end at the nodes from there inwards in equal distances. Empty if
+     * they are too few or do not end like a square root.
+     */
+    std::vector<Deviation> deviation(const std::vector<double> &from_end) const;
+
+  private:
+    using Quadratic = std::array<double, 3>; // highest power first
+    static constexpr std::size_t n_disturbed = 5;
+
+    explicit SquareRootEdge(
+      const std::array<Quadratic, n_disturbed> &deviations);
+
+    std::array<Quadratic, n_disturbed> deviations;
+  };
+} // namespace RollingContact
+
+#endif

@@ -1,0 +1,76 @@
+#ifndef rolling_contact_scene_pair_spec_h
+#define rolling_contact_scene_pair_spec_h
+
+#include <rolling_contact/base/side.h>
+#include <rolling_contact/bodies/body_solver.h>
+#include <rolling_contact/scene/body_parameters.h>
+#include <rolling_contact/scene/contact_parameters.h>
+#include <rolling_contact/scene/mesh_parameters.h>
+#include <rolling_contact/scene/profile_parameters.h>
+#include <rolling_contact/scene/solver_parameters.h>
+#include <rolling_contact/scene/surface_parameters.h>
+
+#include <memory>
+
+namespace RollingContact
+{
+  struct SceneParameters;
+
+  /**
+   * Two bodies in rolling contact: what they are made of, where they touch,
+   * what presses and drags them, and the mesh and the solvers of their contact.
+   */
+  struct PairSpec
+  {
+    /**
+     * The entries about the pair as they are, without files.
+     */
+    explicit PairSpec(const SceneParameters &inputs);
+
+    /**
+     * The angle of load and approach against the normal of the plane in which
+     * bodies touch first, on a curved surface of contact under a vertical load;
+     * else 0. Units: rad.
+     */
+    double load_angle() const;
+
+    /**
+     * Whether the undeformed gap is that of the radii of wheel and rail, so
+     * that closed forms have something to say.
+     */
+    bool has_plain_surfaces() const
+    {
+      return contact.roughness.empty() && !profiles.in_use() &&
+             !surfaces.in_use() && surfaces.friction_share.empty();
+    }
+
+    /**
+     * Thickness in 2D of the bodies that are not rigid. Units: m.
+     */
+    double thickness() const
+    {
+      return wheel.rigid ? rail.thickness : wheel.thickness;
+    }
+
+    const BodySpec &body(const Side side) const
+    {
+      return side == Side::wheel ? wheel : rail;
+    }
+
+    unsigned int dimension;
+    BodySolver   body_solver;
+    unsigned int body_threads;
+
+    BodySpec          wheel, rail;
+    ContactParameters contact; ///< with the creepages and the load that act
+    SolverParameters  solver;
+    MeshParameters    mesh;
+    ProfileParameters profiles;
+    SurfaceSpec       surfaces;
+
+    /** Frame of the contact on profiles; none where the bodies have shapes. */
+    std::shared_ptr<const Profiles::ContactFrame> frame;
+  };
+} // namespace RollingContact
+
+#endif

@@ -1,0 +1,29 @@
+#ifndef rolling_contact_surfaces_nominal_profiles_h
+#define rolling_contact_surfaces_nominal_profiles_h
+
+#include <rolling_contact/surfaces/profile_curve.h>
+
+namespace RollingContact::Profiles
+{
+  /**
+   * The wheel profile S1002 of EN 13715 (UIC 510-2): polynomials and arcs, z
+   * over the tape circle at y = 0, from the flange's back at y = -70 mm to y =
+   * 60 mm. Units: m.
+   */
+  ProfileCurve s1002();
+
+  /**
+   * The head of the rail 60E1 of EN 13674-1, not inclined, origin on the crown:
+   * tangent arcs of 300, 80 and 13 mm whose joints are at |y| = 10.228 and
+   * 26.0265 mm, and sides of 1:20 down to z = 40 mm. Units: m.
+   */
+  ProfileCurve rail_60e1();
+
+  /**
+   * The variant of 60E1 in the Manchester benchmarks, with joints at |y| =
+   * 10.50058 and 25.98807 mm: 0.023 mm from the one of the standard. Units: m.
+   */
+  ProfileCurve rail_60e1_manchester();
+} // namespace RollingContact::Profiles
+
+#endif

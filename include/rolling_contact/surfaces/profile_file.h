@@ -1,0 +1,66 @@
+#ifndef rolling_contact_surfaces_profile_file_h
+#define rolling_contact_surfaces_profile_file_h
+
+#include <rolling_contact/surfaces/profile_curve.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace RollingContact::Profiles
+{
+  /**
+   * How the file of a measured profile is to be read.
+   */
+  struct FileOptions
+  {
+    double unit     = 1e-3; ///< m, of a number in a file without units
+    bool   mirror_y = false, mirror_z = false;
+    double smoothing_length = 4e-3; ///< m; 0: none
+  };
+
+  enum class ProfileKind
+  {
+    wheel,
+    rail
+  };
+
+  /**
+   * Measured points, as they stand in a file but for its own units, mirrors,
+   * shifts and turns. Units: m.
+   */
+  struct MeasuredPoint
+  {
+    double y, z;
+  };
+
+  /**
+   * The points of a file: two columns of numbers (y and z, separated by blanks,
+   * commas, semicolons or tabs; lines that begin with #, % or ! are comments,
+   * and a first line without digits is a heading), SIMPACK .prr
+   * and .prw, or MiniProf .ban and .whl, z upwards. Throws InputError, naming
+   * file and line.
+   */
+  std::vector<MeasuredPoint> read_points(const std::filesystem::path &file,
+                                         const FileOptions           &options);
+
+  /**
+   * The profile of a file, smoothed, from the gauge side to the field side with
+   * z down. Throws InputError if the file cannot be read or is not the profile
+   * of a wheel or a rail that way up: it says what to do.
+   */
+  ProfileCurve read_profile(const std::filesystem::path &file,
+                            const ProfileKind            kind,
+                            const FileOptions           &options);
+
+  /**
+   * The checks and the smoothing of read_profile() on points; @p name is that
+   * of messages.
+   */
+  ProfileCurve profile_of_points(std::vector<MeasuredPoint> points,
+                                 const ProfileKind          kind,
+                                 const double               smoothing_length,
+                                 const std::string         &name);
+} // namespace RollingContact::Profiles
+
+#endif

@@ -1,0 +1,247 @@
+#include <rolling_contact/contact/patch_edge.h>
+#include <rolling_contact/contact/resultants.h>
+#include <rolling_contact/contact/sliding_response.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace RollingContact
+{
+  namespace
+  {
+    void add_forces(const ContactProblem &problem,
+                    const ContactState   &state,
+                    Resultants           &result)
+    {
+      const ContactOperators &operators = problem.operators;
+      const bool              is_plane  = operators.frames().is_plane();
+      if (is_plane)
+        result.normal_force = operators.resultant(state.pressure);
+      if (is_plane && problem.n_tangential() == 0)
+        return;
+      const std::vector<double>     along_nodes = nodal_forces(problem, state);
+      const std::vector<NodalForce> forces =
+        forces_in_plane(problem, along_nodes);
+      const unsigned int    n = problem.n_nodes();
+      std::array<double, 2> tangential{};
+      for (unsigned int i = 0; i < problem.n_nodes(); ++i)
+        {
+          result.friction_force += operators.areas()[i] *
+                                   problem.loads.friction[i] *
+                                   state.pressure[i];
+          const auto        place = operators.place(i);
+          const NodalForce &force = forces[i];
+          result.force_x += force.x;
+          result.force_y += force.y;
+          if (!is_plane)
+            result.normal_force += force.z;
+          result.spin_moment += place[0] * force.y - place[1] * force.x;
+          for (unsigned int c = 0; c < problem.n_tangential(); ++c)
+            tangential[c] += along_nodes[c * n + i];
+        }
+      const double pressed    = operators.resultant(state.pressure);
+      result.tangential_force = std::hypot(tangential[0], tangential[1]);
+      if (pressed > 0.)
+        result.traction_coefficient = result.tangential_force / pressed;
+    }
+
+    using PressureLine =
+      std::vector<std::pair<double, double>>; ///< place, pressure
+
+    /**
+     * Where the pressure of a line vanishes beyond its largest place.
+     */
+    double upper_edge(PressureLine line)
+    {
+      std::sort(line.rbegin(), line.rend());
+      std::vector<double> at, pressure;
+      for (const auto &point : line)
+        {
+          at.push_back(point.first);
+          pressure.push_back(point.second);
+        }
+      return patch_edge(at, pressure);
+    }
+
+    double lower_edge(PressureLine line)
+    {
+      for (auto &point : line)
+        point.first = -point.first;
+      return -upper_edge(line);
+    }
+
+    /**
+     * Touching nodes of the line along x that is nearest to y = 0.
+     */
+    PressureLine middle_line(const ContactProblem         &problem,
+                             const std::vector<NodeState> &states,
+                             const ContactState           &state)
+    {
+      double nearest = std::numeric_limits<double>::max();
+      for (unsigned int i = 0; i < problem.n_nodes(); ++i)
+        if (states[i] != NodeState::open)
+          nearest =
+            std::min(nearest, std::abs(problem.operators.positions()[i][1]));
+      PressureLine line;
+      for (unsigned int i = 0; i < problem.n_nodes(); ++i)
+        if (states[i] != NodeState::open &&
+            std::abs(problem.operators.positions()[i][1]) <=
+              nearest * (1 + 1e-9))
+          line.emplace_back(problem.operators.positions()[i][0],
+                            state.pressure[i]);
+      return line;
+    }
+
+    /**
+     * Touching nodes along y through the one with the largest @p sign times y,
+     * of several that with the largest pressure; places are sign times y.
+     */
+    PressureLine outermost_line(const ContactProblem         &problem,
+                                const std::vector<NodeState> &states,
+                                const ContactState           &state,
+                                const int                     sign)
+    {
+      const auto touches = [&](const unsigned int i) {
+        return states[i] != NodeState::open;
+      };
+      const auto &at     = problem.operators.positions();
+      double      extent = 0., outer = -std::numeric_limits<double>::max();
+      for (unsigned int i = 0; i < problem.n_nodes(); ++i)
+        if (touches(i))
+          {
+            extent = std::max({extent, std::abs(at[i][0]), std::abs(at[i][1])});
+            outer  = std::max(outer, sign * at[i][1]);
+          }
+      const double                    tolerance = 1e-9 * extent;
+      std::pair<double, unsigned int> end{-1., 0}; // pressure, node
+      for (unsigned int i = 0; i < problem.n_nodes(); ++i)
+        if (touches(i) && sign * at[i][1] >= outer - tolerance)
+          end = std::max(end, {state.pressure[i], i});
+      PressureLine line;
+      for (unsigned int i = 0; i < problem.n_nodes(); ++i)
+        if (touches(i) && std::abs(at[i][0] - at[end.second][0]) <= tolerance)
+          line.emplace_back(sign * at[i][1], state.pressure[i]);
+      return line;
+    }
+
+    void add_sizes(const TangentialProblem      &tangential,
+                   const std::vector<NodeState> &states,
+                   const ContactState           &state,
+                   Resultants                   &result)
+    {
+      const ContactProblem &problem = tangential.contact;
+      for (unsigned int i = 0; i < problem.n_nodes(); ++i)
+        if (states[i] != NodeState::open)
+          {
+            ++result.n_touching;
+            result.max_pressure =
+              std::max(result.max_pressure, state.pressure[i]);
+          }
+      const PressureLine line = middle_line(problem, states, state);
+      result.edge_begin_x     = lower_edge(line);
+      result.edge_end_x       = upper_edge(line);
+      result.half_width_x     = (result.edge_end_x - result.edge_begin_x) / 2;
+      result.half_width_y =
+        (upper_edge(outermost_line(problem, states, state, 1)) +
+         upper_edge(outermost_line(problem, states, state, -1))) /
+        2;
+    }
+  } // namespace
+
+  std::vector<NodeState> node_states(const TangentialProblem &tangential,
+                                     const ContactState      &state)
+  {
+    const ContactProblem  &problem = tangential.contact;
+    std::vector<NodeState> states(problem.n_nodes(), NodeState::open);
+    const bool             rests = std::all_of(state.traction.begin(),
+                                   state.traction.end(),
+                                   [](const double q) { return q == 0.; });
+    for (unsigned int i = 0; i < problem.n_nodes(); ++i)
+      if (state.pressure[i] > 0.)
+        // a node that the edge law releases slips without traction
+        states[i] =
+          (rests || tangential.bound[i] > 0.) &&
+              state.traction.norm_at(i) <
+                (1 - 1e-9) * tangential.friction[i] * state.pressure[i]
+            ? NodeState::stick
+            : NodeState::slip;
+    if (!problem.loads.friction_law || state.holds_friction)
+      return states;
+    for (unsigned int i = 0; i < problem.n_nodes(); ++i)
+      if (states[i] == NodeState::slip)
+        states[i] = NodeState::stick;
+    for (const unsigned int i : slipping_nodes(tangential, state.traction))
+      states[i] = NodeState::slip;
+    return states;
+  }
+
+  double Resultants::energy_error() const
+  {
+    const double larger = std::max(std::abs(creep_work), std::abs(dissipation));
+    return larger > 0. ? std::abs(creep_work - dissipation) / larger : 0.;
+  }
+
+  Resultants resultants(const ContactProblem &problem,
+                        const ContactState   &state)
+  {
+    const TangentialProblem tangential = tangential_problem(problem, state);
+    Resultants              result;
+    add_forces(problem, state, result);
+    if (problem.n_tangential() > 0)
+      {
+        result.creep_work =
+          -dot(problem.operators.H() * state.traction, problem.rigid_slip());
+        result.dissipation = dissipation(tangential, state);
+      }
+    add_sizes(tangential, node_states(tangential, state), state, result);
+    return result;
+  }
+
+  std::array<double, 3> plane_resultant(const ContactProblem      &problem,
+                                        const std::vector<double> &forces)
+  {
+    const std::vector<NodalForce> in_plane = forces_in_plane(problem, forces);
+    std::array<double, 3>         sum{};
+    for (unsigned int i = 0; i < problem.n_nodes(); ++i)
+      {
+        const auto        place = problem.operators.place(i);
+        const NodalForce &force = in_plane[i];
+        sum[0] += force.x;
+        sum[1] += force.y;
+        sum[2] += place[0] * force.y - place[1] * force.x;
+      }
+    return sum;
+  }
+
+  double dissipation(const TangentialProblem &tangential,
+                     const ContactState      &state)
+  {
+    return dissipation(tangential.contact.operators,
+                       state.traction,
+                       tangential.mean_slip(state));
+  }
+
+  double dissipation(const ContactOperators &operators,
+                     const NodalField       &traction,
+                     const NodalField       &slip)
+  {
+    double power = 0.;
+    for (unsigned int c = 0; c < slip.n_components(); ++c)
+      for (unsigned int i = 0; i < slip.n_nodes(); ++i)
+        power += operators.areas()[i] * traction(c, i) * slip(c, i);
+    return -power;
+  }
+
+  bool reaches_border(const std::vector<bool>   &border,
+                      const ContactProblem      &problem,
+                      const std::vector<double> &pressure)
+  {
+    const auto &defined = problem.operators.slip_operator().defined();
+    for (unsigned int i = 0; i < problem.n_nodes(); ++i)
+      if (pressure[i] > 0. &&
+          (border[i] || (problem.n_tangential() > 0 && !defined[i])))
+        return true;
+    return false;
+  }
+} // namespace RollingContact

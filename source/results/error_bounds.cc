@@ -1,0 +1,325 @@
+#include <rolling_contact/base/text.h>
+#include <rolling_contact/contact/friction_limit.h>
+#include <rolling_contact/contact/touching_run.h>
+#include <rolling_contact/results/error_bounds.h>
+#include <rolling_contact/solvers/scaled_forces.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace RollingContact
+{
+  namespace
+  {
+    /**
+     * c / n^p.
+     */
+    struct Bound
+    {
+      double constant;
+      double order;
+
+      double at(const double n) const
+      {
+        return constant / std::pow(n, order);
+      }
+    };
+
+    /**
+     * The edge law keeps its order for one material that is not nearly
+     * incompressible.
+     */
+    bool edge_law_holds(const BoundCircumstances &found)
+    {
+      return found.beta < 1e-12 && !found.nearly_incompressible &&
+             found.edge_law;
+    }
+
+    /**
+     * Below one half-width of thickness, and with waves that no mesh of this
+     * size resolves, nothing was found that bounds the error.
+     */
+    const double thinnest = 1., roughest = 3.;
+
+    /**
+     * Waves that the edge law leaves to upwind 2, see slip_rows().
+     */
+    const double unresolved = 0.5;
+
+    /**
+     * Bodies thinner than so many half-widths count as thin.
+     */
+    const double thin = 3.;
+
+    /**
+     * What a wave adds, over change_of_curvature().
+     */
+    const double of_waves = 0.05;
+
+    /**
+     * What the growth of the mesh adds, over Mesh/Growth, and the residual of
+     * the solver, over itself.
+     */
+    const double of_growth = 2e-3, of_residual = 4.;
+
+    /**
+     * What it adds to the force of a body under a given approach, whose load
+     * has an error then, and of one half-width of thickness, as much over its
+     * thickness in half-widths, at most half of it; 3D: half of that.
+     */
+    const double of_growth_under_approach = 1e-2, of_growth_of_layer = 2.5e-2,
+                 most_of_layer = 1e-2;
+
+    /**
+     * What it adds to the peak pressure.
+     */
+    const double of_growth_on_peak                = 4e-3,
+                 of_growth_on_peak_under_approach = 1.6e-2;
+
+    /**
+     * Growth below which the bulk has an error of second order in it.
+     */
+    const double small_growth = 0.25;
+
+    double growth_in_bulk(const BoundCircumstances &found)
+    {
+      return found.growth * std::min(1., found.growth / small_growth);
+    }
+
+    /**
+     * What the growth of the mesh adds to the bound of the force.
+     */
+    double share_of_growth(const BoundCircumstances &found)
+    {
+      const double layer =
+        std::min(most_of_layer, of_growth_of_layer / found.thickness);
+      return of_growth * found.growth +
+             ((found.approach_given ? of_growth_under_approach : 0.) +
+              (found.dim == 2 ? 1. : 0.5) * layer) *
+               growth_in_bulk(found);
+    }
+
+    /**
+     * Change of the gap's curvature from which on waves count.
+     */
+    const double wavy = 0.1;
+
+    /**
+     * Factor of the bound where the edge law does not keep its order and the
+     * body is thin, the rim refined, or the gap has waves as well.
+     */
+    const double of_both = 2.5;
+
+    /**
+     * Factor of the bound where the one edge of a plane patch did not settle;
+     * in 3D it is a few of many.
+     */
+    const double of_unsettled = 2.;
+
+    /**
+     * Length over width of elements from which on it raises the bound, and by
+     * which share of it.
+     */
+    const double longest_element = 2., of_long_elements = 6.;
+
+    Bound force_bound(const BoundCircumstances &found)
+    {
+      const bool plane     = found.dim == 2;
+      const bool disturbed = found.thickness < thin || found.refined;
+      if (found.kind == SlipOperatorKind::upwind_1)
+        return {plane ? 0.65 : 1.1, 1.};
+      if (found.kind == SlipOperatorKind::galerkin)
+        return {plane ? 1.6 : 0.8, 1.};
+      const bool upwind_2 = found.kind == SlipOperatorKind::upwind_2;
+      if (found.beta > 1e-12 || !(upwind_2 || edge_law_holds(found)))
+        return {((plane ? 0.6 : 0.75) + 2.4 * found.beta) *
+                  (disturbed || found.waves > wavy ? of_both : 1.),
+                1.};
+      if (upwind_2 || found.waves > unresolved)
+        return {plane ? 0.4 : 0.65, 1.};
+      if (plane)
+        return {disturbed ? 5. : 1.3, 2.};
+      return found.spin ? Bound{0.5, 1.5} : Bound{disturbed ? 2.6 : 1.3, 2.};
+    }
+
+    std::string in_words(const Bound &bound, const double n)
+    {
+      return significant(bound.constant, 2) + "/n" +
+             (bound.order > 1. ? "^" + significant(bound.order, 2) : "") +
+             ", n = " + significant(n, 2) + " elements across the patch";
+    }
+  } // namespace
+
+  ErrorBounds error_bounds(const BoundCircumstances &found)
+  {
+    ErrorBounds bounds;
+    if (found.thickness < thinnest)
+      bounds.text = "a body is thinner than half the patch";
+    else if (found.varying_friction)
+      bounds.text = "friction differs from place to place, or has a memory";
+    else if (found.waves > roughest)
+      bounds.text = "the surface has waves of few elements";
+    if (!bounds.text.empty())
+      return bounds;
+
+    Bound bound = force_bound(found);
+    bound.constant *=
+      1. +
+      of_long_elements * std::max(0., found.element_aspect - longest_element);
+    const double added = of_waves * (found.waves > wavy ? found.waves : 0.) +
+                         share_of_growth(found) +
+                         of_residual * found.residual_tangential;
+    bounds.force =
+      std::min(1.,
+               (found.dim == 3 || found.edges_settled ? 1. : of_unsettled) *
+                   bound.at(found.n) +
+                 added);
+    bounds.text = in_words(bound, found.n) + ", and " + scientific(added, 1) +
+                  " for " + (found.waves > wavy ? "waves, " : "") +
+                  "the growth of the mesh and the residual";
+    if (found.dim == 3)
+      bounds.moment = bounds.force;
+    bounds.max_pressure =
+      std::max(Bound{2., 2.}.at(found.n), found.bend_of_peak) +
+      (found.waves > wavy ? 0.3 * found.waves : 0.) +
+      4 * found.beta * found.friction / found.n +
+      of_growth_on_peak * found.growth +
+      (found.approach_given
+         ? of_growth_on_peak_under_approach * growth_in_bulk(found)
+         : 0.) +
+      of_residual * found.residual_normal;
+    return bounds;
+  }
+
+  BoundCircumstances expected_circumstances(const PairSpec &scene,
+                                            const double    half_width)
+  {
+    BoundCircumstances found;
+    found.dim              = static_cast<int>(scene.dimension);
+    found.kind             = scene.contact.slip_operator;
+    found.beta             = std::abs(pair_constants(scene).dundurs_beta);
+    found.varying_friction = !scene.surfaces.friction_share.empty() ||
+                             scene.contact.friction_memory_length > 0.;
+    found.spin =
+      scene.contact.creepages.spin != 0. || scene.contact.forces.moment;
+    found.refined             = scene.mesh.rim_levels > 0;
+    found.approach_given      = !scene.contact.normal_load;
+    found.friction            = scene.contact.friction_coefficient;
+    found.growth              = scene.mesh.growth;
+    found.residual_normal     = scene.solver.controls.tolerance;
+    found.residual_tangential = scene.solver.controls.tolerance;
+    for (const BodySpec *body : {&scene.wheel, &scene.rail})
+      if (!body->rigid)
+        {
+          found.nearly_incompressible =
+            found.nearly_incompressible || body->material.poisson_ratio > 0.45;
+          if (half_width > 0.)
+            found.thickness =
+              std::min(found.thickness,
+                       body->body_shape()->thickness_below() / half_width);
+        }
+    return found;
+  }
+
+  namespace
+  {
+    /**
+     * |p(y + h) - 2 p(y) + p(y - h)| / p at the node with the largest pressure.
+     */
+    template <int dim>
+    double bend_of_peak(const SteadyState<dim> &steady)
+    {
+      const std::vector<double> &p = steady.state.pressure;
+      const std::size_t peak = std::max_element(p.begin(), p.end()) - p.begin();
+      const auto       &at   = steady.problem.operators.positions()[peak];
+      const double      step = steady.grading.element_size_y;
+      double            bend = -2 * p[peak];
+      for (const double side : {-step, step})
+        if (const auto weights =
+              steady.pair->trace().interpolation(at[0], at[1] + side))
+          bend += apply(*weights, p);
+      return std::abs(bend) / p[peak];
+    }
+  } // namespace
+
+  template <int dim>
+  BoundCircumstances bound_circumstances(const PairSpec         &scene,
+                                         const SteadyState<dim> &steady)
+  {
+    const ContactProblem &problem = steady.problem;
+    const double          a       = steady.result.half_width_x;
+    BoundCircumstances    found   = expected_circumstances(scene, a);
+    found.kind                    = problem.operators.slip_operator().kind();
+    found.n                   = a > 0. ? 2 * a / steady.grading.element_size_x
+                                       : steady.grading.elements_across();
+    found.spin                = problem.loads.creepages.spin != 0.;
+    found.edge_law            = steady.state.edge_law;
+    found.edges_settled       = steady.solver.edges_settled;
+    found.residual_normal     = steady.solver.residual.normal;
+    found.residual_tangential = steady.solver.residual.tangential;
+    found.refined             = false;
+    if (scene.profiles.in_use())
+      found.bend_of_peak = bend_of_peak(steady);
+    if (dim == 3)
+      found.element_aspect =
+        steady.grading.element_size_x / steady.grading.element_size_y;
+    for (const TouchingRun &run :
+         touching_runs(problem.operators.slip_operator(),
+                       steady.state.pressure))
+      {
+        found.refined = found.refined || run.cut;
+        found.waves =
+          std::max(found.waves,
+                   change_of_curvature(run,
+                                       places(run, problem.operators),
+                                       problem.loads.gap));
+      }
+    return found;
+  }
+
+  template <int dim>
+  ErrorBounds error_bounds(const PairSpec         &scene,
+                           const SteadyState<dim> &steady)
+  {
+    return error_bounds(bound_circumstances(scene, steady));
+  }
+
+  template <int dim>
+  std::vector<double> creepage_bounds(const PairSpec         &scene,
+                                      const SteadyState<dim> &steady,
+                                      const ErrorBounds      &bounds)
+  {
+    const AskedForces &asked = steady.problem.loads.forces;
+    if (!bounds.force || (asked.moment && !bounds.moment) ||
+        !(steady.result.friction_force > 0.))
+      return {};
+    double part = *bounds.force;
+    if (asked.moment)
+      {
+        const double mu_N_a =
+          steady.result.friction_force * steady.result.half_width_x;
+        part = std::max(part,
+                        *bounds.moment * mu_N_a /
+                          sliding_resultant(steady.problem,
+                                            steady.state.pressure,
+                                            2));
+      }
+    return creepage_margins(steady.problem,
+                            scene.solver.controls,
+                            steady.state,
+                            part);
+  }
+
+  template BoundCircumstances bound_circumstances(const PairSpec &,
+                                                  const SteadyState<2> &);
+  template BoundCircumstances bound_circumstances(const PairSpec &,
+                                                  const SteadyState<3> &);
+  template ErrorBounds error_bounds(const PairSpec &, const SteadyState<2> &);
+  template ErrorBounds error_bounds(const PairSpec &, const SteadyState<3> &);
+  template std::vector<double> creepage_bounds(const PairSpec &,
+                                               const SteadyState<2> &,
+                                               const ErrorBounds &);
+  template std::vector<double> creepage_bounds(const PairSpec &,
+                                               const SteadyState<3> &,
+                                               const ErrorBounds &);
+} // namespace RollingContact

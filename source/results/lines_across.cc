@@ -1,0 +1,104 @@
+#include <rolling_contact/contact/resultants.h>
+#include <rolling_contact/results/lines_across.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace RollingContact
+{
+  namespace
+  {
+    /** Half the distance of the neighbours, at the ends of the neighbour. */
+    void set_widths(std::vector<LineAcross> &lines)
+    {
+      for (std::size_t k = 0; k < lines.size(); ++k)
+        {
+          const double before = lines[k > 0 ? k - 1 : k].y,
+                       behind = lines[k + 1 < lines.size() ? k + 1 : k].y;
+          lines[k].width      = (behind - before) / 2;
+        }
+    }
+
+    /** Nodes by lines along x, these by their place over @p same_place. */
+    std::map<long, std::vector<unsigned int>>
+    nodes_of_lines(const SteadyState<3> &steady)
+    {
+      const double same_place = 1e-3 * steady.grading.element_size_y;
+      std::map<long, std::vector<unsigned int>> lines;
+      const auto &positions = steady.problem.operators.positions();
+      for (unsigned int i = 0; i < steady.problem.n_nodes(); ++i)
+        lines[std::lround(positions[i][1] / same_place)].push_back(i);
+      return lines;
+    }
+  } // namespace
+
+  std::vector<LineAcross> lines_across(const SteadyState<3> &steady)
+  {
+    const ContactProblem   &problem     = steady.problem;
+    const ContactState     &state       = steady.state;
+    const TangentialProblem tangential  = tangential_problem(problem, state);
+    const std::vector<NodeState> states = node_states(tangential, state);
+    const std::vector<double>   &areas  = problem.operators.areas();
+    std::optional<NodalField>    slip;
+    if (problem.n_tangential() > 0)
+      slip = tangential.mean_slip(state);
+    std::vector<LineAcross> lines;
+    for (const auto &[place, nodes] : nodes_of_lines(steady))
+      {
+        LineAcross line;
+        line.y = problem.operators.positions()[nodes.front()][1];
+        for (const unsigned int i : nodes)
+          {
+            line.max_pressure = std::max(line.max_pressure, state.pressure[i]);
+            line.load += areas[i] * state.pressure[i];
+            line.n_touching += states[i] != NodeState::open;
+            line.n_stick += states[i] == NodeState::stick;
+            for (unsigned int c = 0; slip && c < slip->n_components(); ++c)
+              line.heat -= areas[i] * state.traction(c, i) * (*slip)(c, i);
+          }
+        lines.push_back(line);
+      }
+    set_widths(lines);
+    for (LineAcross &line : lines)
+      if (line.width > 0.)
+        {
+          line.load /= line.width;
+          line.heat /= line.width;
+        }
+    return lines;
+  }
+
+  void write_lines_across(const PairSpec       &scene,
+                          const SteadyState<3> &steady,
+                          RunContext           &context)
+  {
+    const Profiles::ContactFrame *frame = scene.frame.get();
+    if (!frame || !steady.solver.converged || steady.result.n_touching == 0)
+      return;
+    const Profiles::ProfileCurve &wheel =
+      frame->wheel_on_rail().wheel_profile();
+    ResultsTable table(context.folder, "across.csv");
+    for (const LineAcross &line : lines_across(steady))
+      {
+        if (line.n_touching == 0)
+          continue;
+        table.set("y_m", line.y);
+        table.set("width_m", line.width);
+        const auto rail   = frame->rail_in_track(line.y);
+        const auto length = frame->wheel_arc_length(line.y);
+        table.set_if(rail.has_value(), "y_track_m", rail ? (*rail)[0] : 0.);
+        table.set_if(rail.has_value(), "height_m", rail ? (*rail)[1] : 0.);
+        table.set_if(length.has_value(),
+                     "y_wheel_m",
+                     length ? wheel.at(*length).y : 0.);
+        table.set("max_pressure_Pa", line.max_pressure);
+        table.set("load_N/m", line.load);
+        table.set("dissipation_J/m2", line.heat);
+        table.set("nodes_in_contact", line.n_touching);
+        table.set("nodes_in_stick", line.n_stick);
+        table.end_row();
+      }
+    table.flush();
+  }
+} // namespace RollingContact

@@ -1,0 +1,350 @@
+#include <fmt/format.h>
+
+#include <rolling_contact/base/text.h>
+#include <rolling_contact/run/figure.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace RollingContact
+{
+  namespace
+  {
+    /**
+     * The look of all pictures. Colours: palette of Okabe and Ito without black
+     * and yellow, violet, brown; maps: viridis. All can be told apart by people
+     * who are colour-blind.
+     */
+    const char look_of_all[] = R"(set encoding utf8
+set minussign
+set border linewidth 0.9 linecolor "#222222"
+set tics nomirror out scale 0.5,0.3 textcolor "#222222"
+set xtics offset 0,0.3
+set xlabel offset 0,0.5
+set title offset 0,-0.3
+set format "%h"
+set grid xtics ytics mxtics mytics linetype 1 linewidth 0.6 \
+  linecolor "#D9D9D9", linetype 1 linewidth 0.4 linecolor "#EEEEEE"
+set xzeroaxis linetype 1 linewidth 0.9 linecolor "#9A9A9A"
+set yzeroaxis linetype 1 linewidth 0.9 linecolor "#9A9A9A"
+set autoscale noextend
+set offsets graph 0.04, graph 0.04, graph 0.05, graph 0.05
+set linetype 1 linecolor "#0072B2" linewidth 1.8 pointtype 7
+set linetype 2 linecolor "#D55E00" linewidth 1.8 pointtype 5
+set linetype 3 linecolor "#009E73" linewidth 1.8 pointtype 9
+set linetype 4 linecolor "#CC79A7" linewidth 1.8 pointtype 13
+set linetype 5 linecolor "#E69F00" linewidth 1.8 pointtype 7
+set linetype 6 linecolor "#56B4E9" linewidth 1.8 pointtype 5
+set linetype 7 linecolor "#5E3C99" linewidth 1.8 pointtype 9
+set linetype 8 linecolor "#8C510A" linewidth 1.8 pointtype 13
+set linetype cycle 8
+set palette defined (0 "#440154", 1 "#472D7B", 2 "#3B528B", 3 "#2C728E", \
+  4 "#21918C", 5 "#28AE80", 6 "#5EC962", 7 "#ADDC30", 8 "#FDE725")
+)";
+
+    const std::vector<std::string> band_colours{"#E3EBF4",
+                                                "#F6ECDC",
+                                                "#E4F1E7"};
+    const std::vector<std::string> dashes{"(9,6)", "(3,4)", "(12,5,3,5)"};
+
+    // pixels; a panel below the first one and its distance from the one above
+    constexpr double plot_width = 640., figure_height = 430.,
+                     figure_bottom = 60., figure_top = 386.,
+                     panel_height = 150., panel_step = 170., left_edge = 96.,
+                     right_edge = 618., x_axis_height = 56.;
+    constexpr unsigned int many_points = 80;
+
+    /** For gnuplot, which substitutes nothing between single quotes. */
+    std::string quoted(const std::string &text)
+    {
+      std::string result = "'";
+      for (const char character : text)
+        result += character == '\'' ? "''" : std::string(1, character);
+      return result + '\'';
+    }
+
+    /** The text itself, also where gnuplot reads marks of its own. */
+    std::string enhanced(const std::string &text)
+    {
+      std::string result;
+      for (const char character : text)
+        result += (std::strchr("\\{}_^@&~", character) != nullptr ? "\\" : "") +
+                  std::string(1, character);
+      return result;
+    }
+
+    bool can_be_drawn(const double value, const AxisScale scale)
+    {
+      return std::abs(value) < 1e300 &&
+             (scale == AxisScale::linear || value > 1e-300);
+    }
+  } // namespace
+
+  std::string Figure::script(const std::string &name) const
+  {
+    std::string text =
+      fmt::format(
+        "# Draws {0}.svg from {0}.dat, in this folder: gnuplot {0}.gp\n"
+        "if (!exists(\"picture\")) picture = \"{0}.svg\"\n",
+        name) +
+      look_of_all + layout() + "set title " +
+      quoted("{/:Bold=15 " + enhanced(title) + '}') + '\n';
+    if (!panels.empty())
+      text += "set multiplot\n";
+    std::size_t block = 0;
+    const auto  all   = all_panels();
+    for (std::size_t k = 0; k < all.size(); ++k)
+      {
+        if (!panels.empty())
+          text += panel_layout(k);
+        text += all[k]->axis('x', shows_x_axis(k) ? all[k]->x_label : "") +
+                all[k]->axis('y', all[k]->y_label);
+        if (!shows_x_axis(k) && all[k]->x_scale == AxisScale::logarithmic)
+          text += "set xtics autofreq\nset format x \"\"\n";
+        if (all[k]->equal_scales)
+          text += all[k]->equal_ranges();
+        for (std::size_t i = 0; i < all[k]->bands.size(); ++i)
+          text += all[k]->band(i);
+        text += all[k]->items(name, block);
+      }
+    return text + (panels.empty() ? "" : "unset multiplot\n");
+  }
+
+  std::string Figure::items(const std::string &name, std::size_t &block) const
+  {
+    const bool  is_map = !maps.empty();
+    std::string text, items;
+    if (is_map)
+      // gnuplot leaves no room for the label of y
+      text += "unset grid\nset view map\nset pm3d corners2color mean\n"
+              "unset xzeroaxis\nunset yzeroaxis\nset lmargin at screen 0.13\n";
+    const auto add = [&](const std::string &item) {
+      items += (items.empty() ? "" : ", \\\n  ") + item;
+    };
+    for (const Map &map : maps)
+      {
+        // cells without a value are of the map as well; with the digits of the
+        // data, or the outer cells would be cut
+        if (!map.x.empty() && !map.y.empty())
+          text += fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n",
+                              significant(map.x.front(), 9),
+                              significant(map.x.back(), 9),
+                              significant(map.y.front(), 9),
+                              significant(map.y.back(), 9));
+        text += "set cblabel " + quoted(map.label) + " noenhanced offset 1,0\n";
+        add(fmt::format("'{}.dat' index {} with pm3d notitle", name, block++));
+      }
+    for (std::size_t i = 0; i < curves.size(); ++i)
+      add(fmt::format("'{}.dat' index {} using {} {} {}",
+                      name,
+                      block++,
+                      is_map ? "1:2:(0)" : "1:2",
+                      look(i),
+                      curves[i].label.empty()
+                        ? "notitle"
+                        : "title " + quoted(curves[i].label)));
+    if (items.empty())
+      add("NaN notitle");
+    for (std::size_t i = 0; i < bands.size(); ++i)
+      if (!bands[i].label.empty() && !is_map)
+        add(fmt::format("keyentry with boxes fillstyle solid noborder "
+                        "linecolor \"{}\" title {}",
+                        band_colours[i % band_colours.size()],
+                        quoted(bands[i].label)));
+    return text + (is_map ? "splot " : "plot ") + items + '\n';
+  }
+
+  std::string Figure::layout() const
+  {
+    std::size_t longest = 0;
+    for (const Figure *panel : all_panels())
+      {
+        for (const Curve &curve : panel->curves)
+          longest = std::max(longest, n_characters(curve.label));
+        for (const Band &band : panel->bands)
+          longest = std::max(longest, n_characters(band.label));
+      }
+    const bool   has_legend = longest > 0 && maps.empty();
+    const double width      = plot_width + (has_legend     ? 60. + 7. * longest
+                                            : maps.empty() ? 0.
+                                                           : 110.),
+                 first      = bottom_of(0),
+                 height     = figure_height - figure_bottom + first;
+    return fmt::format(
+      "set terminal svg size {0},{1} font \"Helvetica,Arial,sans-serif,13\" "
+      "background \"white\"\n"
+      "set output picture\n"
+      "set rmargin at screen {6}./{0}\n{3}"
+      "set bmargin at screen {2}./{1}\nset tmargin at screen {4}./{1}\n{5}",
+      width,
+      height,
+      first,
+      panels.empty() && !equal_scales
+        ? ""
+        : fmt::format("set lmargin at screen {}./{}\n", left_edge, width),
+      figure_top - figure_bottom + first,
+      has_legend ? "set key at graph 1.03, graph 1 left top Left reverse "
+                   "noenhanced samplen 2.2 spacing 1.2\n"
+                 : "unset key\n",
+      right_edge);
+  }
+
+  /** Pixels from the bottom of the picture to that of a panel. */
+  double Figure::bottom_of(const std::size_t index) const
+  {
+    double bottom = figure_bottom;
+    for (std::size_t k = index; k < panels.size(); ++k)
+      bottom += panel_step + (panels[k].has_own_x ? x_axis_height : 0.);
+    return bottom;
+  }
+
+  /** Panels over the same x have the axis of the lowest of them. */
+  bool Figure::shows_x_axis(const std::size_t index) const
+  {
+    return index == panels.size() || panels[index].has_own_x;
+  }
+
+  /**
+   * Ranges that hold all curves with units of equal length in both directions,
+   * in the first panel.
+   */
+  std::string Figure::equal_ranges() const
+  {
+    const double                far = std::numeric_limits<double>::max();
+    std::array<double, 2>       lower{{far, far}}, upper{{-far, -far}};
+    const std::array<double, 2> pixels{
+      {right_edge - left_edge, figure_top - figure_bottom}};
+    for (const Curve &curve : curves)
+      for (std::size_t i = 0; i < curve.x.size(); ++i)
+        for (const unsigned int d : {0, 1})
+          {
+            const double value = d == 0 ? curve.x[i] : curve.y[i];
+            if (!can_be_drawn(value, AxisScale::linear))
+              continue;
+            lower[d] = std::min(lower[d], value);
+            upper[d] = std::max(upper[d], value);
+          }
+    const double margin = 1.08;
+    double       unit   = 0.; // for a pixel
+    for (const unsigned int d : {0, 1})
+      unit = std::max(unit, margin * (upper[d] - lower[d]) / pixels[d]);
+    if (!(unit > 0.) || !(unit < far))
+      return "";
+    std::string text;
+    for (const unsigned int d : {0, 1})
+      {
+        const double middle = (lower[d] + upper[d]) / 2,
+                     half   = unit * pixels[d] / 2;
+        text += fmt::format("set {}range [{}:{}]\n",
+                            d == 0 ? 'x' : 'y',
+                            significant(middle - half, 9),
+                            significant(middle + half, 9));
+      }
+    return text;
+  }
+
+  std::string Figure::panel_layout(const std::size_t index) const
+  {
+    const double height = figure_height - figure_bottom + bottom_of(0);
+    std::string  text;
+    if (index > 0)
+      text +=
+        fmt::format("unset title\nunset object\nunset logscale\nunset mxtics\n"
+                    "unset mytics\nset autoscale\nset autoscale noextend\n"
+                    "set bmargin at screen {}./{}\n"
+                    "set tmargin at screen {}./{}\n",
+                    bottom_of(index),
+                    height,
+                    bottom_of(index) + panel_height,
+                    height);
+    return text + (shows_x_axis(index)
+                     ? "set format \"%h\"\n"
+                     : "set format x \"\"\nset format y \"%h\"\n");
+  }
+
+  std::string Figure::axis(const char axis, const std::string &label) const
+  {
+    const AxisScale scale = axis == 'x' ? x_scale : y_scale;
+    double          lower = std::numeric_limits<double>::max(), upper = 0.;
+    bool            is_empty = maps.empty();
+    for (const Curve &curve : curves)
+      for (std::size_t i = 0; i < curve.x.size(); ++i)
+        if (can_be_drawn(curve.x[i], x_scale) &&
+            can_be_drawn(curve.y[i], y_scale))
+          {
+            const double value = axis == 'x' ? curve.x[i] : curve.y[i];
+            is_empty           = false;
+            lower              = std::min(lower, value);
+            upper              = std::max(upper, value);
+          }
+
+    std::string text =
+      fmt::format("set {}label {} noenhanced\n", axis, quoted(label));
+    if (is_empty)
+      return text + fmt::format("set {}range [1:10]\n", axis);
+    if (scale == AxisScale::linear)
+      return text;
+    text += fmt::format("set logscale {0}\nset m{0}tics 10\n", axis);
+    const bool        is_plain = lower > 3e-3 && upper < 3e4;
+    const std::string decade   = is_plain ? "%g" : "10^{%T}",
+                      other    = is_plain ? "%g" : "%.0t\u00D710^{%T}";
+    text += fmt::format("set format {} \"{}\"\n", axis, decade);
+    if (upper < 100. * lower)
+      text += fmt::format("set for [p={0}:{1}] for [m=2:5:3] {2}tics add "
+                          "(gprintf(\"{3}\", m * 10.**p) m * 10.**p)\n",
+                          std::floor(std::log10(lower)),
+                          std::floor(std::log10(upper)),
+                          axis,
+                          other);
+    return text;
+  }
+
+  std::string Figure::band(const std::size_t index) const
+  {
+    const Band &band = bands[index];
+    if (std::isnan(band.begin) || std::isnan(band.end) ||
+        (x_scale == AxisScale::logarithmic && band.end <= 0.))
+      return "";
+    const auto position = [&](const double value, const char *otherwise) {
+      return can_be_drawn(value, x_scale) ? "first " + significant(value, 9)
+                                          : std::string(otherwise);
+    };
+    return fmt::format("set object rectangle from {}, graph 0 to {}, graph 1 "
+                       "behind fillcolor \"{}\" fillstyle solid noborder\n",
+                       position(band.begin, "graph 0"),
+                       position(band.end, "graph 1"),
+                       band_colours[index % band_colours.size()]);
+  }
+
+  std::string Figure::look(const std::size_t index) const
+  {
+    const Curve &curve = curves[index];
+    const auto   n_references =
+      std::count_if(curves.begin(), curves.begin() + index, [](const Curve &c) {
+        return c.style == CurveStyle::reference;
+      });
+    if (curve.style == CurveStyle::reference)
+      return fmt::format(
+        "with lines linewidth 1.4 linecolor \"#222222\" dashtype {}",
+        dashes[n_references % dashes.size()]);
+
+    const bool has_points = curve.style == CurveStyle::points ||
+                            curve.style == CurveStyle::line_and_points ||
+                            curve.x.size() == 1,
+               has_line = curve.style != CurveStyle::points;
+    return fmt::format("with {}{} linetype {}{}{}{}",
+                       has_line ? "lines" : "",
+                       has_points ? "points" : "",
+                       index - n_references + 1,
+                       curve.style == CurveStyle::dashed
+                         ? " dashtype " + dashes[0]
+                         : "",
+                       curve.style == CurveStyle::thick ? " linewidth 5.5" : "",
+                       !has_points                    ? ""
+                       : curve.x.size() > many_points ? " pointsize 0.35"
+                                                      : " pointsize 0.55");
+  }
+} // namespace RollingContact

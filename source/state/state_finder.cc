@@ -1,0 +1,283 @@
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/interrupt.h>
+#include <rolling_contact/base/stopwatch.h>
+#include <rolling_contact/base/text.h>
+#include <rolling_contact/state/state_finder.h>
+
+#include <cmath>
+
+namespace RollingContact
+{
+  template <int dim>
+  void say_enlarged(const Grading<dim> &grading, Log &log)
+  {
+    log.message("The patch reaches the border of the candidate zone; the zone "
+                "is enlarged to " +
+                significant(grading.zone_x, 3) + " m on both sides.");
+  }
+
+  namespace
+  {
+    /**
+     * Offset in elements that puts the leading edge where `upwind 2` has no
+     * first-order force error, upstream of the first contact node.
+     */
+    const double aligned_distance = 0.38;
+
+    /**
+     * Offset that leaves the found leading edge aligned_distance elements
+     * upstream of a node.
+     */
+    template <int dim>
+    double aligned_offset(const SteadyState<dim> &steady, const int flow)
+    {
+      const double edge =
+        flow > 0 ? steady.result.edge_begin_x : steady.result.edge_end_x;
+      const double shift =
+        edge / steady.grading.element_size_x + flow * aligned_distance;
+      return shift - std::round(shift);
+    }
+
+    [[noreturn]] void throw_unenclosed(const std::string &where)
+    {
+      throw ConvergenceError(
+        where +
+        "No mesh fits the patch, which reached the border of the candidate "
+        "zone or the estimated size in " +
+        std::to_string(most_meshes) +
+        " attempts: check radii, load and Mesh/Candidate zone.");
+    }
+  } // namespace
+
+  /**
+   * A mesh for a patch that was only estimated, made anew as long as the
+   * states on it ask for another one.
+   */
+  template <int dim>
+  class FittedMesh
+  {
+  public:
+    FittedMesh(const PairSpec &scene, const StateDemands &demands, Log &log)
+      : scene(scene)
+      , demands(demands)
+      , log(log)
+      , patch(estimate_patch(scene))
+      , offset(scene.mesh.offset())
+      , is_aligned(!scene.mesh.aligned())
+    {
+      grade();
+    }
+
+    /**
+     * True if it fits the patch of the state; otherwise changed.
+     */
+    bool fits(const SteadyState<dim> &steady)
+    {
+      return !steady.solver.converged || // its patch means nothing
+             (!enlarge_for(steady) && !resize_for(steady) &&
+              !align_for(steady));
+    }
+
+    const PairSpec     &scene;
+    const StateDemands &demands;
+    Log                &log;
+    PatchEstimate       patch;
+    Grading<dim>        grading;
+
+  private:
+    void grade()
+    {
+      grading = make_grading<dim>(
+        scene, demands, patch, scene.mesh.elements_across_patch, offset);
+      grading.enlarge_zone(enlargement);
+    }
+
+    bool enlarge_for(const SteadyState<dim> &steady);
+
+    bool resize_for(const SteadyState<dim> &steady);
+
+    bool align_for(const SteadyState<dim> &steady);
+
+    double       offset; ///< in elements
+    bool         is_enlarged = false, is_resized = false, is_aligned;
+    unsigned int enlargement = 0; ///< of the zone, in elements
+  };
+
+  template <int dim>
+  bool FittedMesh<dim>::enlarge_for(const SteadyState<dim> &steady)
+  {
+    if (!zone_too_small(steady))
+      return false;
+    // a zone a little too small needs no larger elements
+    if (is_enlarged && patch.boxes.empty())
+      {
+        patch.half_width_x *= 1.5;
+        patch.half_width_y *= 1.5;
+        is_aligned = !scene.mesh.aligned(); // for the new elements
+      }
+    enlargement = is_enlarged && !patch.boxes.empty() ? 2 * enlargement : 1;
+    is_enlarged = true;
+    grade();
+    say_enlarged(grading, log);
+    return true;
+  }
+
+  template <int dim>
+  bool FittedMesh<dim>::resize_for(const SteadyState<dim> &steady)
+  {
+    const Resultants &result = steady.result;
+    const double load = steady.problem.operators.load(steady.state.pressure),
+                 mismatch = patch.boxes.empty()
+                              ? result.half_width_x / patch.half_width_x
+                              : std::cbrt(load / patch.normal_force);
+    // lines of one touching node have no length
+    if (is_resized || result.n_touching <= 5 || !(mismatch > 0.) ||
+        (mismatch >= 0.8 && mismatch <= 1.2))
+      return false;
+    log.message("The patch is " + significant(mismatch, 3) +
+                " times as long as estimated: the mesh is made again for "
+                "it.");
+    if (!patch.boxes.empty())
+      patch = estimate_patch(scene, load);
+    else
+      {
+        patch.half_width_x = result.half_width_x;
+        if (dim == 3)
+          patch.half_width_y = result.half_width_y;
+      }
+    grade();
+    is_resized = true;
+    is_aligned = !scene.mesh.aligned();
+    return true;
+  }
+
+  template <int dim>
+  bool FittedMesh<dim>::align_for(const SteadyState<dim> &steady)
+  {
+    if (is_aligned || steady.result.n_touching <= 5)
+      return false;
+    offset     = aligned_offset(steady, scene.contact.flow());
+    is_aligned = true;
+    grade();
+    return true;
+  }
+
+  template <int dim>
+  SteadyState<dim> StateFinder<dim>::set_up(const Grading<dim> &grading) const
+  {
+    SteadyState<dim> steady;
+    steady.grading = grading;
+    {
+      PhaseTimer::Scope phase(context.timer, Phase::mesh);
+      steady.pair =
+        make_pair
+          ? make_pair(scene, grading)
+          : std::make_shared<RollingPair<dim>>(scene, grading, demands.pair);
+    }
+    PhaseTimer::Scope phase(context.timer, Phase::condensation);
+    steady.problem = steady.pair->contact_problem(scene.contact);
+    return steady;
+  }
+
+  template <int dim>
+  SteadyState<dim> StateFinder<dim>::solve_on(const Grading<dim> &grading,
+                                              const Start        &start) const
+  {
+    throw_if_interrupted();
+    const Stopwatch   watch;
+    SteadyState<dim>  steady = set_up(grading);
+    PhaseTimer::Scope phase(context.timer, Phase::contact_solve);
+    steady.state = start(steady.problem);
+    solve_contact(scene, demands, steady);
+    steady.result = resultants(steady.problem, steady.state);
+    steady.wall_s = watch.seconds();
+    return steady;
+  }
+
+  template <int dim>
+  SteadyState<dim> StateFinder<dim>::find() const
+  {
+    const Stopwatch  watch;
+    FittedMesh<dim>  mesh(scene, demands, context.log);
+    SteadyState<dim> steady;
+    if (!solve_on_fitting_mesh(
+          [&](const unsigned int) {
+            steady = {}; // its bodies go before there are others
+            steady = solve_on(mesh.grading, [&](const ContactProblem &problem) {
+              return initial_state(problem, mesh.patch);
+            });
+          },
+          [&](const unsigned int) { return !mesh.fits(steady); }))
+      throw_unenclosed("");
+    if (steady.solver.converged)
+      steady.wall_s = watch.seconds();
+    return steady;
+  }
+
+  template <int dim>
+  SteadyState<dim> StateFinder<dim>::find_from(const SteadyState<dim> &previous,
+                                               Grading<dim>            grading,
+                                               const std::string &where) const
+  {
+    SteadyState<dim> steady;
+    if (!solve_on_fitting_mesh(
+          [&](const unsigned int) {
+            steady = {};
+            steady = solve_on(grading, [&](const ContactProblem &problem) {
+              return transferred_state(previous, problem);
+            });
+          },
+          [&](const unsigned int k) {
+            return enlarge_zone(steady, k, grading);
+          }))
+      throw_unenclosed(where + ". ");
+    return steady;
+  }
+
+  template <int dim>
+  void StateFinder<dim>::solve_enclosed(SteadyState<dim> &steady) const
+  {
+    Grading<dim> grading = steady.grading;
+    solve_on_fitting_mesh(
+      [&](const unsigned int k) {
+        if (k > 0)
+          {
+            steady.pair->release_statics();
+            SteadyState<dim> next = set_up(grading);
+            next.level            = steady.level;
+            next.change           = steady.change;
+            next.limit            = steady.limit;
+            ContactLoads &loads   = next.problem.loads;
+            loads.normal_load     = steady.problem.loads.normal_load;
+            loads.approach        = steady.problem.loads.approach;
+            loads.inclined_load   = steady.problem.loads.inclined_load;
+            loads.creepages       = steady.problem.loads.creepages;
+            loads.forces          = steady.problem.loads.forces;
+            next.state            = transferred_state(steady, next.problem);
+            steady                = std::move(next);
+          }
+        PhaseTimer::Scope phase(context.timer, Phase::contact_solve);
+        solve_contact(scene, demands, steady);
+        steady.result = resultants(steady.problem, steady.state);
+      },
+      [&](const unsigned int k) { return enlarge_zone(steady, k, grading); });
+  }
+
+  template <int dim>
+  bool StateFinder<dim>::enlarge_zone(const SteadyState<dim> &steady,
+                                      const unsigned int      k,
+                                      Grading<dim>           &grading) const
+  {
+    // the patch of a state that is none means nothing
+    if (!steady.solver.converged || !zone_too_small(steady))
+      return false;
+    grading.enlarge_zone(1u << k);
+    say_enlarged(grading, context.log);
+    return true;
+  }
+
+  template class StateFinder<2>;
+  template class StateFinder<3>;
+  template void say_enlarged(const Grading<2> &, Log &);
+  template void say_enlarged(const Grading<3> &, Log &);
+} // namespace RollingContact
