@@ -1,3 +1,4 @@
+#include <rolling_contact/algebra/lapack.h>
 #include <rolling_contact/scene/situation.h>
 #include <rolling_contact/solvers/falling_friction.h>
 #include <rolling_contact/solvers/normal_active_set.h>
@@ -104,8 +105,7 @@ namespace
           for (std::size_t j = 0; j < n; ++j)
             A(i, j) = S(unknowns[i], unknowns[j]);
         }
-      if (n > 0)
-        solve_general(A, q);
+      solve_general(A, q);
       for (std::size_t i = 0; i < n; ++i)
         traction(0, nodes[unknowns[i]].node) = q(i, 0);
     }

@@ -1,3 +1,4 @@
+#include <rolling_contact/algebra/lapack.h>
 #include <rolling_contact/program/scene_reader.h>
 #include <rolling_contact/solvers/falling_friction.h>
 #include <rolling_contact/solvers/normal_active_set.h>
@@ -86,7 +87,7 @@ namespace
               const auto [c, i] = nodes[k];
               b[k]              = 2 * q(c, i) - z(c, i) - r * slip(c, i);
             }
-          const std::vector<double> x = inverse.block_product(0, 0, n, b);
+          const std::vector<double> x = inverse * b;
           for (std::size_t k = 0; k < n; ++k)
             {
               const auto [c, i] = nodes[k];
@@ -113,16 +114,9 @@ namespace
     /** (I + r S)^-1. */
     static DenseMatrix resolvent(DenseMatrix S, const double r)
     {
-      const std::size_t n = S.n_rows();
-      DenseMatrix       inverse(n, n);
-      for (std::size_t j = 0; j < n; ++j)
-        {
-          for (std::size_t i = 0; i < n; ++i)
-            S(i, j) = r * S(i, j) + (i == j ? 1. : 0.);
-          inverse(j, j) = 1.;
-        }
-      if (n > 0)
-        solve_general(S, inverse);
+      DenseMatrix inverse = DenseMatrix::Identity(S.rows(), S.cols());
+      S                   = r * S + inverse;
+      solve_general(S, inverse);
       return inverse;
     }
   };

@@ -2,6 +2,7 @@
 #include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/run/figure.h>
+#include <rolling_contact/scene/shared_rules.h>
 
 #include <algorithm>
 #include <cmath>
@@ -312,9 +313,7 @@ namespace RollingContact
     kind.sections           = {"Contact table"};
     kind.has_bodies = kind.has_contact = false;
     kind.on_ranks                      = false;
-    kind.check                         = [](const SceneParameters &scene) {
-      scene.profiles.check(scene.wheel.radius, scene.prm_folder);
-    };
+    kind.rules                         = {&check_rigid_profiles};
     return kind;
   }
 } // namespace RollingContact

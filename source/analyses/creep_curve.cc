@@ -240,7 +240,6 @@ namespace RollingContact
     void check_creep_curve(const SceneParameters &scene)
     {
       const CreepCurveParameters &curve = scene.own<CreepCurveParameters>();
-      curve.check();
       if (scene.dimension == 2)
         curve.check_in_2d();
       bool has_forces = false;
@@ -265,10 +264,10 @@ namespace RollingContact
     AnalysisKind kind =
       kind_of<CreepCurve>("creep curve",
                           "many creepages, see section Creep curve");
-    kind.sections      = {"Creep curve"};
-    kind.add_section   = &add_section<CreepCurveParameters>;
+    kind.sections = {"Creep curve"};
+    kind.own_section.emplace(CreepCurveParameters());
     kind.own_creepages = &creepages_of_curve;
-    kind.check         = &check_creep_curve;
+    kind.rules         = {&check_creep_curve};
     return kind;
   }
 } // namespace RollingContact

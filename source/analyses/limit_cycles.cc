@@ -254,7 +254,6 @@ namespace RollingContact
       const TimeParameters &time = scene.time;
       time.check_cycles(
         time.steps(time.histories(scene.contact, scene.prm_folder).speed), why);
-      scene.own<LimitCycleParameters>().check();
       if (scene.contact.slip_operator != SlipOperatorKind::upwind_2)
         throw InputError(why + "Contact/Slip operator must be `upwind 2`, for "
                                "which vibrations that grow are found.");
@@ -280,8 +279,8 @@ namespace RollingContact
       "limit cycle",
       "runs in time until the motion repeats itself, from several starts and "
       "along an axis, see sections Time and Limit cycle");
-    kind.sections    = {"Time", "Limit cycle"};
-    kind.add_section = &add_section<LimitCycleParameters>;
+    kind.sections = {"Time", "Limit cycle"};
+    kind.own_section.emplace(LimitCycleParameters());
     kind.axes = [](const SceneParameters &scene) -> std::vector<TableAxis> {
       const auto &cycle = scene.own<LimitCycleParameters>();
       if (cycle.axis_entry().empty())
@@ -291,7 +290,7 @@ namespace RollingContact
     kind.marches        = true;
     kind.until_periodic = true;
     kind.on_ranks       = false;
-    kind.check          = &check_limit_cycle;
+    kind.rules          = {&check_limit_cycle};
     kind.resumption     = [](const Situation &scene) {
       return RunFolder::Resumption{entries_free_on_resume(*scene.inputs),
                                    "limit_cycle_state.txt",

@@ -182,11 +182,8 @@ namespace RollingContact
       "load curve",
       "approach and contact stiffness under many loads, see section Load "
       "curve");
-    kind.sections    = {"Load curve"};
-    kind.add_section = &add_section<LoadCurveParameters>;
-    kind.check       = [](const SceneParameters &scene) {
-      scene.own<LoadCurveParameters>().check();
-    };
+    kind.sections = {"Load curve"};
+    kind.own_section.emplace(LoadCurveParameters());
     return kind;
   }
 } // namespace RollingContact

@@ -7,6 +7,7 @@
 #include <rolling_contact/results/mode_animation.h>
 #include <rolling_contact/results/mode_sections.h>
 #include <rolling_contact/run/figure.h>
+#include <rolling_contact/scene/shared_rules.h>
 
 #include <map>
 
@@ -204,22 +205,6 @@ namespace RollingContact
   template class Modes<2>;
   template class Modes<3>;
 
-  void check_lone_bodies(const SceneParameters &scene)
-  {
-    scene.modes.check();
-    const std::string &name = scene.analysis.name;
-    if (scene.wheel.rigid && scene.rail.rigid)
-      throw InputError("Wheel/Rigid = true and Rail/Rigid = true: Analysis = " +
-                       name + " needs an elastic body.");
-    if (scene.body_solver == BodySolver::distributed)
-      throw InputError("Body solver = distributed: Analysis = " + name +
-                       " needs the factor of the stiffness, which blocks of "
-                       "vectors are solved with; take direct or automatic, on "
-                       "one rank.");
-    if (scene.profiles.in_use())
-      scene.profiles.check(scene.wheel.radius, scene.prm_folder);
-  }
-
   AnalysisKind modes_kind()
   {
     AnalysisKind kind = kind_of<Modes>(
@@ -228,7 +213,7 @@ namespace RollingContact
     kind.sections    = {"Modes"};
     kind.has_contact = false;
     kind.on_ranks    = false;
-    kind.check       = &check_lone_bodies;
+    kind.rules       = {&check_lone_bodies};
     return kind;
   }
 } // namespace RollingContact

@@ -8,6 +8,7 @@
 #include <rolling_contact/modes/measuring_point.h>
 #include <rolling_contact/modes/modal_damping.h>
 #include <rolling_contact/run/figure.h>
+#include <rolling_contact/scene/shared_rules.h>
 
 #include <algorithm>
 #include <cmath>
@@ -311,20 +312,26 @@ namespace RollingContact
   template class Receptance<2>;
   template class Receptance<3>;
 
+  namespace
+  {
+    void check_directions(const SceneParameters &scene)
+    {
+      if (scene.dimension == 2)
+        scene.own<ReceptanceParameters>().check_in_2d();
+    }
+  } // namespace
+
   AnalysisKind receptance_kind()
   {
     AnalysisKind kind = kind_of<Receptance>(
       "receptance",
       "how each body moves under harmonic forces, see section Receptance");
-    kind.sections    = {"Modes", "Receptance"};
-    kind.add_section = &add_section<ReceptanceParameters>;
+    kind.sections = {"Modes", "Receptance"};
+    kind.own_section.emplace(ReceptanceParameters());
     kind.has_contact = false;
     kind.has_dampers = true;
     kind.on_ranks    = false;
-    kind.check       = [](const SceneParameters &scene) {
-      scene.own<ReceptanceParameters>().check(scene.dimension);
-      check_lone_bodies(scene);
-    };
+    kind.rules       = {&check_directions, &check_lone_bodies};
     return kind;
   }
 } // namespace RollingContact

@@ -95,8 +95,17 @@ namespace RollingContact
       "directions; relative to the folder of the .prm file.";
   }
 
-  void ReceptanceParameters::check(const unsigned int dimension) const
+  void ReceptanceParameters::check_in_2d() const
   {
+    for (const unsigned int axis : axes())
+      if (axis == 1)
+        throw InputError("Receptance/Directions = " + directions +
+                         ": in 2D nothing moves along y; give z or x.");
+  }
+
+  void ReceptanceParameters::check() const
+  {
+    axes();
     if (!(lowest_frequency > 0.))
       throw InputError(
         "Receptance/Lowest frequency = " + text_of(lowest_frequency) +
@@ -106,10 +115,6 @@ namespace RollingContact
         "Receptance/Highest frequency = " + text_of(highest_frequency) +
         ": it must be above Lowest frequency = " + text_of(lowest_frequency) +
         " Hz.");
-    for (const unsigned int axis : axes())
-      if (dimension == 2 && axis == 1)
-        throw InputError("Receptance/Directions = " + directions +
-                         ": in 2D nothing moves along y; give z or x.");
     for (const double frequency : check_frequencies)
       if (!(frequency > 0. && frequency <= highest_frequency))
         throw InputError("Receptance/Check frequencies contains " +

@@ -10,7 +10,7 @@
 #include <rolling_contact/results/mode_animation.h>
 #include <rolling_contact/results/result_row.h>
 #include <rolling_contact/results/state_report.h>
-#include <rolling_contact/scene/disturbed_state.h>
+#include <rolling_contact/scene/shared_rules.h>
 #include <rolling_contact/stability/unstable_count.h>
 #include <rolling_contact/vibration/rolling_modes.h>
 
@@ -268,36 +268,6 @@ namespace RollingContact
   template class Stability<2>;
   template class Stability<3>;
 
-  void check_linearised_state(const SceneParameters &scene)
-  {
-    const ContactParameters &contact = scene.contact;
-    scene.modes.check();
-    scene.stability.check();
-    const std::string why = "Analysis = " + scene.analysis.name + ": ";
-    if (!contact.speed)
-      throw InputError(why + "Contact/Speed is empty; give the rolling speed V "
-                             "in m/s, which the slip's rate is compared with.");
-    if (contact.friction_coefficient > 0. &&
-        contact.slip_operator != SlipOperatorKind::upwind_2 &&
-        contact.slip_operator != SlipOperatorKind::upwind_1)
-      throw InputError(why + "Contact/Slip operator must be `upwind 2` or "
-                             "`upwind 1`: the linearised laws hold without an "
-                             "edge law.");
-    if (contact.friction_memory_length > 0.)
-      throw InputError(why + "Contact/Friction memory length = " +
-                       text_of(contact.friction_memory_length) +
-                       ": a sliding distance is not among the linearised laws; "
-                       "set it to 0.");
-    check_disturbed_state(scene, why);
-    if (scene.body_solver == BodySolver::distributed)
-      throw InputError("Body solver = distributed: " + why +
-                       "modes are found with a factor; take direct or "
-                       "automatic, on one rank.");
-    if (scene.mesh.adaptive_levels > 0 || scene.mesh.target_error)
-      throw InputError(why + "Mesh/Adaptive levels and Target error are not "
-                             "for it; give Mesh/Elements across patch.");
-  }
-
   AnalysisKind stability_kind()
   {
     AnalysisKind kind = kind_of<Stability>(
@@ -307,7 +277,7 @@ namespace RollingContact
     kind.linearises  = true;
     kind.has_dampers = true;
     kind.on_ranks    = false;
-    kind.check       = &check_linearised_state;
+    kind.rules       = {&check_linearised_state};
     return kind;
   }
 } // namespace RollingContact

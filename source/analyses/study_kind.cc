@@ -67,7 +67,7 @@ namespace RollingContact
     kind.sections = {"Accuracy study"};
     kind.has_own_meshes = true;
     kind.on_ranks       = false;
-    kind.check          = &check_study;
+    kind.rules          = {&check_study};
     return kind;
   }
 } // namespace RollingContact

@@ -102,7 +102,7 @@ namespace RollingContact
     kind.marches     = true;
     kind.records_run = true;
     kind.resumption  = &resumption;
-    kind.check       = &check_transient;
+    kind.rules       = {&check_transient};
     return kind;
   }
 } // namespace RollingContact

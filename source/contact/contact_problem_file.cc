@@ -1,8 +1,8 @@
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/hdf5_file.h>
+#include <rolling_contact/base/hdf5_reader.h>
 #include <rolling_contact/contact/contact_problem_file.h>
 #include <rolling_contact/contact/tangential_problem.h>
-#include <rolling_contact/run/hdf5_file.h>
-#include <rolling_contact/run/hdf5_reader.h>
 
 #include <algorithm>
 

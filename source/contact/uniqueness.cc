@@ -57,7 +57,9 @@ namespace RollingContact
       const DenseMatrix R = sliding_response(tangential, state.traction, nodes);
       if (R.size() == 0)
         return {};
-      const Eigen::VectorXd roots = as_vector(falls)(nodes).cwiseSqrt();
+      // friction that rises with the speed endangers nothing
+      const Eigen::VectorXd roots =
+        as_vector(falls)(nodes).cwiseMax(0.).cwiseSqrt();
       DenseMatrix           matrix =
         roots.asDiagonal() * (R + R.transpose()) / 2 * roots.asDiagonal();
       const double largest = symmetric_eigenpairs(matrix).back();

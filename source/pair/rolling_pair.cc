@@ -97,11 +97,10 @@ namespace RollingContact
     DenseMatrix W = DenseMatrix::Zero(components.size() * n_nodes,
                                       components.size() * n_nodes);
     for (const Side side : both_sides)
-      if (body_pair.is_elastic(side))
-        add_compliance(body_pair.twins() ? bodies.wheel : bodies[side],
-                       side == Side::wheel,
-                       n_nodes,
-                       W);
+      if (const DenseMatrix &body =
+            body_pair.twins() ? bodies.wheel : bodies[side];
+          body.size() > 0)
+        add_compliance(body, side == Side::wheel, n_nodes, W);
     return W;
   }
 

@@ -157,7 +157,9 @@ namespace RollingContact
     std::ostringstream used;
     prm.print_parameters(used, ParameterHandler::ShortText);
     if (scene.analysis.has_many_states)
-      apply_first_state(table_states(scene), entries, prm);
+      apply_first_state(table_states(scene.table, scene.prm_folder),
+                        entries,
+                        prm);
     scene.check();
     SceneInput input{Situation(scene), file.text, used.str(), {}};
     if (scene.analysis.has_contact)

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/text.h>
 
 namespace RollingContact::Bindings
@@ -96,9 +97,8 @@ namespace RollingContact::Bindings
     double given_length(const Scene &scene, const std::string &entry)
     {
       const auto found = scene.entries.find(entry);
-      return found == scene.entries.end()
-               ? 0.
-               : std::strtod(found->second.c_str(), nullptr);
+      return found == scene.entries.end() ? 0.
+                                          : number(found->second).value_or(0.);
     }
   } // namespace
 

@@ -58,10 +58,10 @@ namespace RollingContact
       "Radius of the profile across the rolling direction, 3D only; 0 is "
       "flat, negative concave.";
     const Reader plain_sections{
-      [](const SceneParameters &scene) {
-        return !scene.analysis.has_bodies ||
-               !scene.profiles.has_true_sections();
-      },
+      asks<AnalysisTraits, ProfileParameters>(
+        [](const auto &analysis, const auto &profiles) {
+          return !analysis.has_bodies || !profiles.has_true_sections();
+        }),
       "Profiles/Body sections = true gives the bodies' sections"};
     entries.add("Hub radius", hub_radius, "m").at_least(0.).help =
       "Radius of the inner circle of a disc.";
@@ -143,9 +143,10 @@ namespace RollingContact
     entries.add("Velocity points", velocity_points, unit)
       .read_by(reader([](const BodyParameters &body) { return !body.rigid; },
                       "a rigid body has no velocity of its own"))
-      .read_by({[](const SceneParameters &scene) {
-                  return scene.analysis.records_run && scene.time.inertia;
-                },
+      .read_by({asks<AnalysisTraits, TimeParameters>(
+                  [](const auto &analysis, const auto &time) {
+                    return analysis.records_run && time.inertia;
+                  }),
                 "Analysis = transient with Time/Inertia = true reads it"})
       .help = "Points whose velocities Analysis = transient with "
               "inertia writes into history.csv, columns "

@@ -1,9 +1,12 @@
 #include <rolling_contact/base/choices.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/number_text.h>
+#include <rolling_contact/scene/analysis_traits.h>
 #include <rolling_contact/scene/contact_parameters.h>
 #include <rolling_contact/scene/entries.h>
-#include <rolling_contact/scene/scene_parameters.h>
+#include <rolling_contact/scene/mesh_parameters.h>
+#include <rolling_contact/scene/profile_parameters.h>
+#include <rolling_contact/scene/study_parameters.h>
 #include <rolling_contact/surfaces/roughness.h>
 
 #include <cmath>
@@ -15,25 +18,25 @@ namespace RollingContact
   {
     /** Where section Contact gives the creepages. */
     const std::vector<Reader> read_creepages{
-      {[](const SceneParameters &scene) {
-         return !scene.profiles.gives_creepages();
-       },
+      {asks<ProfileParameters>(
+         [](const auto &profiles) { return !profiles.gives_creepages(); }),
        "Profiles/Creepages = from kinematics gives them"},
-      {[](const SceneParameters &scene) { // levels refine for them
-         return !scene.analysis.own_creepages || scene.mesh.adaptive_levels > 0;
-       },
+      {asks<AnalysisTraits, MeshParameters>(
+         [](const auto &analysis, const auto &mesh) { // levels refine for them
+           return !analysis.own_creepages || mesh.adaptive_levels > 0;
+         }),
        "the creepages of a curve are those of section Creep curve"},
-      {[](const SceneParameters &scene) {
-         return !scene.analysis.has_own_meshes || scene.study.varies_time_step;
-       },
+      {asks<AnalysisTraits, StudyParameters>(
+         [](const auto &analysis, const auto &study) {
+           return !analysis.has_own_meshes || study.varies_time_step;
+         }),
        "the creepages of a study are Accuracy study/Creepages over "
        "saturation"}};
 
     /** Where it gives the forces. */
     const Reader read_forces{
-      [](const SceneParameters &scene) {
-        return !scene.analysis.own_creepages;
-      },
+      asks<AnalysisTraits>(
+        [](const auto &analysis) { return !analysis.own_creepages; }),
       "the forces of a curve are those of section Creep curve"};
   } // namespace
 

@@ -41,6 +41,37 @@ namespace RollingContact
             "it has a meaning in 3D only"};
   }
 
+  Reader scenes_with_spectra()
+  {
+    return {[](const SceneParameters &scene) { return scene.wants_spectra(); },
+            "no surface moves, no vibration is excited and no points are "
+            "named; take Spectrum/Write = always"};
+  }
+
+  template <class Part>
+  const Part &part_of(const SceneParameters &scene)
+  {
+    return std::get<const Part &>(std::tie(scene.analysis,
+                                           scene.contact,
+                                           scene.mesh,
+                                           scene.study,
+                                           scene.time,
+                                           scene.surfaces,
+                                           scene.spectrum,
+                                           scene.sound,
+                                           scene.profiles));
+  }
+
+  template const AnalysisTraits     &part_of(const SceneParameters &);
+  template const ContactParameters  &part_of(const SceneParameters &);
+  template const MeshParameters     &part_of(const SceneParameters &);
+  template const StudyParameters    &part_of(const SceneParameters &);
+  template const TimeParameters     &part_of(const SceneParameters &);
+  template const SurfaceParameters  &part_of(const SceneParameters &);
+  template const SpectrumParameters &part_of(const SceneParameters &);
+  template const SoundParameters    &part_of(const SceneParameters &);
+  template const ProfileParameters  &part_of(const SceneParameters &);
+
   Reader analyses_with_elements()
   {
     return {[](const SceneParameters &scene) {
@@ -63,6 +94,16 @@ namespace RollingContact
                       return scene.analysis.reads(section);
                     },
                     "Analysis = " + names + " reads that section"});
+  }
+
+  EntrySection &
+  EntrySection::read_with_reduced_bodies(const std::string &otherwise)
+  {
+    return read_by({[section = name](const SceneParameters &scene) {
+                      return scene.analysis.reads(section) ||
+                             scene.has_reduced_bodies();
+                    },
+                    otherwise});
   }
 
   std::string EntrySection::why_idle(const SceneParameters &scene) const

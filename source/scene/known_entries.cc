@@ -12,9 +12,8 @@ namespace RollingContact
     entries_on_axes(const SceneParameters &scene)
     {
       std::map<std::string, std::string> given;
-      if (scene.analysis.axes)
-        for (const TableAxis &axis : scene.analysis.axes(scene))
-          given[axis.entry] = axis.name;
+      for (const TableAxis &axis : scene.axes())
+        given[axis.entry] = axis.name;
       return given;
     }
 

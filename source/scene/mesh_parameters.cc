@@ -1,8 +1,8 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/number_text.h>
+#include <rolling_contact/scene/analysis_traits.h>
 #include <rolling_contact/scene/entries.h>
 #include <rolling_contact/scene/mesh_parameters.h>
-#include <rolling_contact/scene/scene_parameters.h>
 
 #include <cmath>
 
@@ -42,14 +42,13 @@ namespace RollingContact
   void MeshParameters::declare_patch(Entries &entries)
   {
     entries.add("Target error", target_error, "1")
-      .read_by({[](const SceneParameters &scene) {
-                  return !scene.analysis.records_run;
-                },
+      .read_by({asks<AnalysisTraits>(
+                  [](const auto &analysis) { return !analysis.records_run; }),
                 "the error of a time step is not known beforehand; "
                 "Mesh/Elements across patch gives the mesh"})
-      .read_by({[](const SceneParameters &scene) {
-                  return !scene.analysis.has_own_meshes;
-                },
+      .read_by({asks<AnalysisTraits>([](const auto &analysis) {
+                  return !analysis.has_own_meshes;
+                }),
                 "a study has its own meshes, Accuracy study/Elements across "
                 "patch"})
       .help =

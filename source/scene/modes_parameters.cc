@@ -2,18 +2,14 @@
 #include <rolling_contact/base/number_text.h>
 #include <rolling_contact/scene/entries.h>
 #include <rolling_contact/scene/modes_parameters.h>
-#include <rolling_contact/scene/scene_parameters.h>
 
 namespace RollingContact
 {
   void ModesParameters::declare(Entries &entries)
   {
-    entries.section("Modes").read_by(
-      {[](const SceneParameters &scene) {
-         return scene.analysis.reads("Modes") || scene.has_reduced_bodies();
-       },
-       "Analysis = modes, receptance, stability and stability map and "
-       "Time/Bodies = reduced read that section"});
+    entries.section("Modes").read_with_reduced_bodies(
+      "Analysis = modes, receptance, stability and stability map and "
+      "Time/Bodies = reduced read that section");
     entries.add("Maximum frequency", maximum_frequency, "Hz")
       .at_least(0.)
       .help = "All modes up to this frequency are found.";

@@ -1,7 +1,8 @@
 #include <rolling_contact/base/number_text.h>
+#include <rolling_contact/scene/analysis_traits.h>
+#include <rolling_contact/scene/contact_parameters.h>
 #include <rolling_contact/scene/entries.h>
 #include <rolling_contact/scene/output_parameters.h>
-#include <rolling_contact/scene/scene_parameters.h>
 
 namespace RollingContact
 {
@@ -19,13 +20,12 @@ namespace RollingContact
     entries.add("Body fields", body_fields).help =
       "Write bodies.pvd: displacement, stress and von Mises stress.";
     entries.add("Contact problem", contact_problem)
-      .read_by({[](const SceneParameters &scene) {
-                  return scene.analysis.has_one_state;
-                },
+      .read_by({asks<AnalysisTraits>(
+                  [](const auto &analysis) { return analysis.has_one_state; }),
                 "there is not one steady state"})
-      .read_by({[](const SceneParameters &scene) {
-                  return !scene.contact.falling_friction();
-                },
+      .read_by({asks<ContactParameters>([](const auto &contact) {
+                  return !contact.falling_friction();
+                }),
                 "friction depends on the sliding speed"})
       .help = "Write contact_problem.h5: compliance, contact matrix, slip "
               "operator, loads and solution of the discrete contact.";

@@ -23,11 +23,13 @@ namespace RollingContact
                                                          Mirror::y_and_z}};
 
     const Reader wheelsets_in_a_place{
-      [](const SceneParameters &scene) { return scene.analysis.has_bodies; },
+      asks<AnalysisTraits>(
+        [](const auto &analysis) { return analysis.has_bodies; }),
       "a contact table has both sides, its own shifts, no creepages and no "
       "bodies"};
     const Reader profile_files{
-      [](const SceneParameters &scene) { return scene.profiles.has_files(); },
+      asks<ProfileParameters>(
+        [](const auto &profiles) { return profiles.has_files(); }),
       "neither Profiles/Wheel profile nor Rail profile is a file"};
 
     const double flange_back_to_tape_circle = 0.07; // m
@@ -48,10 +50,10 @@ namespace RollingContact
   void ProfileParameters::declare(Entries &entries)
   {
     EntrySection &section = entries.section("Profiles");
-    section.read_by({[](const SceneParameters &scene) {
-                       return !scene.analysis.has_bodies ||
-                              scene.profiles.in_use();
-                     },
+    section.read_by({asks<AnalysisTraits, ProfileParameters>(
+                       [](const auto &analysis, const auto &profiles) {
+                         return !analysis.has_bodies || profiles.in_use();
+                       }),
                      "bodies with a Profiles/Wheel profile and Rail profile "
                      "read that section"});
     section.varies = in_all_scenes;
@@ -212,10 +214,10 @@ namespace RollingContact
       "radius that changes over the patch as the profile does.";
     add_automatic(entries, "Pitch rate", pitch_rate, "rad/s")
       .read_by(wheelsets_in_a_place)
-      .read_by({[](const SceneParameters &scene) {
-                  return !scene.analysis.has_bodies ||
-                         scene.profiles.gives_creepages();
-                },
+      .read_by({asks<AnalysisTraits, ProfileParameters>(
+                  [](const auto &analysis, const auto &profiles) {
+                    return !analysis.has_bodies || profiles.gives_creepages();
+                  }),
                 "Profiles/Creepages = from kinematics reads it"})
       .help =
       "Angular velocity of the axle for creepages from kinematics, negative "

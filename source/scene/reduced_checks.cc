@@ -1,22 +1,10 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/scene/disturbed_state.h>
+#include <rolling_contact/scene/shared_rules.h>
 
 namespace RollingContact
 {
-  void check_disturbed_state(const SceneParameters &scene,
-                             const std::string     &why)
-  {
-    if (scene.surfaces.in_use() || !scene.surfaces.friction_share.empty())
-      throw InputError(why + "surfaces that pass (section Surfaces) have no "
-                             "steady state; leave them empty.");
-    if (scene.profiles.in_use() &&
-        scene.profiles.surface_kind == Profiles::SurfaceKind::curved)
-      throw InputError(why + "Profiles/Contact surface = curved is not among "
-                             "what is linearised; take plane.");
-  }
-
   void SceneParameters::check_reduced_bodies() const
   {
     if (!marches())

@@ -64,8 +64,8 @@ namespace RollingContact
     stability.declare(entries);
     output.declare(entries);
     for (const AnalysisTraits &kind : analyses)
-      if (kind.add_section)
-        kind.add_section(*this);
+      if (kind.own_section)
+        own_sections.push_back(*kind.own_section);
     for (OwnSection &section : own_sections)
       section.declare(entries);
     return entries;
@@ -84,6 +84,8 @@ namespace RollingContact
 
   void SceneParameters::check() const
   {
+    for (const OwnSection &section : own_sections)
+      section.check();
     if (analysis.has_bodies)
       {
         wheel.check(dimension);
@@ -91,8 +93,21 @@ namespace RollingContact
       }
     if (analysis.has_contact)
       check_contact();
-    else if (analysis.check)
-      analysis.check(*this);
+    else
+      check_rules();
+  }
+
+  void SceneParameters::check_rules() const
+  {
+    for (const auto &rule : analysis.rules)
+      rule(*this);
+  }
+
+  std::vector<TableAxis> SceneParameters::axes() const
+  {
+    if (analysis.has_many_states)
+      return table.axes();
+    return analysis.axes ? analysis.axes(*this) : std::vector<TableAxis>();
   }
 
   void SceneParameters::check_contact() const
@@ -111,8 +126,7 @@ namespace RollingContact
                    contact.forces.y || contact.forces.moment);
     check_reduced_bodies();
     check_excitation();
-    if (analysis.check)
-      analysis.check(*this);
+    check_rules();
     check_friction_response();
     check_pair();
     check_body_solver();

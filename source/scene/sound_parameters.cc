@@ -2,7 +2,6 @@
 #include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/scene/entries.h>
-#include <rolling_contact/scene/scene_parameters.h>
 #include <rolling_contact/scene/sound_parameters.h>
 #include <rolling_contact/scene/time_parameters.h>
 
@@ -14,11 +13,11 @@ namespace RollingContact
   {
     EntrySection &section =
       entries.section("Sound").read_by_analyses("transient");
-    const Reader estimates{[](const SceneParameters &scene) {
-                             return scene.sound.estimate;
-                           },
+    const Reader estimates{asks<SoundParameters>(
+                             [](const auto &sound) { return sound.estimate; }),
                            "Sound/Estimate = false"},
-      writes{[](const SceneParameters &scene) { return scene.sound.wav_file; },
+      writes{asks<SoundParameters>(
+               [](const auto &sound) { return sound.wav_file; }),
              "Sound/WAV file = false"};
     entries.add("Estimate", estimate).help =
       "Whether a transient run of bodies by their modes (Time/Bodies = "

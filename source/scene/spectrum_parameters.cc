@@ -1,7 +1,6 @@
 #include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/scene/entries.h>
-#include <rolling_contact/scene/scene_parameters.h>
 #include <rolling_contact/scene/spectrum_parameters.h>
 #include <rolling_contact/scene/time_parameters.h>
 
@@ -18,16 +17,15 @@ namespace RollingContact
       {"never", WriteSpectrum::never}};
 
     const std::vector<Reader> runs_with_spectra{
-      {[](const SceneParameters &scene) {
-         return scene.spectrum.write != WriteSpectrum::never;
-       },
+      {asks<SpectrumParameters>([](const auto &spectrum) {
+         return spectrum.write != WriteSpectrum::never;
+       }),
        "Spectrum/Write = never"},
-      {[](const SceneParameters &scene) { return scene.wants_spectra(); },
-       "no surface moves, no vibration is excited and no points are named; "
-       "take Spectrum/Write = always"}};
-    const Reader spectrograms{[](const SceneParameters &scene) {
-                                return scene.spectrum.spectrogram;
-                              },
+      scenes_with_spectra()};
+    const Reader spectrograms{asks<SpectrumParameters>(
+                                [](const auto &spectrum) {
+                                  return spectrum.spectrogram;
+                                }),
                               "Spectrum/Spectrogram = false"};
 
     /// of a spectrogram: tells times and lines of squeal apart, s

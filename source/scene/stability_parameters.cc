@@ -1,7 +1,7 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/number_text.h>
+#include <rolling_contact/scene/analysis_traits.h>
 #include <rolling_contact/scene/entries.h>
-#include <rolling_contact/scene/scene_parameters.h>
 #include <rolling_contact/scene/stability_parameters.h>
 
 namespace RollingContact
@@ -9,16 +9,12 @@ namespace RollingContact
   void StabilityParameters::declare(Entries &entries)
   {
     EntrySection &section = entries.section("Stability");
-    section.read_by({[](const SceneParameters &scene) {
-                       return scene.analysis.reads("Stability") ||
-                              scene.has_reduced_bodies();
-                     },
-                     "Analysis = stability or stability map reads that "
-                     "section"});
+    section.read_with_reduced_bodies(
+      "Analysis = stability or stability map reads that section");
     section.renews = Renews::loads;
-    section.varies = [](const SceneParameters &scene) {
-      return scene.analysis.has_many_states && scene.analysis.linearises;
-    };
+    section.varies = asks<AnalysisTraits>([](const auto &analysis) {
+      return analysis.has_many_states && analysis.linearises;
+    });
     entries.add("Lowest frequency", lowest_frequency, "Hz").at_least(0.).help =
       "Vibrations from this frequency up to Modes/Maximum frequency are "
       "looked at.";

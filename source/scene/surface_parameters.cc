@@ -1,7 +1,6 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/number_text.h>
 #include <rolling_contact/scene/entries.h>
-#include <rolling_contact/scene/scene_parameters.h>
 #include <rolling_contact/scene/surface_parameters.h>
 #include <rolling_contact/surfaces/height_expression.h>
 
@@ -12,12 +11,13 @@ namespace RollingContact
     const char smooth[] = "Surfaces/Wheel height and Rail height are empty";
 
     const std::vector<Reader> files{
-      {[](const SceneParameters &scene) { return scene.surfaces.in_use(); },
+      {asks<SurfaceParameters>(
+         [](const auto &surfaces) { return surfaces.in_use(); }),
        smooth},
-      {[](const SceneParameters &scene) {
-         return names_a_record(scene.surfaces.height.wheel) ||
-                names_a_record(scene.surfaces.height.rail);
-       },
+      {asks<SurfaceParameters>([](const auto &surfaces) {
+         return names_a_record(surfaces.height.wheel) ||
+                names_a_record(surfaces.height.rail);
+       }),
        "it is that of a file, and an expression gives the heights"}};
 
     const char share_otherwise[] =
@@ -52,10 +52,9 @@ namespace RollingContact
       "with the rail's material; empty for 1. A strip of grease: if(abs(y) < "
       "2e-3, 0.2, 1).";
     entries.add("Position", position, "m")
-      .read_by({[](const SceneParameters &scene) {
-                  return scene.surfaces.in_use() ||
-                         !scene.surfaces.friction_share.empty();
-                },
+      .read_by({asks<SurfaceParameters>([](const auto &surfaces) {
+                  return surfaces.in_use() || !surfaces.friction_share.empty();
+                }),
                 smooth})
       .help =
       "Distance rolled before t = 0: where the surfaces are at the start and "

@@ -35,9 +35,8 @@ namespace RollingContact
     }
 
     const Reader recorded_runs{
-      [](const SceneParameters &scene) {
-        return !scene.analysis.until_periodic;
-      },
+      asks<AnalysisTraits>(
+        [](const auto &analysis) { return !analysis.until_periodic; }),
       "Analysis = limit cycle always stops when the motion is periodic, and has "
       "a row for each run"};
     const Reader runs_until_periodic{[](const SceneParameters &scene) {
@@ -50,10 +49,10 @@ namespace RollingContact
   void TimeParameters::declare(Entries &entries)
   {
     entries.section("Time")
-      .read_by({[](const SceneParameters &scene) {
-                  return !scene.analysis.has_own_meshes ||
-                         scene.study.varies_time_step;
-                },
+      .read_by({asks<AnalysisTraits, StudyParameters>(
+                  [](const auto &analysis, const auto &study) {
+                    return !analysis.has_own_meshes || study.varies_time_step;
+                  }),
                 "Accuracy study/Vary = time step reads that section"})
       .read_by({[](const SceneParameters &scene) { return scene.marches(); },
                 "Analysis = transient reads that section"});

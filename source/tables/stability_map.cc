@@ -1,6 +1,6 @@
-#include <rolling_contact/analyses/stability.h>
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/base/text.h>
+#include <rolling_contact/scene/shared_rules.h>
 #include <rolling_contact/tables/chain_solver.h>
 #include <rolling_contact/tables/kept_bodies.h>
 #include <rolling_contact/tables/stability_map.h>
@@ -276,17 +276,13 @@ namespace RollingContact
     AnalysisKind kind = kind_of<StabilityMap>(
       "stability map",
       "which of the states of a grid squeal, see sections Table and Stability");
-    kind.sections = {"Table", "Modes", "Stability"};
-    kind.axes = [](const SceneParameters &scene) { return scene.table.axes(); };
+    kind.sections        = {"Table", "Modes", "Stability"};
     kind.has_many_states = true;
     kind.linearises      = true;
     kind.has_dampers     = true;
     kind.on_ranks        = false;
-    kind.check           = [](const SceneParameters &scene) {
-      check_table(scene);
-      check_linearised_state(scene);
-    };
-    kind.resumption = &table_resumption;
+    kind.rules           = {&check_table, &check_linearised_state};
+    kind.resumption      = &table_resumption;
     return kind;
   }
 } // namespace RollingContact

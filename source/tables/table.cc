@@ -9,6 +9,7 @@
 #include <rolling_contact/results/result_row.h>
 #include <rolling_contact/run/progress.h>
 #include <rolling_contact/scene/known_entries.h>
+#include <rolling_contact/scene/shared_rules.h>
 #include <rolling_contact/tables/chain_solver.h>
 #include <rolling_contact/tables/kept_bodies.h>
 #include <rolling_contact/tables/table.h>
@@ -290,24 +291,6 @@ namespace RollingContact
   template class Table<2>;
   template class Table<3>;
 
-  void check_table(const SceneParameters &scene)
-  {
-    scene.table.check();
-    const std::string why = ": the states of a table share bodies, whose "
-                            "compliance is found once, on one mesh; ";
-    if (scene.mesh.target_error)
-      throw InputError(
-        "Mesh/Target error = " + text_of(*scene.mesh.target_error) + why +
-        "give Mesh/Elements across patch.");
-    if (scene.mesh.adaptive_levels > 0)
-      throw InputError(
-        "Mesh/Adaptive levels = " + std::to_string(scene.mesh.adaptive_levels) +
-        why + "set it to 0.");
-    if (scene.body_solver == BodySolver::distributed)
-      throw InputError("Body solver = distributed" + why +
-                       "take direct or automatic.");
-  }
-
   RunFolder::Resumption table_resumption(const Situation &scene)
   {
     return {entries_free_on_resume(*scene.inputs), "results.csv", {}, {}};
@@ -319,11 +302,10 @@ namespace RollingContact
       "table",
       "the states of a grid over any entries, or of the rows of a file, see "
       "section Table");
-    kind.sections = {"Table"};
-    kind.axes = [](const SceneParameters &scene) { return scene.table.axes(); };
+    kind.sections        = {"Table"};
     kind.has_many_states = true;
     kind.on_ranks        = false;
-    kind.check           = &check_table;
+    kind.rules           = {&check_table};
     kind.resumption      = &table_resumption;
     return kind;
   }

@@ -1,5 +1,5 @@
 #include <rolling_contact/base/files.h>
-#include <rolling_contact/run/hdf5_file.h>
+#include <rolling_contact/base/hdf5_file.h>
 #include <rolling_contact/tables/table_output.h>
 
 #include <algorithm>

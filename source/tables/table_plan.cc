@@ -17,10 +17,9 @@ namespace RollingContact
   {
     const double most_states = 1e6;
 
-    TableStates states_of_rows(const SceneParameters &scene)
+    TableStates states_of_rows(const std::filesystem::path &file)
     {
       const std::string entry = "Table/File of rows";
-      const auto        file  = scene.prm_folder / scene.table.file_of_rows;
       NamedRows         rows  = read_rows(entry, file);
       if (double(rows.rows.size()) > most_states)
         throw InputError(entry + " = " + file.string() + ": " +
@@ -155,11 +154,13 @@ namespace RollingContact
     return name;
   }
 
-  TableStates table_states(const SceneParameters &scene)
+  TableStates table_states(const TableParameters       &table,
+                           const std::filesystem::path &folder)
   {
-    scene.table.check();
-    return scene.table.file_of_rows.empty() ? states_of_axes(scene.table.axes())
-                                            : states_of_rows(scene);
+    table.check();
+    return table.file_of_rows.empty()
+             ? states_of_axes(table.axes())
+             : states_of_rows(folder / table.file_of_rows);
   }
 
   void TablePlan::set(const std::size_t state,
@@ -172,7 +173,8 @@ namespace RollingContact
   TablePlan plan_table(const Situation &scene)
   {
     TablePlan plan;
-    static_cast<TableStates &>(plan) = table_states(*scene.inputs);
+    static_cast<TableStates &>(plan) =
+      table_states(scene.inputs->table, scene.inputs->prm_folder);
     SceneEntries entries(scene);
     check_entries(plan, entries);
     for (const std::string &entry : plan.entries)

@@ -14,9 +14,11 @@ def rows_of(folder):
 
 
 def same(array, texts):
-    """Whether an array holds these numbers, NaN for empty texts."""
+    """Whether an array holds these numbers with all digits, of which the texts
+    have nine; NaN for empty texts."""
     wanted = np.array([float(text) if text else np.nan for text in texts])
-    return np.array_equal(np.asarray(array).reshape(-1), wanted, equal_nan=True)
+    return np.allclose(np.asarray(array).reshape(-1), wanted, rtol=5e-9, atol=0,
+                       equal_nan=True)
 
 
 def check_grid(folder):

@@ -199,20 +199,26 @@ namespace
         "Depth that is worn over the work of friction on an area.";
     }
 
-    double rate = 0.;
+    void check() const
+    {
+      if (rate == 0.)
+        throw InputError("Wear/Rate = 0: nothing wears.");
+    }
+
+    double rate = 1.;
   };
 
   AnalysisTraits wear()
   {
     AnalysisTraits traits;
-    traits.name        = "wear";
-    traits.help        = "how surfaces wear";
-    traits.sections    = {"Wear"};
-    traits.add_section = &add_section<WearParameters>;
-    traits.check       = [](const SceneParameters &scene) {
-      if (scene.own<WearParameters>().rate == 0.)
-        throw InputError("Wear/Rate = 0: nothing wears.");
-    };
+    traits.name     = "wear";
+    traits.help     = "how surfaces wear";
+    traits.sections = {"Wear"};
+    traits.own_section.emplace(WearParameters());
+    traits.rules = {[](const SceneParameters &scene) {
+      if (scene.wheel.rigid)
+        throw InputError("Wheel/Rigid = true: nothing wears.");
+    }};
     return traits;
   }
 } // namespace
@@ -222,7 +228,8 @@ namespace
 BOOST_AUTO_TEST_CASE(an_analysis_brings_its_section)
 {
   SceneParameters scene;
-  const Entries   entries = scene.declare({AnalysisTraits(), wear()});
+  scene.contact.normal_load = 1e4;
+  const Entries entries     = scene.declare({AnalysisTraits(), wear()});
   entries.find("Wear/Rate").read("2");
   BOOST_TEST(scene.own<WearParameters>().rate == 2.);
   const auto unused = unused_entries(scene, {{"Wear/Rate", "2"}});
@@ -235,9 +242,14 @@ BOOST_AUTO_TEST_CASE(an_analysis_brings_its_section)
   copy.set("Wear/Rate", "0");
   BOOST_TEST(copy.unit("Wear/Rate") == "m^2/N");
   BOOST_TEST(scene.own<WearParameters>().rate == 2.);
-  BOOST_TEST(complaint([&]() { scene.analysis.check(scene); }) == "");
-  scene.own<WearParameters>().rate = 0.;
-  BOOST_TEST(complaint([&]() { scene.analysis.check(scene); }) ==
+  BOOST_TEST(complaint([&]() { scene.check(); }) == "");
+  scene.wheel.rigid = true;
+  BOOST_TEST(complaint([&]() { scene.check(); }) ==
+             "Wheel/Rigid = true: nothing wears.");
+  entries.find("Analysis").read("quasi-static");
+  BOOST_TEST(complaint([&]() { scene.check(); }) == "");
+  scene.own<WearParameters>().rate = 0.; // refused wherever it stands
+  BOOST_TEST(complaint([&]() { scene.check(); }) ==
              "Wear/Rate = 0: nothing wears.");
 }
 

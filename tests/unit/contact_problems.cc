@@ -5,8 +5,8 @@
 #include "scratch_folder.h"
 
 #include <rolling_contact/base/files.h>
+#include <rolling_contact/base/hdf5_file.h>
 #include <rolling_contact/contact/contact_problem_file.h>
-#include <rolling_contact/run/hdf5_file.h>
 
 #include <cmath>
 #include <fstream>

@@ -1,8 +1,8 @@
 #include <boost/test/unit_test.hpp>
 
 #include <rolling_contact/algebra/cycle_measures.h>
-#include <rolling_contact/algebra/verdict.h>
 #include <rolling_contact/base/constants.h>
+#include <rolling_contact/time/verdict.h>
 
 #include <cmath>
 #include <functional>

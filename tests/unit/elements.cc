@@ -8,10 +8,11 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "../references/slender_bodies.h"
+
 #include <rolling_contact/algebra/factorisation.h>
 #include <rolling_contact/bodies/assembly.h>
 #include <rolling_contact/bodies/body_matrices.h>
-#include <rolling_contact/references/slender_bodies.h>
 
 #include <cmath>
 

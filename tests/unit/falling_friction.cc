@@ -450,6 +450,17 @@ BOOST_AUTO_TEST_CASE(short_steps_without_inertia_have_large_ratios)
     }
 }
 
+/** Friction that rises with the speed leaves one state, however steep it is. */
+BOOST_AUTO_TEST_CASE(friction_that_rises_has_no_ratio)
+{
+  ContactProblem problem     = half_plane_problem(upstream(0.5));
+  problem.loads.speed        = 1.;
+  problem.loads.friction_law = make_friction_law("exponential", 1.3, 1.);
+  const Solution found       = solve(problem);
+  BOOST_TEST(found.report.converged);
+  BOOST_TEST(uniqueness(problem, found.state).ratio == 0.);
+}
+
 BOOST_AUTO_TEST_CASE(steep_laws_converge_or_say_so)
 {
   unsigned int n_failed = 0;

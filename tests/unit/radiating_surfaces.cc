@@ -3,6 +3,7 @@
 #include "vibrating_pair.h"
 
 #include <rolling_contact/base/constants.h>
+#include <rolling_contact/modes/outer_surface.h>
 #include <rolling_contact/time/radiating_surface.h>
 
 #include <cmath>

@@ -2,12 +2,12 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "../references/sliding_half_space.h"
 #include "complaint.h"
 #include "stability_bodies.h"
 
 #include <rolling_contact/bodies/direct_body.h>
 #include <rolling_contact/references/falling_half_spaces.h>
-#include <rolling_contact/references/sliding_half_space.h>
 
 #include <algorithm>
 

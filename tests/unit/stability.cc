@@ -1,11 +1,10 @@
 #include <boost/test/unit_test.hpp>
 
+#include "../references/mass_on_belt.h"
+#include "../references/sliding_half_space.h"
+#include "../references/two_mass_flutter.h"
 #include "complaint.h"
 #include "stability_bodies.h"
-
-#include <rolling_contact/references/mass_on_belt.h>
-#include <rolling_contact/references/sliding_half_space.h>
-#include <rolling_contact/references/two_mass_flutter.h>
 
 #include <algorithm>
 #include <functional>

@@ -1,11 +1,11 @@
 #include <boost/test/unit_test.hpp>
 
+#include "../references/mass_on_belt.h"
 #include "reduced_run.h"
 
 #include <rolling_contact/algebra/cycle_measures.h>
-#include <rolling_contact/algebra/verdict.h>
-#include <rolling_contact/references/mass_on_belt.h>
 #include <rolling_contact/time/patch_friction.h>
+#include <rolling_contact/time/verdict.h>
 
 using namespace RollingContact;
 using namespace StabilityBodies;

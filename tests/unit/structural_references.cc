@@ -1,9 +1,10 @@
 #include <boost/test/unit_test.hpp>
 
+#include "../references/annular_plate.h"
+#include "../references/slender_bodies.h"
+#include "../references/timoshenko_rail.h"
+
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/references/annular_plate.h>
-#include <rolling_contact/references/slender_bodies.h>
-#include <rolling_contact/references/timoshenko_rail.h>
 
 #include <cmath>
 #include <complex>

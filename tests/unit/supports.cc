@@ -7,13 +7,13 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "../references/slender_bodies.h"
 #include "plain_stepper.h"
 #include "scene_run.h"
 
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/bodies/direct_body.h>
 #include <rolling_contact/program/analysis_table.h>
-#include <rolling_contact/references/slender_bodies.h>
 #include <rolling_contact/scene/body_parameters.h>
 #include <rolling_contact/scene/known_entries.h>
 #include <rolling_contact/scene/plausibility.h>

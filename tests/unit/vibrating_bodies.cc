@@ -1,5 +1,6 @@
 #include <boost/test/unit_test.hpp>
 
+#include "../references/slender_bodies.h"
 #include "scratch_folder.h"
 
 #include <rolling_contact/base/constants.h>
@@ -9,7 +10,6 @@
 #include <rolling_contact/modes/measuring_point.h>
 #include <rolling_contact/modes/mode_character.h>
 #include <rolling_contact/modes/rotation.h>
-#include <rolling_contact/references/slender_bodies.h>
 #include <rolling_contact/scene/body_parameters.h>
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 #ifndef rolling_contact_analyses_accuracy_study_h
 #define rolling_contact_analyses_accuracy_study_h
 
-#include <rolling_contact/analyses/analysis.h>
 #include <rolling_contact/analyses/study_summary.h>
 #include <rolling_contact/run/progress.h>
+#include <rolling_contact/scene/analysis.h>
 #include <rolling_contact/scene/situation.h>
 
 #include <cstdint>

@@ -1,8 +1,8 @@
 #ifndef rolling_contact_analyses_contact_table_h
 #define rolling_contact_analyses_contact_table_h
 
-#include <rolling_contact/analyses/analysis_kind.h>
 #include <rolling_contact/run/run_context.h>
+#include <rolling_contact/scene/analysis_kind.h>
 #include <rolling_contact/scene/situation.h>
 #include <rolling_contact/surfaces/conicity.h>
 

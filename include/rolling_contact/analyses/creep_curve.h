@@ -1,9 +1,9 @@
 #ifndef rolling_contact_analyses_creep_curve_h
 #define rolling_contact_analyses_creep_curve_h
 
-#include <rolling_contact/analyses/analysis_kind.h>
 #include <rolling_contact/analyses/creep_curve_parameters.h>
 #include <rolling_contact/analyses/creep_curve_plot.h>
+#include <rolling_contact/scene/analysis_kind.h>
 #include <rolling_contact/scene/situation.h>
 #include <rolling_contact/state/steady_state.h>
 

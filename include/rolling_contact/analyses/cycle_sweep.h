@@ -1,10 +1,10 @@
 #ifndef rolling_contact_analyses_cycle_sweep_h
 #define rolling_contact_analyses_cycle_sweep_h
 
-#include <rolling_contact/algebra/verdict.h>
 #include <rolling_contact/analyses/limit_cycle_parameters.h>
 #include <rolling_contact/run/run_context.h>
 #include <rolling_contact/time/initial_contact.h>
+#include <rolling_contact/time/verdict.h>
 
 #include <optional>
 #include <string>

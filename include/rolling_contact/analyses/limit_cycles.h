@@ -1,13 +1,13 @@
 #ifndef rolling_contact_analyses_limit_cycles_h
 #define rolling_contact_analyses_limit_cycles_h
 
-#include <rolling_contact/analyses/analysis_kind.h>
 #include <rolling_contact/analyses/cycle_sweep.h>
 #include <rolling_contact/analyses/limit_cycle_parameters.h>
-#include <rolling_contact/analyses/vibrations.h>
+#include <rolling_contact/scene/analysis_kind.h>
 #include <rolling_contact/scene/situation.h>
 #include <rolling_contact/time/contact_stepper.h>
 #include <rolling_contact/time/cycle_watch.h>
+#include <rolling_contact/vibration/vibrations.h>
 
 namespace RollingContact
 {

@@ -1,7 +1,7 @@
 #ifndef rolling_contact_analyses_modes_h
 #define rolling_contact_analyses_modes_h
 
-#include <rolling_contact/analyses/analysis_kind.h>
+#include <rolling_contact/scene/analysis_kind.h>
 #include <rolling_contact/scene/situation.h>
 #include <rolling_contact/vibration/vibrating_body.h>
 
@@ -33,11 +33,6 @@ namespace RollingContact
     const Situation &scene;
     RunContext      &context;
   };
-
-  /**
-   * Rules for analyses of each body alone. Throws InputError.
-   */
-  void check_lone_bodies(const SceneParameters &scene);
 
   AnalysisKind modes_kind();
 } // namespace RollingContact

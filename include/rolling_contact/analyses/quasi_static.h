@@ -1,7 +1,7 @@
 #ifndef rolling_contact_analyses_quasi_static_h
 #define rolling_contact_analyses_quasi_static_h
 
-#include <rolling_contact/analyses/analysis_kind.h>
+#include <rolling_contact/scene/analysis_kind.h>
 #include <rolling_contact/scene/situation.h>
 #include <rolling_contact/state/steady_state.h>
 

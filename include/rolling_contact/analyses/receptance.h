@@ -1,9 +1,9 @@
 #ifndef rolling_contact_analyses_receptance_h
 #define rolling_contact_analyses_receptance_h
 
-#include <rolling_contact/analyses/analysis_kind.h>
 #include <rolling_contact/analyses/receptance_parameters.h>
 #include <rolling_contact/modes/frequency_response.h>
+#include <rolling_contact/scene/analysis_kind.h>
 #include <rolling_contact/scene/situation.h>
 #include <rolling_contact/vibration/vibrating_body.h>
 

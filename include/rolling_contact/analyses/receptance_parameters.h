@@ -35,7 +35,10 @@ namespace RollingContact
     /**
      * Throws InputError.
      */
-    void check(const unsigned int dimension) const;
+    void check() const;
+
+    /** Rules in 2D. Throws InputError. */
+    void check_in_2d() const;
 
     /**
      * The contact point and the places named in `Points` on a body.

@@ -1,8 +1,8 @@
 #ifndef rolling_contact_analyses_stability_h
 #define rolling_contact_analyses_stability_h
 
-#include <rolling_contact/analyses/analysis_kind.h>
 #include <rolling_contact/run/run_context.h>
+#include <rolling_contact/scene/analysis_kind.h>
 #include <rolling_contact/scene/situation.h>
 #include <rolling_contact/state/steady_state.h>
 
@@ -31,11 +31,6 @@ namespace RollingContact
     const Situation &scene;
     RunContext      &context;
   };
-
-  /**
-   * Rules for analyses of vibrations about a rolling state. Throws InputError.
-   */
-  void check_linearised_state(const SceneParameters &scene);
 
   AnalysisKind stability_kind();
 } // namespace RollingContact

@@ -1,8 +1,8 @@
 #ifndef rolling_contact_analyses_stability_report_h
 #define rolling_contact_analyses_stability_report_h
 
-#include <rolling_contact/analyses/vibrations.h>
 #include <rolling_contact/scene/situation.h>
+#include <rolling_contact/vibration/vibrations.h>
 
 #include <string>
 #include <vector>

@@ -2,7 +2,7 @@
 #define rolling_contact_analyses_study_errors_h
 
 #include <rolling_contact/analyses/study_state.h>
-#include <rolling_contact/references/kalker.h>
+#include <rolling_contact/base/creepages.h>
 #include <rolling_contact/scene/study_parameters.h>
 
 #include <map>

@@ -1,7 +1,7 @@
 #ifndef rolling_contact_analyses_study_kind_h
 #define rolling_contact_analyses_study_kind_h
 
-#include <rolling_contact/analyses/analysis_kind.h>
+#include <rolling_contact/scene/analysis_kind.h>
 
 namespace RollingContact
 {

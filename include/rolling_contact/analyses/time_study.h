@@ -1,10 +1,10 @@
 #ifndef rolling_contact_analyses_time_study_h
 #define rolling_contact_analyses_time_study_h
 
-#include <rolling_contact/analyses/analysis.h>
 #include <rolling_contact/analyses/error_cost.h>
 #include <rolling_contact/analyses/force_history.h>
 #include <rolling_contact/analyses/study_state.h>
+#include <rolling_contact/scene/analysis.h>
 #include <rolling_contact/scene/situation.h>
 
 #include <string>

@@ -1,9 +1,9 @@
 #ifndef rolling_contact_analyses_transient_h
 #define rolling_contact_analyses_transient_h
 
-#include <rolling_contact/analyses/analysis_kind.h>
 #include <rolling_contact/results/ill_posed_friction.h>
 #include <rolling_contact/results/uniqueness_warning.h>
+#include <rolling_contact/scene/analysis_kind.h>
 #include <rolling_contact/scene/situation.h>
 #include <rolling_contact/time/transient_output.h>
 

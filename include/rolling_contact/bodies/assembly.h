@@ -4,8 +4,8 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_tools.h>
 
-#include <rolling_contact/bodies/body_model.h>
 #include <rolling_contact/bodies/cell_matrices.h>
+#include <rolling_contact/mesh/body_model.h>
 
 #include <vector>
 

@@ -6,10 +6,11 @@
 
 #include <rolling_contact/algebra/skew_sparse_matrix.h>
 #include <rolling_contact/algebra/symmetric_sparse_matrix.h>
-#include <rolling_contact/bodies/material.h>
 #include <rolling_contact/bodies/supports.h>
 #include <rolling_contact/bodies/theta_scheme.h>
+#include <rolling_contact/mesh/body_model.h>
 #include <rolling_contact/mesh/body_shape.h>
+#include <rolling_contact/mesh/material.h>
 
 #include <vector>
 

@@ -5,7 +5,7 @@
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
 
-#include <rolling_contact/bodies/material.h>
+#include <rolling_contact/mesh/material.h>
 
 namespace RollingContact
 {

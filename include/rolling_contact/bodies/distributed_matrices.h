@@ -6,8 +6,8 @@
 #include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
-#include <rolling_contact/bodies/body_model.h>
-#include <rolling_contact/bodies/material.h>
+#include <rolling_contact/mesh/body_model.h>
+#include <rolling_contact/mesh/material.h>
 
 #include <vector>
 

@@ -9,9 +9,9 @@
 #include <rolling_contact/algebra/sparse_rows.h>
 #include <rolling_contact/bodies/body_dynamics.h>
 #include <rolling_contact/bodies/body_matrices.h>
-#include <rolling_contact/bodies/material.h>
 #include <rolling_contact/bodies/supports.h>
 #include <rolling_contact/mesh/body_mesh.h>
+#include <rolling_contact/mesh/material.h>
 
 #include <functional>
 #include <memory>

@@ -1,8 +1,8 @@
 #ifndef rolling_contact_bodies_make_body_h
 #define rolling_contact_bodies_make_body_h
 
-#include <rolling_contact/bodies/body_solver.h>
 #include <rolling_contact/bodies/elastic_body.h>
+#include <rolling_contact/mesh/body_model.h>
 
 namespace RollingContact
 {

@@ -6,7 +6,7 @@
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/sparse_matrix.h>
 
-#include <rolling_contact/bodies/body_model.h>
+#include <rolling_contact/mesh/body_model.h>
 #include <rolling_contact/mesh/shape_parameters.h>
 
 #include <utility>

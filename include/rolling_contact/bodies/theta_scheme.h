@@ -4,15 +4,6 @@
 namespace RollingContact
 {
   /**
-   * The mass matrix of a body in time.
-   */
-  enum class MassKind
-  {
-    lumped,
-    consistent
-  };
-
-  /**
    * The theta-scheme of Moreau and Jean with Rayleigh damping,
    * C = mass_damping M + stiffness_damping K: from v0, u0 a step h leads to
    * u1 = u0 + h v_th, v_th = theta v1 + (1 - theta) v0. Units: 1, 1/s, s.

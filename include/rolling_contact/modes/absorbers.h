@@ -2,7 +2,7 @@
 #define rolling_contact_modes_absorbers_h
 
 #include <rolling_contact/algebra/dense_matrix.h>
-#include <rolling_contact/bodies/absorber_ring.h>
+#include <rolling_contact/mesh/absorber_ring.h>
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 #ifndef rolling_contact_program_analysis_table_h
 #define rolling_contact_program_analysis_table_h
 
-#include <rolling_contact/analyses/analysis_kind.h>
+#include <rolling_contact/scene/analysis_kind.h>
 
 #include <string>
 #include <vector>

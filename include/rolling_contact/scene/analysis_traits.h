@@ -1,9 +1,11 @@
 #ifndef rolling_contact_scene_analysis_traits_h
 #define rolling_contact_scene_analysis_traits_h
 
+#include <rolling_contact/scene/own_section.h>
 #include <rolling_contact/scene/table_parameters.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,12 +24,11 @@ namespace RollingContact
     /** Sections that this analysis reads and some others do not. */
     std::vector<std::string> sections = {};
 
-    /** Adds the section that no other analysis reads to a scene; null if there
-     * is none. */
-    void (*add_section)(SceneParameters &scene) = nullptr;
+    /** The section that no other analysis reads, with its defaults. */
+    std::optional<OwnSection> own_section = {};
 
-    /** Entries of other sections that take values which this analysis gives
-     * them; null if there are none. */
+    /** Entries of other sections that take values which the own section gives
+     * them; null if there are none. Those of section Table are known. */
     std::vector<TableAxis> (*axes)(const SceneParameters &scene) = nullptr;
 
     /** Creepages that the section of this analysis gives in place of section
@@ -35,9 +36,9 @@ namespace RollingContact
     std::vector<TableAxis> (*own_creepages)(const SceneParameters &scene) =
       nullptr;
 
-    /** Throws InputError if a rule that holds for this analysis alone is
-     * broken; null if there is no such rule. */
-    void (*check)(const SceneParameters &scene) = nullptr;
+    /** Rules beyond those of all analyses: each throws InputError if it is
+     * broken. */
+    std::vector<void (*)(const SceneParameters &scene)> rules = {};
 
     /** The bodies have finite elements; otherwise they are rigid profiles. */
     bool has_bodies = true;

@@ -1,10 +1,10 @@
 #ifndef rolling_contact_scene_body_parameters_h
 #define rolling_contact_scene_body_parameters_h
 
-#include <rolling_contact/bodies/absorber_ring.h>
-#include <rolling_contact/bodies/body_model.h>
-#include <rolling_contact/bodies/material.h>
+#include <rolling_contact/mesh/absorber_ring.h>
+#include <rolling_contact/mesh/body_model.h>
 #include <rolling_contact/mesh/body_shape.h>
+#include <rolling_contact/mesh/material.h>
 
 #include <filesystem>
 #include <string>

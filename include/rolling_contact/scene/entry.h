@@ -17,6 +17,24 @@ namespace RollingContact
   using SceneCondition = std::function<bool(const SceneParameters &)>;
 
   /**
+   * The only part of this type that a scene has: the traits of its analysis, or
+   * a section other than those of wheel and rail.
+   */
+  template <class Part>
+  const Part &part_of(const SceneParameters &scene);
+
+  /**
+   * A condition on some parts of a scene.
+   */
+  template <class... Parts, class Condition>
+  SceneCondition asks(const Condition &condition)
+  {
+    return [condition](const SceneParameters &scene) {
+      return condition(part_of<Parts>(scene)...);
+    };
+  }
+
+  /**
    * Who reads an entry: the scenes in which it has an effect, and a clause that
    * says why it has none in the others.
    */
@@ -54,6 +72,13 @@ namespace RollingContact
      * The section is read by the analyses that say so, which @p names lists.
      */
     EntrySection &read_by_analyses(const std::string &names);
+
+    /**
+     * The section is read by the analyses that say so, and by transient runs
+     * whose bodies are reduced to their modes; otherwise @p otherwise says why
+     * it has no effect.
+     */
+    EntrySection &read_with_reduced_bodies(const std::string &otherwise);
 
     /**
      * Why no entry of the section has an effect in a scene, a clause; empty if
@@ -179,6 +204,11 @@ namespace RollingContact
    * An entry across the rolling direction.
    */
   Reader scenes_in_3d();
+
+  /**
+   * Runs that end with spectra, see SceneParameters::wants_spectra().
+   */
+  Reader scenes_with_spectra();
 
   /**
    * Analyses with a contact of meshed bodies.

@@ -10,7 +10,8 @@ namespace RollingContact
 
   /**
    * The entries of a section that one analysis alone reads: a value of any type
-   * that has declare(Entries &).
+   * that has declare(Entries &) and check(), which throws InputError if they
+   * break a rule of their own.
    */
   class OwnSection
   {
@@ -21,11 +22,19 @@ namespace RollingContact
       , declare_value([](std::any &value, Entries &entries) {
         std::any_cast<Section &>(value).declare(entries);
       })
+      , check_value([](const std::any &value) {
+        std::any_cast<const Section &>(value).check();
+      })
     {}
 
     void declare(Entries &entries)
     {
       declare_value(value, entries);
+    }
+
+    void check() const
+    {
+      check_value(value);
     }
 
     template <class Section>
@@ -52,6 +61,7 @@ namespace RollingContact
   private:
     std::any value;
     void (*declare_value)(std::any &, Entries &);
+    void (*check_value)(const std::any &);
   };
 } // namespace RollingContact
 

@@ -2,7 +2,7 @@
 #define rolling_contact_scene_pair_spec_h
 
 #include <rolling_contact/base/side.h>
-#include <rolling_contact/bodies/body_solver.h>
+#include <rolling_contact/mesh/body_model.h>
 #include <rolling_contact/scene/body_parameters.h>
 #include <rolling_contact/scene/contact_parameters.h>
 #include <rolling_contact/scene/mesh_parameters.h>

@@ -2,7 +2,7 @@
 #define rolling_contact_scene_scene_parameters_h
 
 #include <rolling_contact/base/side.h>
-#include <rolling_contact/bodies/body_solver.h>
+#include <rolling_contact/mesh/body_model.h>
 #include <rolling_contact/scene/analysis_traits.h>
 #include <rolling_contact/scene/body_parameters.h>
 #include <rolling_contact/scene/contact_parameters.h>
@@ -125,6 +125,11 @@ namespace RollingContact
     }
 
     /**
+     * Entries that take values which the analysis gives them.
+     */
+    std::vector<TableAxis> axes() const;
+
+    /**
      * Points of a body whose velocities a run records: those of an elastic body
      * of a transient run with inertia.
      */
@@ -162,6 +167,9 @@ namespace RollingContact
 
   private:
     std::list<OwnSection> own_sections;
+
+    /** Rules of the analysis alone. */
+    void check_rules() const;
 
     /**
      * Rules for bodies in contact that hold in all analyses.

@@ -1,8 +1,8 @@
 #ifndef rolling_contact_scene_time_parameters_h
 #define rolling_contact_scene_time_parameters_h
 
-#include <rolling_contact/bodies/theta_scheme.h>
 #include <rolling_contact/input/prm_entries.h>
+#include <rolling_contact/mesh/body_model.h>
 #include <rolling_contact/scene/contact_parameters.h>
 #include <rolling_contact/scene/time_function.h>
 

@@ -1,10 +1,10 @@
 #ifndef rolling_contact_tables_stability_map_h
 #define rolling_contact_tables_stability_map_h
 
-#include <rolling_contact/analyses/vibrations.h>
 #include <rolling_contact/scene/situation.h>
 #include <rolling_contact/tables/bodies_of_places.h>
 #include <rolling_contact/tables/table.h>
+#include <rolling_contact/vibration/vibrations.h>
 
 #include <memory>
 #include <optional>

@@ -1,8 +1,8 @@
 #ifndef rolling_contact_tables_table_h
 #define rolling_contact_tables_table_h
 
-#include <rolling_contact/analyses/analysis_kind.h>
 #include <rolling_contact/run/run_context.h>
+#include <rolling_contact/scene/analysis_kind.h>
 #include <rolling_contact/scene/situation.h>
 #include <rolling_contact/state/state_finder.h>
 #include <rolling_contact/tables/load_bands.h>
@@ -134,11 +134,6 @@ namespace RollingContact
     unsigned int       n_bodies = 0;  ///< sets of them that were built
     double             seconds  = 0.; ///< of solving states
   };
-
-  /**
-   * Rules for analyses of many states. Throws InputError.
-   */
-  void check_table(const SceneParameters &scene);
 
   /**
    * What --resume goes on with.

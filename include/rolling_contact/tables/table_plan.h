@@ -4,6 +4,7 @@
 #include <rolling_contact/scene/scene_entries.h>
 #include <rolling_contact/scene/situation.h>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -26,10 +27,11 @@ namespace RollingContact
   };
 
   /**
-   * Throws InputError if section Table says something impossible, or more than
-   * a million states.
+   * @p folder: where a file of rows is. Throws InputError if section Table says
+   * something impossible, or more than a million states.
    */
-  TableStates table_states(const SceneParameters &scene);
+  TableStates table_states(const TableParameters       &table,
+                           const std::filesystem::path &folder);
 
   /**
    * States that share bodies but for the size of their patch, in the order in

@@ -1,9 +1,9 @@
 #ifndef rolling_contact_time_cycle_watch_h
 #define rolling_contact_time_cycle_watch_h
 
-#include <rolling_contact/algebra/verdict.h>
 #include <rolling_contact/run/history_table.h>
 #include <rolling_contact/scene/situation.h>
+#include <rolling_contact/time/verdict.h>
 
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
-#ifndef rolling_contact_analyses_analysis_h
-#define rolling_contact_analyses_analysis_h
+#ifndef rolling_contact_scene_analysis_h
+#define rolling_contact_scene_analysis_h
 
 namespace RollingContact
 {

@@ -1,6 +1,6 @@
-#include <rolling_contact/analyses/vibrations.h>
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/base/interrupt.h>
+#include <rolling_contact/vibration/vibrations.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
+#include "two_mass_flutter.h"
+
 #include <rolling_contact/references/checks.h>
-#include <rolling_contact/references/two_mass_flutter.h>
 
 namespace RollingContact::References
 {

@@ -1,5 +1,5 @@
-#ifndef rolling_contact_references_slender_bodies_h
-#define rolling_contact_references_slender_bodies_h
+#ifndef rolling_contact_tests_references_slender_bodies_h
+#define rolling_contact_tests_references_slender_bodies_h
 
 namespace RollingContact::References
 {

@@ -1,5 +1,5 @@
-#ifndef rolling_contact_algebra_verdict_h
-#define rolling_contact_algebra_verdict_h
+#ifndef rolling_contact_time_verdict_h
+#define rolling_contact_time_verdict_h
 
 #include <rolling_contact/algebra/amplitude_trend.h>
 #include <rolling_contact/algebra/period.h>

@@ -1,9 +1,9 @@
-#ifndef rolling_contact_analyses_analysis_kind_h
-#define rolling_contact_analyses_analysis_kind_h
+#ifndef rolling_contact_scene_analysis_kind_h
+#define rolling_contact_scene_analysis_kind_h
 
-#include <rolling_contact/analyses/analysis.h>
 #include <rolling_contact/run/run_folder.h>
-#include <rolling_contact/scene/scene_parameters.h>
+#include <rolling_contact/scene/analysis.h>
+#include <rolling_contact/scene/analysis_traits.h>
 
 #include <functional>
 #include <memory>
@@ -33,16 +33,6 @@ namespace RollingContact
                                           RunContext      &context)
   {
     return std::make_unique<Kind<dim>>(scene, context);
-  }
-
-  /**
-   * Adds a section that this analysis alone reads to a scene, with its
-   * defaults: any type that has declare(Entries &).
-   */
-  template <class Section>
-  void add_section(SceneParameters &scene)
-  {
-    scene.own<Section>();
   }
 
   /**

@@ -1,5 +1,5 @@
-#include <rolling_contact/algebra/verdict.h>
 #include <rolling_contact/base/text.h>
+#include <rolling_contact/time/verdict.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
+#include "mass_on_belt.h"
+
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/references/checks.h>
-#include <rolling_contact/references/mass_on_belt.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
+#include "timoshenko_rail.h"
+
 #include <rolling_contact/references/checks.h>
-#include <rolling_contact/references/timoshenko_rail.h>
 
 #include <cmath>
 

@@ -1,5 +1,6 @@
+#include "sliding_half_space.h"
+
 #include <rolling_contact/references/checks.h>
-#include <rolling_contact/references/sliding_half_space.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
-#ifndef rolling_contact_run_hdf5_reader_h
-#define rolling_contact_run_hdf5_reader_h
+#ifndef rolling_contact_base_hdf5_reader_h
+#define rolling_contact_base_hdf5_reader_h
 
 #include <cstdint>
 #include <filesystem>

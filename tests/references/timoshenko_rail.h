@@ -1,5 +1,5 @@
-#ifndef rolling_contact_references_timoshenko_rail_h
-#define rolling_contact_references_timoshenko_rail_h
+#ifndef rolling_contact_tests_references_timoshenko_rail_h
+#define rolling_contact_tests_references_timoshenko_rail_h
 
 #include <complex>
 

@@ -1,5 +1,5 @@
-#ifndef rolling_contact_bodies_body_model_h
-#define rolling_contact_bodies_body_model_h
+#ifndef rolling_contact_mesh_body_model_h
+#define rolling_contact_mesh_body_model_h
 
 #include <array>
 #include <tuple>
@@ -17,6 +17,31 @@ namespace RollingContact
   {
     b_bar,
     enhanced
+  };
+
+  /**
+   * How the displacements of a body are found.
+   */
+  enum class BodySolver
+  {
+    automatic,
+    direct,
+    distributed
+  };
+
+  /**
+   * The largest Poisson ratio of a distributed body: conjugate gradients with
+   * multigrid fail on nearly incompressible ones.
+   */
+  constexpr double distributed_poisson_limit = 0.49;
+
+  /**
+   * The mass matrix of a body in time.
+   */
+  enum class MassKind
+  {
+    lumped,
+    consistent
   };
 
   /**

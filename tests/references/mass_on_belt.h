@@ -1,5 +1,5 @@
-#ifndef rolling_contact_references_mass_on_belt_h
-#define rolling_contact_references_mass_on_belt_h
+#ifndef rolling_contact_tests_references_mass_on_belt_h
+#define rolling_contact_tests_references_mass_on_belt_h
 
 namespace RollingContact::References
 {

@@ -1,7 +1,8 @@
+#include "slender_bodies.h"
+
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/references/bracketed_root.h>
 #include <rolling_contact/references/checks.h>
-#include <rolling_contact/references/slender_bodies.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
-#ifndef rolling_contact_bodies_absorber_ring_h
-#define rolling_contact_bodies_absorber_ring_h
+#ifndef rolling_contact_mesh_absorber_ring_h
+#define rolling_contact_mesh_absorber_ring_h
 
 namespace RollingContact
 {

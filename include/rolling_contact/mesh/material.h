@@ -1,5 +1,5 @@
-#ifndef rolling_contact_bodies_material_h
-#define rolling_contact_bodies_material_h
+#ifndef rolling_contact_mesh_material_h
+#define rolling_contact_mesh_material_h
 
 namespace RollingContact
 {

@@ -2,7 +2,7 @@
 #include <hdf5_hl.h>
 
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/run/hdf5_file.h>
+#include <rolling_contact/base/hdf5_file.h>
 
 #include <type_traits>
 

@@ -1,5 +1,5 @@
-#ifndef rolling_contact_references_sliding_half_space_h
-#define rolling_contact_references_sliding_half_space_h
+#ifndef rolling_contact_tests_references_sliding_half_space_h
+#define rolling_contact_tests_references_sliding_half_space_h
 
 #include <complex>
 #include <vector>

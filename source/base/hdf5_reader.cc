@@ -1,7 +1,7 @@
 #include <hdf5.h>
 
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/run/hdf5_reader.h>
+#include <rolling_contact/base/hdf5_reader.h>
 
 #include <memory>
 

@@ -1,5 +1,5 @@
-#ifndef rolling_contact_references_annular_plate_h
-#define rolling_contact_references_annular_plate_h
+#ifndef rolling_contact_tests_references_annular_plate_h
+#define rolling_contact_tests_references_annular_plate_h
 
 #include <vector>
 

@@ -1,8 +1,9 @@
+#include "annular_plate.h"
+
 #include <boost/math/special_functions/bessel.hpp>
 #include <boost/math/special_functions/bessel_prime.hpp>
 
 #include <rolling_contact/base/constants.h>
-#include <rolling_contact/references/annular_plate.h>
 #include <rolling_contact/references/bracketed_root.h>
 #include <rolling_contact/references/checks.h>
 

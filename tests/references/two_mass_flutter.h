@@ -1,5 +1,5 @@
-#ifndef rolling_contact_references_two_mass_flutter_h
-#define rolling_contact_references_two_mass_flutter_h
+#ifndef rolling_contact_tests_references_two_mass_flutter_h
+#define rolling_contact_tests_references_two_mass_flutter_h
 
 #include <complex>
 

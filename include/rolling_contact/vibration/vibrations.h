@@ -1,11 +1,10 @@
-#ifndef rolling_contact_analyses_vibrations_h
-#define rolling_contact_analyses_vibrations_h
+#ifndef rolling_contact_vibration_vibrations_h
+#define rolling_contact_vibration_vibrations_h
 
 #include <rolling_contact/scene/situation.h>
 #include <rolling_contact/stability/correction.h>
 #include <rolling_contact/stability/linear_contact.h>
 #include <rolling_contact/stability/pencil.h>
-#include <rolling_contact/state/steady_state.h>
 #include <rolling_contact/vibration/rolling_modes.h>
 
 #include <optional>

@@ -1,0 +1,39 @@
+#ifndef rolling_contact_scene_shared_rules_h
+#define rolling_contact_scene_shared_rules_h
+
+#include <rolling_contact/scene/scene_parameters.h>
+
+#include <string>
+
+namespace RollingContact
+{
+  /**
+   * Throws InputError, with @p why in front, unless the steady state of a scene
+   * is one that is linearised: without surfaces that pass, on one plane.
+   */
+  void check_disturbed_state(const SceneParameters &scene,
+                             const std::string     &why);
+
+  /**
+   * Rules for analyses that linearise a steady rolling state. Throws
+   * InputError.
+   */
+  void check_linearised_state(const SceneParameters &scene);
+
+  /**
+   * Rules for analyses of each body alone. Throws InputError.
+   */
+  void check_lone_bodies(const SceneParameters &scene);
+
+  /**
+   * Rules for analyses of rigid profiles. Throws InputError.
+   */
+  void check_rigid_profiles(const SceneParameters &scene);
+
+  /**
+   * Rules for analyses of many states. Throws InputError.
+   */
+  void check_table(const SceneParameters &scene);
+} // namespace RollingContact
+
+#endif
