@@ -13,7 +13,7 @@ namespace RollingContact::Profiles
 
     /// all in mm; slopes are those of the drawing
     const double underside_slope = 1 / 2.75, toe_slope = 1. / 14,
-                 side_slope     = 1. / 20;
+                 head_slope     = 1. / 20;
     const double head_underside = 121., foot_top = 31.5, toe_top = 11.5,
                  half_foot = 75., half_web = 8.25;
     const double web_radius = 120., fillet_radius = 35., inner_radius = 7.,
@@ -84,7 +84,7 @@ namespace RollingContact::Profiles
     {
       Head         head;
       const double a1 = std::asin(first_joint / 300),
-                   a3 = M_PI / 2 - std::atan(side_slope);
+                   a3 = M_PI / 2 - std::atan(head_slope);
       const Point c1{{0., rail_60e1_height / mm - 300}},
         c2            = plus(c1, 220., {{std::sin(a1), std::cos(a1)}});
       const double a2 = std::asin((second_joint - c2[0]) / 80);
@@ -95,7 +95,7 @@ namespace RollingContact::Profiles
 
       const double slope = std::atan(underside_slope);
       const Point  into_side{
-        {-std::cos(std::atan(side_slope)), -std::sin(std::atan(side_slope))}},
+        {-std::cos(std::atan(head_slope)), -std::sin(std::atan(head_slope))}},
         into_underside{{-std::sin(slope), std::cos(slope)}};
       const Point centre = centre_between(into_side,
                                           head.points.back(),

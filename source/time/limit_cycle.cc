@@ -17,13 +17,13 @@ namespace RollingContact
       std::string column, name, unit;
     };
 
-    const std::vector<Quantity> velocities{
+    const std::vector<Quantity> recorded_velocities{
       {"velocity_x_m/s", "velocity_x", "m/s"},
       {"velocity_y_m/s", "velocity_y", "m/s"},
       {"velocity_z_m/s", "velocity_z", "m/s"}},
-      forces{{"normal_force_N", "normal_force", "N"},
-             {"force_x_N", "force_x", "N"},
-             {"force_y_N", "force_y", "N"}};
+      recorded_forces{{"normal_force_N", "normal_force", "N"},
+                      {"force_x_N", "force_x", "N"},
+                      {"force_y_N", "force_y", "N"}};
   } // namespace
 
   LimitCycle::LimitCycle(CycleWatch                                &watch,
@@ -88,14 +88,14 @@ namespace RollingContact
       const bool known = whole && has(quantity.column);
       row.set_if(known, name, known ? value(column(quantity.column)) : 0.);
     };
-    for (const Quantity &velocity : velocities)
+    for (const Quantity &velocity : recorded_velocities)
       {
         add(velocity, "amplitude", [&](const Values &x) {
           return (whole->most(x) - whole->least(x)) / 2;
         });
         add(velocity, "rms", [&](const Values &x) { return whole->rms(x); });
       }
-    for (const Quantity &force : forces)
+    for (const Quantity &force : recorded_forces)
       {
         add(force, "least", [&](const Values &x) { return whole->least(x); });
         add(force, "most", [&](const Values &x) { return whole->most(x); });
@@ -172,7 +172,7 @@ namespace RollingContact
     std::vector<Values> amplitudes;
     Values              means;
     std::size_t         n = n_harmonics;
-    for (const auto *quantities : {&velocities, &forces})
+    for (const auto *quantities : {&recorded_velocities, &recorded_forces})
       for (const Quantity &quantity : *quantities)
         {
           const Values &values = column(quantity.column);
@@ -187,7 +187,7 @@ namespace RollingContact
         table.set("harmonic", k);
         table.set("frequency_Hz", k * verdict.frequency());
         std::size_t i = 0;
-        for (const auto *quantities : {&velocities, &forces})
+        for (const auto *quantities : {&recorded_velocities, &recorded_forces})
           for (const Quantity &quantity : *quantities)
             {
               const std::string full = quantity.name + "_" + quantity.unit;

@@ -118,6 +118,24 @@ class States(Case):
         self.assertTrue(refused and "another thread" in refused[0])
         self.assertTrue(states[0].converged)
 
+    def test_two_sessions_in_two_threads(self):
+        """Each has the numbers that it has alone, bodies and roughness made at once."""
+        rough = {"Contact/Roughness": "1e-7*cos(x/1e-3)"}
+        scenes = [(PATCH_3D, rough), (PATCH_3D, {"Wheel/Young modulus": 200e9, **rough})]
+        alone = [rc.Session(*scene).solve().force for scene in scenes]
+        together = [None, None]
+
+        def solve(k):
+            together[k] = rc.Session(*scenes[k]).solve().force
+
+        threads = [threading.Thread(target=solve, args=(k,)) for k in range(2)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(together, alone)
+        self.assertNotEqual(alone[0], alone[1])
+
 
 class FieldsOfStates(Case):
     def test_integrate_to_the_forces(self):
