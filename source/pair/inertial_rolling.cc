@@ -111,8 +111,7 @@ namespace RollingContact
           return pair.forces_on_body(side, nodal_forces(problem, state));
         };
         if (bodies.wheel && pair.bodies().twins())
-          bodies.wheel->end_twin_steps(forces(Side::wheel),
-                                       forces(Side::rail));
+          bodies.wheel->end_twin_steps(forces(Side::wheel), forces(Side::rail));
         else
           for_each([&](BodyDynamics &body, const Side side) {
             body.end_step(forces(side));

@@ -1,6 +1,5 @@
-#include <deal.II/base/exceptions.h>
-
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/text.h>
 #include <rolling_contact/mesh/file_body_mesh.h>
 #include <rolling_contact/pair/interface_mesh.h>
 #include <rolling_contact/pair/pair_interface.h>
@@ -35,8 +34,8 @@ namespace RollingContact
     }
 
     /**
-     * Throws unless they do: InputError for true sections, whose cells are not
-     * alike at the ends of their running surfaces.
+     * Throws InputError unless they do: the cells of bodies are not alike near
+     * the end of a running surface, and near the side of the narrower body.
      */
     void check_matching_nodes(const PairSpec &scene,
                               const Trace    &wheel,
@@ -50,9 +49,14 @@ namespace RollingContact
           "Profiles/Body sections = true: the contact zone reaches where the "
           "elements of wheel and rail are not alike, at the end of a running "
           "surface: check load and shift, or take Body sections = plain.");
-      AssertThrow(false,
-                  ExcMessage("The surface nodes of wheel and rail do not "
-                             "match."));
+      throw InputError(
+        "The contact zone reaches where the elements of wheel and rail are not "
+        "alike: Wheel/Width = " +
+        significant(scene.wheel.width, 6) +
+        " m, Rail/Width = " + significant(scene.rail.width, 6) +
+        " m, and the narrower body ends near the patch. Give both the same "
+        "Width, take more elements (Mesh/Elements across patch) or a smaller "
+        "Mesh/Growth, or check radii and load.");
     }
 
     /**

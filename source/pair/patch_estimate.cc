@@ -172,6 +172,11 @@ namespace RollingContact
                                                   constants.relative_radius,
                                                   constants.contact_modulus);
     };
+    // of a thin layer that keeps its volume, where what is known of the bodies
+    // falls off (Johnson 1985, 5.8)
+    const auto least_approach = [&](const double half_width) {
+      return half_width * half_width / (6 * constants.relative_radius);
+    };
     PatchEstimate estimate;
     if (load)
       {
@@ -185,8 +190,9 @@ namespace RollingContact
     else
       estimate.half_width_x = References::half_width_of_approach(
         [&](const double half_width) {
-          return compression(scene.wheel, hertz(half_width)) +
-                 compression(scene.rail, hertz(half_width));
+          return std::max(compression(scene.wheel, hertz(half_width)) +
+                            compression(scene.rail, hertz(half_width)),
+                          least_approach(half_width));
         },
         largest_half_width(scene, constants.relative_radius),
         *scene.contact.approach);

@@ -3,6 +3,7 @@
 #include <rolling_contact/references/checks.h>
 #include <rolling_contact/references/line_contact_approach.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -81,12 +82,16 @@ namespace RollingContact::References
                 << " m";
         reject("Approach", approach, "m", allowed.str());
       }
+    // from below, as the first half-width is meant where there are several
+    const double step = 1.25;
+    double lower = largest_half_width * std::min(1e-8, approach / largest / 2);
+    while (approach_of_half_width(std::min(step * lower, largest_half_width)) <
+           approach)
+      lower *= step;
     const auto residual = [&](const double log_half_width) {
-      return std::log(approach_of_half_width(std::exp(log_half_width)) /
-                      approach);
+      return approach_of_half_width(std::exp(log_half_width)) / approach - 1;
     };
-    const double upper = std::log(largest_half_width);
-    const double lower = upper + std::log(approach / largest / 2);
-    return std::exp(bracketed_root(residual, lower, upper));
+    const double upper = std::min(step * lower, largest_half_width);
+    return std::exp(bracketed_root(residual, std::log(lower), std::log(upper)));
   }
 } // namespace RollingContact::References

@@ -105,7 +105,12 @@ namespace RollingContact
                                steady.problem.loads.creepages.x,
                                scene.contact.flow());
     const auto wheel = annulus(scene.wheel), rail = annulus(scene.rail);
-    if (wheel && rail && scene.contact.approach)
+    // its pressure is that of Hertz, which thinner rims do not have
+    const auto is_thick = [&](const std::optional<References::Annulus> &body) {
+      return body &&
+             body->rim_radius - body->hub_radius > steady.result.half_width_x;
+    };
+    if (is_thick(wheel) && is_thick(rail) && scene.contact.approach)
       reference.normal_force =
         References::load_of_two_clamped_annuli(*wheel,
                                                *rail,

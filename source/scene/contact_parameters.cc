@@ -118,12 +118,20 @@ namespace RollingContact
 
   void ContactParameters::declare_rolling(Entries &entries)
   {
-    entries.add("Creepage x", creepages.x, "1").read_by(read_creepages).help =
+    entries.add("Creepage x", creepages.x, "1")
+      .or_empty()
+      .read_by(read_creepages)
+      .help =
       "Longitudinal creepage, sliding speed of the wheel over the rail in x "
       "over the magnitude of the rolling speed.";
-    entries.add("Creepage y", creepages.y, "1").read_by(read_creepages).help =
-      "Lateral creepage, 3D only.";
-    entries.add("Spin", creepages.spin, "1/m").read_by(read_creepages).help =
+    entries.add("Creepage y", creepages.y, "1")
+      .or_empty()
+      .read_by(read_creepages)
+      .help = "Lateral creepage, 3D only.";
+    entries.add("Spin", creepages.spin, "1/m")
+      .or_empty()
+      .read_by(read_creepages)
+      .help =
       "Spin creepage, angular velocity about z of the wheel over the rail "
       "over the magnitude of the rolling speed, 3D only.";
     entries.add("Creepage size", creepage_size, "1").help =

@@ -136,6 +136,15 @@ namespace RollingContact
     return *this;
   }
 
+  Entry &Entry::or_empty()
+  {
+    may_be_empty = true;
+    read = [given = read, empty = default_text](const std::string &text) {
+      given(text.empty() ? empty : text);
+    };
+    return *this;
+  }
+
   Entry &Entry::read_by(const Reader &reader)
   {
     readers.push_back(reader);
@@ -191,10 +200,17 @@ namespace RollingContact
                                          : " in";
     return std::string(least ? "a list separated by commas, each " : "") +
            (kind == Kind::integer ? "a whole number" : "a number") + range +
-           behind;
+           behind + (may_be_empty ? ", or leave it empty" : "");
   }
 
   std::unique_ptr<Patterns::PatternBase> Entry::pattern() const
+  {
+    // deal.II has no pattern of either; check() looks at the value
+    return may_be_empty ? std::make_unique<Patterns::Anything>()
+                        : value_pattern();
+  }
+
+  std::unique_ptr<Patterns::PatternBase> Entry::value_pattern() const
   {
     std::unique_ptr<Patterns::PatternBase> value;
     if (!names.empty())
@@ -215,7 +231,7 @@ namespace RollingContact
 
   void Entry::check(const std::string &value, const std::string &place) const
   {
-    if (pattern()->match(value))
+    if ((may_be_empty && value.empty()) || value_pattern()->match(value))
       return;
     const bool has_decimal_comma =
       kind == Kind::number && !least && value.find(',') != std::string::npos &&
@@ -227,7 +243,7 @@ namespace RollingContact
 
   bool Entry::is_default(const std::string &value) const
   {
-    if (value == default_text)
+    if (value == default_text || (may_be_empty && value.empty()))
       return true;
     const auto given = number(value), by_default = number(default_text);
     return given && by_default && *given == *by_default;

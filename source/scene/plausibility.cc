@@ -204,7 +204,9 @@ namespace RollingContact
       const bool                  is_vertical = !!scene.contact.vertical_load;
       const std::optional<double> given =
         is_vertical ? scene.contact.vertical_load : scene.contact.normal_load;
-      if (!given || *given <= 0. || wheel.rigid || wheel.shape != "disc")
+      const double softest_metal = 1e10; // Pa; below it Density may be unsaid
+      if (!given || *given <= 0. || wheel.rigid || wheel.shape != "disc" ||
+          wheel.material.young_modulus < softest_metal)
         return;
       const double gravity = 9.81, least = 0.2, pi = std::acos(-1.),
                    load  = *given,

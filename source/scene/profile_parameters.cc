@@ -213,6 +213,7 @@ namespace RollingContact
       "track with Contact/Speed has at the first contact, and the rolling "
       "radius that changes over the patch as the profile does.";
     add_automatic(entries, "Pitch rate", pitch_rate, "rad/s")
+      .renewing(Renews::loads)
       .read_by(wheelsets_in_a_place)
       .read_by({asks<AnalysisTraits, ProfileParameters>(
                   [](const auto &analysis, const auto &profiles) {

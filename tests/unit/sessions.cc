@@ -31,6 +31,42 @@ namespace
   }
 } // namespace
 
+/** How fast the axle turns is a creepage, not another place. */
+BOOST_AUTO_TEST_CASE(an_axle_that_turns_faster_keeps_its_bodies)
+{
+  SceneParameters scene;
+  scene.dimension                  = 3;
+  scene.mesh.elements_across_patch = 8;
+  scene.mesh.growth                = 0.8;
+  scene.wheel.hub_radius           = 0.1;
+  scene.wheel.width                = 0.1;
+  scene.rail.shape                 = "block";
+  scene.rail.radius                = 0.;
+  scene.rail.block_length          = 0.3;
+  scene.rail.block_depth           = 0.15;
+  scene.rail.width                 = 0.1;
+  scene.profiles.wheel_profile     = "S1002";
+  scene.profiles.rail_profile      = "60E1";
+  scene.profiles.shift             = 0.003;
+  scene.profiles.creepage_source =
+    ProfileParameters::CreepageSource::kinematics;
+  scene.contact.normal_load = 16e3;
+  scene.contact.speed       = 20.;
+  Session      session{Situation(scene)};
+  const double rolling = -20. / scene.wheel.radius;
+  session.set("Profiles/Pitch rate", rolling);
+  const double before = session.solve().forces.force_x;
+  session.set("Profiles/Pitch rate", 1.001 * rolling);
+  const SessionState found = session.solve();
+  BOOST_TEST(found.converged);
+  BOOST_TEST(session.n_bodies_made() == 1u);
+  scene.profiles.pitch_rate = 1.001 * rolling;
+  const double expected     = Session{Situation(scene)}.solve().forces.force_x;
+  BOOST_TEST(std::abs(expected - before) > 500.);
+  BOOST_TEST(found.forces.force_x == expected,
+             boost::test_tools::tolerance(1e-5));
+}
+
 BOOST_AUTO_TEST_CASE(states_are_those_of_runs_of_their_own)
 {
   Session session(coarse_scene());

@@ -35,9 +35,9 @@ namespace RollingContact::References
                               const HertzLine &contact);
 
   /**
-   * Half-width (m) at which an approach (m) is reached, given the approach as a
-   * function of the half-width that grows at least linearly; zero if the
-   * approach is not positive. Throws an InputError if the largest half-width
+   * Smallest half-width (m) at which an approach (m) is reached, given the
+   * approach as a function of the half-width that grows at least linearly from
+   * zero on; zero if the approach is not positive. Throws an InputError if the largest half-width
    * does not reach it.
    */
   double half_width_of_approach(

@@ -125,6 +125,11 @@ namespace RollingContact
      */
     Entry &several(const unsigned int least = 1);
 
+    /**
+     * The entry may be left empty, which is its default.
+     */
+    Entry &or_empty();
+
     Entry &read_by(const Reader &reader);
 
     Entry &read_by(const std::vector<Reader> &more);
@@ -188,8 +193,12 @@ namespace RollingContact
     SceneCondition                           free_on_resume;
 
   private:
-    double lower = std::numeric_limits<double>::lowest(),
-           upper = std::numeric_limits<double>::max();
+    /** What the value is, unless it is left empty. */
+    std::unique_ptr<dealii::Patterns::PatternBase> value_pattern() const;
+
+    bool   may_be_empty = false;
+    double lower        = std::numeric_limits<double>::lowest(),
+           upper        = std::numeric_limits<double>::max();
     std::string                 names; ///< that it may be, "one|another"
     std::optional<unsigned int> least; ///< length of a list
     std::vector<Reader>         readers;
