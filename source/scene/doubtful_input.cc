@@ -3,6 +3,8 @@
 #include <rolling_contact/scene/scene_parameters.h>
 #include <rolling_contact/surfaces/profile_doubts.h>
 
+#include <tuple>
+
 namespace RollingContact
 {
   namespace
@@ -63,16 +65,17 @@ namespace RollingContact
                          "of " +
                          significant(body->radius, 3) +
                          " m, like a roller; a straight rail has Radius = 0.");
-    if (scene.dimension == 3 &&
-        given.count("Mesh/Elements across patch") == 0 &&
-        given.count("Mesh/Growth") == 0)
-      doubts.push_back(
-        "Dimension = 3 without Mesh/Elements across patch and Growth: the "
-        "defaults, " +
-        std::to_string(scene.mesh.elements_across_patch) + " and " +
-        significant(scene.mesh.growth, 2) +
-        ", are for 2D and may take minutes and 20 GB in 3D, where 16 and 0.4 "
-        "are usual.");
+    for (const auto &[entry, by_default, usual] :
+         {std::tuple("Mesh/Elements across patch",
+                     std::to_string(scene.mesh.elements_across_patch),
+                     "16"),
+          std::tuple("Mesh/Growth", significant(scene.mesh.growth, 2), "0.4")})
+      if (scene.dimension == 3 && given.count(entry) == 0)
+        doubts.push_back("Dimension = 3 without " + std::string(entry) +
+                         ": the default, " + by_default +
+                         ", is for 2D and may take minutes and 20 GB in 3D, "
+                         "where " +
+                         usual + " is usual.");
     return doubts;
   }
 } // namespace RollingContact
