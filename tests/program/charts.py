@@ -131,6 +131,18 @@ def contact_table():
         same_points(label, points, [(s, number(row[column])) for row, s in zip(rows, shifts)], 1e-5)
 
 
+def profiles():
+    """Peak pressure in MPa and heat in kJ/m^2 of the lines of nodes, over their place in mm."""
+    rows, curves = table("across.csv"), {label: (columns, points) for label, columns, points in charts("profiles")}
+    for label, axis, column, factor in (
+            ("peak pressure along x", "max p (MPa)", "max_pressure_Pa", 1e-6),
+            ("heat of friction, per metre rolled and metre across", "heat (kJ/m\u00b2)", "dissipation_J/m2", 1e-3)):
+        columns, points = curves[label]
+        check("axis", columns[1] == axis, columns)
+        touching = [point for point in points if point[1] != 0]
+        same_points(label, touching, [(1e3 * float(row["y_m"]), factor * float(row[column])) for row in rows], 1e-5)
+
+
 def sound():
     """Levels of third octaves, as far as they are shown, and of the modes by themselves."""
     bands, own = table("sound.csv"), table("sound_modes.csv")

@@ -383,6 +383,11 @@ def numerical(folder):
     last = vibration(folder, 0.7)[-1]
     check(f"{folder}: numerical dissipation", last["numerical_J"] > 0)
     near(f"{folder}: no damping", last["damping_J"], 0, 0)
+    largest = max(rows(os.path.join(folder, "history.csv")), key=lambda row: row["normal_force_N"])
+    with open(os.path.join(folder, "out"), encoding="utf-8") as file:
+        said = " ".join(file.read().split())
+    check(f"{folder}: forces act before the end of a step", largest["force_time_s"] < largest["time_s"])
+    check(f"{folder}: the peak", f"N = {largest['normal_force_N']:.6g} N at t = {largest['force_time_s']:.6g} s" in said)
 
 
 def falling(folder):
@@ -403,6 +408,8 @@ def impact(folder):
     check(f"{folder}: falls into strain", history[-1]["strain_J"] > 1e-3)
     check(f"{folder}: nodes close", sum(row["impacts"] for row in history)
           >= history[-1]["nodes_in_contact"] > 0)
+    check(f"{folder}: nodes that close in a step", any(row["impacts"] == 0 for row in history[3:])
+          and all(row["impacts"] <= row["nodes_in_contact"] for row in history))
     check(f"{folder}: the contact comes to rest", -1 < history[0]["velocity_z_m/s"] < -0.5
           and abs(history[-1]["velocity_z_m/s"]) < 1e-3)
     check(f"{folder}: no friction, no motion along", history[-1]["velocity_x_m/s"] == 0

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iomanip>
 #include <random>
 
 using namespace RollingContact;
@@ -287,11 +288,19 @@ BOOST_AUTO_TEST_CASE(measured_points_give_the_profile_behind_their_noise)
 
 BOOST_AUTO_TEST_CASE(files_of_three_formats_hold_the_same_points)
 {
-  std::string columns = "# a rail\n", simpack, miniprof;
+  const auto exact = [](const double value) {
+    std::ostringstream text;
+    text << std::setprecision(17) << value;
+    return text.str();
+  };
+  std::string columns = "# a rail\n", simpack, miniprof, turned;
   simpack             = "header.begin\n version = 1\nheader.end\nspline.begin\n"
                         " mirror.z = 1 ! up\n units.len.f = 1000\n shift.y = 0.5\n"
                         " bound.y.min = -20.\n bound.y.max = 20.\n point.begin\n";
   miniprof            = "Instrument=\"x\"\nXYPoints=41\n";
+  turned = "header.begin\nheader.end\nspline.begin\n units.len.f = 1000\n"
+           " units.ang.f = 57.295779513082323\n rotate = 1.5\n point.begin\n";
+  const double angle = 1.5 * M_PI / 180;
   for (int k = -20; k <= 20; ++k)
     {
       const double y = k, z = 0.01 * k * k;
@@ -299,8 +308,11 @@ BOOST_AUTO_TEST_CASE(files_of_three_formats_hold_the_same_points)
       simpack += std::to_string(y - 0.5) + ' ' + std::to_string(-z) +
                  (k == 20 ? " 1.\n 30. -2. 1. ! beyond the bound\n" : " 1.\n");
       miniprof += std::to_string(-y) + '\t' + std::to_string(-z) + "\t0.5\n";
+      turned += exact(std::cos(angle) * y + std::sin(angle) * z) + ' ' +
+                exact(std::cos(angle) * z - std::sin(angle) * y) + " 1.\n";
     }
   simpack += " point.end\nspline.end\n";
+  turned += " point.end\nspline.end\n";
   const ScratchFolder          place;
   const std::filesystem::path &folder = place.scratch;
   const auto points_of = [&](const std::string &name, const std::string &text) {
@@ -310,6 +322,7 @@ BOOST_AUTO_TEST_CASE(files_of_three_formats_hold_the_same_points)
   for (const auto &[name, text] :
        {std::pair<std::string, std::string>("a.txt", columns),
         {"a.prr", simpack},
+        {"turned.prr", turned},
         {"a.BAN", miniprof}})
     BOOST_TEST_CONTEXT(name)
     {
@@ -317,7 +330,7 @@ BOOST_AUTO_TEST_CASE(files_of_three_formats_hold_the_same_points)
       BOOST_REQUIRE_EQUAL(points.size(), 41u);
       for (int k = -20; k <= 20; ++k)
         {
-          BOOST_TEST(std::abs(points[k + 20].y - mm * k) < 1e-12);
+          BOOST_TEST(std::abs(points[k + 20].y - mm * k) < 1e-11);
           BOOST_TEST(std::abs(points[k + 20].z - 0.01 * mm * k * k) < 1e-9);
         }
     }

@@ -195,23 +195,24 @@ BOOST_FIXTURE_TEST_CASE(checkpoints_keep_every_bit, ScratchFolder)
   state.motion.past  = {{1. / 7}, std::nextafter(2e-6, 0.)};
   state.motion.modes = {
     {1. / 41}, {1. / 43}, {1. / 17}, {1. / 19}, 1. / 23, 1. / 29};
-  state.patch_friction      = {1. / 31, 1. / 37};
-  state.slip                = {NodalField(1, std::vector<double>{1. / 9}),
-                               NodalField(1, std::vector<double>{-1. / 11}),
-                               1. / 13,
-                               -1. / 15};
-  state.state.pressure      = {1e300, -1e-300};
-  state.state.traction      = NodalField(1, std::vector<double>{M_PI});
-  state.state.approach      = std::nextafter(2.2e-4, 0.);
-  state.state.edge_law      = false;
-  state.state.scheme        = {{{3, 1. / 3, 0.1, {{-0.3, 0.}}},
-                                {7, 2., 1., {{0., 0.}}}},
-                               {4, 9}};
-  state.progress.n_impacts  = 8;
-  state.last_step.is_known  = true;
-  state.last_step.length    = std::nextafter(1e-6, 0.);
-  state.last_step.loads.gap = {1. / 3};
-  state.last_step.rate      = 1. / 17;
+  state.patch_friction          = {1. / 31, 1. / 37};
+  state.slip                    = {NodalField(1, std::vector<double>{1. / 9}),
+                                   NodalField(1, std::vector<double>{-1. / 11}),
+                                   1. / 13,
+                                   -1. / 15};
+  state.state.pressure          = {1e300, -1e-300};
+  state.state.traction          = NodalField(1, std::vector<double>{M_PI});
+  state.state.approach          = std::nextafter(2.2e-4, 0.);
+  state.state.edge_law          = false;
+  state.state.scheme            = {{{3, 1. / 3, 0.1, {{-0.3, 0.}}},
+                                    {7, 2., 1., {{0., 0.}}}},
+                                   {4, 9}};
+  state.progress.n_impacts      = 8;
+  state.progress.surface_energy = 0.125;
+  state.last_step.is_known      = true;
+  state.last_step.length        = std::nextafter(1e-6, 0.);
+  state.last_step.loads.gap     = {1. / 3};
+  state.last_step.rate          = 1. / 17;
   state.last_step.loads.slip_share = {0.5};
   state.last_step.loads.slip_before =
     NodalField(1, std::vector<double>{1. / 19});
@@ -267,6 +268,7 @@ BOOST_FIXTURE_TEST_CASE(checkpoints_keep_every_bit, ScratchFolder)
   BOOST_TEST((copy.state.scheme.edges[0].c == state.state.scheme.edges[0].c));
   BOOST_TEST(!copy.state.edge_law);
   BOOST_TEST(copy.progress.n_impacts == 8u);
+  BOOST_TEST(copy.progress.surface_energy == 0.125);
   BOOST_TEST(copy.last_step.is_known);
   BOOST_TEST(same_bits(copy.last_step.length, state.last_step.length));
   BOOST_TEST((copy.last_step.loads.gap == state.last_step.loads.gap));
