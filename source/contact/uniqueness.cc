@@ -60,7 +60,7 @@ namespace RollingContact
       // friction that rises with the speed endangers nothing
       const Eigen::VectorXd roots =
         as_vector(falls)(nodes).cwiseMax(0.).cwiseSqrt();
-      DenseMatrix           matrix =
+      DenseMatrix matrix =
         roots.asDiagonal() * (R + R.transpose()) / 2 * roots.asDiagonal();
       const double largest = symmetric_eigenpairs(matrix).back();
       Eigen::Index place   = 0;

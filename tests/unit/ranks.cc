@@ -416,7 +416,7 @@ BOOST_AUTO_TEST_CASE(checkpoint_and_history)
   {
     HistoryTable history(run, history_name, {"step", "force"});
     history.add_row({1., 2.});
-    record.history  = history.flush();
+    record.history        = history.flush();
     record.state.pressure = {1. + Ranks::rank(), 0.5};
     write_checkpoint(record, run);
   }

@@ -202,7 +202,7 @@ namespace RollingContact
     Vector                f;
     typename System::Work work;
     ThetaStepper         *twin       = nullptr; ///< see step_with()
-    double                begun_step = 0.; ///< h, 0 if none has begun
+    double                begun_step = 0.;      ///< h, 0 if none has begun
   };
 } // namespace RollingContact
 

@@ -37,8 +37,8 @@ namespace RollingContact::References
   /**
    * Smallest half-width (m) at which an approach (m) is reached, given the
    * approach as a function of the half-width that grows at least linearly from
-   * zero on; zero if the approach is not positive. Throws an InputError if the largest half-width
-   * does not reach it.
+   * zero on; zero if the approach is not positive. Throws an InputError if the
+   * largest half-width does not reach it.
    */
   double half_width_of_approach(
     const std::function<double(double)> &approach_of_half_width,
