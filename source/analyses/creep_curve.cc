@@ -12,6 +12,7 @@
 #include <rolling_contact/results/state_report.h>
 #include <rolling_contact/results/uniqueness_warning.h>
 #include <rolling_contact/run/progress.h>
+#include <rolling_contact/state/estimate_errors.h>
 #include <rolling_contact/state/state_finder.h>
 
 #include <algorithm>
@@ -106,6 +107,13 @@ namespace RollingContact
                      {"traction_coefficient", "stick_area_m2", "iterations"});
       return columns;
     }
+
+    StateDemands curve_demands()
+    {
+      StateDemands demands;
+      demands.pair.bulk_errors = true;
+      return demands;
+    }
   } // namespace
 
   template <int dim>
@@ -125,7 +133,7 @@ namespace RollingContact
         return point.creepages.spin != 0. || point.forces.moment;
       });
     SteadyState<dim> steady = solve_to_target<dim>(
-      start, StateDemands(), targets, context, [](const auto &) {});
+      start, curve_demands(), targets, context, [](const auto &) {});
     scene.mesh = start.mesh;
     require_solved(scene, steady, "Creep curve, the state to start from");
     if (steady.result.normal_force <= 0.)
@@ -169,6 +177,7 @@ namespace RollingContact
         const Stopwatch point_watch;
         solve_point(points[k], steady);
         steady.wall_s = point_watch.seconds();
+        estimate_errors(scene, steady);
         add_result_row(scene, steady, context);
         require_solved(scene,
                        steady,
@@ -189,7 +198,7 @@ namespace RollingContact
     loads.forces        = point.forces;
     loads.creepages =
       start_of_search(point.forces, loads.creepages, point.creepages);
-    StateFinder<dim>(scene, StateDemands(), context).solve_enclosed(steady);
+    StateFinder<dim>(scene, curve_demands(), context).solve_enclosed(steady);
     curve.found.push_back(steady.problem.loads.creepages);
 
     const Resultants &result         = steady.result;

@@ -12,6 +12,7 @@
 #include <rolling_contact/results/state_report.h>
 #include <rolling_contact/run/figure.h>
 #include <rolling_contact/scene/entries.h>
+#include <rolling_contact/state/estimate_errors.h>
 
 #include <cmath>
 
@@ -32,7 +33,8 @@ namespace RollingContact
     StateDemands load_curve_demands()
     {
       StateDemands demands;
-      demands.growth = 1.05;
+      demands.growth           = 1.05;
+      demands.pair.bulk_errors = true;
       return demands;
     }
 
@@ -80,6 +82,7 @@ namespace RollingContact
         const double k           = stiffness(steady);
         steady.contact_stiffness = k;
         steady.wall_s            = watch.seconds();
+        estimate_errors(scene, steady);
         add_result_row(scene, steady, context);
         review.add(steady, significant(steady.result.normal_force, 4) + " N");
         loads.push_back(steady.result.normal_force);

@@ -25,6 +25,7 @@ namespace RollingContact
       }
     StateDemands demands;
     demands.pair.displacements = scene.inputs->output.body_fields;
+    demands.pair.bulk_errors   = true;
     const SteadyState<dim> steady =
       solve_to_target<dim>(scene,
                            demands,

@@ -197,16 +197,21 @@ namespace RollingContact
   }
 
   template <int dim>
-  BodyField
-  DirectBody<dim>::recover(const std::vector<SurfaceNode>  &nodes,
-                           const std::vector<unsigned int> &components,
-                           const std::vector<double>       &forces)
+  std::vector<BodyField>
+  DirectBody<dim>::recover(const std::vector<SurfaceNode>         &nodes,
+                           const std::vector<unsigned int>        &components,
+                           const std::vector<std::vector<double>> &forces)
   {
-    std::vector<double> right_hand_side(n_unknowns(), 0.);
-    const auto          loaded = unknowns(nodes, components);
-    for (std::size_t i = 0; i < loaded.size(); ++i)
-      right_hand_side[loaded[i]] += forces[i];
-    return field(factor->solve(right_hand_side));
+    const auto  loaded = unknowns(nodes, components);
+    DenseMatrix block  = DenseMatrix::Zero(n_unknowns(), forces.size());
+    for (std::size_t k = 0; k < forces.size(); ++k)
+      for (std::size_t i = 0; i < loaded.size(); ++i)
+        block(loaded[i], k) += forces[k][i];
+    factor->solve(block);
+    std::vector<BodyField> displacements;
+    for (std::size_t k = 0; k < forces.size(); ++k)
+      displacements.push_back(field(column_of(block, k)));
+    return displacements;
   }
 
   template <int dim>

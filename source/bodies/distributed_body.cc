@@ -232,9 +232,9 @@ namespace RollingContact
 
   template <int dim>
   BodyField
-  DistributedBody<dim>::recover(const std::vector<SurfaceNode>  &nodes,
-                                const std::vector<unsigned int> &components,
-                                const std::vector<double>       &forces)
+  DistributedBody<dim>::recovered(const std::vector<SurfaceNode>  &nodes,
+                                  const std::vector<unsigned int> &components,
+                                  const std::vector<double>       &forces)
   {
     for (std::size_t k = 0; k < loads.size(); ++k)
       {
@@ -257,6 +257,18 @@ namespace RollingContact
           solutions);
     loads = {forces};
     return field(solutions[0]);
+  }
+
+  template <int dim>
+  std::vector<BodyField>
+  DistributedBody<dim>::recover(const std::vector<SurfaceNode>  &nodes,
+                                const std::vector<unsigned int> &components,
+                                const std::vector<std::vector<double>> &forces)
+  {
+    std::vector<BodyField> displacements;
+    for (const std::vector<double> &load : forces)
+      displacements.push_back(recovered(nodes, components, load));
+    return displacements;
   }
 
   template <int dim>

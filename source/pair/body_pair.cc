@@ -214,14 +214,15 @@ namespace RollingContact
       if (!has_own_body(side) || (direct && ranks[side] != Ranks::rank()))
         return;
       const BodySpec &parameters = scene.body(side);
-      bodies[side]               = make_body<dim>(solver,
-                                    parameters.body_shape(),
-                                    parameters.material,
-                                    parameters.thickness,
-                                    grading,
-                                    demands.displacements,
-                                    ranks[side],
-                                    parameters.model);
+      bodies[side] =
+        make_body<dim>(solver,
+                       parameters.body_shape(),
+                       parameters.material,
+                       parameters.thickness,
+                       grading,
+                       demands.displacements || demands.bulk_errors,
+                       ranks[side],
+                       parameters.model);
       if (statics)
         bodies[side]->analyse();
     };

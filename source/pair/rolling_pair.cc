@@ -27,6 +27,8 @@ namespace RollingContact
                {{grading.element_size_x, grading.element_size_y},
                 {grading.zone_x, grading.zone_y}})
     , surfaces_in_time(demands.surfaces_in_time)
+    , demands(demands)
+    , element_size(std::max(grading.element_size_x, grading.element_size_y))
   {
     choose_components();
   }
@@ -43,6 +45,8 @@ namespace RollingContact
                {{grading.element_size_x, grading.element_size_y},
                 {grading.zone_x, grading.zone_y}})
     , surfaces_in_time(demands.surfaces_in_time)
+    , demands(demands)
+    , element_size(std::max(grading.element_size_x, grading.element_size_y))
   {
     choose_components();
   }
@@ -210,17 +214,21 @@ namespace RollingContact
                                           pair_interface.nodes.wheel.size(),
                                           pair_interface.nodes.rail.size()});
     check_contact_memory(double(n_nodes) * components.size());
-    PerSide<DenseMatrix> W;
-    const auto           condense = [&](const Side side) {
+    PerSide<DenseMatrix> W, lacking;
+    prepare_bulk_errors();
+    const auto condense = [&](const Side side) {
       const SurfaceCoupling &coupling = pair_interface.coupling[side];
-      if (body_pair.body(side) && body_pair.has_own_body(side))
-        W[side] = coupling.turned(body_pair.body(side)->compliance(
-          pair_interface.nodes[side], components, coupling.projection()));
+      if (!body_pair.body(side) || !body_pair.has_own_body(side))
+        return;
+      W[side]       = coupling.turned(body_pair.body(side)->compliance(
+        pair_interface.nodes[side], components, coupling.projection()));
+      lacking[side] = bulk_errors_of(side);
     };
     for_both_bodies(
       body_pair.n_threads(),
       [&]() { condense(Side::wheel); },
       [&]() { condense(Side::rail); });
+    add_bulk_errors(std::move(lacking));
     return contact_problem(contact, added_compliance(std::move(W)));
   }
 
@@ -325,10 +333,20 @@ namespace RollingContact
   {
     if (!body_pair.body(side))
       return {};
-    return body_pair.body(side)->recover(
-      pair_interface.nodes[side],
-      components,
-      forces_on_body(side, nodal_forces(problem, state)));
+    return displacements(side, {nodal_forces(problem, state)})[0];
+  }
+
+  template <int dim>
+  std::vector<BodyField> RollingPair<dim>::displacements(
+    const Side                              side,
+    const std::vector<std::vector<double>> &forces) const
+  {
+    std::vector<std::vector<double>> on_body;
+    for (const std::vector<double> &load : forces)
+      on_body.push_back(forces_on_body(side, load));
+    return body_pair.body(side)->recover(pair_interface.nodes[side],
+                                         components,
+                                         on_body);
   }
 
   template <int dim>

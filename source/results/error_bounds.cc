@@ -2,6 +2,7 @@
 #include <rolling_contact/contact/friction_limit.h>
 #include <rolling_contact/contact/touching_run.h>
 #include <rolling_contact/results/error_bounds.h>
+#include <rolling_contact/results/estimated_bounds.h>
 #include <rolling_contact/solvers/scaled_forces.h>
 
 #include <algorithm>
@@ -63,6 +64,15 @@ namespace RollingContact
     const double of_growth = 2e-3, of_residual = 4.;
 
     /**
+     * What the growth adds below a friction of 0.3: the bulk shifts the slip,
+     * and the force over mu N follows as 1 / mu.
+     */
+    double rise_with_little_friction(const double friction)
+    {
+      return friction > 0. ? std::max(1., 0.6 / friction - 1) : 1.;
+    }
+
+    /**
      * What it adds to the force of a body under a given approach, whose load
      * has an error then, and of one half-width of thickness, as much over its
      * thickness in half-widths, at most half of it; 3D: half of that.
@@ -93,7 +103,8 @@ namespace RollingContact
     {
       const double layer =
         std::min(most_of_layer, of_growth_of_layer / found.thickness);
-      return of_growth * found.growth +
+      return of_growth * found.growth *
+               rise_with_little_friction(found.friction) +
              ((found.approach_given ? of_growth_under_approach : 0.) +
               (found.dim == 2 ? 1. : 0.5) * layer) *
                growth_in_bulk(found);
@@ -150,6 +161,11 @@ namespace RollingContact
     }
   } // namespace
 
+  double residual_share(const BoundCircumstances &found)
+  {
+    return of_residual * found.residual_tangential;
+  }
+
   ErrorBounds error_bounds(const BoundCircumstances &found)
   {
     ErrorBounds bounds;
@@ -167,8 +183,7 @@ namespace RollingContact
       1. +
       of_long_elements * std::max(0., found.element_aspect - longest_element);
     const double added = of_waves * (found.waves > wavy ? found.waves : 0.) +
-                         share_of_growth(found) +
-                         of_residual * found.residual_tangential;
+                         share_of_growth(found) + residual_share(found);
     bounds.force =
       std::min(1.,
                (found.dim == 3 || found.edges_settled ? 1. : of_unsettled) *
@@ -281,7 +296,10 @@ namespace RollingContact
   ErrorBounds error_bounds(const PairSpec         &scene,
                            const SteadyState<dim> &steady)
   {
-    return error_bounds(bound_circumstances(scene, steady));
+    const BoundCircumstances found = bound_circumstances(scene, steady);
+    return steady.estimate
+             ? estimated_bounds(found, *steady.estimate, steady.result)
+             : error_bounds(found);
   }
 
   template <int dim>

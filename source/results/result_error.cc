@@ -29,17 +29,6 @@ namespace RollingContact
         *known = error;
     }
 
-    /**
-     * Factor on the error that the levels point to; without it 5 of 7 scenes
-     * were bounded, and two were off by 3.5 and 6.4 times as much.
-     */
-    const double safety_of_levels = 6.5;
-
-    /**
-     * Share of the bound of one mesh below which levels do not take it.
-     */
-    const double least_of_bound = 0.1;
-
     ErrorStatement statement(const ErrorBounds &bounds,
                              const std::string &remark)
     {
@@ -75,17 +64,8 @@ namespace RollingContact
     ErrorStatement force_error(const PairSpec         &scene,
                                const SteadyState<dim> &steady)
     {
-      ErrorBounds bounds = error_bounds(scene, steady);
-      // along a creep curve the levels were those of its first state
-      if (steady.limit && bounds.force &&
-          steady.problem.loads.creepages == scene.contact.creepages)
-        {
-          bounds.force = std::max(safety_of_levels * steady.limit->value_error,
-                                  least_of_bound * *bounds.force);
-          bounds.text  = "extrapolated over the levels, times " +
-                        significant(safety_of_levels, 2);
-        }
-      return statement(bounds, difference_to_carter(scene, steady));
+      return statement(error_bounds(scene, steady),
+                       difference_to_carter(scene, steady));
     }
   } // namespace
 

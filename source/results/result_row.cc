@@ -92,6 +92,10 @@ namespace RollingContact
       if (steady.problem.n_tangential() > 1)
         table.set("bound_moment/muNa", bounds.moment);
       table.set("bound_max_pressure", bounds.max_pressure);
+      if (!steady.problem.loads.normal_load)
+        table.set("bound_normal_force", bounds.normal_force);
+      if (steady.problem.n_tangential() > 0)
+        table.set("bound_dissipation", bounds.dissipation);
       set_creepage_bounds(scene, steady, bounds, table);
     }
 

@@ -137,9 +137,10 @@ namespace RollingContact
         BoundCircumstances state = found;
         state.n *= share;
         state.thickness /= share;
-        const ErrorBounds bounds = error_bounds(state);
+        ErrorBounds bounds = error_bounds(state);
         if (!bounds.force)
           return bounds;
+        *bounds.force = std::min(1., raised * *bounds.force);
         if (!worst.force || *bounds.force > *worst.force)
           worst = bounds;
       }
@@ -228,17 +229,24 @@ namespace RollingContact
   ErrorBounds TargetError::bounds_on(const TargetMesh       &mesh,
                                      const SteadyState<dim> &steady) const
   {
-    return worst_bounds(found_on(mesh, steady));
+    const ErrorBounds worst = worst_bounds(found_on(mesh, steady)),
+                      here  = error_bounds(scene, steady);
+    return worst.force && here.force && *here.force > *worst.force ? here
+                                                                   : worst;
   }
 
   template <int dim>
   void TargetError::learn(const TargetMesh       &mesh,
                           const SteadyState<dim> &steady)
   {
-    const double tolerance    = scene.solver.controls.tolerance;
-    known                     = found_on(mesh, steady);
-    known.residual_tangential = std::max(known.residual_tangential, tolerance);
-    length                    = margin * known.n / mesh.elements;
+    const double tolerance     = scene.solver.controls.tolerance;
+    known                      = found_on(mesh, steady);
+    known.residual_tangential  = std::max(known.residual_tangential, tolerance);
+    length                     = margin * known.n / mesh.elements;
+    const ErrorBounds expected = worst_bounds(known),
+                      here     = error_bounds(scene, steady);
+    if (expected.force && here.force)
+      raised *= std::max(1., *here.force / *expected.force);
     if (!scene.contact.roughness.empty())
       waves = std::max(waves,
                        known.waves / waves_of_gap(scene, patch, mesh.elements));

@@ -281,4 +281,58 @@ namespace RollingContact
       }
     return changes;
   }
+
+  std::vector<std::vector<double>>
+  NewtonSystem::sensitivities(const std::vector<ContactState> &weights)
+  {
+    add_columns();
+    set_load_rows();
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+      set_friction_rows(k, fall(k));
+    matrix.transposeInPlace();
+    const std::size_t n = matrix.rows();
+    right               = DenseMatrix::Zero(n, weights.size());
+    for (std::size_t j = 0; j < weights.size(); ++j)
+      for (std::size_t k = 0; k < nodes.size(); ++k)
+        {
+          for (unsigned int c = 0; c < n_tangential; ++c)
+            right(place(k, c), j) = weights[j].traction(c, nodes[k]);
+          if (n_components > n_tangential)
+            right(place(k, n_tangential), j) = weights[j].pressure[nodes[k]];
+        }
+    if (n == 0 || !solve_general(matrix, right))
+      return {};
+    const unsigned int               N = problem.n_nodes();
+    std::vector<std::vector<double>> result;
+    for (std::size_t j = 0; j < weights.size(); ++j)
+      {
+        NodalField          slip_weights(N, n_tangential);
+        std::vector<double> gap_weights(N, 0.);
+        for (std::size_t k = 0; k < nodes.size(); ++k)
+          {
+            std::array<double, 2> e{};
+            double                size = 0., bound = 0., along = 0.;
+            const bool            moves = slides(k, e, size, bound);
+            for (unsigned int c = 0; c < n_tangential; ++c)
+              along += e[c] * right(place(k, c), j);
+            const double falls = fall(k) * now.pressure[nodes[k]];
+            for (unsigned int c = 0; c < n_tangential; ++c)
+              slip_weights(c, nodes[k]) =
+                moves ? falls * along * e[c] -
+                          bound * rho_t / size *
+                            (right(place(k, c), j) - along * e[c])
+                      : -right(place(k, c), j);
+            if (n_components > n_tangential)
+              gap_weights[nodes[k]] = -right(place(k, n_tangential), j);
+          }
+        std::vector<double> of_displacement =
+          friction.rows.B1.multiply_transposed(slip_weights.values());
+        as_vector(of_displacement) *= problem.operators.flow_convection();
+        of_displacement.insert(of_displacement.end(),
+                               gap_weights.begin(),
+                               gap_weights.end());
+        result.push_back(std::move(of_displacement));
+      }
+    return result;
+  }
 } // namespace RollingContact

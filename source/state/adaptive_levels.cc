@@ -2,6 +2,7 @@
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/bodies/error_indicator.h>
 #include <rolling_contact/state/adaptive_levels.h>
+#include <rolling_contact/state/estimate_errors.h>
 
 #include <cmath>
 #include <tuple>
@@ -138,7 +139,15 @@ namespace RollingContact
     check_budget();
     LevelHistory           history;
     const StateFinder<dim> finder(scene, demands, context);
-    SteadyState<dim>       steady = finder.find();
+    const auto             estimate = [&](SteadyState<dim> &level) {
+      if (!demands.pair.bulk_errors)
+        return;
+      estimate_errors(scene, level);
+      if (level.estimate)
+        level.estimate->from_level_before = level.change;
+    };
+    SteadyState<dim> steady = finder.find();
+    estimate(steady);
     history.add(level_values(steady));
     on_level(steady);
     Grading<dim> grading = steady.grading;
@@ -155,6 +164,7 @@ namespace RollingContact
         history.add(level_values(steady));
         steady.change = history.change();
         steady.limit  = history.limit();
+        estimate(steady);
         on_level(steady);
         context.log.message(
           "level " + std::to_string(steady.level) + ": " +

@@ -1,6 +1,7 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/results/result_row.h>
+#include <rolling_contact/state/estimate_errors.h>
 #include <rolling_contact/tables/chain_solver.h>
 #include <rolling_contact/tables/kept_bodies.h>
 
@@ -71,6 +72,7 @@ namespace RollingContact
                                                   : TableStatus::solved;
     try
       {
+        estimate_errors(scene, steady);
         add_result_row(scene, steady, own);
       }
     catch (const ConvergenceError &)

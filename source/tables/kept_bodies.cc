@@ -6,7 +6,8 @@ namespace RollingContact
   StateDemands demands_of_kept_bodies()
   {
     StateDemands demands;
-    demands.pair.factors = true;
+    demands.pair.factors     = true;
+    demands.pair.bulk_errors = true;
     return demands;
   }
 

@@ -6,6 +6,7 @@
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/input/prm_text.h>
 #include <rolling_contact/scene/scene_entries.h>
+#include <rolling_contact/state/estimate_errors.h>
 #include <rolling_contact/state/state_finder.h>
 #include <rolling_contact/tables/kept_bodies.h>
 #include <rolling_contact/tables/quiet_context.h>
@@ -163,16 +164,17 @@ namespace RollingContact
     template <int dim>
     void Bodies<dim>::report(const Situation &scene)
     {
-      const SteadyState<dim> &steady = kept.front().steady;
-      problem                        = &steady.problem;
-      state                          = &steady.state;
-      found.converged                = steady.solver.converged;
-      found.reason                   = steady.solver.reason;
-      found.solver                   = steady.solver;
-      found.approach                 = steady.state.approach;
-      found.creepages                = steady.problem.loads.creepages;
-      found.forces                   = steady.result;
-      found.areas = patch_areas(steady.problem, steady.state);
+      SteadyState<dim> &steady = kept.front().steady;
+      estimate_errors(scene, steady);
+      problem         = &steady.problem;
+      state           = &steady.state;
+      found.converged = steady.solver.converged;
+      found.reason    = steady.solver.reason;
+      found.solver    = steady.solver;
+      found.approach  = steady.state.approach;
+      found.creepages = steady.problem.loads.creepages;
+      found.forces    = steady.result;
+      found.areas     = patch_areas(steady.problem, steady.state);
       found.elements_across =
         2 * steady.result.half_width_x / steady.grading.element_size_x;
       if (found.converged)

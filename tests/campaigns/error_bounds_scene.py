@@ -8,22 +8,35 @@ REFINEMENT = {2: 4, 3: 2}
 BOTH = ("Wheel", "Rail")
 THICKNESS = 0.02  # m, of the 2D base scene
 # what scenes are drawn of, with their weights
-BODIES = {"thick discs": 4, "thin rail block": 2, "thin rims": 1}
-MATERIALS = {"steel": 5, "different materials": 2, "rigid rail": 1, "nearly incompressible": 1}
+BODIES = {"thick discs": 4, "thin rail block": 2, "layer": 1, "thin rims": 1}
+MATERIALS = {"steel": 6, "different materials": 2, "rigid rail": 1, "nearly incompressible": 1}
 POISSON_RATIOS = {"different materials": (0.25, 0.35), "nearly incompressible": (0.45, 0.499)}
-SURFACES = {"smooth": 4, "rough": 1}
-DIRECTIONS = {"longitudinal": 2, "lateral": 2, "spin": 1, "combined": 2}
-OPERATORS = {"calibrated": 8, "upwind 2": 1, "upwind 1": 1}
-SOLVERS = {"automatic": 4, "accelerated projection": 1}
-RIM_LEVELS = {0: 5, 1: 1}
+SURFACES = {"smooth": 5, "rough": 1}
+DIRECTIONS = {"longitudinal": 2, "lateral": 2, "spin": 2, "combined": 3}
+OPERATORS = {"calibrated": 10, "upwind 2": 1, "upwind 1": 1}
+SOLVERS = {"automatic": 6, "accelerated projection": 1}
+RIM_LEVELS = {0: 8, 1: 1}
+ADAPTIVE_LEVELS = {0: 8, 1: 1, 2: 1}
+FRICTION_LAWS = {"constant": 8, "rational": 1, "exponential": 1}
+DRIVES = {"creepages": 7, "force": 1}
+PRESSED = {"load": 5, "approach": 1}
+FRICTION = (0.02, 1.2)
+GROWTHS = {2: (0.05, 2), 3: (0.2, 2)}
+REFERENCE_GROWTHS = {2: 0.05, 3: 0.4}
 ALWAYS = {"Body threads": 1, "Output/Plot": "false", "Output/Body fields": "false",
           "Output/Interface fields": "false", "Contact/Approach": ""}
-REFERENCE = {"Mesh/Patch offset": 0.375, "Contact/Slip operator": "calibrated",
-             "Contact/Solver": "automatic", "Contact/Tolerance": 1e-10}
+KEPT = {"Mesh/Elements across patch", "Mesh/Growth", "Contact/Friction coefficient"}  # in each scene
+REFERENCE = {"Mesh/Patch offset": 0.375, "Mesh/Rim levels": 0, "Mesh/Adaptive levels": 0,
+             "Contact/Slip operator": "calibrated", "Contact/Solver": "automatic",
+             "Contact/Tolerance": 1e-10}
 
 
 class Scene:
-    """A random scene: its kinds, and entries over those of the base scene."""
+    """A random scene: its kinds, and entries over those of the base scene.
+
+    Where its `approach` is given, the command asks for the load that has it; the
+    scene itself is made by under_approach() of what that run found.
+    """
 
     def __init__(self, number, options):
         self.random = random.Random(f"{options.seed} {number}")
@@ -32,17 +45,30 @@ class Scene:
         self.dimension = {"both": drawn, "profiles": 3}.get(options.dimension) or int(options.dimension)
         self.entries = dict(ALWAYS)
         self.kinds = [f"{self.dimension}D"]
-        self.n = self.random.randint(*((12, 48) if self.dimension == 2 else (8, 14)))
+        self.n = self.random.randint(*((12, 48) if self.dimension == 2 else (8, 13)))
         self.draw_profiles()
         self.draw_materials()
         self.draw_load_and_depths()
         self.draw_roughness()
         self.draw_creepages()
         self.draw_method()
-        base = str(options.prm / BASES[self.dimension])
-        self.command = [str(options.program), base] + settings(self.entries)
-        self.changes = settings(
-            {"Mesh/Elements across patch": REFINEMENT[self.dimension] * self.n, **REFERENCE})
+        self.base = [str(options.program), str(options.prm / BASES[self.dimension])]
+
+    @property
+    def command(self):
+        return self.base + settings(self.entries)
+
+    @property
+    def changes(self):
+        """What makes a reference of the scene."""
+        growth = min(self.entries["Mesh/Growth"], REFERENCE_GROWTHS[self.dimension])
+        return settings({"Mesh/Elements across patch": REFINEMENT[self.dimension] * self.n,
+                         "Mesh/Growth": growth, **REFERENCE})
+
+    def under_approach(self, approach):
+        """Press the bodies by the approach that their load was found to have, m."""
+        self.entries["Contact/Normal load"] = ""
+        self.entries["Contact/Approach"] = float(approach)
 
     def kind(self, weights):
         kind = self.random.choices(list(weights), list(weights.values()))[0]
@@ -55,12 +81,12 @@ class Scene:
 
     def draw_profiles(self):
         bodies = self.kind(BODIES)
-        block = bodies == "thin rail block"
+        block = bodies in ("thin rail block", "layer")
         self.entries["Wheel/Radius"] = self.random.uniform(0.3, 0.6)
         self.entries["Rail/Radius"] = 0 if block else self.random.uniform(0.3, 0.6)
         self.entries["Rail/Shape"] = "block" if block else "disc"
-        if self.dimension == 3:  # a/b of 0.3 to 8
-            lateral = self.scale(0.3, 8) ** (-1 / 0.636) / self.curvature("Radius")
+        if self.dimension == 3:  # a/b of 0.3 to 3
+            lateral = self.scale(0.3, 3) ** (-1 / 0.636) / self.curvature("Radius")
             self.entries["Wheel/Lateral radius"] = lateral if block else 2 * lateral
             self.entries["Rail/Lateral radius"] = 0 if block else 2 * lateral
             for body in BOTH:
@@ -79,8 +105,10 @@ class Scene:
         self.load = self.scale(3e4, 3e5) if self.dimension == 2 else self.scale(5e3, 150e3)
         self.entries["Contact/Normal load"] = self.load
         self.half_widths = self.hertz()
-        if "thin rail block" in self.kinds:
-            self.entries["Rail/Block depth"] = self.half_widths[0] * self.scale(1, 50)
+        depth = {"thin rail block": (3, 50), "layer": (1, 3)}
+        for bodies, limits in depth.items():
+            if bodies in self.kinds:
+                self.entries["Rail/Block depth"] = self.half_widths[0] * self.scale(*limits)
         for body in BOTH if "thin rims" in self.kinds else ():
             rim = self.half_widths[0] * self.scale(2, 15)
             self.entries[f"{body}/Hub radius"] = self.entries[f"{body}/Radius"] - rim
@@ -99,29 +127,47 @@ class Scene:
     def draw_creepages(self):
         """Over those at which all slides (2D) or Kalker's linear force is 3 mu N."""
         share = self.random.uniform(0.05, 1.2) * self.random.choice([-1, 1])
-        self.mu = self.entries["Contact/Friction coefficient"] = self.random.uniform(0.1, 0.6)
+        self.mu = self.entries["Contact/Friction coefficient"] = self.scale(*FRICTION)
         if self.dimension == 2:
             largest = self.mu * self.half_widths[0] * self.curvature("Radius")
             self.entries["Contact/Creepage x"] = share * largest
-            return
+        else:
+            self.draw_direction(share)
+        law = self.kind(FRICTION_LAWS)
+        if law != "constant":
+            self.entries.update({
+                "Contact/Speed": self.random.uniform(5, 40), "Contact/Friction law": law,
+                "Contact/Kinetic friction coefficient": self.mu * self.random.uniform(0.4, 0.95),
+                "Contact/Friction decay speed": self.scale(0.1, 2)})
+        elif self.kind(DRIVES) == "force":
+            self.entries["Contact/Creepage x"] = ""
+            self.entries["Contact/Longitudinal force"] = (
+                self.random.uniform(0.03, 0.95) * self.random.choice([-1, 1]) * self.mu * self.load
+                * (1 if self.dimension == 2 else 0.7))
+
+    def draw_direction(self, share):
         kind = self.kind(DIRECTIONS)
-        shear = 0.75 * self.modulus()  # G of equal bodies with nu near 0.3
-        largest = 3 * self.mu * self.load / (4.5 * shear * math.prod(self.half_widths))
+        shear, c = 0.75 * self.modulus(), math.sqrt(math.prod(self.half_widths))
+        largest = 3 * self.mu * self.load / (4.5 * shear * c ** 2)  # G of equal bodies, nu near 0.3
         angle = {"longitudinal": 0, "lateral": math.pi / 2}.get(kind, self.random.uniform(0, 6.28))
         for component, part in (("x", math.cos(angle)), ("y", math.sin(angle))):
             self.entries[f"Contact/Creepage {component}"] = (
                 0 if kind == "spin" else share * largest * part)
         if kind in ("spin", "combined"):
-            self.entries["Contact/Spin"] = self.scale(0.1, 5) * self.random.choice([-1, 1])
+            saturating = 1.4 * self.mu * self.load / (1.5 * shear * c ** 3)
+            self.entries["Contact/Spin"] = (
+                saturating * self.scale(0.05, 3) * self.random.choice([-1, 1]))
 
     def draw_method(self):
         self.entries.update({
-            "Mesh/Elements across patch": self.n, "Mesh/Growth": 0.1 if self.dimension == 2 else 0.4,
+            "Mesh/Elements across patch": self.n, "Mesh/Growth": self.scale(*GROWTHS[self.dimension]),
             "Mesh/Patch offset": self.random.uniform(-0.5, 0.5),
             "Mesh/Rim levels": self.kind({f"rim levels {n}": w for n, w in RIM_LEVELS.items()})[-1],
+            "Mesh/Adaptive levels": self.kind({f"levels {n}": w for n, w in ADAPTIVE_LEVELS.items()})[-1],
             "Contact/Slip operator": self.kind(OPERATORS), "Contact/Solver": self.kind(SOLVERS)})
         if "automatic" not in self.kinds:
             self.entries["Contact/Tolerance"] = self.scale(1e-6, 1e-2)
+        self.approach = self.kind(PRESSED) == "approach"
 
     def curvature(self, radius):
         radii = (self.entries[f"{body}/{radius}"] for body in BOTH)
@@ -158,6 +204,8 @@ class ProfileScene(Scene):
             "Profiles/Rail inclination": track(["1/40", "1/20"]), "Profiles/Side": track(["right", "left"]),
             "Profiles/Lateral shift": self.random.uniform(-7e-3, 7e-3),
             "Profiles/Yaw": self.random.uniform(-5e-3, 5e-3)})
+        if self.kind({"plain": 4, "true sections": 1}) == "true sections":
+            self.entries["Profiles/Body sections"] = "true"
 
     def draw_materials(self):
         pass
@@ -170,7 +218,7 @@ class ProfileScene(Scene):
         pass
 
     def draw_creepages(self):
-        self.mu = self.entries["Contact/Friction coefficient"] = self.random.uniform(0.1, 0.6)
+        self.mu = self.entries["Contact/Friction coefficient"] = self.scale(0.05, 0.6)
         if self.kind({"given": 3, "kinematics": 1}) == "kinematics":
             self.entries["Profiles/Creepages"] = "from kinematics"
             for entry in ("Creepage x", "Creepage y", "Spin"):
@@ -187,6 +235,7 @@ class ProfileScene(Scene):
     def draw_method(self):
         self.entries.update({"Mesh/Elements across patch": self.n, "Mesh/Growth": 0.8,
                              "Mesh/Patch offset": self.random.uniform(-0.5, 0.5)})
+        self.approach = False
 
 
 def settings(entries):

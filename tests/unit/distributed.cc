@@ -124,10 +124,10 @@ namespace
     BOOST_TEST(relative_difference(exact[1], solved[1]) < 1e-9);
     const BodyField field = bodies.direct.recover(bodies.nodes,
                                                   bodies.components,
-                                                  forces),
+                                                  {forces})[0],
                     other = bodies.spread.recover(bodies.spread_nodes,
                                                   bodies.components,
-                                                  forces);
+                                                  {forces})[0];
     BOOST_TEST(std::abs(field.l2_norm() / other.l2_norm() - 1) < 1e-8);
   }
 

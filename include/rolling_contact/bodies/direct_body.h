@@ -54,9 +54,10 @@ namespace RollingContact
              const std::vector<std::vector<double>> &forces,
              const bool                              roughly) override;
 
-    BodyField recover(const std::vector<SurfaceNode>  &nodes,
-                      const std::vector<unsigned int> &components,
-                      const std::vector<double>       &forces) override;
+    std::vector<BodyField>
+    recover(const std::vector<SurfaceNode>         &nodes,
+            const std::vector<unsigned int>        &components,
+            const std::vector<std::vector<double>> &forces) override;
 
     std::unique_ptr<BodyDynamics>
     in_time(const ThetaScheme               &scheme,
@@ -67,6 +68,11 @@ namespace RollingContact
     void release_solver() override
     {
       factor.reset();
+    }
+
+    void release_factor() override
+    {
+      factor->release();
     }
 
     std::size_t n_unknowns() const override

@@ -50,9 +50,10 @@ namespace RollingContact
              const std::vector<std::vector<double>> &forces,
              const bool                              roughly) override;
 
-    BodyField recover(const std::vector<SurfaceNode>  &nodes,
-                      const std::vector<unsigned int> &components,
-                      const std::vector<double>       &forces) override;
+    std::vector<BodyField>
+    recover(const std::vector<SurfaceNode>         &nodes,
+            const std::vector<unsigned int>        &components,
+            const std::vector<std::vector<double>> &forces) override;
 
     std::unique_ptr<BodyDynamics>
     in_time(const ThetaScheme               &scheme,
@@ -194,6 +195,14 @@ namespace RollingContact
                 const std::vector<SurfaceNode> &nodes) const;
 
   private:
+    /**
+     * Displacement of the whole body under nodal forces, from solutions that
+     * are known where they tell it. Units: N to m.
+     */
+    BodyField recovered(const std::vector<SurfaceNode>  &nodes,
+                        const std::vector<unsigned int> &components,
+                        const std::vector<double>       &forces);
+
     /**
      * Solve K x = b for several sets of forces on the degrees of freedom of
      * @p contact, to a relative residual of @p tolerance. As many solutions

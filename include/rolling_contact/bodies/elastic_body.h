@@ -119,12 +119,13 @@ namespace RollingContact
              const bool                              roughly) = 0;
 
     /**
-     * Displacement of the whole body under nodal forces (component i of node n
-     * at components[i] * N + n). Units: N to m.
+     * Displacements of the whole body under each of several sets of nodal
+     * forces (component i of node n at components[i] * N + n). Units: N to m.
      */
-    virtual BodyField recover(const std::vector<SurfaceNode>  &nodes,
-                              const std::vector<unsigned int> &components,
-                              const std::vector<double>       &forces) = 0;
+    virtual std::vector<BodyField>
+    recover(const std::vector<SurfaceNode>         &nodes,
+            const std::vector<unsigned int>        &components,
+            const std::vector<std::vector<double>> &forces) = 0;
 
     /**
      * The motion of the body in time by @p scheme, with contact on the given
@@ -140,6 +141,13 @@ namespace RollingContact
      * Free what solves K; compliance() would compute it again.
      */
     virtual void release_solver() = 0;
+
+    /**
+     * Free the factor of K for good, if there is one, when nothing is to be
+     * solved any more; what is told of it stays.
+     */
+    virtual void release_factor()
+    {}
 
     virtual std::size_t n_unknowns() const = 0;
 

@@ -18,6 +18,9 @@ namespace RollingContact
   {
     /** Displacements inside the bodies will be asked for. */
     bool displacements = false;
+    /** How far off the compliance is for want of elements in the bulk will be
+     * asked for. */
+    bool bulk_errors = false;
     /** The compliance must be exact: bodies are factorised. */
     bool factors = false;
     /** Surfaces that move are left out of the gap: each step of time brings

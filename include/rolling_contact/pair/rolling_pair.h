@@ -3,6 +3,7 @@
 
 #include <rolling_contact/contact/contact_problem.h>
 #include <rolling_contact/pair/body_pair.h>
+#include <rolling_contact/pair/bulk_errors.h>
 #include <rolling_contact/pair/moving_surfaces.h>
 #include <rolling_contact/pair/pair_interface.h>
 #include <rolling_contact/scene/pair_spec.h>
@@ -176,7 +177,37 @@ namespace RollingContact
                            const ContactProblem &problem,
                            const ContactState   &state) const;
 
+    /**
+     * How much the compliance of contact_problem() lacks for want of elements
+     * in the bulk, if that was demanded; not known of distributed bodies.
+     */
+    const BulkErrors &bulk_errors() const
+    {
+      return errors;
+    }
+
   private:
+    /**
+     * The smooth forces of BulkErrors, if these were demanded.
+     */
+    void prepare_bulk_errors();
+
+    /**
+     * The parts of BulkErrors that a body on this rank brings, side by side,
+     * while it has its factor, which is freed if nobody else needs it. Empty if
+     * it has none or errors were not demanded.
+     */
+    DenseMatrix bulk_errors_of(const Side side) const;
+
+    /**
+     * The errors of the pair from those of its bodies. Collective.
+     */
+    void add_bulk_errors(PerSide<DenseMatrix> of_bodies);
+
+    std::vector<BodyField>
+    displacements(const Side                              side,
+                  const std::vector<std::vector<double>> &forces) const;
+
     /**
      * W of the pair from those of the bodies on the interface, each on the rank
      * of its body. Collective.
@@ -191,6 +222,9 @@ namespace RollingContact
     const MovingSurfaces      surfaces;
     const bool                surfaces_in_time; ///< not in the gap
     std::vector<unsigned int> components;
+    const PairDemands         demands;
+    const double              element_size; ///< the larger one, m
+    BulkErrors                errors;
   };
 } // namespace RollingContact
 

@@ -41,22 +41,26 @@ namespace RollingContact
 
   /**
    * How far a state may be off from that of an infinitely fine mesh of the same
-   * bodies, and from what that is concluded. Bounds c / n^p measured by
-   * tests/campaigns/error_bounds, n the elements across the patch in the
-   * direction of rolling, with what adds to them: thin bodies, materials that
-   * differ, surfaces with waves, long elements, the growth of the mesh, the
-   * residual of the solver, edges of the patch that did not settle. A bound
-   * that is not known is empty. The time step of a transient run is not in
-   * them.
+   * bodies, and from what that is concluded. A bound that is not known is
+   * empty. The time step of a transient run is in none.
    */
   struct ErrorBounds
   {
     std::optional<double> force;        ///< over mu N
     std::optional<double> moment;       ///< 3D: over mu N a
     std::optional<double> max_pressure; ///< over the peak pressure
+    std::optional<double> normal_force; ///< over N, under a given approach
+    std::optional<double> dissipation;  ///< over the heat of friction
     std::string           text;         ///< what that of the force is made of
   };
 
+  /**
+   * The bounds of what is known without a solution: c / n^p as measured by
+   * tests/campaigns/error_bounds, n the elements across the patch in the
+   * direction of rolling, with what adds to them: thin bodies, materials that
+   * differ, surfaces with waves, long elements, the growth of the mesh, the
+   * residual of the solver, edges of the patch that did not settle.
+   */
   ErrorBounds error_bounds(const BoundCircumstances &found);
 
   /**
@@ -72,6 +76,15 @@ namespace RollingContact
   BoundCircumstances bound_circumstances(const PairSpec         &scene,
                                          const SteadyState<dim> &steady);
 
+  /**
+   * What the residual of the solver adds to the bound of the force, over mu N.
+   */
+  double residual_share(const BoundCircumstances &found);
+
+  /**
+   * The bounds of a state: those of its circumstances, or, where it has an
+   * estimate of its own errors, estimated_bounds().
+   */
   template <int dim>
   ErrorBounds error_bounds(const PairSpec         &scene,
                            const SteadyState<dim> &steady);

@@ -9,11 +9,10 @@ namespace RollingContact
 {
   /**
    * Note in the report how far the state is off: the force by error_bounds(),
-   * or by the change between levels if there are any, with its difference to
-   * Carter where he holds. Without friction, the load against the exact
-   * clamped discs if the scene has them. In 3D, and where there is nothing
-   * else, the pressure against Hertz. Of several states the largest is kept.
-   * Nothing without contact.
+   * with its difference to Carter where he holds. Without friction, the load
+   * against the exact clamped discs if the scene has them. In 3D, and where
+   * there is nothing else, the pressure against Hertz. Of several states the
+   * largest is kept. Nothing without contact.
    */
   template <int dim>
   void note_error(const PairSpec         &scene,

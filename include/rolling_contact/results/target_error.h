@@ -87,6 +87,7 @@ namespace RollingContact
     BoundCircumstances  known;
     double              length;     ///< of the patch over the estimated one
     double              waves = 1.; ///< over those of the estimated patch
+    double raised = 1.; ///< what a state's own bound was over the expected one
   };
 } // namespace RollingContact
 

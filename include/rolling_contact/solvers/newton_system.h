@@ -48,6 +48,18 @@ namespace RollingContact
      */
     std::vector<ContactState> response(const std::vector<NodalField> &slips);
 
+    /**
+     * How much linear functionals of traction and pressure of a state that
+     * solves the problem change with the displacements of the bodies: for each
+     * of several @p weights, those of the values of a state, the weights of
+     * all displacements, component by component, the tangential ones first,
+     * the gap's last. Edge law's constants are left as they are. Empty if the
+     * matrix is singular. Units: those of the functional over Pa to those of
+     * it over m.
+     */
+    std::vector<std::vector<double>>
+    sensitivities(const std::vector<ContactState> &weights);
+
   private:
     std::size_t place(const std::size_t  touching,
                       const unsigned int component) const

@@ -7,6 +7,7 @@
 #include <rolling_contact/run/run_context.h>
 #include <rolling_contact/scene/pair_spec.h>
 #include <rolling_contact/solvers/contact_solver.h>
+#include <rolling_contact/state/error_estimate.h>
 #include <rolling_contact/state/level_history.h>
 
 #include <memory>
@@ -64,6 +65,9 @@ namespace RollingContact
 
     std::optional<double>     change; ///< from the level before
     std::optional<LevelLimit> limit;  ///< of the levels up to this
+
+    /** Of this state, if it was asked for. */
+    std::optional<ErrorEstimate> estimate;
   };
 
   /**

@@ -1,0 +1,27 @@
+#ifndef rolling_contact_results_estimated_bounds_h
+#define rolling_contact_results_estimated_bounds_h
+
+#include <rolling_contact/contact/resultants.h>
+#include <rolling_contact/results/error_bounds.h>
+#include <rolling_contact/state/error_estimate.h>
+
+namespace RollingContact
+{
+  /**
+   * The bounds of a state with the values @p result that an @p estimate of its
+   * own errors gives, together with those of its circumstances, which stand for
+   * the worst place of a mesh. Of the elements across the patch, E is what
+   * every second node changes and m the bound without growth and residual:
+   *   min(m, sqrt(E m / 3) + m / 10);
+   * m alone where nothing is told by every second node or nothing sticks, as a
+   * stick zone smaller than an element is not seen. What is missing in the bulk
+   * comes to it, 0.8 times, and 1.3 times under a given approach, whose load
+   * has it in full. The factors are those of a conformal quantile of 99 % over
+   * scenes that are not the ones they are judged by, see doc/accuracy.md.
+   */
+  ErrorBounds estimated_bounds(const BoundCircumstances &found,
+                               const ErrorEstimate      &estimate,
+                               const Resultants         &result);
+} // namespace RollingContact
+
+#endif

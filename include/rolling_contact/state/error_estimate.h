@@ -1,0 +1,45 @@
+#ifndef rolling_contact_state_error_estimate_h
+#define rolling_contact_state_error_estimate_h
+
+#include <optional>
+
+namespace RollingContact
+{
+  /**
+   * How much the values of a state differ from others of the same scene. Units:
+   * N, N m, Pa, J/m.
+   */
+  struct ValueChanges
+  {
+    double force        = 0.; ///< |dT|
+    double moment       = 0.; ///< of spin
+    double normal_force = 0.;
+    double max_pressure = 0.;
+    double dissipation  = 0.;
+  };
+
+  /**
+   * What a state tells of its own errors. The elements across the patch show
+   * theirs by the same bodies' contact on every second node, at several
+   * positions of these: values of second order have a third of that change as
+   * error, and those of first order as much. What is missing in the bulk of
+   * the bodies, where elements grow, is the change of their displacements by
+   * BulkErrors times the answer of the linearised contact, in which friction,
+   * partial slip and saturation are. See estimate_errors() of
+   * state/estimate_errors.h.
+   */
+  struct ErrorEstimate
+  {
+    unsigned int n_positions = 0; ///< of every second node, that were solved
+    bool         sticks      = false; ///< whether any node does
+    bool         bulk_known  = false;
+    ValueChanges across; ///< largest over the positions
+    ValueChanges bulk;
+
+    /** Change from the refinement level before, the largest of those of forces
+     * over N and mu N; none on the first. */
+    std::optional<double> from_level_before;
+  };
+} // namespace RollingContact
+
+#endif

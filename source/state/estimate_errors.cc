@@ -1,0 +1,198 @@
+#include <rolling_contact/contact/halved_problem.h>
+#include <rolling_contact/solvers/newton_system.h>
+#include <rolling_contact/state/estimate_errors.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace RollingContact
+{
+  namespace
+  {
+    /**
+     * What the problems with half of the nodes are solved to: much less than
+     * their own errors, and soon.
+     */
+    const double       tolerance       = 1e-8;
+    const unsigned int most_iterations = 500;
+
+    bool is_finite(const Resultants &found)
+    {
+      return std::isfinite(found.normal_force + found.force_x + found.force_y +
+                           found.spin_moment + found.max_pressure);
+    }
+
+    void keep_larger(double &largest, const double change)
+    {
+      if (std::isfinite(change))
+        largest = std::max(largest, std::abs(change));
+    }
+
+    /**
+     * Keep the changes of the values of a state that are larger than before.
+     */
+    void keep_larger(const Resultants &state,
+                     const Resultants &other,
+                     ValueChanges     &changes)
+    {
+      keep_larger(changes.force,
+                  std::hypot(state.force_x - other.force_x,
+                             state.force_y - other.force_y));
+      keep_larger(changes.moment, state.spin_moment - other.spin_moment);
+      keep_larger(changes.normal_force,
+                  state.normal_force - other.normal_force);
+      keep_larger(changes.max_pressure,
+                  state.max_pressure - other.max_pressure);
+      keep_larger(changes.dissipation, state.dissipation - other.dissipation);
+    }
+
+    /**
+     * Weights of tractions and pressures in the forces along x and y and the
+     * moment of spin, and in the load.
+     */
+    std::vector<ContactState> weights_of_forces(const ContactProblem &problem)
+    {
+      std::vector<ContactState> weights;
+      const unsigned int        n = problem.n_tangential();
+      for (unsigned int c = 0; c < (n == 2 ? 3 : n); ++c)
+        {
+          ContactState     weight = open_state(problem);
+          const NodalField slip =
+            rigid_slip(problem.operators,
+                       {c == 0 ? 1. : 0., c == 1 ? 1. : 0., c == 2 ? 1. : 0.});
+          weight.traction =
+            NodalField(problem.n_nodes(),
+                       problem.operators.H().multiply_transposed(
+                         slip.values()));
+          weights.push_back(weight);
+        }
+      weights.push_back(open_state(problem));
+      weights.back().pressure = problem.operators.load_areas();
+      return weights;
+    }
+
+    /**
+     * How much the errors of the bulk change the values of a state of @p
+     * problem, which may be that on half of the nodes. None if that is not
+     * known.
+     */
+    template <int dim>
+    std::optional<ValueChanges> changes_by_bulk(const PairSpec         &scene,
+                                                const SteadyState<dim> &steady,
+                                                const ContactProblem   &problem,
+                                                const ContactState     &state)
+    {
+      if (steady.pair->bulk_errors().smooth.forces().empty())
+        return {};
+      const auto &positions = steady.problem.operators.positions();
+      const auto  forces    = nodal_forces(steady.problem, steady.state);
+      const auto  answers = NewtonSystem(problem, scene.solver.controls, state)
+                             .sensitivities(weights_of_forces(problem));
+      std::vector<double> changes;
+      for (const std::vector<double> &answer : answers)
+        changes.push_back(steady.pair->bulk_errors().largest(
+          problem.operators.positions(), answer, positions, forces));
+      if (changes.empty())
+        return {};
+      ValueChanges      bulk;
+      const Resultants &found = steady.result;
+      bulk.normal_force       = changes.back();
+      if (changes.size() > 1)
+        bulk.force = changes[0];
+      if (changes.size() > 2)
+        {
+          bulk.force  = std::hypot(changes[0], changes[1]);
+          bulk.moment = changes[2];
+        }
+      bulk.max_pressure =
+        0.5 * bulk.normal_force / found.normal_force * found.max_pressure;
+      const Creepages &creepages = steady.problem.loads.creepages;
+      bulk.dissipation = bulk.force * std::hypot(creepages.x, creepages.y) +
+                         bulk.moment * std::abs(creepages.spin);
+      return bulk;
+    }
+
+    /**
+     * Contact on every second node, as the whole problem's state has it.
+     */
+    struct HalvedSolution
+    {
+      HalvedProblem half;
+      ContactState  state;
+    };
+
+    /**
+     * Solve the problem of a state on the nodes that @p odd says, with its
+     * creepages and its load. None if that has no solution.
+     */
+    template <int dim>
+    std::optional<HalvedSolution>
+    solve_half(const PairSpec                    &scene,
+               const SteadyState<dim>            &steady,
+               const std::array<unsigned int, 2> &odd)
+    {
+      auto half = halved_problem(steady.problem,
+                                 steady.pair->trace(),
+                                 scene.contact.contact_matrices,
+                                 dim == 2 ? scene.thickness() : 1.,
+                                 odd);
+      if (!half)
+        return {};
+      half->problem.loads.forces = {};
+      half->problem.loads.inclined_load.reset();
+      SolverControls controls = scene.solver.controls;
+      controls.tolerance      = std::max(controls.tolerance, tolerance);
+      controls.max_iterations =
+        std::min(controls.max_iterations, most_iterations);
+      ContactState state = halved_state(*half, steady.state);
+      if (!make_contact_solver("automatic", controls)
+             ->solve(half->problem, state)
+             .converged)
+        return {};
+      return HalvedSolution{std::move(*half), std::move(state)};
+    }
+
+    bool any_sticks(const ContactProblem &problem, const ContactState &state)
+    {
+      if (problem.n_tangential() == 0)
+        return false;
+      const auto states =
+        node_states(tangential_problem(problem, state), state);
+      return std::find(states.begin(), states.end(), NodeState::stick) !=
+             states.end();
+    }
+  } // namespace
+
+  template <int dim>
+  void estimate_errors(const PairSpec &scene, SteadyState<dim> &steady)
+  {
+    const ContactProblem &problem = steady.problem;
+    steady.estimate.reset();
+    if (!steady.solver.converged || steady.result.n_touching == 0 ||
+        problem.operators.time_scaling().rate != 0.)
+      return;
+    ErrorEstimate                 estimate;
+    std::optional<HalvedSolution> last;
+    for (unsigned int k = 0; k < 1u << (dim - 1); ++k)
+      if (auto solved = solve_half(scene, steady, {{k & 1, k >> 1}}))
+        {
+          const Resultants found =
+            resultants(solved->half.problem, solved->state);
+          if (!is_finite(found) || found.n_touching == 0)
+            continue;
+          keep_larger(steady.result, found, estimate.across);
+          ++estimate.n_positions;
+          last = std::move(solved);
+        }
+    estimate.sticks = any_sticks(problem, steady.state);
+    const auto bulk =
+      last ? changes_by_bulk(scene, steady, last->half.problem, last->state)
+           : changes_by_bulk(scene, steady, problem, steady.state);
+    estimate.bulk_known = bulk.has_value();
+    estimate.bulk       = bulk.value_or(ValueChanges());
+    steady.estimate     = estimate;
+  }
+
+  template void estimate_errors(const PairSpec &, SteadyState<2> &);
+  template void estimate_errors(const PairSpec &, SteadyState<3> &);
+} // namespace RollingContact
