@@ -73,6 +73,7 @@ namespace RollingContact
     summarise(stepper);
     output.finish(stepper, progress);
     note_error_of_step(scene, stepper.current(), context.report);
+    warn_of_unknown_errors(context);
     if (output.period() > 0.)
       record_cycle(
         scene, progress.time, steps.length, output.period(), stepper, context);

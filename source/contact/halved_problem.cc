@@ -196,16 +196,18 @@ namespace RollingContact
           result(c, k) = all(c, nodes[k]);
       return result;
     }
-
-    ContactLoads halved_loads(ContactLoads                     loads,
-                              const std::vector<unsigned int> &nodes)
-    {
-      loads.gap             = taken(loads.gap, nodes);
-      loads.friction        = taken(loads.friction, nodes);
-      loads.slip_of_profile = taken(loads.slip_of_profile, nodes);
-      return loads;
-    }
   } // namespace
+
+  void HalvedProblem::set_loads(const ContactLoads &whole)
+  {
+    ContactLoads &loads   = problem.loads;
+    loads                 = whole;
+    loads.gap             = taken(loads.gap, nodes);
+    loads.friction        = taken(loads.friction, nodes);
+    loads.slip_of_profile = taken(loads.slip_of_profile, nodes);
+    loads.forces          = {};
+    loads.inclined_load.reset();
+  }
 
   std::optional<HalvedProblem>
   halved_problem(const ContactProblem              &whole,
@@ -233,7 +235,6 @@ namespace RollingContact
                    : SlipOperator(slip.kind()),
       operators.coupling(),
       frames);
-    half.problem.loads = halved_loads(whole.loads, half.nodes);
     return half;
   }
 

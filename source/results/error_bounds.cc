@@ -182,6 +182,7 @@ namespace RollingContact
     bound.constant *=
       1. +
       of_long_elements * std::max(0., found.element_aspect - longest_element);
+    bounds.order       = bound.order;
     const double added = of_waves * (found.waves > wavy ? found.waves : 0.) +
                          share_of_growth(found) + residual_share(found);
     bounds.force =

@@ -10,41 +10,16 @@ namespace RollingContact
   namespace
   {
     /**
-     * Weights of estimates and of what circumstances tell, see
-     * estimated_bounds().
-     */
-    const double of_across = 0.4, of_circumstances = 0.1, of_bulk = 0.8,
-                 of_bulk_under_approach = 1.3;
-
-    /**
      * What the growth of the mesh adds to the heat, over Mesh/Growth and mu: it
      * moves the slip of nodes that slide all the same.
      */
     const double of_growth_on_heat = 2e-3;
 
     /**
-     * What the elements across the patch may add to a value, from its change on
-     * every second node and the bound by circumstances.
+     * Weight of the change on every second node in the error of the peak
+     * pressure, where elements were refined.
      */
-    double of_elements(const double across, const double known)
-    {
-      return std::min(known,
-                      std::sqrt(of_across * across * known) +
-                        of_circumstances * known);
-    }
-
-    std::string in_words(const double      elements,
-                         const double      bulk,
-                         const std::string bulk_text,
-                         const double      residual)
-    {
-      std::string text = scientific(elements, 2) +
-                         " for the elements across the patch, " +
-                         scientific(bulk, 2) + " for " + bulk_text;
-      if (residual > 0.1 * (elements + bulk))
-        text += ", " + scientific(residual, 2) + " for the residual";
-      return text;
-    }
+    const double of_change_on_peak = 1.3;
 
     /**
      * The circumstances without what is estimated or added by itself.
@@ -56,57 +31,138 @@ namespace RollingContact
       found.approach_given                              = false;
       return found;
     }
+
+    /**
+     * The bounds of a state by what it tells of itself, see
+     * estimated_bounds().
+     */
+    class Estimated
+    {
+    public:
+      Estimated(const BoundCircumstances &found,
+                const ErrorEstimate      &estimate,
+                const Resultants         &result)
+        : found(found)
+        , estimate(estimate)
+        , result(result)
+        , known(error_bounds(found))
+        , mesh(error_bounds(of_mesh_alone(found)))
+        , residual(residual_share(found))
+        , tells(estimate.n_positions > 0)
+      {}
+
+      ErrorBounds bounds() const;
+
+    private:
+      /**
+       * What the elements across the patch may add to a force or a moment that
+       * changes by so much on every second node, both over that of sliding.
+       */
+      double of_elements(const double change) const
+      {
+        // 1/(2^p - 1) of the change is the error of order p; in 3D the lines of
+        // a patch have edges at many places of the mesh
+        const bool   plane  = found.dim == 2;
+        const double weight = !plane            ? 0.2
+                              : mesh.order > 1. ? 0.4
+                                                : 1.,
+                     least = plane ? 0.05 : 0.1, most = *mesh.force;
+        return estimate.sticks
+                 ? std::min(most,
+                            std::sqrt(weight * change * most) + least * most)
+                 : most;
+      }
+
+      /**
+       * What is missing in the bulk, over a value of the same units.
+       */
+      double of_bulk(const double change, const double value) const
+      {
+        return (found.approach_given ? 1.3 : 0.8) * change / value;
+      }
+
+      void set_force(ErrorBounds &bounds) const;
+
+      void set_moment(ErrorBounds &bounds) const;
+
+      void set_heat(ErrorBounds &bounds) const;
+
+      const BoundCircumstances &found;
+      const ErrorEstimate      &estimate;
+      const Resultants         &result;
+      const ErrorBounds         known, mesh;
+      const double              residual;
+      const bool                tells;
+      static constexpr double unknown = std::numeric_limits<double>::infinity();
+    };
+
+    void Estimated::set_force(ErrorBounds &bounds) const
+    {
+      const double sliding  = result.friction_force,
+                   elements = of_elements(
+                     std::min(tells ? estimate.across.force / sliding : unknown,
+                              estimate.from_level_before.value_or(unknown))),
+                   growth = estimate.bulk_known
+                              ? of_bulk(estimate.bulk.force, sliding)
+                              : *known.force - *mesh.force - residual;
+      bounds.force        = std::min(1., elements + growth + residual);
+      bounds.text         = scientific(elements, 2) +
+                    " for the elements across the patch, " +
+                    scientific(growth, 2) + " for the growth of the mesh";
+      if (residual > 0.1 * (elements + growth))
+        bounds.text += ", " + scientific(residual, 2) + " for the residual";
+    }
+
+    void Estimated::set_moment(ErrorBounds &bounds) const
+    {
+      const double sliding = result.friction_force * result.half_width_x;
+      if (sliding > 0.)
+        bounds.moment = std::min(
+          1.,
+          of_elements(tells ? estimate.across.moment / sliding : unknown) +
+            (estimate.bulk_known ? of_bulk(estimate.bulk.moment, sliding)
+                                 : *known.force - *mesh.force - residual) +
+            residual);
+    }
+
+    void Estimated::set_heat(ErrorBounds &bounds) const
+    {
+      if (tells && result.dissipation > 0.)
+        bounds.dissipation =
+          (estimate.across.dissipation + estimate.bulk.dissipation) /
+            result.dissipation +
+          *mesh.force + residual +
+          of_growth_on_heat * found.growth / found.friction;
+    }
+
+    ErrorBounds Estimated::bounds() const
+    {
+      ErrorBounds bounds = known;
+      if (!known.force || !(result.normal_force > 0.))
+        return bounds;
+      if (estimate.from_level_before)
+        bounds.max_pressure =
+          std::max(*bounds.max_pressure,
+                   of_change_on_peak * estimate.across.max_pressure /
+                     result.max_pressure);
+      if (found.approach_given && estimate.bulk_known && tells)
+        bounds.normal_force =
+          (estimate.across.normal_force / result.normal_force +
+           of_bulk(estimate.bulk.normal_force, result.normal_force));
+      if (!(result.friction_force > 0.))
+        return bounds;
+      set_force(bounds);
+      if (found.dim == 3)
+        set_moment(bounds);
+      set_heat(bounds);
+      return bounds;
+    }
   } // namespace
 
   ErrorBounds estimated_bounds(const BoundCircumstances &found,
                                const ErrorEstimate      &estimate,
                                const Resultants         &result)
   {
-    ErrorBounds       bounds = error_bounds(found);
-    const ErrorBounds mesh   = error_bounds(of_mesh_alone(found));
-    if (!bounds.force || !(result.friction_force > 0.) ||
-        !(result.normal_force > 0.))
-      return bounds;
-    const double scale    = result.friction_force,
-                 moment   = scale * result.half_width_x,
-                 residual = residual_share(found),
-                 bulk = found.approach_given ? of_bulk_under_approach : of_bulk;
-    const bool   tells       = estimate.n_positions > 0;
-    const double unknown     = std::numeric_limits<double>::infinity();
-    const auto   elements_of = [&](const double change) {
-      return estimate.sticks ? of_elements(change, *mesh.force) : *mesh.force;
-    };
-    const double elements =
-      elements_of(std::min(tells ? estimate.across.force / scale : unknown,
-                           estimate.from_level_before.value_or(unknown)));
-    const double of_growth = estimate.bulk_known
-                               ? bulk * estimate.bulk.force / scale
-                               : *bounds.force - *mesh.force - residual;
-    bounds.force           = std::min(1., elements + of_growth + residual);
-    bounds.text =
-      in_words(elements, of_growth, "the growth of the mesh", residual);
-    if (found.dim == 3 && moment > 0.)
-      bounds.moment =
-        std::min(1.,
-                 elements_of(tells ? estimate.across.moment / moment
-                                   : unknown) +
-                   (estimate.bulk_known ? bulk * estimate.bulk.moment / moment
-                                        : of_growth) +
-                   residual);
-    if (estimate.from_level_before)
-      bounds.max_pressure =
-        std::max(*bounds.max_pressure,
-                 1.3 * estimate.across.max_pressure / result.max_pressure);
-    if (found.approach_given && estimate.bulk_known && tells)
-      bounds.normal_force = (of_across * estimate.across.normal_force +
-                             bulk * estimate.bulk.normal_force) /
-                            result.normal_force;
-    if (tells && result.dissipation > 0.)
-      bounds.dissipation =
-        (estimate.across.dissipation + estimate.bulk.dissipation) /
-          result.dissipation +
-        *mesh.force + residual +
-        of_growth_on_heat * found.growth / std::max(found.friction, 1e-6);
-    return bounds;
+    return Estimated(found, estimate, result).bounds();
   }
 } // namespace RollingContact

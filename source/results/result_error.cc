@@ -165,6 +165,16 @@ namespace RollingContact
       statement(error_bounds(scene, steady), "time step not estimated"));
   }
 
+  void warn_of_unknown_errors(RunContext &context)
+  {
+    for (const ErrorStatement &error : context.report.errors)
+      if (std::isnan(error.value))
+        context.log.warning("How far the " + error.quantity +
+                            " may be off is not known: " + error.reference +
+                            ". Compare with a run that has more Mesh/Elements "
+                            "across patch.");
+  }
+
   template void
   note_error(const PairSpec &, const SteadyState<2> &, RunReport &);
   template void

@@ -246,6 +246,7 @@ namespace RollingContact
                           " nodes touch: the patch is unresolved, take more "
                           "elements (Mesh/Elements across patch).");
     warn_of_turning_normal(last);
+    warn_of_unknown_errors(context);
     if (n_unresolved > 0)
       context.log.warning(
         "At " + std::to_string(n_unresolved) + " of " +

@@ -113,43 +113,41 @@ namespace RollingContact
     }
 
     /**
-     * Contact on every second node, as the whole problem's state has it.
-     */
-    struct HalvedSolution
-    {
-      HalvedProblem half;
-      ContactState  state;
-    };
-
-    /**
-     * Solve the problem of a state on the nodes that @p odd says, with its
-     * creepages and its load. None if that has no solution.
+     * Make the problems on every second node at all positions, which serve all
+     * states of one problem.
      */
     template <int dim>
-    std::optional<HalvedSolution>
-    solve_half(const PairSpec                    &scene,
-               const SteadyState<dim>            &steady,
-               const std::array<unsigned int, 2> &odd)
+    void make_halves(const PairSpec &scene, SteadyState<dim> &steady)
     {
-      auto half = halved_problem(steady.problem,
-                                 steady.pair->trace(),
-                                 scene.contact.contact_matrices,
-                                 dim == 2 ? scene.thickness() : 1.,
-                                 odd);
-      if (!half)
-        return {};
-      half->problem.loads.forces = {};
-      half->problem.loads.inclined_load.reset();
+      for (unsigned int k = 0; k < 1u << (dim - 1); ++k)
+        if (auto half = halved_problem(steady.problem,
+                                       steady.pair->trace(),
+                                       scene.contact.contact_matrices,
+                                       dim == 2 ? scene.thickness() : 1.,
+                                       {{k & 1, k >> 1}}))
+          steady.halves.push_back(std::move(*half));
+    }
+
+    /**
+     * The state on every second node with the loads of the whole problem, from
+     * its state. None if it was not found.
+     */
+    std::optional<ContactState> solved_half(const PairSpec       &scene,
+                                            const ContactProblem &whole,
+                                            const ContactState   &from,
+                                            HalvedProblem        &half)
+    {
+      half.set_loads(whole.loads);
       SolverControls controls = scene.solver.controls;
       controls.tolerance      = std::max(controls.tolerance, tolerance);
       controls.max_iterations =
         std::min(controls.max_iterations, most_iterations);
-      ContactState state = halved_state(*half, steady.state);
-      if (!make_contact_solver("automatic", controls)
-             ->solve(half->problem, state)
+      ContactState state = halved_state(half, from);
+      if (!make_contact_solver("economical", controls)
+             ->solve(half.problem, state)
              .converged)
         return {};
-      return HalvedSolution{std::move(*half), std::move(state)};
+      return state;
     }
 
     bool any_sticks(const ContactProblem &problem, const ContactState &state)
@@ -171,23 +169,25 @@ namespace RollingContact
     if (!steady.solver.converged || steady.result.n_touching == 0 ||
         problem.operators.time_scaling().rate != 0.)
       return;
-    ErrorEstimate                 estimate;
-    std::optional<HalvedSolution> last;
-    for (unsigned int k = 0; k < 1u << (dim - 1); ++k)
-      if (auto solved = solve_half(scene, steady, {{k & 1, k >> 1}}))
+    if (steady.halves.empty())
+      make_halves(scene, steady);
+    ErrorEstimate         estimate;
+    const ContactProblem *last = &problem;
+    ContactState          last_state;
+    for (HalvedProblem &half : steady.halves)
+      if (auto state = solved_half(scene, problem, steady.state, half))
         {
-          const Resultants found =
-            resultants(solved->half.problem, solved->state);
+          const Resultants found = resultants(half.problem, *state);
           if (!is_finite(found) || found.n_touching == 0)
             continue;
           keep_larger(steady.result, found, estimate.across);
           ++estimate.n_positions;
-          last = std::move(solved);
+          last       = &half.problem;
+          last_state = std::move(*state);
         }
     estimate.sticks = any_sticks(problem, steady.state);
-    const auto bulk =
-      last ? changes_by_bulk(scene, steady, last->half.problem, last->state)
-           : changes_by_bulk(scene, steady, problem, steady.state);
+    const auto bulk = changes_by_bulk(
+      scene, steady, *last, last == &problem ? steady.state : last_state);
     estimate.bulk_known = bulk.has_value();
     estimate.bulk       = bulk.value_or(ValueChanges());
     steady.estimate     = estimate;

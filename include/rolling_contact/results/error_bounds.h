@@ -52,6 +52,7 @@ namespace RollingContact
     std::optional<double> normal_force; ///< over N, under a given approach
     std::optional<double> dissipation;  ///< over the heat of friction
     std::string           text;         ///< what that of the force is made of
+    double                order = 1.;   ///< p of c / n^p in that of the force
   };
 
   /**

@@ -1,6 +1,7 @@
 #ifndef rolling_contact_results_result_error_h
 #define rolling_contact_results_result_error_h
 
+#include <rolling_contact/run/run_context.h>
 #include <rolling_contact/run/run_report.h>
 #include <rolling_contact/scene/pair_spec.h>
 #include <rolling_contact/state/steady_state.h>
@@ -28,6 +29,11 @@ namespace RollingContact
   void note_error_of_step(const PairSpec         &scene,
                           const SteadyState<dim> &steady,
                           RunReport              &report);
+
+  /**
+   * Warn of each error in the report that is not known.
+   */
+  void warn_of_unknown_errors(RunContext &context);
 } // namespace RollingContact
 
 #endif

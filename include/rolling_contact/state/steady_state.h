@@ -1,6 +1,7 @@
 #ifndef rolling_contact_state_steady_state_h
 #define rolling_contact_state_steady_state_h
 
+#include <rolling_contact/contact/halved_problem.h>
 #include <rolling_contact/contact/resultants.h>
 #include <rolling_contact/pair/patch_estimate.h>
 #include <rolling_contact/pair/rolling_pair.h>
@@ -68,6 +69,10 @@ namespace RollingContact
 
     /** Of this state, if it was asked for. */
     std::optional<ErrorEstimate> estimate;
+
+    /** What estimates are made with, for all states of this problem; empty
+     * until it was needed. */
+    std::vector<HalvedProblem> halves;
   };
 
   /**
