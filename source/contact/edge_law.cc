@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace RollingContact
 {
@@ -307,6 +308,33 @@ namespace RollingContact
     }
   } // namespace
 
+  namespace
+  {
+    /**
+     * Steps in which an element is rolled; in more of them nothing enters the
+     * patch through its leading edge.
+     */
+    const double most_steps = 1e3;
+
+    /**
+     * Whether the edge that is upstream differs from the one downstream: in
+     * steady rolling, and in time if it is rolling at all.
+     */
+    bool flows(const ContactOperators &operators)
+    {
+      const double rate = operators.time_scaling().rate;
+      if (rate == 0.)
+        return true;
+      double shortest = std::numeric_limits<double>::infinity();
+      for (const auto &line : operators.slip_operator().lines())
+        for (std::size_t k = 1; k < line.size(); ++k)
+          shortest = std::min(shortest,
+                              std::abs(operators.positions()[line[k]][0] -
+                                       operators.positions()[line[k - 1]][0]));
+      return rate * shortest < most_steps;
+    }
+  } // namespace
+
   SlipRows slip_rows(const ContactProblem      &problem,
                      const std::vector<double> &pressure,
                      const SlipScheme          &scheme,
@@ -319,7 +347,8 @@ namespace RollingContact
       return rows;
     rows.B1 = problem.operators.slip_operator().rows();
     rows.B2 = identity(n);
-    if (edge_law && problem.operators.slip_operator().has_edge_law())
+    if (edge_law && problem.operators.slip_operator().has_edge_law() &&
+        flows(problem.operators))
       {
         rows.edge_rows.assign(n_components, SparseRows(n));
         rows.edge_constants = NodalField(n, n_components);

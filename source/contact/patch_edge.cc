@@ -1,4 +1,5 @@
 #include <rolling_contact/contact/patch_edge.h>
+#include <rolling_contact/contact/square_root_edge.h>
 
 #include <algorithm>
 #include <cmath>
@@ -31,5 +32,24 @@ namespace RollingContact
     const double spacing = x[1] - x[0];
     const double beyond  = std::clamp((x[0] - edge) / spacing, 0., 1.);
     return x[0] - beyond * spacing;
+  }
+
+  double recovered_edge(const std::vector<double> &x,
+                        const std::vector<double> &pressure,
+                        const bool                 curved)
+  {
+    const double        alike = 1e-3; // distances between nodes, relatively
+    std::vector<double> from_end;
+    for (std::size_t k = 0; k < x.size(); ++k)
+      {
+        if (k > 1 && std::abs(x[k] - x[k - 1] - (x[1] - x[0])) >
+                       alike * std::abs(x[1] - x[0]))
+          break;
+        from_end.push_back(pressure[k]);
+      }
+    if (const auto distance =
+          SquareRootEdge::of_pressure().distance(from_end, curved ? 2 : 1))
+      return x[0] - *distance * (x[1] - x[0]);
+    return patch_edge(x, pressure);
   }
 } // namespace RollingContact

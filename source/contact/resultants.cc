@@ -1,10 +1,9 @@
-#include <rolling_contact/contact/patch_edge.h>
+#include <rolling_contact/contact/patch_edges.h>
 #include <rolling_contact/contact/resultants.h>
 #include <rolling_contact/contact/sliding_response.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace RollingContact
 {
@@ -46,85 +45,6 @@ namespace RollingContact
         result.traction_coefficient = result.tangential_force / pressed;
     }
 
-    using PressureLine =
-      std::vector<std::pair<double, double>>; ///< place, pressure
-
-    /**
-     * Where the pressure of a line vanishes beyond its largest place.
-     */
-    double upper_edge(PressureLine line)
-    {
-      std::sort(line.rbegin(), line.rend());
-      std::vector<double> at, pressure;
-      for (const auto &point : line)
-        {
-          at.push_back(point.first);
-          pressure.push_back(point.second);
-        }
-      return patch_edge(at, pressure);
-    }
-
-    double lower_edge(PressureLine line)
-    {
-      for (auto &point : line)
-        point.first = -point.first;
-      return -upper_edge(line);
-    }
-
-    /**
-     * Touching nodes of the line along x that is nearest to y = 0.
-     */
-    PressureLine middle_line(const ContactProblem         &problem,
-                             const std::vector<NodeState> &states,
-                             const ContactState           &state)
-    {
-      double nearest = std::numeric_limits<double>::max();
-      for (unsigned int i = 0; i < problem.n_nodes(); ++i)
-        if (states[i] != NodeState::open)
-          nearest =
-            std::min(nearest, std::abs(problem.operators.positions()[i][1]));
-      PressureLine line;
-      for (unsigned int i = 0; i < problem.n_nodes(); ++i)
-        if (states[i] != NodeState::open &&
-            std::abs(problem.operators.positions()[i][1]) <=
-              nearest * (1 + 1e-9))
-          line.emplace_back(problem.operators.positions()[i][0],
-                            state.pressure[i]);
-      return line;
-    }
-
-    /**
-     * Touching nodes along y through the one with the largest @p sign times y,
-     * of several that with the largest pressure; places are sign times y.
-     */
-    PressureLine outermost_line(const ContactProblem         &problem,
-                                const std::vector<NodeState> &states,
-                                const ContactState           &state,
-                                const int                     sign)
-    {
-      const auto touches = [&](const unsigned int i) {
-        return states[i] != NodeState::open;
-      };
-      const auto &at     = problem.operators.positions();
-      double      extent = 0., outer = -std::numeric_limits<double>::max();
-      for (unsigned int i = 0; i < problem.n_nodes(); ++i)
-        if (touches(i))
-          {
-            extent = std::max({extent, std::abs(at[i][0]), std::abs(at[i][1])});
-            outer  = std::max(outer, sign * at[i][1]);
-          }
-      const double                    tolerance = 1e-9 * extent;
-      std::pair<double, unsigned int> end{-1., 0}; // pressure, node
-      for (unsigned int i = 0; i < problem.n_nodes(); ++i)
-        if (touches(i) && sign * at[i][1] >= outer - tolerance)
-          end = std::max(end, {state.pressure[i], i});
-      PressureLine line;
-      for (unsigned int i = 0; i < problem.n_nodes(); ++i)
-        if (touches(i) && std::abs(at[i][0] - at[end.second][0]) <= tolerance)
-          line.emplace_back(sign * at[i][1], state.pressure[i]);
-      return line;
-    }
-
     void add_sizes(const TangentialProblem      &tangential,
                    const std::vector<NodeState> &states,
                    const ContactState           &state,
@@ -138,14 +58,12 @@ namespace RollingContact
             result.max_pressure =
               std::max(result.max_pressure, state.pressure[i]);
           }
-      const PressureLine line = middle_line(problem, states, state);
-      result.edge_begin_x     = lower_edge(line);
-      result.edge_end_x       = upper_edge(line);
-      result.half_width_x     = (result.edge_end_x - result.edge_begin_x) / 2;
-      result.half_width_y =
-        (upper_edge(outermost_line(problem, states, state, 1)) +
-         upper_edge(outermost_line(problem, states, state, -1))) /
-        2;
+      const PatchEdges edges =
+        recovered_edges(problem.operators, state.pressure);
+      result.edge_begin_x = edges.begin_x;
+      result.edge_end_x   = edges.end_x;
+      result.half_width_x = (edges.end_x - edges.begin_x) / 2;
+      result.half_width_y = (edges.end_y - edges.begin_y) / 2;
     }
   } // namespace
 

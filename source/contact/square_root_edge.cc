@@ -6,11 +6,7 @@ namespace RollingContact
 {
   namespace
   {
-    /**
-     * Nodes 1 to 5 are those that a parabola is fitted to; with a sixth there
-     * is one that decides nothing.
-     */
-    const std::size_t least_nodes = 6;
+    const std::size_t n_fitted = 5; // nodes that a parabola is fitted to
 
     /**
      * Where xi may lie: a node farther outside carries no force, and one
@@ -21,18 +17,25 @@ namespace RollingContact
     const unsigned int n_rounds = 8; // each reduces the change about 10 times
 
     /**
-     * The parabola through the squares of nodes 1 to 5 by least squares, as a
+     * The parabola through the squares of five nodes by least squares, as a
      * function of the distance from node 0 in elements.
      */
     struct Parabola
     {
-      double value, slope, curvature; // at node 3: v + s t + c t^2
+      double middle;                  // the third of the nodes
+      double value, slope, curvature; // there: v + s t + c t^2
 
-      explicit Parabola(const std::vector<double> &y)
-        : value((-3 * y[1] + 12 * y[2] + 17 * y[3] + 12 * y[4] - 3 * y[5]) / 35)
-        , slope((-2 * y[1] - y[2] + y[4] + 2 * y[5]) / 10)
-        , curvature((2 * y[1] - y[2] - 2 * y[3] - y[4] + 2 * y[5]) / 14)
-      {}
+      /**
+       * Through the nodes from @p first on.
+       */
+      Parabola(const std::vector<double> &squares, const std::size_t first)
+        : middle(first + 2)
+      {
+        const double *y = &squares[first];
+        value = (-3 * y[0] + 12 * y[1] + 17 * y[2] + 12 * y[3] - 3 * y[4]) / 35;
+        slope = (-2 * y[0] - y[1] + y[3] + 2 * y[4]) / 10;
+        curvature = (2 * y[0] - y[1] - 2 * y[2] - y[3] + 2 * y[4]) / 14;
+      }
 
       /**
        * Where it falls to zero, from node 0 in elements.
@@ -42,12 +45,12 @@ namespace RollingContact
         const double discriminant = slope * slope - 4 * curvature * value;
         return discriminant < 0.
                  ? std::nan("")
-                 : 3 - 2 * value / (slope + std::sqrt(discriminant));
+                 : middle - 2 * value / (slope + std::sqrt(discriminant));
       }
 
       double slope_at(const double place) const
       {
-        return slope + 2 * curvature * (place - 3);
+        return slope + 2 * curvature * (place - middle);
       }
     };
   } // namespace
@@ -75,34 +78,56 @@ namespace RollingContact
                             {{0.0592, -0.0271, -0.0139}}}});
   }
 
-  std::vector<SquareRootEdge::Deviation>
-  SquareRootEdge::deviation(const std::vector<double> &from_end) const
+  double SquareRootEdge::deviation_of(const std::size_t k,
+                                      const Ending     &ending) const
   {
-    if (from_end.size() < least_nodes)
+    double value = 0.;
+    for (const double coefficient : deviations[k])
+      value = value * ending.distance + coefficient;
+    return ending.growth * value;
+  }
+
+  std::optional<SquareRootEdge::Ending>
+  SquareRootEdge::ending(const std::vector<double> &from_end,
+                         const std::size_t          first) const
+  {
+    if (from_end.size() < first + n_fitted)
       return {};
     std::vector<double> square;
     for (const double f : from_end)
       square.push_back(f * f);
 
-    std::vector<Deviation> found(n_disturbed);
-    std::vector<double>    exact(square);
+    Ending              found{};
+    std::vector<double> exact(square);
     for (unsigned int round = 0; round < n_rounds; ++round)
       {
-        const Parabola parabola(exact);
-        const double   distance = -parabola.root();
-        const double   growth   = parabola.slope_at(-distance);
-        if (!(distance > smallest_distance && distance < largest_distance &&
-              growth > 0.))
+        const Parabola parabola(exact, first);
+        found.distance = -parabola.root();
+        found.growth   = parabola.slope_at(-found.distance);
+        if (!(found.distance > smallest_distance &&
+              found.distance < largest_distance && found.growth > 0.))
           return {};
         for (std::size_t k = 0; k < n_disturbed; ++k)
-          {
-            double value = 0.;
-            for (const double coefficient : deviations[k])
-              value = value * distance + coefficient;
-            found[k] = {growth * value, growth};
-            exact[k] = square[k] - found[k].of_square;
-          }
+          exact[k] = square[k] - deviation_of(k, found);
       }
     return found;
+  }
+
+  std::vector<SquareRootEdge::Deviation>
+  SquareRootEdge::deviation(const std::vector<double> &from_end) const
+  {
+    std::vector<Deviation> found;
+    if (const auto end = ending(from_end, 1))
+      for (std::size_t k = 0; k < n_disturbed; ++k)
+        found.push_back({deviation_of(k, *end), end->growth});
+    return found;
+  }
+
+  std::optional<double>
+  SquareRootEdge::distance(const std::vector<double> &from_end,
+                           const std::size_t          first) const
+  {
+    const auto end = ending(from_end, first);
+    return end ? std::optional<double>(end->distance) : std::nullopt;
   }
 } // namespace RollingContact

@@ -1,9 +1,8 @@
 #include <deal.II/base/data_out_base.h>
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/symmetric_tensor.h>
-#include <deal.II/fe/fe_values.h>
 
 #include <rolling_contact/base/ranks.h>
+#include <rolling_contact/contact/recovered_tractions.h>
 #include <rolling_contact/results/body_fields.h>
 
 #include <cmath>
@@ -27,59 +26,25 @@ namespace RollingContact
                    {"stress_xx", "stress_yy", "stress_zz", "stress_xz"});
       if (dim == 3)
         names.insert(names.end(), {"stress_xy", "stress_yz"});
-      names.push_back("von_mises");
+      names.insert(names.end(), {"von_mises", "stress_error"});
       return names;
-    }
-
-    /** Mean over the cell; eps_yy = 0 in plane strain. */
-    template <int dim>
-    SymmetricTensor<2, 3> mean_strain(const FEValues<dim> &values,
-                                      const BodyField     &displacement)
-    {
-      std::vector<Tensor<2, dim>> gradients(values.n_quadrature_points);
-      values[FEValuesExtractors::Vector(0)].get_function_gradients(displacement,
-                                                                   gradients);
-      Tensor<2, dim> mean;
-      double         volume = 0.;
-      for (const unsigned int q : values.quadrature_point_indices())
-        {
-          mean += values.JxW(q) * gradients[q];
-          volume += values.JxW(q);
-        }
-      mean /= volume;
-
-      const auto axis = [](const unsigned int d) {
-        return d == dim - 1 ? 2 : d;
-      };
-      SymmetricTensor<2, 3> strain;
-      for (unsigned int i = 0; i < dim; ++i)
-        for (unsigned int j = 0; j <= i; ++j)
-          strain[axis(i)][axis(j)] = (mean[i][j] + mean[j][i]) / 2;
-      return strain;
-    }
-
-    /** sigma = 2 G dev(eps) + k tr(eps) I, as B-bar has it. */
-    SymmetricTensor<2, 3> stress_of(const SymmetricTensor<2, 3> &strain,
-                                    const Material              &material)
-    {
-      return 2 * material.shear_modulus() * deviator(strain) +
-             material.bulk_modulus() * trace(strain) *
-               unit_symmetric_tensor<3>();
     }
 
     /** In the order of field_names(). */
     template <int dim>
-    std::vector<double> stress_fields(const SymmetricTensor<2, 3> &stress,
-                                      const bool                   mirrored)
+    std::vector<double> stress_fields(const StressValue &value,
+                                      const bool         mirrored)
     {
-      const double        sign = mirrored ? -1. : 1.;
-      std::vector<double> fields{stress[0][0],
+      const SymmetricTensor<2, 3> &stress = value.stress;
+      const double                 sign   = mirrored ? -1. : 1.;
+      std::vector<double>          fields{stress[0][0],
                                  stress[1][1],
                                  stress[2][2],
                                  sign * stress[0][2]};
       if (dim == 3)
         fields.insert(fields.end(), {stress[0][1], sign * stress[1][2]});
       fields.push_back(std::sqrt(1.5) * deviator(stress).norm());
+      fields.push_back(value.error);
       return fields;
     }
 
@@ -97,27 +62,13 @@ namespace RollingContact
       return result;
     }
 
-    SymmetricTensor<2, 3> in_contact(const SymmetricTensor<2, 3> &stress,
-                                     const double                 angle)
-    {
-      if (angle == 0.)
-        return stress;
-      Tensor<2, 3> rows(stress); // its columns turned, then its rows
-      for (unsigned int i = 0; i < 3; ++i)
-        rows[i] = in_contact(rows[i], angle);
-      rows = transpose(rows);
-      for (unsigned int i = 0; i < 3; ++i)
-        rows[i] = in_contact(rows[i], angle);
-      return symmetrize(rows);
-    }
-
     /** A mirrored cell swaps its bottom and top to keep its orientation. */
     template <int dim>
     DataOutBase::Patch<dim, dim>
     make_patch(const typename DoFHandler<dim>::active_cell_iterator &cell,
-               const BodyField           &displacement,
-               const BodyPlacement       &placement,
-               const std::vector<double> &stresses)
+               const BodyField        &displacement,
+               const BodyPlacement    &placement,
+               const NodalStress<dim> &stress)
     {
       const double       sign = placement.mirrored ? -1. : 1.;
       const unsigned int swap = placement.mirrored ? 1 << (dim - 1) : 0;
@@ -125,7 +76,7 @@ namespace RollingContact
       DataOutBase::Patch<dim, dim> patch;
       patch.n_subdivisions = 1;
       patch.reference_cell = ReferenceCells::get_hypercube<dim>();
-      patch.data.reinit(dim + stresses.size(), cell->n_vertices());
+      patch.data.reinit(field_names<dim>().size(), cell->n_vertices());
       for (const unsigned int v : cell->vertex_indices())
         {
           const unsigned int column = v ^ swap;
@@ -142,6 +93,9 @@ namespace RollingContact
             patch.data(d, column) = moved[d];
           patch.data(dim - 1, column) =
             sign * moved[dim - 1] + placement.shift_z;
+          const auto stresses =
+            stress_fields<dim>(stress.at(cell->vertex_index(v)),
+                               placement.mirrored);
           for (std::size_t i = 0; i < stresses.size(); ++i)
             patch.data(dim + i, column) = stresses[i];
         }
@@ -155,9 +109,10 @@ namespace RollingContact
                  const BodyPlacement    &placement)
     {
       const DoFHandler<dim> &dofs = body.dof_handler();
-      FEValues<dim>          values(dofs.get_fe(),
-                           QGauss<dim>(2),
-                           update_gradients | update_JxW_values);
+      const NodalStress<dim> stress(body,
+                                    displacement,
+                                    placement.axes.angle,
+                                    placement.tractions);
 
       std::vector<DataOutBase::Patch<dim, dim>> patches;
       patches.reserve(dofs.get_triangulation().n_active_cells());
@@ -165,16 +120,8 @@ namespace RollingContact
         {
           if (!cell->is_locally_owned())
             continue;
-          values.reinit(cell);
-          const SymmetricTensor<2, 3> stress =
-            in_contact(stress_of(mean_strain(values, displacement),
-                                 body.elasticity()),
-                       placement.axes.angle);
           patches.push_back(
-            make_patch<dim>(cell,
-                            displacement,
-                            placement,
-                            stress_fields<dim>(stress, placement.mirrored)));
+            make_patch<dim>(cell, displacement, placement, stress));
           patches.back().patch_index = patches.size() - 1;
         }
       return patches;
@@ -256,6 +203,29 @@ namespace RollingContact
   }
 
   template <int dim>
+  SurfaceTractions surface_tractions(const SteadyState<dim> &steady,
+                                     const Side              side)
+  {
+    const PairInterface<dim> &interface = steady.pair->interface();
+    if (!steady.problem.operators.frames().is_plane() ||
+        interface.turns_nodes() || !interface.coupling[side].is_identity())
+      return {};
+    const RecoveredTractions recovered =
+      recovered_tractions(steady.problem, steady.state);
+    const double     sign  = side == Side::wheel ? 1. : -1.;
+    const auto      &nodes = interface.nodes[side];
+    SurfaceTractions tractions;
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      {
+        auto &traction = tractions[nodes[i].dofs[0]];
+        traction       = {{-recovered.pressure[i], 0., 0.}};
+        for (unsigned int c = 0; c < recovered.traction.n_components(); ++c)
+          traction[1 + c] = sign * recovered.traction(c, i);
+      }
+    return tractions;
+  }
+
+  template <int dim>
   std::vector<PvdBlock>
   write_bodies(const SteadyState<dim>               &steady,
                const std::function<BodyField(Side)> &displacement,
@@ -275,7 +245,8 @@ namespace RollingContact
                                    displacement(side),
                                    {is_wheel,
                                     is_wheel ? -steady.state.approach : 0.,
-                                    steady.pair->interface().axes[side]},
+                                    steady.pair->interface().axes[side],
+                                    surface_tractions(steady, side)},
                                    folder,
                                    file_name(name_of(side)));
           blocks.push_back({time, part++, name_of(side), file});
@@ -283,18 +254,22 @@ namespace RollingContact
     return blocks;
   }
 
-  template std::string write_body_fields(const ElasticBody<2> *,
-                                         const unsigned int,
-                                         const BodyField &,
-                                         const BodyPlacement &,
-                                         RunFolder &,
-                                         const std::string &);
-  template std::string write_body_fields(const ElasticBody<3> *,
-                                         const unsigned int,
-                                         const BodyField &,
-                                         const BodyPlacement &,
-                                         RunFolder &,
-                                         const std::string &);
+  template std::string      write_body_fields(const ElasticBody<2> *,
+                                              const unsigned int,
+                                              const BodyField &,
+                                              const BodyPlacement &,
+                                              RunFolder &,
+                                              const std::string &);
+  template std::string      write_body_fields(const ElasticBody<3> *,
+                                              const unsigned int,
+                                              const BodyField &,
+                                              const BodyPlacement &,
+                                              RunFolder &,
+                                              const std::string &);
+  template SurfaceTractions surface_tractions(const SteadyState<2> &,
+                                              const Side);
+  template SurfaceTractions surface_tractions(const SteadyState<3> &,
+                                              const Side);
   template std::vector<PvdBlock>
   write_bodies(const SteadyState<2> &,
                const std::function<BodyField(Side)> &,

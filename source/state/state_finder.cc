@@ -2,6 +2,7 @@
 #include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/base/stopwatch.h>
 #include <rolling_contact/base/text.h>
+#include <rolling_contact/contact/patch_edges.h>
 #include <rolling_contact/state/state_finder.h>
 
 #include <cmath>
@@ -19,8 +20,9 @@ namespace RollingContact
   namespace
   {
     /**
-     * Offset in elements that puts the leading edge where `upwind 2` has no
-     * first-order force error, upstream of the first contact node.
+     * Offset in elements that puts the leading edge, as extrapolated, where
+     * `upwind 2` has no first-order force error, upstream of the first contact
+     * node.
      */
     const double aligned_distance = 0.38;
 
@@ -31,8 +33,9 @@ namespace RollingContact
     template <int dim>
     double aligned_offset(const SteadyState<dim> &steady, const int flow)
     {
-      const double edge =
-        flow > 0 ? steady.result.edge_begin_x : steady.result.edge_end_x;
+      const PatchEdges edges =
+        extrapolated_edges(steady.problem.operators, steady.state.pressure);
+      const double edge = flow > 0 ? edges.begin_x : edges.end_x;
       const double shift =
         edge / steady.grading.element_size_x + flow * aligned_distance;
       return shift - std::round(shift);

@@ -22,7 +22,7 @@ ARRAYS = {
     },
     "bodies.pvd": {
         "displacement": 3, "stress_xx": 1, "stress_yy": 1, "stress_zz": 1,
-        "stress_xz": 1, "von_mises": 1,
+        "stress_xz": 1, "von_mises": 1, "stress_error": 1,
     },
 }
 failures = 0
@@ -196,6 +196,16 @@ def check_stresses(f, dim, where):
     )
 
 
+def check_nodes(f, where):
+    """Each element brings its nodes; they have the values of the others there."""
+    _, first, copies = np.unique(f["points"], axis=0, return_index=True, return_inverse=True)
+    report(f"{where}: errors of the stress >= 0", (f["stress_error"] >= 0).all())
+    report(f"{where}: several elements at a node", 2 * len(first) < len(copies))
+    for name in ("stress_xx", "stress_zz", "stress_xz", "stress_error"):
+        apart = np.abs(f[name] - f[name][first][copies.ravel()]).max()  # ranks round
+        report(f"{where}: one {name} at a node", apart <= 4 * SINGLE * np.abs(f[name]).max())
+
+
 def lowest_height(f, dim, side):
     """Of the deformed surface next to the other body, at x = y = 0, by its nearest point."""
     up = dim - 1
@@ -215,6 +225,7 @@ def check_bodies(reader, scene, time, row, where):
     for name, data_sets in blocks.items():
         f = fields(data_sets, arrays, f"{where}, {name}")
         check_stresses(f, scene.dim, f"{where}, {name}")
+        check_nodes(f, f"{where}, {name}")
         z = f["points"][:, scene.dim - 1]
         side = 1 if name == "wheel" else -1
         report(f"{where}: {name} on its side", (side * z >= -1e-6).all())

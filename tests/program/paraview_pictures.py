@@ -13,6 +13,7 @@ from paraview.vtk.vtkIOImage import vtkPNGReader
 SIZE = (1200, 800)
 GREY, ORANGE, BLUE = (209, 209, 209), (230, 158, 0), (0, 115, 179)
 BLACK, RED, YELLOW, PURPLE = (0, 0, 0), (214, 48, 31), (253, 231, 37), (68, 1, 84)
+GREEN = (53, 183, 121)  # of viridis, at two thirds
 failures = 0
 
 
@@ -74,7 +75,9 @@ def check_run(folder):
             is_flat = os.path.exists(os.path.join(folder, "pictures", "tractions.png"))
             check(path, {BLUE: 2e-4} if is_flat else {YELLOW: 1e-3, PURPLE: 1e-4})
         else:
-            drawing = check(path, {PURPLE: 1e-3} if "impact" in folder else {YELLOW: 1e-3})
+            # with friction the stress may have its peak at a node of the surface
+            most = PURPLE if "impact" in folder else GREEN if rolls else YELLOW
+            drawing = check(path, {most: 1e-3})
             for body, half in zip(("rail", "wheel"), np.array_split(drawing, 2)):
                 bare = share(half, (255, 255, 255))
                 is_rigid = f"rigid_{body}" in folder

@@ -1,4 +1,4 @@
-#include "scene_run.h"
+#include "time_run.h"
 
 #include <rolling_contact/pair/patch_estimate.h>
 #include <rolling_contact/results/error_bounds.h>
@@ -78,6 +78,36 @@ BOOST_AUTO_TEST_CASE(coarse_meshes_have_the_force_of_fine_ones)
                                        << offset)
         BOOST_TEST(error < *error_bounds(run.situation(), run.steady).force);
       }
+}
+
+namespace
+{
+  /**
+   * F_x over mu N of steel that is pressed on aluminium in two steps, as Spence
+   * has it: nothing rolls but for a path of the given length.
+   */
+  template <int dim>
+  double force_of_pressing(const double path)
+  {
+    TimeRun<dim> run([&](SceneParameters &scene) {
+      scene.rail.material              = {70e9, 0.34};
+      scene.mesh.elements_across_patch = 12;
+      scene.contact.speed              = path;
+      scene.time.approach  = dim == 2 ? "0.15e-3 * t" : "0.07e-3 * t";
+      scene.time.time_step = 0.5;
+    });
+    return run.march(2).back();
+  }
+} // namespace
+
+// the mesh has its middle below the wheel, and nothing else tells both sides
+// apart if nothing rolls: not the leading edge either
+BOOST_AUTO_TEST_CASE(pressing_alone_drives_to_neither_side)
+{
+  BOOST_TEST(std::abs(force_of_pressing<2>(1e-9)) < 1e-6);
+  BOOST_TEST(std::abs(force_of_pressing<3>(1e-9)) < 1e-6);
+  // as soon as it rolls, the leading edge differs from the trailing one
+  BOOST_TEST(std::abs(force_of_pressing<3>(1e-3)) > 1e-3);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -18,7 +18,8 @@ BOOST_AUTO_TEST_CASE(pressure_is_that_of_hertz)
   const Solution solution = solve(half_plane_problem(options));
   BOOST_TEST(solution.report.converged);
   BOOST_TEST(std::abs(solution.result.max_pressure - 1.) < 2e-3);
-  BOOST_TEST(std::abs(solution.result.half_width_x - 1.) < 5e-3);
+  // edges are recovered as those of finite elements, which these are not
+  BOOST_TEST(std::abs(solution.result.half_width_x - 1.) < 8e-3);
   BOOST_TEST(std::abs(solution.result.normal_force - pi / 2) < 1e-12);
 }
 

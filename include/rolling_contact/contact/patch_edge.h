@@ -13,6 +13,18 @@ namespace RollingContact
    */
   double patch_edge(const std::vector<double> &x,
                     const std::vector<double> &pressure);
+
+  /**
+   * The edge of the patch free of what nodal forces over areas deviate from the
+   * pressure by next to an edge: that of SquareRootEdge, if seven nodes, of a
+   * straight edge six, are as far from each other and the pressure ends like a
+   * square root; elsewhere patch_edge(), which lies up to a quarter of an
+   * element farther out. The edge is @p curved that is no straight line across.
+   * Units: m.
+   */
+  double recovered_edge(const std::vector<double> &x,
+                        const std::vector<double> &pressure,
+                        const bool                 curved);
 } // namespace RollingContact
 
 #endif

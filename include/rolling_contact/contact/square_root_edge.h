@@ -2,6 +2,7 @@
 #define rolling_contact_contact_square_root_edge_h
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace RollingContact
@@ -46,12 +47,39 @@ namespace RollingContact
      */
     std::vector<Deviation> deviation(const std::vector<double> &from_end) const;
 
+    /**
+     * The distance xi of the outermost node from the end, in elements and
+     * negative outside, for the same values. A parabola goes through the
+     * squares of five nodes without their deviations, from the one at @p first
+     * on: 1 is what deviation() takes; from 2 on depends less on d_1, which is
+     * another where the end is curved. Empty if they are too few or do not end
+     * like a square root.
+     */
+    std::optional<double> distance(const std::vector<double> &from_end,
+                                   const std::size_t          first) const;
+
   private:
     using Quadratic = std::array<double, 3>; // highest power first
     static constexpr std::size_t n_disturbed = 5;
 
+    /**
+     * Where a field ends and how it grows there, xi and s.
+     */
+    struct Ending
+    {
+      double distance, growth;
+    };
+
     explicit SquareRootEdge(
       const std::array<Quadratic, n_disturbed> &deviations);
+
+    std::optional<Ending> ending(const std::vector<double> &from_end,
+                                 const std::size_t          first) const;
+
+    /**
+     * s d_k(xi) at node @p k.
+     */
+    double deviation_of(const std::size_t k, const Ending &ending) const;
 
     std::array<Quadratic, n_disturbed> deviations;
   };
