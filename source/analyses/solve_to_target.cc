@@ -29,7 +29,7 @@ namespace RollingContact
         limits +=
           "; Mesh/Elements across patch = " + std::to_string(mesh.elements) +
           " is the least";
-      if (given.growth != standard.growth && given.growth == mesh.growth)
+      if (given.growth == mesh.growth)
         limits +=
           "; Mesh/Growth = " + significant(mesh.growth, 3) + " is the largest";
       return limits;
@@ -93,7 +93,7 @@ namespace RollingContact
             throw MemoryError(entry_of(scene) + " takes " +
                               std::to_string(scene.mesh.elements_across_patch) +
                               " elements across the patch and a growth of " +
-                              significant(scene.mesh.growth, 3) +
+                              significant(mesh.growth, 3) +
                               ", give a larger one. " + error.what());
           }
         const ErrorBounds bounds = chooser.bounds_on(mesh, steady);

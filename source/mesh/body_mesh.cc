@@ -248,18 +248,13 @@ namespace RollingContact
 
   template <int dim>
   double least_cells(const std::shared_ptr<const BodyShape> &shape,
-                     const Grading<dim>                     &grading)
+                     const Grading<dim>                     &grading,
+                     const double                            enough)
   {
     if constexpr (dim == 3)
       if (shape->is_swept())
-        return fewest_swept_cells(shape,
-                                  grading,
-                                  std::numeric_limits<double>::infinity())
-          .second;
-    return fewest_cells<dim>(shape,
-                             grading,
-                             std::numeric_limits<double>::infinity())
-      .second;
+        return fewest_swept_cells(shape, grading, enough).second;
+    return fewest_cells<dim>(shape, grading, enough).second;
   }
 
   namespace
@@ -317,9 +312,11 @@ namespace RollingContact
   }
 
   template double least_cells<2>(const std::shared_ptr<const BodyShape> &,
-                                 const Grading<2> &);
+                                 const Grading<2> &,
+                                 const double);
   template double least_cells<3>(const std::shared_ptr<const BodyShape> &,
-                                 const Grading<3> &);
+                                 const Grading<3> &,
+                                 const double);
   template struct BodyMesh<2>;
   template struct BodyMesh<3>;
   template BodyMesh<2> make_body_mesh(const std::shared_ptr<const BodyShape> &,

@@ -89,7 +89,7 @@ namespace RollingContact
 
   double BodyShape::largest_half_width() const
   {
-    return std::min(reach_x(), thickness_below());
+    return reach_x();
   }
 
   double BodyShape::line_compression(const References::HertzLine &contact,

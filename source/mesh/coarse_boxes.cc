@@ -91,80 +91,116 @@ namespace RollingContact
       return cells;
     }
 
+    /// of a coarse cell: shorter ones at the ends of a body are not split off
+    const double shortest_end = 0.02;
+
     /**
-     * With cells of this @p size under the contact, and elsewhere unless they
-     * grow away from it.
+     * Split first and last cells that are longer than @p size into one of this
+     * size and a shorter one at the end.
      */
+    void split_ends(const double size, std::vector<double> &breaks)
+    {
+      const double longest = (1 + shortest_end) * size;
+      for (unsigned int end = 0; end < 2; ++end)
+        {
+          const std::size_t n = breaks.size();
+          if (n > 2 && breaks[n - 1] - breaks[n - 2] > longest &&
+              breaks[n - 1] - breaks[n - 2] < 2 * size)
+            breaks.insert(breaks.end() - 1, breaks[n - 2] + size);
+          std::reverse(breaks.begin(), breaks.end());
+          for (double &at : breaks)
+            at = -at;
+        }
+    }
+
+    struct Division
+    {
+      double size;        ///< under the contact
+      bool   grows;       ///< away from it; else all cells are alike
+      bool   splits_ends; ///< see split_ends()
+    };
+
     template <int dim>
     CoarseBoxes<dim> coarse_boxes(const std::shared_ptr<const BodyShape> &shape,
                                   const Grading<dim> &grading,
-                                  const double        size,
-                                  const bool          grows)
+                                  const Division     &division)
     {
       const double depth = shape->thickness_below(), width = shape->reach_y(),
                    element = grading.element_size_x;
+      const auto cells     = [&](const Direction &direction) {
+        return cells_along<dim>(direction,
+                                division.size,
+                                division.grows,
+                                grading);
+      };
       CoarseBoxes<dim> boxes;
-      boxes.size          = size;
-      CoarseCells along_x = cells_along<dim>({0,
-                                              element,
-                                              grading.zone_x,
-                                              shape->largest_coarse_size(),
-                                              growth_along},
-                                             size,
-                                             grows,
-                                             grading);
+      boxes.size          = division.size;
+      CoarseCells along_x = cells({0,
+                                   element,
+                                   grading.zone_x,
+                                   shape->largest_coarse_size(),
+                                   growth_along});
       along_x.origin      = grading.offset * element;
       const std::shared_ptr<const SurfaceChart> chart = shape->chart(along_x);
       boxes.breaks[0]                                 = chart->edges_x();
       boxes.chart = std::make_unique<BodyChart<dim>>(shape, chart);
+      if (division.splits_ends && chart->period() == 0.)
+        split_ends(division.size, boxes.breaks[0]);
       if (dim == 3)
-        boxes.breaks[1] =
-          break_points(-width,
-                       width,
-                       cells_along<dim>({1,
-                                         grading.element_size_y,
-                                         grading.zone_y,
-                                         largest_coarse_width * width,
-                                         growth_across},
-                                        size,
-                                        grows,
-                                        grading));
+        {
+          const CoarseCells across = cells({1,
+                                            grading.element_size_y,
+                                            grading.zone_y,
+                                            largest_coarse_width * width,
+                                            growth_across});
+          boxes.breaks[1]          = break_points(-width, width, across);
+          if (division.splits_ends)
+            split_ends(across.size, boxes.breaks[1]);
+        }
+      const CoarseCells    down     = cells({dim - 1,
+                                             grading.element_size_z(),
+                                             0.,
+                                             largest_coarse_depth * depth,
+                                             growth_in_depth});
       std::vector<double> &in_depth = boxes.breaks[dim - 1];
-      in_depth                      = growing_parts(0.,
-                               -depth,
-                               cells_along<dim>({dim - 1,
-                                                                      grading.element_size_z(),
-                                                                      0.,
-                                                                      largest_coarse_depth * depth,
-                                                                      growth_in_depth},
-                                                size,
-                                                grows,
-                                                grading));
+      in_depth                      = growing_parts(0., -depth, down);
       std::reverse(in_depth.begin(), in_depth.end());
       return boxes;
     }
 
     /**
      * Whether halving the coarse cells gives the elements of the zone of
-     * contact nodes right across it, as it does but for the last cells at the
-     * edges of a body, which are longer or shorter.
+     * contact nodes all along it and right across it, as it does but for the
+     * last cells at the ends and edges of a body, which are longer or shorter.
      */
     template <int dim>
     bool has_elements_of_zone(const CoarseBoxes<dim> &boxes,
                               const Grading<dim>     &grading)
     {
-      if (dim == 2)
+      const auto matches = [&](const int                    d,
+                               const double                 element,
+                               const std::array<double, 2> &zone) {
+        const double size     = boxes.size * element / grading.element_size_x,
+                     rounding = 1e-6 * size,
+                     // beyond it no element has its middle in the zone
+          slack                       = 0.2 * element;
+        const std::vector<double> &at = boxes.breaks[d];
+        for (std::size_t k = 1; k < at.size(); ++k)
+          {
+            const double length = at[k] - at[k - 1],
+                         middle = (at[k] + at[k - 1]) / 2,
+                         centred =
+                           d == 0 ? boxes.chart->centred_x(middle) : middle;
+            if (centred - length / 2 < zone[1] - slack &&
+                centred + length / 2 > zone[0] + slack &&
+                std::abs(length - size) > rounding)
+              return false;
+          }
         return true;
-      const double size = boxes.size * grading.element_size_y /
-                          grading.element_size_x,
-                   reach    = grading.zone_y + grading.element_size_y,
-                   rounding = 1e-6 * size;
-      const std::vector<double> &breaks = boxes.breaks[1];
-      for (std::size_t k = 1; k < breaks.size(); ++k)
-        if (breaks[k] > -reach && breaks[k - 1] < reach &&
-            std::abs(breaks[k] - breaks[k - 1] - size) > rounding)
-          return false;
-      return true;
+      };
+      return matches(0, grading.element_size_x, grading.zone_along()) &&
+             (dim == 2 ||
+              matches(1, grading.element_size_y, grading.zone_across()));
     }
 
     /**
@@ -214,31 +250,38 @@ namespace RollingContact
     CoarseBoxes<dim> best;
     double           fewest  = std::numeric_limits<double>::infinity();
     bool             matches = false; // the best has the elements of the zone
-    const auto       try_it  = [&](const int k, const bool grows) {
-      CoarseBoxes<dim> boxes = coarse_boxes<dim>(
-        shape, grading, std::ldexp(grading.element_size_x, k), grows);
-      const bool this_matches = has_elements_of_zone(boxes, grading);
-      if (matches && !this_matches)
-        return;
-      const double to_beat = matches == this_matches
-                                      ? fewest
-                                      : std::numeric_limits<double>::infinity();
-      const double n_cells = count_cells<dim>(boxes.breaks,
-                                              *boxes.chart,
-                                              grading,
-                                              std::min(to_beat, enough));
-      if (n_cells < to_beat)
-        {
-          best    = std::move(boxes);
-          fewest  = n_cells;
-          matches = this_matches;
-        }
-    };
+    const auto       try_it =
+      [&](const int k, const bool grows, const bool splits_ends = false) {
+        CoarseBoxes<dim> boxes = coarse_boxes<dim>(
+          shape,
+          grading,
+          {std::ldexp(grading.element_size_x, k), grows, splits_ends});
+        const bool this_matches = has_elements_of_zone(boxes, grading);
+        if (matches && !this_matches)
+          return;
+        const double to_beat = matches == this_matches
+                                 ? fewest
+                                 : std::numeric_limits<double>::infinity();
+        const double n_cells = count_cells<dim>(boxes.breaks,
+                                                *boxes.chart,
+                                                grading,
+                                                std::min(to_beat, enough));
+        if (n_cells < to_beat)
+          {
+            best    = std::move(boxes);
+            fewest  = n_cells;
+            matches = this_matches;
+          }
+      };
     try_it(most, false);
+    for (int k = most - 1; dim == 2 && !matches && k >= 0; --k)
+      try_it(k, false);
     // in 2D long cells cost more than they save
     for (int k = most; dim == 3 && k >= std::max(0, most - n_halvings_tried);
          --k)
       try_it(k, true);
+    for (int k = most; !matches && k >= 0; --k)
+      try_it(k, dim == 3, true);
     return {std::move(best), fewest};
   }
 

@@ -1,5 +1,6 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
+#include <rolling_contact/mesh/ring_places.h>
 #include <rolling_contact/modes/absorber_places.h>
 #include <rolling_contact/modes/node_rings.h>
 
@@ -10,9 +11,6 @@ namespace RollingContact
 {
   namespace
   {
-    /// from the place asked for, over the body's radius
-    const double farthest = 0.1;
-
     double distance(const NodeRing &nodes, const AbsorberRing &ring)
     {
       const CylindricalPlace &at = nodes.nodes.front().place;
@@ -36,7 +34,7 @@ namespace RollingContact
         throw InputError(section + "/Dampers: the mesh has no circle of nodes "
                                    "round the axle; take a disc or a section.");
       const CylindricalPlace &at = best->nodes.front().place;
-      if (distance(*best, ring) > farthest * largest)
+      if (distance(*best, ring) > farthest_ring * largest)
         throw InputError(
           section + "/Damper radius = " + significant(ring.radius, 6) +
           ", Damper position = " + significant(ring.position, 6) +

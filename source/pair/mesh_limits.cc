@@ -3,10 +3,13 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/memory.h>
 #include <rolling_contact/base/text.h>
+#include <rolling_contact/mesh/body_mesh.h>
+#include <rolling_contact/mesh/surface_chart.h>
 #include <rolling_contact/pair/mesh_limits.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace RollingContact
 {
@@ -43,7 +46,59 @@ namespace RollingContact
              significant(*contact.normal_load * std::pow(factor, dim), 2) +
              " N";
     }
+    /**
+     * Half the width of the narrower of the bodies that the program meshes as
+     * discs and blocks; infinite if there is none. Units: m.
+     */
+    double narrower_reach(const PairSpec &scene)
+    {
+      double reach = std::numeric_limits<double>::infinity();
+      for (const BodySpec *body : {&scene.wheel, &scene.rail})
+        if (!body->rigid && !body->is_from_file())
+          {
+            const auto shape = body->body_shape();
+            if (!shape->is_swept())
+              reach = std::min(reach, shape->reach_y());
+          }
+      return reach;
+    }
   } // namespace
+
+  template <int dim>
+  void end_at_side(const PairSpec      &scene,
+                   const PatchEstimate &patch,
+                   Grading<dim>        &grading)
+  {
+    const double reach = narrower_reach(scene), near = 2.5; // elements
+    if (dim == 2 || !patch.boxes.empty() ||
+        grading.zone_y + near * grading.element_size_y < reach)
+      return;
+    if (patch.half_width_y < reach)
+      grading.zone_y = std::min(grading.zone_y, reach);
+    grading.element_size_y =
+      reach / fewest_parts(reach, grading.element_size_y);
+  }
+
+  template <int dim>
+  CellCount cells_to_mesh(const PairSpec &scene, const Grading<dim> &grading)
+  {
+    const double enough = 1e6; // to count no longer than meshing takes
+    CellCount    count;
+    for (const Side side : both_sides)
+      {
+        const BodySpec &body = scene.body(side);
+        if (body.rigid || (body.is_from_file() && !body.is_section()))
+          continue;
+        const double cells =
+          std::min(enough,
+                   least_cells<dim>(body.body_shape(), grading, enough));
+        count.total += cells;
+        count.text += (count.text.empty() ? "the " : ", the ") + name_of(side) +
+                      " with " + std::to_string(std::lround(cells)) +
+                      " cells or more";
+      }
+    return count;
+  }
 
   template <int dim>
   void check_element_size(const PairSpec &scene, const Grading<dim> &grading)
@@ -90,8 +145,14 @@ namespace RollingContact
     check_contact_memory(surely * nodes * components);
   }
 
-  template void check_contact_memory(const PairSpec &, const Grading<2> &);
-  template void check_contact_memory(const PairSpec &, const Grading<3> &);
-  template void check_element_size(const PairSpec &, const Grading<2> &);
-  template void check_element_size(const PairSpec &, const Grading<3> &);
+  template void
+  end_at_side(const PairSpec &, const PatchEstimate &, Grading<2> &);
+  template void
+  end_at_side(const PairSpec &, const PatchEstimate &, Grading<3> &);
+  template CellCount cells_to_mesh(const PairSpec &, const Grading<2> &);
+  template CellCount cells_to_mesh(const PairSpec &, const Grading<3> &);
+  template void      check_contact_memory(const PairSpec &, const Grading<2> &);
+  template void      check_contact_memory(const PairSpec &, const Grading<3> &);
+  template void      check_element_size(const PairSpec &, const Grading<2> &);
+  template void      check_element_size(const PairSpec &, const Grading<3> &);
 } // namespace RollingContact

@@ -34,8 +34,32 @@ namespace RollingContact
     }
 
     /**
+     * The ends of the bodies along x or, in 3D, their sides, and what to do.
+     */
+    std::string where_bodies_end(const PairSpec &scene)
+    {
+      std::string text;
+      for (const BodySpec *body : {&scene.wheel, &scene.rail})
+        if (body->shape == "block")
+          text += "the ends of " + body->section +
+                  "/Block length = " + significant(body->block_length, 6) +
+                  " m, which may be longer, ";
+      if (scene.dimension == 3)
+        text += (text.empty() ? "" : "or near ") +
+                std::string("the sides of ") +
+                "Wheel/Width = " + significant(scene.wheel.width, 6) +
+                " m and Rail/Width = " + significant(scene.rail.width, 6) +
+                " m, which may be the same, ";
+      if (text.empty())
+        return "the ends of the bodies";
+      text.resize(text.size() - 2);
+      return text;
+    }
+
+    /**
      * Throws InputError unless they do: the cells of bodies are not alike near
-     * the end of a running surface, and near the side of the narrower body.
+     * the end of a running surface, and near the sides and ends of bodies that
+     * are nearly as wide or long as each other.
      */
     void check_matching_nodes(const PairSpec &scene,
                               const Trace    &wheel,
@@ -51,12 +75,10 @@ namespace RollingContact
           "surface: check load and shift, or take Body sections = plain.");
       throw InputError(
         "The contact zone reaches where the elements of wheel and rail are not "
-        "alike: Wheel/Width = " +
-        significant(scene.wheel.width, 6) +
-        " m, Rail/Width = " + significant(scene.rail.width, 6) +
-        " m, and the narrower body ends near the patch. Give both the same "
-        "Width, take more elements (Mesh/Elements across patch) or a smaller "
-        "Mesh/Growth, or check radii and load.");
+        "alike, near " +
+        where_bodies_end(scene) +
+        ". Take more elements (Mesh/Elements across patch), or check radii and "
+        "load.");
     }
 
     /**

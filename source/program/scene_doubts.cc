@@ -73,6 +73,7 @@ namespace RollingContact
       }
     add_new(doubtful_profiles(*scene.inputs), doubts);
     add_new(doubtful_defaults(*scene.inputs, given), doubts);
+    add_new(doubtful_bore(scene), doubts);
     return doubts;
   }
 } // namespace RollingContact

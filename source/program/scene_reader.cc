@@ -113,6 +113,28 @@ namespace RollingContact
       return given;
     }
 
+    /**
+     * All entries as a .prm file, with the number in place of an automatic
+     * growth of the mesh, unless that is chosen for an error.
+     */
+    std::string used_entries(const SceneParameters &scene,
+                             ParameterHandler      &prm)
+    {
+      const bool chooses = !scene.mesh.growth && !scene.mesh.target_error;
+      const auto set     = [&](const std::string &growth) {
+        prm.enter_subsection("Mesh");
+        prm.set("Growth", growth);
+        prm.leave_subsection();
+      };
+      if (chooses)
+        set(significant(scene.mesh.growth_in(scene.dimension), 6));
+      std::ostringstream used;
+      prm.print_parameters(used, ParameterHandler::ShortText);
+      if (chooses)
+        set("automatic");
+      return used.str();
+    }
+
     Entries declare(SceneParameters &scene)
     {
       const std::vector<AnalysisKind> &kinds = analysis_kinds();
@@ -154,14 +176,13 @@ namespace RollingContact
       }
     for (const auto &setting : settings)
       apply_setting(setting, entries, prm);
-    std::ostringstream used;
-    prm.print_parameters(used, ParameterHandler::ShortText);
+    const std::string used = used_entries(scene, prm);
     if (scene.analysis.has_many_states)
       apply_first_state(table_states(scene.table, scene.prm_folder),
                         entries,
                         prm);
     scene.check();
-    SceneInput input{Situation(scene), file.text, used.str(), {}};
+    SceneInput input{Situation(scene), file.text, used, {}};
     if (scene.analysis.has_contact)
       {
         check_mesh_units(input.scene);

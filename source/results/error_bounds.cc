@@ -221,7 +221,7 @@ namespace RollingContact
     found.refined             = scene.mesh.rim_levels > 0;
     found.approach_given      = !scene.contact.normal_load;
     found.friction            = scene.contact.friction_coefficient;
-    found.growth              = scene.mesh.growth;
+    found.growth              = scene.mesh.growth_in(scene.dimension);
     found.residual_normal     = scene.solver.controls.tolerance;
     found.residual_tangential = scene.solver.controls.tolerance;
     for (const BodySpec *body : {&scene.wheel, &scene.rail})

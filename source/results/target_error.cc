@@ -108,8 +108,7 @@ namespace RollingContact
 
     std::vector<double> allowed_growths(const MeshParameters &mesh)
     {
-      const double largest =
-        given_or(mesh.growth, MeshParameters().growth, growths.front());
+      const double        largest = mesh.growth.value_or(growths.front());
       std::vector<double> allowed{largest};
       for (const double growth : growths)
         if (growth < largest)

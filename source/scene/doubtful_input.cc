@@ -1,9 +1,10 @@
 #include <rolling_contact/base/text.h>
+#include <rolling_contact/scene/pair_spec.h>
 #include <rolling_contact/scene/plausibility.h>
 #include <rolling_contact/scene/scene_parameters.h>
 #include <rolling_contact/surfaces/profile_doubts.h>
 
-#include <tuple>
+#include <algorithm>
 
 namespace RollingContact
 {
@@ -65,17 +66,57 @@ namespace RollingContact
                          "of " +
                          significant(body->radius, 3) +
                          " m, like a roller; a straight rail has Radius = 0.");
-    for (const auto &[entry, by_default, usual] :
-         {std::tuple("Mesh/Elements across patch",
-                     std::to_string(scene.mesh.elements_across_patch),
-                     "16"),
-          std::tuple("Mesh/Growth", significant(scene.mesh.growth, 2), "0.4")})
-      if (scene.dimension == 3 && given.count(entry) == 0)
-        doubts.push_back("Dimension = 3 without " + std::string(entry) +
-                         ": the default, " + by_default +
-                         ", is for 2D and may take minutes and 20 GB in 3D, "
-                         "where " +
-                         usual + " is usual.");
+    if (scene.dimension == 3 && given.count("Mesh/Elements across patch") == 0)
+      doubts.push_back("Dimension = 3 without Mesh/Elements across patch: the "
+                       "default, " +
+                       std::to_string(scene.mesh.elements_across_patch) +
+                       ", is for 2D and may take minutes and 20 GB in 3D, "
+                       "where 16 is usual.");
     return doubts;
+  }
+
+  namespace
+  {
+    /**
+     * How far behind the contact point the bore of a section is, if its hub is
+     * one: edges along the axle that nothing is behind. Units: m.
+     */
+    std::optional<double> depth_of_bore(const FileMesh &mesh,
+                                        const double    tolerance)
+    {
+      double depth = 0.;
+      for (const FileMesh::Point &vertex : mesh.vertices)
+        depth = std::max(depth, -vertex[2]);
+      for (const FileMesh::Face &edge : mesh.hub_faces)
+        for (const unsigned int end : {edge[0], edge[1]})
+          if (depth + mesh.vertices[end][2] > tolerance)
+            return {};
+      return mesh.hub_faces.empty() ? std::nullopt : std::optional(depth);
+    }
+  } // namespace
+
+  std::vector<std::string> doubtful_bore(const PairSpec &scene)
+  {
+    // bores over the radius, as they are and usually; smaller ones are holes
+    // along a solid axle, and larger ones those of rims alone
+    const double smallest = 0.03, small = 0.12, usual = 0.2, large = 0.35,
+                 largest = 0.7, on_circle = 0.02;
+    const BodySpec &wheel = scene.wheel;
+    if (!wheel.is_section() || !wheel.mesh || !(wheel.radius > 0.))
+      return {};
+    const auto depth = depth_of_bore(*wheel.mesh, on_circle * wheel.radius);
+    if (!depth)
+      return {};
+    const double bore = wheel.radius - *depth, share = bore / wheel.radius;
+    if (share < smallest || share > largest || (share > small && share < large))
+      return {};
+    return {"Wheel/Radius = " + significant(wheel.radius, 6) +
+            " m is hardly that of Wheel/Mesh file = " + wheel.mesh_file +
+            ": its bore, " + significant(*depth, 4) +
+            " m behind the contact point, would have a radius of " +
+            significant(bore, 3) + " m, " + significant(100 * share, 2) +
+            " % of the wheel's, where 15 to 30 % are usual; is it the section "
+            "of a wheel of about " +
+            significant(*depth / (1 - usual), 2) + " m?"};
   }
 } // namespace RollingContact

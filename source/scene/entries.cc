@@ -86,6 +86,23 @@ namespace RollingContact
                   });
   }
 
+  Entry &Entries::add_automatic(const std::string     &name,
+                                std::optional<double> &value,
+                                const std::string     &unit)
+  {
+    const std::string word = "automatic";
+    const auto read = [&value, path = current->name + '/' + name, unit, word](
+                        const std::string &text) {
+      const std::optional<double> given = number(text);
+      if (!given && text != word)
+        throw InputError(path + " = " + quotable(text) + ": give a number" +
+                         (unit == "1" ? "" : " in " + unit) + ", or `" + word +
+                         "`.");
+      value = given;
+    };
+    return parsed(name, Entry::Kind::number, word, unit, read).or_word(word);
+  }
+
   Entry &Entries::list(const std::string   &name,
                        std::vector<double> &values,
                        const std::string   &default_text,

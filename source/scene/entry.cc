@@ -138,10 +138,16 @@ namespace RollingContact
 
   Entry &Entry::or_empty()
   {
-    may_be_empty = true;
+    word = "";
     read = [given = read, empty = default_text](const std::string &text) {
       given(text.empty() ? empty : text);
     };
+    return *this;
+  }
+
+  Entry &Entry::or_word(const std::string &word)
+  {
+    this->word = word;
     return *this;
   }
 
@@ -200,14 +206,16 @@ namespace RollingContact
                                          : " in";
     return std::string(least ? "a list separated by commas, each " : "") +
            (kind == Kind::integer ? "a whole number" : "a number") + range +
-           behind + (may_be_empty ? ", or leave it empty" : "");
+           behind +
+           (!word           ? ""
+            : word->empty() ? ", or leave it empty"
+                            : ", or `" + *word + '`');
   }
 
   std::unique_ptr<Patterns::PatternBase> Entry::pattern() const
   {
     // deal.II has no pattern of either; check() looks at the value
-    return may_be_empty ? std::make_unique<Patterns::Anything>()
-                        : value_pattern();
+    return word ? std::make_unique<Patterns::Anything>() : value_pattern();
   }
 
   std::unique_ptr<Patterns::PatternBase> Entry::value_pattern() const
@@ -231,7 +239,7 @@ namespace RollingContact
 
   void Entry::check(const std::string &value, const std::string &place) const
   {
-    if ((may_be_empty && value.empty()) || value_pattern()->match(value))
+    if (value == word || value_pattern()->match(value))
       return;
     const bool has_decimal_comma =
       kind == Kind::number && !least && value.find(',') != std::string::npos &&
@@ -243,7 +251,7 @@ namespace RollingContact
 
   bool Entry::is_default(const std::string &value) const
   {
-    if (value == default_text || (may_be_empty && value.empty()))
+    if (value == default_text || value == word)
       return true;
     const auto given = number(value), by_default = number(default_text);
     return given && by_default && *given == *by_default;

@@ -98,9 +98,9 @@ namespace RollingContact
     entries.add("Zone depth", zone_depth, "1").between(0., 20.).help =
       "Depth of the zone of smallest elements, over the half-width of the "
       "Hertz estimate.";
-    entries.add("Growth", growth, "1").between(0.01, 10.).help =
-      "Growth of the element size with the distance from that zone. In 3D 0.4 "
-      "to 0.8 are usual.";
+    entries.add_automatic("Growth", growth, "1").between(0.01, 10.).help =
+      "Growth of the element size with the distance from that zone; "
+      "`automatic`: 0.1 in 2D, 0.4 in 3D, where 0.4 to 0.8 are usual.";
     entries.add("Rim levels", rim_levels, "1").between(0, 10).help =
       "Further halvings of the element size at the rim of the patch.";
     entries.choice("Rim edges", rim_edges, named_rim_edges).help =

@@ -198,15 +198,26 @@ namespace RollingContact
               significant(approach, 6) + "e-3 (mm)");
     }
 
+    /**
+     * Whether the density is that of the material: the default is that of
+     * steel, and may be unsaid where it does not matter.
+     */
+    bool knows_density(const Material &material)
+    {
+      const Material steel = BodyParameters("Wheel").material;
+      const double   E     = material.young_modulus;
+      return material.density != steel.density ||
+             (E > 0.7 * steel.young_modulus && E < 1.3 * steel.young_modulus);
+    }
+
     void Doubts::check_load()
     {
       const BodyParameters       &wheel       = scene.wheel;
       const bool                  is_vertical = !!scene.contact.vertical_load;
       const std::optional<double> given =
         is_vertical ? scene.contact.vertical_load : scene.contact.normal_load;
-      const double softest_metal = 1e10; // Pa; below it Density may be unsaid
       if (!given || *given <= 0. || wheel.rigid || wheel.shape != "disc" ||
-          wheel.material.young_modulus < softest_metal)
+          !knows_density(wheel.material))
         return;
       const double gravity = 9.81, least = 0.2, pi = std::acos(-1.),
                    load  = *given,

@@ -158,28 +158,6 @@ namespace RollingContact
       "field side.";
   }
 
-  namespace
-  {
-    /**
-     * Declare a number that may be `automatic`, the default.
-     */
-    Entry &add_automatic(Entries               &entries,
-                         const std::string     &entry,
-                         std::optional<double> &value,
-                         const std::string     &unit)
-    {
-      const auto read = [&value, entry, unit](const std::string &text) {
-        const auto given = number(text);
-        if (!given && text != "automatic")
-          throw InputError("Profiles/" + entry + " = " + text +
-                           ": give a number in " + unit + ", or `automatic`.");
-        value = given;
-      };
-      return entries.parsed(
-        entry, Entry::Kind::numbers, "automatic", unit, read);
-    }
-  } // namespace
-
   void ProfileParameters::declare_wheelset(Entries &entries)
   {
     entries
@@ -194,7 +172,7 @@ namespace RollingContact
       .help =
       "Of the wheelset to the right, but in a contact table, which has its "
       "own.";
-    add_automatic(entries, "Roll", roll, "rad")
+    entries.add_automatic("Roll", roll, "rad")
       .read_by(wheelsets_in_a_place)
       .renewing(Renews::place)
       .help =
@@ -212,7 +190,7 @@ namespace RollingContact
       "`from kinematics`: what a wheelset in this place that moves along the "
       "track with Contact/Speed has at the first contact, and the rolling "
       "radius that changes over the patch as the profile does.";
-    add_automatic(entries, "Pitch rate", pitch_rate, "rad/s")
+    entries.add_automatic("Pitch rate", pitch_rate, "rad/s")
       .renewing(Renews::loads)
       .read_by(wheelsets_in_a_place)
       .read_by({asks<AnalysisTraits, ProfileParameters>(

@@ -1,3 +1,4 @@
+#include <rolling_contact/mesh/ring_places.h>
 #include <rolling_contact/scene/situation.h>
 #include <rolling_contact/scene/travelled_distance.h>
 
@@ -110,6 +111,9 @@ namespace RollingContact
     for (const BodySpec *body : {&wheel, &rail})
       if (body->mesh || body->profile)
         body->check(dimension);
+    if (!wheel.rigid &&
+        (inputs->analysis.has_dampers || inputs->has_reduced_bodies()))
+      check_ring_places(wheel.absorbers(), wheel.section, *wheel.body_shape());
   }
 
   void Situation::take_loads()

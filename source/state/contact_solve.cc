@@ -99,12 +99,26 @@ namespace RollingContact
         : solve_once(scene, demands, steady);
       return steady.solver;
     };
-    steady.solver = steady.problem.loads.forces.any()
-                      ? solve_for_forces(solve,
-                                         scene.solver.controls,
-                                         steady.problem,
-                                         steady.state)
-                      : solve();
+    if (!steady.problem.loads.forces.any())
+      {
+        steady.solver = solve();
+        return;
+      }
+    // friction on a patch that its zone cuts off is not that of the whole: the
+    // search ends, and whoever finds the zone too small makes a larger one
+    bool       is_cut        = false;
+    const auto solve_in_zone = [&]() {
+      SolverReport report = solve();
+      is_cut              = report.converged && zone_too_small(steady);
+      report.converged    = report.converged && !is_cut;
+      return report;
+    };
+    steady.solver = solve_for_forces(solve_in_zone,
+                                     scene.solver.controls,
+                                     steady.problem,
+                                     steady.state);
+    if (is_cut)
+      steady.solver.converged = true;
   }
 
   template void

@@ -3,6 +3,7 @@
 #include <rolling_contact/base/stopwatch.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/contact/patch_edges.h>
+#include <rolling_contact/pair/mesh_limits.h>
 #include <rolling_contact/state/state_finder.h>
 
 #include <cmath>
@@ -165,6 +166,13 @@ namespace RollingContact
     return true;
   }
 
+  namespace
+  {
+    /// Of meshes that take seconds, so that it is said what is done.
+    const double      many_cells    = 20000.;
+    const std::size_t many_unknowns = 60000;
+  } // namespace
+
   template <int dim>
   SteadyState<dim> StateFinder<dim>::set_up(const Grading<dim> &grading) const
   {
@@ -172,12 +180,21 @@ namespace RollingContact
     steady.grading = grading;
     {
       PhaseTimer::Scope phase(context.timer, Phase::mesh);
+      if (!make_pair)
+        if (const CellCount cells = cells_to_mesh(scene, grading);
+            cells.total > many_cells)
+          context.log.message("Meshing " + cells.text + ".");
       steady.pair =
         make_pair
           ? make_pair(scene, grading)
           : std::make_shared<RollingPair<dim>>(scene, grading, demands.pair);
     }
     PhaseTimer::Scope phase(context.timer, Phase::condensation);
+    const std::size_t n_unknowns = steady.pair->bodies().n_unknowns();
+    if (!make_pair && n_unknowns > many_unknowns)
+      context.log.message(
+        "Condensing bodies of " + std::to_string(n_unknowns) + " unknowns to " +
+        std::to_string(steady.pair->trace().nodes.size()) + " contact nodes.");
     steady.problem = steady.pair->contact_problem(scene.contact);
     return steady;
   }

@@ -1,3 +1,4 @@
+#include <rolling_contact/pair/mesh_limits.h>
 #include <rolling_contact/state/steady_state.h>
 
 #include <algorithm>
@@ -95,12 +96,13 @@ namespace RollingContact
     grading.element_size_y  = 2 * patch.half_width_y / elements_y;
     if (!patch.boxes.empty())
       resolve_smallest_patch(patch, elements_across_patch, grading);
-    grading.zone_x     = zone(half_width, grading.element_size_x);
-    grading.upstream   = demands.one_direction ? -scene.contact.flow() : 0;
-    grading.zone_y     = zone(patch.half_width_y, grading.element_size_y);
+    grading.zone_x   = zone(half_width, grading.element_size_x);
+    grading.upstream = demands.one_direction ? -scene.contact.flow() : 0;
+    grading.zone_y   = zone(patch.half_width_y, grading.element_size_y);
+    end_at_side(scene, patch, grading);
     grading.zone_depth = mesh.zone_depth * half_width *
                          grading.element_size_z() / grading.element_size_x;
-    grading.growth            = mesh.growth;
+    grading.growth            = mesh.growth_in(dim);
     grading.offset            = offset;
     grading.rim_levels        = mesh.rim_levels;
     grading.leading_edge_x    = -scene.contact.flow() * half_width;

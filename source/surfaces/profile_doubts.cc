@@ -1,5 +1,6 @@
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/surfaces/profile_doubts.h>
+#include <rolling_contact/surfaces/rail_groove.h>
 
 #include <algorithm>
 #include <cmath>
@@ -133,6 +134,19 @@ namespace RollingContact::Profiles
              " mm, from y = " + in_mm(from) + " to " + in_mm(to) +
              " mm: a spline bridges them, and what touches there is a guess.";
     }
+    std::string doubt_of_groove(std::vector<MeasuredPoint> points,
+                                const std::string         &name)
+    {
+      if (points.back().y < points.front().y)
+        std::reverse(points.begin(), points.end());
+      const auto groove = groove_of(points);
+      if (!groove)
+        return "";
+      return name + ": the rail has a groove " + in_mm(groove->depth) +
+             " mm deep, and its profile ends at the floor of that, at y = " +
+             in_mm(groove->floor_y) +
+             " mm: a flange that touches the keeper beyond it is not found.";
+    }
   } // namespace
 
   std::vector<std::string>
@@ -145,7 +159,8 @@ namespace RollingContact::Profiles
       return {of_width};
     std::vector<std::string> doubts;
     for (const std::string &doubt :
-         {kind == ProfileKind::wheel ? doubt_of_origin(points, name) : "",
+         {kind == ProfileKind::wheel ? doubt_of_origin(points, name)
+                                     : doubt_of_groove(points, name),
           doubt_of_gaps(points, name),
           doubt_of_scatter(points, name)})
       if (!doubt.empty())

@@ -1,6 +1,7 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/surfaces/profile_file.h>
+#include <rolling_contact/surfaces/rail_groove.h>
 #include <rolling_contact/surfaces/smoothing_spline.h>
 
 #include <algorithm>
@@ -209,6 +210,8 @@ namespace RollingContact::Profiles
     check_length(points, name);
     if (points.back().y < points.front().y)
       std::reverse(points.begin(), points.end());
+    if (kind == ProfileKind::rail)
+      leave_out_keeper(points, name);
     check_way_up(points, kind, name);
     check_crossings(points, name);
     std::vector<CurvePoint> curve;

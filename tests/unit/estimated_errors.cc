@@ -186,7 +186,7 @@ namespace
       scene.mesh    = situation.mesh;
       bound         = *error_bounds(situation, steady).force;
       force         = force_of(steady);
-      growth        = scene.mesh.growth;
+      growth        = scene.mesh.growth_in(dim);
       elements      = scene.mesh.elements_across_patch;
       grid_elements = steady.grading.elements_across();
     }

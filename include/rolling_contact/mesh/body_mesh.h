@@ -7,6 +7,7 @@
 #include <rolling_contact/mesh/grading.h>
 #include <rolling_contact/mesh/swept_mesh.h>
 
+#include <limits>
 #include <memory>
 
 namespace RollingContact
@@ -56,11 +57,14 @@ namespace RollingContact
 
   /**
    * Cells that the mesh of a generated body will have at least, counted without
-   * making it; where sizes change it has some more.
+   * making it; where sizes change it has some more. A number above @p enough if
+   * there are more than that.
    */
   template <int dim>
-  double least_cells(const std::shared_ptr<const BodyShape> &shape,
-                     const Grading<dim>                     &grading);
+  double
+  least_cells(const std::shared_ptr<const BodyShape> &shape,
+              const Grading<dim>                     &grading,
+              const double enough = std::numeric_limits<double>::infinity());
 
   /**
    * Mesh a body, or take the mesh it brings: boxes in its chart, refined as @p

@@ -155,19 +155,23 @@ namespace RollingContact
                  const dealii::Point<dim - 1> &upper) const;
 
     /**
+     * The first and the last coordinate along x of nodes that may touch.
+     */
+    std::array<double, 2> zone_along() const
+    {
+      return zone_boxes.empty()
+               ? std::array<double, 2>{{centre_x() - semi_axis_x(),
+                                        centre_x() + semi_axis_x()}}
+               : ends_of_boxes(0);
+    }
+
+    /**
      * The first and the last coordinate across of nodes that may touch.
      */
     std::array<double, 2> zone_across() const
     {
-      if (zone_boxes.empty())
-        return {{-zone_y, zone_y}};
-      std::array<double, 2> ends{{infinity, -infinity}};
-      for (const ZoneBox &box : zone_boxes)
-        {
-          ends[0] = std::min(ends[0], box.lower[1]);
-          ends[1] = std::max(ends[1], box.upper[1]);
-        }
-      return ends;
+      return zone_boxes.empty() ? std::array<double, 2>{{-zone_y, zone_y}}
+                                : ends_of_boxes(1);
     }
 
     /**
@@ -204,6 +208,20 @@ namespace RollingContact
                         const dealii::Point<dim> &upper) const;
 
   private:
+    /**
+     * The first and the last coordinate along @p d of the zone's boxes.
+     */
+    std::array<double, 2> ends_of_boxes(const unsigned int d) const
+    {
+      std::array<double, 2> ends{{infinity, -infinity}};
+      for (const ZoneBox &box : zone_boxes)
+        {
+          ends[0] = std::min(ends[0], box.lower[d]);
+          ends[1] = std::max(ends[1], box.upper[d]);
+        }
+      return ends;
+    }
+
     /**
      * The zone longer by an element on its downstream side too.
      */

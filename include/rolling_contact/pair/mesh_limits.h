@@ -2,7 +2,10 @@
 #define rolling_contact_pair_mesh_limits_h
 
 #include <rolling_contact/mesh/grading.h>
+#include <rolling_contact/pair/patch_estimate.h>
 #include <rolling_contact/scene/pair_spec.h>
+
+#include <string>
 
 namespace RollingContact
 {
@@ -12,6 +15,30 @@ namespace RollingContact
    * vertices decides whether the surface nodes of wheel and rail match.
    */
   inline constexpr double smallest_element = 3e-8;
+
+  /**
+   * End the zone at the side of the narrower body, unless the patch goes beyond
+   * that, and let a whole number of elements reach to there where it is near:
+   * the last element of a body makes up for the rest, which bodies of unlike
+   * width do not have in common.
+   */
+  template <int dim>
+  void end_at_side(const PairSpec      &scene,
+                   const PatchEstimate &patch,
+                   Grading<dim>        &grading);
+
+  /**
+   * Cells of the bodies that the program meshes, counted without making them,
+   * and a text with those of each; the meshes have somewhat more.
+   */
+  struct CellCount
+  {
+    double      total = 0.;
+    std::string text;
+  };
+
+  template <int dim>
+  CellCount cells_to_mesh(const PairSpec &scene, const Grading<dim> &grading);
 
   /**
    * Throws InputError, naming the load or approach and the least that will do,

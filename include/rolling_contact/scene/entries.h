@@ -83,6 +83,13 @@ namespace RollingContact
                const std::string     &unit);
 
     /**
+     * Add a number that may be `automatic`, which is the default and none.
+     */
+    Entry &add_automatic(const std::string     &name,
+                         std::optional<double> &value,
+                         const std::string     &unit);
+
+    /**
      * A number_list(), which may be empty if the default is.
      */
     Entry &list(const std::string   &name,

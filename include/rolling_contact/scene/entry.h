@@ -130,6 +130,12 @@ namespace RollingContact
      */
     Entry &or_empty();
 
+    /**
+     * The entry may be this word, which is its default and which `read`
+     * understands.
+     */
+    Entry &or_word(const std::string &word);
+
     Entry &read_by(const Reader &reader);
 
     Entry &read_by(const std::vector<Reader> &more);
@@ -193,12 +199,12 @@ namespace RollingContact
     SceneCondition                           free_on_resume;
 
   private:
-    /** What the value is, unless it is left empty. */
+    /** What the value is, unless it is the word. */
     std::unique_ptr<dealii::Patterns::PatternBase> value_pattern() const;
 
-    bool   may_be_empty = false;
-    double lower        = std::numeric_limits<double>::lowest(),
-           upper        = std::numeric_limits<double>::max();
+    double lower = std::numeric_limits<double>::lowest(),
+           upper = std::numeric_limits<double>::max();
+    std::optional<std::string>  word;  ///< that it may be, empty for nothing
     std::string                 names; ///< that it may be, "one|another"
     std::optional<unsigned int> least; ///< length of a list
     std::vector<Reader>         readers;

@@ -49,19 +49,28 @@ namespace RollingContact
     }
 
     /**
+     * Growth of the element size in scenes of so many dimensions: the one given
+     * or, as elements are many more in 3D, 0.1 in 2D and 0.4 in 3D.
+     */
+    double growth_in(const unsigned int dimension) const
+    {
+      return growth.value_or(dimension == 2 ? 0.1 : 0.4);
+    }
+
+    /**
      * Largest error bound of the force that the mesh is chosen for, over mu N;
      * none: the mesh is that of the other entries. With it, the number of
-     * elements is the least and the growth the largest, unless they are the
-     * defaults.
+     * elements is the least and the growth the largest, unless they are not
+     * given.
      */
     std::optional<double> target_error;
     unsigned int          elements_across_patch   = 48;
     unsigned int          elements_across_patch_y = 0;
     /** None: aligned. Units: elements. */
-    std::optional<double> patch_offset        = 0.;
-    double                candidate_zone      = 0.;
-    double                zone_depth          = 0.75;
-    double                growth              = 0.1;
+    std::optional<double> patch_offset   = 0.;
+    double                candidate_zone = 0.;
+    double                zone_depth     = 0.75;
+    std::optional<double> growth; ///< none: see growth_in()
     unsigned int          rim_levels          = 0;
     RimEdges              rim_edges           = RimEdges::leading;
     unsigned int          adaptive_levels     = 0;

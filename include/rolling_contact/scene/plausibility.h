@@ -9,6 +9,7 @@
 
 namespace RollingContact
 {
+  struct PairSpec;
   struct SceneParameters;
 
   /**
@@ -37,6 +38,14 @@ namespace RollingContact
   std::vector<std::string>
   doubtful_defaults(const SceneParameters       &scene,
                     const std::set<std::string> &given);
+
+  /**
+   * A section from a file that is hardly that of a wheel of Wheel/Radius, as
+   * its bore would be much larger or smaller beside it than bores are, with the
+   * radius that it is likely for: a sentence for a warning, or none. A section
+   * does not say its radius, as the axle is no part of it.
+   */
+  std::vector<std::string> doubtful_bore(const PairSpec &scene);
 } // namespace RollingContact
 
 #endif

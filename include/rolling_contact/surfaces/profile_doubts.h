@@ -14,8 +14,9 @@ namespace RollingContact::Profiles
    * rail (another unit, or its columns exchanged), a wheel whose flange is not
    * where it is from a tape circle at y = 0, stretches without points that the
    * smoothing spline of profile_of_points() bridges by itself, and points that
-   * scatter by 12 um or more. The points are in the order of the
-   * file, mirrored as its entry says, in m; @p name is that of messages.
+   * scatter by 12 um or more; of a grooved rail that its keeper is left out.
+   * The points are in the order of the file, mirrored as its entry says, in m;
+   * @p name is that of messages.
    */
   std::vector<std::string>
   doubts_of_points(const std::vector<MeasuredPoint> &points,
