@@ -185,7 +185,8 @@ BOOST_AUTO_TEST_CASE(compliance_is_symmetric_positive_and_equals_recovery)
     forces[i] = std::sin(1. + i);
   const std::vector<double> displacement = W * forces;
   BOOST_TEST(dot(forces, displacement) > 0.);
-  const BodyField field = body.recover(surface.nodes, components, forces);
+  const BodyField field =
+    body.recover(surface.nodes, components, {forces}).front();
   for (std::size_t c = 0; c < 2; ++c)
     for (std::size_t i = 0; i < n; ++i)
       BOOST_TEST(std::abs(field[surface.nodes[i].dofs[c]] -

@@ -256,10 +256,11 @@ namespace
     for (std::size_t i = 0; i < forces.size(); ++i)
       BOOST_TEST(std::abs(-forces[i] / (H[i][0].second * patch_pressure) - 1) <
                  1e-10);
-    BOOST_TEST(deviation(a, a.recover(nodes, normal, forces)) < 1e-10);
-    BOOST_TEST(
-      deviation(b, b.recover(nodes_b, normal, coupling.to_body(forces))) <
-      1e-10);
+    BOOST_TEST(deviation(a, a.recover(nodes, normal, {forces}).front()) <
+               1e-10);
+    BOOST_TEST(deviation(b,
+                         b.recover(nodes_b, normal, {coupling.to_body(forces)})
+                           .front()) < 1e-10);
   }
 } // namespace
 
