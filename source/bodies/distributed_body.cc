@@ -266,6 +266,7 @@ namespace RollingContact
                                 const std::vector<std::vector<double>> &forces)
   {
     std::vector<BodyField> displacements;
+    displacements.reserve(forces.size()); // copies have no values at ghosts
     for (const std::vector<double> &load : forces)
       displacements.push_back(recovered(nodes, components, load));
     return displacements;

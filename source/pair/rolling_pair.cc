@@ -333,7 +333,9 @@ namespace RollingContact
   {
     if (!body_pair.body(side))
       return {};
-    return displacements(side, {nodal_forces(problem, state)})[0];
+    // moved, as a copy of a field has no values at ghosts
+    return std::move(
+      displacements(side, {nodal_forces(problem, state)}).front());
   }
 
   template <int dim>

@@ -6,6 +6,7 @@
 #include <rolling_contact/solvers/scaled_forces.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace RollingContact
@@ -27,13 +28,22 @@ namespace RollingContact
     };
 
     /**
-     * The edge law keeps its order for one material that is not nearly
-     * incompressible.
+     * Dundurs' constant from which on the edge law is of first order in full.
      */
-    bool edge_law_holds(const BoundCircumstances &found)
+    const double of_first_order = 0.06;
+
+    /**
+     * How much of the bound is of first order, 0 to 1: the edge law keeps its
+     * order for one material that is not nearly incompressible, and loses it
+     * little by little.
+     */
+    double share_of_first_order(const BoundCircumstances &found)
     {
-      return found.beta < 1e-12 && !found.nearly_incompressible &&
-             found.edge_law;
+      const double of_materials = std::min(1., found.beta / of_first_order);
+      if (found.kind == SlipOperatorKind::upwind_2)
+        return of_materials;
+      return found.edge_law ? std::max(of_materials, found.incompressibility)
+                            : 1.;
     }
 
     /**
@@ -128,36 +138,63 @@ namespace RollingContact
     const double of_unsettled = 2.;
 
     /**
-     * Length over width of elements from which on it raises the bound, and by
-     * which share of it.
+     * Length over width of elements, and width over length, from which on it
+     * raises the bound, and by which share of it.
      */
-    const double longest_element = 2., of_long_elements = 6.;
+    const double longest_element = 2., of_long_elements = 6.,
+                 widest_element = 1.6, of_wide_elements = 1.;
 
-    Bound force_bound(const BoundCircumstances &found)
+    double rise_with_shape(const BoundCircumstances &found)
     {
-      const bool plane     = found.dim == 2;
-      const bool disturbed = found.thickness < thin || found.refined;
-      if (found.kind == SlipOperatorKind::upwind_1)
-        return {plane ? 0.65 : 1.1, 1.};
-      if (found.kind == SlipOperatorKind::galerkin)
-        return {plane ? 1.6 : 0.8, 1.};
-      const bool upwind_2 = found.kind == SlipOperatorKind::upwind_2;
-      if (found.beta > 1e-12 || !(upwind_2 || edge_law_holds(found)))
-        return {((plane ? 0.6 : 0.75) + 2.4 * found.beta) *
-                  (disturbed || found.waves > wavy ? of_both : 1.),
-                1.};
-      if (upwind_2 || found.waves > unresolved)
+      return 1 +
+             of_long_elements *
+               std::max(0., found.element_aspect - longest_element) +
+             of_wide_elements *
+               std::max(0., 1 / found.element_aspect - widest_element);
+    }
+
+    /**
+     * Of one material, by an operator of the second order.
+     */
+    Bound bound_of_twins(const BoundCircumstances &found, const bool disturbed)
+    {
+      const bool plane = found.dim == 2;
+      if (found.kind == SlipOperatorKind::upwind_2 || found.waves > unresolved)
         return {plane ? 0.4 : 0.65, 1.};
       if (plane)
         return {disturbed ? 5. : 1.3, 2.};
       return found.spin ? Bound{0.5, 1.5} : Bound{disturbed ? 2.6 : 1.3, 2.};
     }
 
-    std::string in_words(const Bound &bound, const double n)
+    /**
+     * The two parts of c / n^p, of the order of the operator and of the first.
+     */
+    std::array<Bound, 2> force_bounds(const BoundCircumstances &found)
     {
-      return significant(bound.constant, 2) + "/n" +
-             (bound.order > 1. ? "^" + significant(bound.order, 2) : "") +
-             ", n = " + significant(n, 2) + " elements across the patch";
+      const bool plane     = found.dim == 2;
+      const bool disturbed = found.thickness < thin || found.refined;
+      if (found.kind == SlipOperatorKind::upwind_1)
+        return {{{plane ? 0.65 : 1.1, 1.}, {0., 1.}}};
+      if (found.kind == SlipOperatorKind::galerkin)
+        return {{{plane ? 1.6 : 0.8, 1.}, {0., 1.}}};
+      const double share = share_of_first_order(found);
+      Bound        own   = bound_of_twins(found, disturbed);
+      own.constant *= 1 - share;
+      return {{own,
+               {share * ((plane ? 0.6 : 0.75) + 2.4 * found.beta) *
+                  (disturbed || found.waves > wavy ? of_both : 1.),
+                1.}}};
+    }
+
+    std::string in_words(const std::array<Bound, 2> &bounds, const double n)
+    {
+      std::string sum;
+      for (const Bound &bound : bounds)
+        if (bound.constant > 0.)
+          sum += (sum.empty() ? "" : " + ") + significant(bound.constant, 2) +
+                 "/n" +
+                 (bound.order > 1. ? "^" + significant(bound.order, 2) : "");
+      return sum + ", n = " + significant(n, 2) + " elements across the patch";
     }
   } // namespace
 
@@ -178,19 +215,24 @@ namespace RollingContact
     if (!bounds.text.empty())
       return bounds;
 
-    Bound bound = force_bound(found);
-    bound.constant *=
-      1. +
-      of_long_elements * std::max(0., found.element_aspect - longest_element);
-    bounds.order       = bound.order;
+    std::array<Bound, 2> parts = force_bounds(found);
+    double               mesh  = 0.;
+    for (Bound &part : parts)
+      {
+        part.constant *= rise_with_shape(found);
+        mesh += part.at(found.n);
+      }
+    bounds.first_order =
+      parts[1].at(found.n) / mesh +
+      (parts[0].order > 1. ? 0. : parts[0].at(found.n) / mesh);
     const double added = of_waves * (found.waves > wavy ? found.waves : 0.) +
                          share_of_growth(found) + residual_share(found);
     bounds.force =
       std::min(1.,
                (found.dim == 3 || found.edges_settled ? 1. : of_unsettled) *
-                   bound.at(found.n) +
+                   mesh +
                  added);
-    bounds.text = in_words(bound, found.n) + ", and " + scientific(added, 1) +
+    bounds.text = in_words(parts, found.n) + ", and " + scientific(added, 1) +
                   " for " + (found.waves > wavy ? "waves, " : "") +
                   "the growth of the mesh and the residual";
     if (found.dim == 3)
@@ -227,8 +269,9 @@ namespace RollingContact
     for (const BodySpec *body : {&scene.wheel, &scene.rail})
       if (!body->rigid)
         {
-          found.nearly_incompressible =
-            found.nearly_incompressible || body->material.poisson_ratio > 0.45;
+          found.incompressibility =
+            std::max(found.incompressibility,
+                     (body->material.poisson_ratio - 0.45) / 0.05);
           if (half_width > 0.)
             found.thickness =
               std::min(found.thickness,

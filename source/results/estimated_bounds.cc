@@ -63,9 +63,7 @@ namespace RollingContact
         // 1/(2^p - 1) of the change is the error of order p; in 3D the lines of
         // a patch have edges at many places of the mesh
         const bool   plane  = found.dim == 2;
-        const double weight = !plane            ? 0.2
-                              : mesh.order > 1. ? 0.4
-                                                : 1.,
+        const double weight = plane ? 0.4 + 0.6 * mesh.first_order : 0.2,
                      least = plane ? 0.05 : 0.1, most = *mesh.force;
         return estimate.sticks
                  ? std::min(most,

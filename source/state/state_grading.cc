@@ -10,20 +10,24 @@ namespace RollingContact
   {
     /**
      * As many as along x, but on a patch that is slender along x fewer: long
-     * thin elements make tractions worse; and of the same size as along x on
-     * patches of profiles that are wider, as their pressure varies across more
-     * than that of an ellipse.
+     * thin elements make tractions worse; on wider patches more, so that slip
+     * which changes across, as that of spin, is resolved as it is along x, and
+     * as small ones as along x on those of profiles, as their pressure varies
+     * across more than that of an ellipse.
      */
     unsigned int elements_across_y(const PatchEstimate &patch,
                                    const unsigned int   elements_across_patch)
     {
       const double       longest = 1.9; // over the width of an element
+      const double       widest  = 1.5; // over its length
       const unsigned int least   = 6;
       const double       enough  = std::floor(longest * elements_across_patch *
                                        patch.half_width_y / patch.half_width_x);
-      if (!patch.boxes.empty() && patch.half_width_y > patch.half_width_x)
-        return std::ceil(elements_across_patch * patch.half_width_y /
-                         patch.half_width_x);
+      if (patch.half_width_y > patch.half_width_x)
+        return std::ceil(elements_across_patch *
+                         std::max(1.,
+                                  patch.half_width_y / patch.half_width_x /
+                                    (patch.boxes.empty() ? widest : 1.)));
       return std::min<unsigned int>(elements_across_patch,
                                     std::max<double>(least, enough));
     }

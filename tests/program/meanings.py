@@ -4,6 +4,7 @@ Usage: meanings.py RUN_FOLDER..., those of the script beside this file. Every
 column of results.csv and history.csv must have been looked at by name once.
 """
 import csv
+import json
 import math
 import os
 import re
@@ -197,16 +198,26 @@ def check_solution(folder, row):
          abs(work - heat) / max(work, heat), 1e-4, 1e-8)
 
 
-def check_bounds(folder, row, force, n, growth, tolerance, approach):
-    """Smooth thick bodies of one steel: c/n^p, the mesh's growth and the residuals."""
+def check_bounds(folder, row, mesh, n, growth, tolerance, approach):
+    """Smooth thick bodies of one steel: the state's own estimate is below c/n^p, and not
+    by orders of magnitude; the peak has 2/n^2, the mesh's growth and the residual."""
     bulk = growth * min(1, 4 * growth) if approach else 0
-    near(f"{folder}: bound of the force", row["bound_force/muN"],
-         force + 2e-3 * growth + 1e-2 * bulk + 4 * row["residual_tangential"], tolerance)
+    growth_share = 2e-3 * growth + 1e-2 * bulk
+    residual = 4 * row["residual_tangential"]
+    names = ["bound_force/muN"] + (["bound_moment/muNa"] if "bound_moment/muNa" in row else [])
+    for name in names:
+        check(f"{folder}: {name}", 0.05 * mesh < row[name] < mesh + growth_share + residual)
+    with open(os.path.join(folder, "run.json"), encoding="utf-8") as file:
+        error = next(e for e in json.load(file)["errors"] if e["quantity"] == "force")
+    near(f"{folder}: the error is the column's", error["value"], row["bound_force/muN"], 1e-6)
+    parts = [float(number) for number in re.findall(r"([\d.]+e-\d+) for", error["reference"])]
+    near(f"{folder}: parts of the error", sum(parts), error["value"], 0.02)
     near(f"{folder}: bound of the peak", row["bound_max_pressure"],
          2 / n**2 + 4e-3 * growth + 1.6e-2 * bulk + 4 * row["residual_normal"], tolerance)
-    if "bound_moment/muNa" in row:
-        near(f"{folder}: bound of the moment", row["bound_moment/muNa"],
-             row["bound_force/muN"], 1e-8)
+    heat = mesh + residual + 2e-3 * growth / MU
+    check(f"{folder}: bound of the heat", heat < row["bound_dissipation"] < 10 * heat)
+    # of the load: by an approach, on the scale of what the closed form differs by
+    check(f"{folder}: bound of the load", (0 < row["bound_normal_force"] < 0.02) == approach)
 
 
 def check_line_contact(folder, row, elements):

@@ -56,7 +56,8 @@ def complaints(entry, default, meaning):
         choices = re.findall(r"`([^`]+)`", allowed)
         if default not in choices:
             yield f"{default!r} is not among {choices}"
-    for value in default.split(",") if "number" in allowed else []:
+    is_word = f"or `{default}`" in allowed
+    for value in default.split(",") if "number" in allowed and not is_word else []:
         lower, upper = numbers_in(allowed)
         if not lower <= float(value) <= upper:
             yield f"{value} is not in {allowed!r}"

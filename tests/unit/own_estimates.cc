@@ -47,7 +47,7 @@ namespace
       if (reference)
         {
           scene.mesh.elements_across_patch *= dim == 2 ? 4 : 2;
-          scene.mesh.growth = dim == 2 ? 0.05 : 0.4;
+          scene.mesh.growth = dim == 2 ? 0.025 : 0.4;
         }
       scene.check();
       StateDemands demands;

@@ -24,12 +24,13 @@ namespace RollingContact
     double           waves = 0.; ///< largest change_of_curvature()
     double thickness = std::numeric_limits<double>::infinity(); ///< smallest
     bool   edges_settled = true, edge_law = true;
-    bool   nearly_incompressible = false, spin = false;
-    bool   varying_friction = false; ///< from place to place, or with a memory
-    bool   refined          = false; ///< lines end at smaller elements
-    bool   approach_given   = false; ///< the load is found, and has an error
-    double friction         = 0.;    ///< mu
-    double growth           = 0.;    ///< of the mesh
+    bool   spin              = false;
+    double incompressibility = 0.;    ///< up to nu = 0.45; 1 at nu = 0.5
+    bool   varying_friction  = false; ///< from place to place, or with a memory
+    bool   refined           = false; ///< lines end at smaller elements
+    bool   approach_given    = false; ///< the load is found, and has an error
+    double friction          = 0.;    ///< mu
+    double growth            = 0.;    ///< of the mesh
     double residual_normal = 0., residual_tangential = 0.;
     /**
      * Second difference of the pressure across at its peak, over the peak: how
@@ -52,7 +53,8 @@ namespace RollingContact
     std::optional<double> normal_force; ///< over N, under a given approach
     std::optional<double> dissipation;  ///< over the heat of friction
     std::string           text;         ///< what that of the force is made of
-    double                order = 1.;   ///< p of c / n^p in that of the force
+    /** Share of first order in what the mesh adds to that of the force. */
+    double first_order = 1.;
   };
 
   /**

@@ -13,12 +13,12 @@ namespace RollingContact
    * the worst place of a mesh. Of the elements across the patch, E is what
    * every second node changes and m the bound without growth and residual:
    *   min(m, sqrt(w E m) + v m)
-   * with w = 1 (first order) or 0.4 (second) and v = 0.05 in 2D, 0.2 and 0.1 in
-   * 3D; m alone where nothing is told by every second node or nothing sticks,
-   * as a stick zone smaller than an element is not seen. What is missing in the
-   * bulk comes to it, 0.8 times, and 1.3 times under a given approach, whose
-   * load has it in full. The weights hold 99 % of one set of random scenes and
-   * are judged on others, see doc/accuracy.md.
+   * with v = 0.05 and w = 1 where m is of first order, 0.4 where of a higher in
+   * 2D, and w = 0.2 and v = 0.1 in 3D; m alone where nothing is told by every
+   * second node or nothing sticks, as a stick zone smaller than an element is
+   * not seen. What is missing in the bulk comes to it, 0.8 times, and 1.3 times
+   * under a given approach, whose load has it in full. The weights hold 99 % of
+   * one set of random scenes and are judged on others, see doc/accuracy.md.
    */
   ErrorBounds estimated_bounds(const BoundCircumstances &found,
                                const ErrorEstimate      &estimate,

@@ -67,7 +67,7 @@ namespace RollingContact
     std::optional<double>     change; ///< from the level before
     std::optional<LevelLimit> limit;  ///< of the levels up to this
 
-    /** Of this state, if it was asked for. */
+    /** What this state tells of its errors, if it was asked for. */
     std::optional<ErrorEstimate> estimate;
 
     /** What estimates are made with, for all states of this problem; empty
