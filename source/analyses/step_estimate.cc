@@ -22,9 +22,10 @@ namespace RollingContact
 
   double error_of_steps(const double     difference,
                         const TimeSteps &steps,
-                        const TimeSteps &longer)
+                        const TimeSteps &longer,
+                        const bool       inertia)
   {
-    const double safety = 1.;
+    const double safety = inertia ? 1. : 1.;
     return safety * difference / (longer.length / steps.length - 1);
   }
 
@@ -64,15 +65,16 @@ namespace RollingContact
                             const std::uint64_t fewest,
                             const std::uint64_t more) const
   {
-    const std::uint64_t kept =
-      std::min(steps.number, std::max(steps.number / 10, fewest) + more);
-    const double theta =
-      scene.inputs->time.inertia ? scene.inputs->time.theta : 1.;
-    End end;
+    const TimeParameters &time = scene.inputs->time;
+    const std::uint64_t   kept =
+      time.inertia
+          ? steps.number
+          : std::min(steps.number, std::max(steps.number / 10, fewest) + more);
+    const double theta = time.inertia ? time.theta : 1.;
+    End          end;
     end.first        = steps.number - kept;
     end.history.step = steps.length;
     end.history.lag  = (1 - theta - double(end.first)) * steps.length;
-    end.history.forces.reserve(kept);
     return end;
   }
 
@@ -112,7 +114,10 @@ namespace RollingContact
     const double        share = largest_over_last_load(run.history),
                  mu           = scene.contact.friction_coefficient;
     const auto error          = [&](const double difference) {
-      return error_of_steps(difference * share, steps, longer);
+      return error_of_steps(difference * share,
+                            steps,
+                            longer,
+                            scene.inputs->time.inertia);
     };
     StepErrors errors;
     errors.load  = error(found.load_largest);

@@ -21,20 +21,23 @@ namespace RollingContact
    * The error that a difference between steps and longer ones tells of,
    *   e = s d / (r - 1),
    * with d the difference, r the ratio of their lengths and s the factor of
-   * safety that tests/campaigns/step_errors found: errors are of first order
-   * where bodies hit each other. Units: those of @p difference.
+   * safety, with inertia or without, that tests/campaigns/step_errors found:
+   * errors are of first order where bodies hit each other. Units: those of
+   * @p difference.
    */
   double error_of_steps(const double     difference,
                         const TimeSteps &steps,
-                        const TimeSteps &longer);
+                        const TimeSteps &longer,
+                        const bool       inertia);
 
   /**
    * Estimate of how far the forces that a transient run ends with are off by
    * the length of its time step: the run is repeated from its start with steps
-   * of twice the length on the same bodies, and both histories are compared
-   * over the last tenth of the time, as their forces may agree by chance at one
-   * instant. The largest difference counts, by error_of_steps(), over the
-   * load at the end.
+   * of twice the length on the same bodies, and both histories are compared.
+   * The largest difference counts, by error_of_steps(), over the load at the
+   * end: that of the last tenth of the time, as forces may agree by chance at
+   * one instant; with inertia that of all the run, as vibrations which the
+   * scheme has damped away by its end in both runs would be there still.
    */
   template <int dim>
   class StepEstimate
@@ -72,8 +75,8 @@ namespace RollingContact
     };
 
     /**
-     * An empty history of steps that leaves out those before the last tenth and
-     * @p more; at least @p fewest are kept.
+     * An empty history of steps. Without inertia it leaves out those before the
+     * last tenth and @p more; at least @p fewest are kept.
      */
     End end_of(const TimeSteps    &steps,
                const std::uint64_t fewest,
