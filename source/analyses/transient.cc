@@ -48,6 +48,8 @@ namespace RollingContact
                                : "."));
       }
     describe(stepper, steps);
+    if (scene.inputs->time.estimates_step() && !context.resume)
+      estimate.emplace(scene, steps, stepper, context);
     TransientOutput<dim> output(scene, context, start, stepper);
     try
       {
@@ -73,6 +75,9 @@ namespace RollingContact
     summarise(stepper);
     output.finish(stepper, progress);
     note_error_of_step(scene, stepper.current(), context.report);
+    if (estimate)
+      if (const auto of_step = estimate->errors(stepper))
+        add_error_of_step(*of_step, context.report);
     warn_of_unknown_errors(context);
     if (output.period() > 0.)
       record_cycle(
@@ -156,6 +161,8 @@ namespace RollingContact
   {
     const auto review = [&](const StepOutcome &outcome) {
       const SteadyState<dim> &contact = stepper.current();
+      if (estimate)
+        estimate->add(progress.step, contact.result);
       worst.add(outcome.several,
                 contact.problem,
                 "t = " + significant(progress.time, 6) + " s");

@@ -165,6 +165,23 @@ namespace RollingContact
       statement(error_bounds(scene, steady), "time step not estimated"));
   }
 
+  void add_error_of_step(const StepErrors &of_step, RunReport &report)
+  {
+    for (ErrorStatement &error : report.errors)
+      {
+        const bool   force = error.quantity == "force";
+        const double share = force ? of_step.force : of_step.load;
+        const auto   text  = scientific(share, 2);
+        error.time_step    = share;
+        error.remark       = text + " for the time step";
+        if (std::isnan(error.value))
+          error.reference = (force ? error.reference : "not the mesh") + "; " +
+                            text + " of " + error.scale + " for the time step";
+        else
+          error.value += share;
+      }
+  }
+
   void warn_of_unknown_errors(RunContext &context)
   {
     for (const ErrorStatement &error : context.report.errors)

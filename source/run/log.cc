@@ -29,13 +29,13 @@ namespace RollingContact
 
   void Log::message(const std::string &text)
   {
-    if (verbosity != Verbosity::quiet)
+    if (verbosity != Verbosity::quiet && silences == 0)
       out << wrapped(text, screen_width()) << std::endl;
   }
 
   void Log::detail(const std::string &text)
   {
-    if (verbosity == Verbosity::verbose)
+    if (verbosity == Verbosity::verbose && silences == 0)
       out << wrapped(text, screen_width()) << std::endl;
   }
 

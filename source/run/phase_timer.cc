@@ -62,6 +62,8 @@ namespace RollingContact
           return "fields and plots";
         case Phase::checkpoints:
           return "checkpoints";
+        case Phase::step_estimate:
+          return "error of the time step";
         case Phase::other:
           break;
       }
@@ -137,6 +139,11 @@ namespace RollingContact
     const Instant change = now();
     charge(phases[open_phases.back()], last_change, change);
     last_change = change;
+    if (phases[open_phases.back()].phase == Phase::step_estimate)
+      {
+        open_phases.push_back(open_phases.back());
+        return;
+      }
 
     auto found =
       std::find_if(phases.begin(), phases.end(), [&](const Row &row) {

@@ -58,12 +58,16 @@ namespace RollingContact
     {
       Json values = Json::array();
       for (const ErrorStatement &error : errors)
-        values.push_back({{"quantity", error.quantity},
-                          {"value", json_number(error.value)},
-                          {"scale", error.scale},
-                          {"reference", error.reference},
-                          {"estimated", error.estimated},
-                          {"remark", error.remark}});
+        {
+          values.push_back({{"quantity", error.quantity},
+                            {"value", json_number(error.value)},
+                            {"scale", error.scale},
+                            {"reference", error.reference},
+                            {"estimated", error.estimated},
+                            {"remark", error.remark}});
+          if (error.time_step)
+            values.back()["time_step"] = json_number(*error.time_step);
+        }
       return values;
     }
 

@@ -39,6 +39,13 @@ namespace RollingContact
         [](const auto &analysis) { return !analysis.until_periodic; }),
       "Analysis = limit cycle always stops when the motion is periodic, and has "
       "a row for each run"};
+    const Reader runs_to_their_end{
+      [](const SceneParameters &scene) {
+        return scene.analysis.records_run && !scene.looks_for_cycles() &&
+               !scene.has_reduced_bodies();
+      },
+      "Analysis = transient with Time/Bodies = full and Time/Stop when periodic "
+      "= false reads it"};
     const Reader runs_until_periodic{[](const SceneParameters &scene) {
                                        return !scene.analysis.records_run ||
                                               scene.looks_for_cycles();
@@ -82,6 +89,13 @@ namespace RollingContact
     entries.add("Maximum halvings", maximum_halvings, "1").between(0, 30).help =
       "How many times in a row the step is halved when the contact solve "
       "fails, before the run stops.";
+    entries.add("Step estimate", step_estimate)
+      .read_by(runs_to_their_end)
+      .resumed_if(in_one_run)
+      .help =
+      "Whether the run is repeated with steps of twice the length, without any "
+      "output, to estimate how far the force at its end is off by the length "
+      "of the steps; it costs about half of the run. A resumed run is not.";
     entries.add("Theta", theta, "1").between(0.5, 1.).help =
       "The theta-scheme's parameter: 0.5 keeps the energy, 1 damps most.";
     entries.choice("Bodies", bodies, named_bodies).help =

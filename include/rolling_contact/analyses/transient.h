@@ -1,6 +1,7 @@
 #ifndef rolling_contact_analyses_transient_h
 #define rolling_contact_analyses_transient_h
 
+#include <rolling_contact/analyses/step_estimate.h>
 #include <rolling_contact/results/ill_posed_friction.h>
 #include <rolling_contact/results/uniqueness_warning.h>
 #include <rolling_contact/scene/analysis_kind.h>
@@ -16,7 +17,8 @@ namespace RollingContact
    * forward and one backward solve per body and step) or without (quasi-static
    * rolling). Every Time/Checkpoint interval or seconds, when interrupted and
    * at the end it leaves a checkpoint from which --resume goes on to the same
-   * numbers. Throws ConvergenceError with the last good state kept.
+   * numbers. Then the error of the time step is estimated. Throws
+   * ConvergenceError with the last good state kept.
    */
   template <int dim>
   class Transient : public Analysis
@@ -49,12 +51,13 @@ namespace RollingContact
 
     void summarise(const ContactStepper<dim> &stepper) const;
 
-    const Situation                &scene;
-    RunContext                     &context;
-    TransientProgress               progress;
-    PrmEntries                      files;   ///< fingerprints, for checkpoints
-    UniquenessSummary               worst;   ///< of the steps of this run
-    std::optional<IllPosedFriction> falling; ///< the same
+    const Situation                 &scene;
+    RunContext                      &context;
+    TransientProgress                progress;
+    PrmEntries                       files;   ///< fingerprints, for checkpoints
+    UniquenessSummary                worst;   ///< of the steps of this run
+    std::optional<IllPosedFriction>  falling; ///< the same
+    std::optional<StepEstimate<dim>> estimate; ///< none if not to be made
   };
 
   AnalysisKind transient_kind();

@@ -43,7 +43,8 @@ namespace RollingContact
   /**
    * How far a state may be off from that of an infinitely fine mesh of the same
    * bodies, and from what that is concluded. A bound that is not known is
-   * empty. The time step of a transient run is in none.
+   * empty. What the time step of a transient run adds is in none, see
+   * StepErrors.
    */
   struct ErrorBounds
   {

@@ -22,13 +22,30 @@ namespace RollingContact
 
   /**
    * Note in the report how far a transient run is off: the estimate for a
-   * steady state on its mesh, as its time step is not estimated; without
-   * friction nothing is.
+   * steady state on its mesh, as long as its time step is not estimated;
+   * without friction nothing is.
    */
   template <int dim>
   void note_error_of_step(const PairSpec         &scene,
                           const SteadyState<dim> &steady,
                           RunReport              &report);
+
+  /**
+   * How far what a transient run ends with may be off by the length of its
+   * steps.
+   */
+  struct StepErrors
+  {
+    double force = 0.; ///< over mu N; 0 without friction
+    double load  = 0.; ///< over N
+  };
+
+  /**
+   * Add to what note_error_of_step() noted what the time step may add: to the
+   * error of the force, or of the load without friction, whose mesh stays
+   * unknown.
+   */
+  void add_error_of_step(const StepErrors &of_step, RunReport &report);
 
   /**
    * Warn of each error in the report that is not known.

@@ -17,13 +17,35 @@ namespace RollingContact
   class Log
   {
   public:
+    /** Keeps messages and details back while it lives; warnings are said. */
+    class Silence
+    {
+    public:
+      explicit Silence(Log &log)
+        : log(log)
+      {
+        ++log.silences;
+      }
+
+      ~Silence()
+      {
+        --log.silences;
+      }
+
+      Silence(const Silence &)            = delete;
+      Silence &operator=(const Silence &) = delete;
+
+    private:
+      Log &log;
+    };
+
     /** Writes to std::cout, warnings and errors to std::cerr; on other ranks
      * than the root nowhere. */
     explicit Log(Verbosity verbosity);
 
     Log(Verbosity verbosity, std::ostream &out, std::ostream &errors);
 
-    /** Said unless quiet. */
+    /** Said unless quiet or within a Silence. */
     void message(const std::string &text);
 
     /** Said only when verbose. */
@@ -40,6 +62,7 @@ namespace RollingContact
     std::ostream            &out;
     std::ostream            &errors;
     std::vector<std::string> kept_warnings;
+    unsigned int             silences = 0; ///< that live
   };
 } // namespace RollingContact
 

@@ -23,6 +23,7 @@ namespace RollingContact
     contact_solve,
     fields,
     checkpoints,
+    step_estimate, ///< with all that it calls
     other
   };
 
@@ -35,10 +36,11 @@ namespace RollingContact
    * Wall and CPU seconds per phase, from the construction of the timer
    * on, and of the start of the process if charge_start() is called. At any
    * instant exactly one phase is charged, the innermost open one or
-   * Phase::other, so the rows sum to the run. The CPU time is that of the
-   * process: threads count. Scopes opened in another thread than the one that
-   * made the timer count nothing; their time stays with the phase open in that
-   * thread.
+   * Phase::other, so the rows sum to the run; what is opened within
+   * Phase::step_estimate is charged to that, as it is done for the estimate
+   * alone. The CPU time is that of the process: threads count. Scopes opened in
+   * another thread than the one that made the timer count nothing; their time
+   * stays with the phase open in that thread.
    */
   class PhaseTimer
   {

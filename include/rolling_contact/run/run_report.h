@@ -43,6 +43,8 @@ namespace RollingContact
     std::string reference; ///< "Carter"; of an estimate, what it is based on
     bool        estimated = false;
     std::string remark;
+    /** What the length of the time step adds to the value, if known. */
+    std::optional<double> time_step = {};
 
     std::string text() const;
   };

@@ -125,6 +125,16 @@ namespace RollingContact
     TimeSteps steps(const TimeFunction &speed) const;
 
     /**
+     * Whether the error of the time step is to be estimated: not of reduced
+     * bodies, nor of a run whose end is found.
+     */
+    bool estimates_step() const
+    {
+      return step_estimate && bodies == BodiesInTime::full &&
+             !stop_when_periodic;
+    }
+
+    /**
      * Part of critical damping that theta brings at `Damping frequency`, zeta =
      * (theta - 1/2) omega dt. Units: s, 1.
      */
@@ -160,6 +170,7 @@ namespace RollingContact
     double       checkpoint_seconds  = 60.;
     unsigned int maximum_halvings    = 6;
     double       damping_frequency   = 0.;
+    bool         step_estimate       = true;
     bool         stop_when_periodic  = false;
     double       periodic_tolerance  = 1e-2; ///< part of the range
     double       periodic_after      = 0.;   ///< s
