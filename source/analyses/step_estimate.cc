@@ -22,10 +22,9 @@ namespace RollingContact
 
   double error_of_steps(const double     difference,
                         const TimeSteps &steps,
-                        const TimeSteps &longer,
-                        const bool       inertia)
+                        const TimeSteps &longer)
   {
-    const double safety = inertia ? 1. : 1.;
+    const double safety = 4.4; // 99 of 100 random runs are within
     return safety * difference / (longer.length / steps.length - 1);
   }
 
@@ -57,6 +56,7 @@ namespace RollingContact
     , repeated(end_of(longer, 4, 0))
   {
     stepper.save(start);
+    give_to_all_ranks(start);
   }
 
   template <int dim>
@@ -114,10 +114,7 @@ namespace RollingContact
     const double        share = largest_over_last_load(run.history),
                  mu           = scene.contact.friction_coefficient;
     const auto error          = [&](const double difference) {
-      return error_of_steps(difference * share,
-                            steps,
-                            longer,
-                            scene.inputs->time.inertia);
+      return error_of_steps(difference * share, steps, longer);
     };
     StepErrors errors;
     errors.load  = error(found.load_largest);

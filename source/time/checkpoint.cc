@@ -6,6 +6,7 @@
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/vector.hpp>
 
+#include <rolling_contact/base/broadcast.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/files.h>
 #include <rolling_contact/base/ranks.h>
@@ -160,6 +161,11 @@ namespace RollingContact
     Ranks::on_root([&]() { bytes = read_archive(file); });
     Ranks::broadcast(bytes);
     return checkpoint_of(file, bytes);
+  }
+
+  void give_to_all_ranks(Checkpoint &checkpoint)
+  {
+    Ranks::broadcast(checkpoint);
   }
 
   void check_resumable(const Situation             &scene,

@@ -103,10 +103,10 @@ BOOST_AUTO_TEST_CASE(longer_steps_end_with_the_run)
     }
   const TimeSteps steps{2e-6, 9}, longer = steps_of_twice_the_length(steps);
   const double    ratio = 9. / 4;
-  for (const bool inertia : {false, true})
-    BOOST_TEST(error_of_steps(1., steps, longer, inertia) ==
-                 error_of_steps(1., {1., 10}, {2., 5}, inertia) / (ratio - 1),
-               boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(error_of_steps(1., steps, longer) ==
+               error_of_steps(1., {1., 10}, {2., 5}) / (ratio - 1),
+             boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(error_of_steps(1., {1., 10}, {2., 5}) >= 1.);
 }
 
 BOOST_AUTO_TEST_CASE(a_smooth_start_up_is_within_the_bound)

@@ -20,15 +20,13 @@ namespace RollingContact
   /**
    * The error that a difference between steps and longer ones tells of,
    *   e = s d / (r - 1),
-   * with d the difference, r the ratio of their lengths and s the factor of
-   * safety, with inertia or without, that tests/campaigns/step_errors found:
-   * errors are of first order where bodies hit each other. Units: those of
-   * @p difference.
+   * with d the difference, r the ratio of their lengths and s = 4.4 the factor
+   * of safety that tests/campaigns/step_errors found: errors are of first order
+   * where bodies hit each other. Units: those of @p difference.
    */
   double error_of_steps(const double     difference,
                         const TimeSteps &steps,
-                        const TimeSteps &longer,
-                        const bool       inertia);
+                        const TimeSteps &longer);
 
   /**
    * Estimate of how far the forces that a transient run ends with are off by
