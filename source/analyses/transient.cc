@@ -48,7 +48,8 @@ namespace RollingContact
                                : "."));
       }
     describe(stepper, steps);
-    if (scene.inputs->time.estimates_step() && !context.resume)
+    if (scene.inputs->time.estimates_step() && !context.resume &&
+        Ranks::count() == 1)
       estimate.emplace(scene, steps, stepper, context);
     TransientOutput<dim> output(scene, context, start, stepper);
     try

@@ -95,7 +95,8 @@ namespace RollingContact
       .help =
       "Whether the run is repeated with steps of twice the length, without any "
       "output, to estimate how far the force at its end is off by the length "
-      "of the steps; it costs about half of the run. A resumed run is not.";
+      "of the steps; it costs about half of the run. A resumed run and one on "
+      "several ranks are not.";
     entries.add("Theta", theta, "1").between(0.5, 1.).help =
       "The theta-scheme's parameter: 0.5 keeps the energy, 1 damps most.";
     entries.choice("Bodies", bodies, named_bodies).help =
