@@ -56,7 +56,6 @@ namespace RollingContact
     , repeated(end_of(longer, 4, 0))
   {
     stepper.save(start);
-    give_to_all_ranks(start);
   }
 
   template <int dim>

@@ -154,7 +154,7 @@ namespace RollingContact
     }
 
     /**
-     * Of one material, by an operator of the second order.
+     * The part of the operator's own order, that of bodies of one material.
      */
     Bound bound_of_twins(const BoundCircumstances &found, const bool disturbed)
     {

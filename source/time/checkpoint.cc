@@ -163,11 +163,6 @@ namespace RollingContact
     return checkpoint_of(file, bytes);
   }
 
-  void give_to_all_ranks(Checkpoint &checkpoint)
-  {
-    Ranks::broadcast(checkpoint);
-  }
-
   void check_resumable(const Situation             &scene,
                        const std::filesystem::path &folder)
   {

@@ -1,9 +1,9 @@
 #ifndef rolling_contact_pair_rolling_pair_h
 #define rolling_contact_pair_rolling_pair_h
 
+#include <rolling_contact/bodies/bulk_errors.h>
 #include <rolling_contact/contact/contact_problem.h>
 #include <rolling_contact/pair/body_pair.h>
-#include <rolling_contact/pair/bulk_errors.h>
 #include <rolling_contact/pair/moving_surfaces.h>
 #include <rolling_contact/pair/pair_interface.h>
 #include <rolling_contact/scene/pair_spec.h>

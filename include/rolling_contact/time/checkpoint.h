@@ -100,12 +100,6 @@ namespace RollingContact
   Checkpoint read_checkpoint(const RunFolder &folder);
 
   /**
-   * Give all ranks the checkpoint of the root, which has the motion of
-   * distributed bodies. Collective.
-   */
-  void give_to_all_ranks(Checkpoint &checkpoint);
-
-  /**
    * Throws InputError, as read_checkpoint() does, for what it can know before
    * a mesh is made and a file of the folder is touched: other tables or mesh
    * files than the run in this folder began with, and an end before the step

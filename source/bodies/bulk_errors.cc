@@ -1,5 +1,5 @@
 #include <rolling_contact/algebra/lapack.h>
-#include <rolling_contact/pair/bulk_errors.h>
+#include <rolling_contact/bodies/bulk_errors.h>
 
 #include <algorithm>
 #include <cmath>

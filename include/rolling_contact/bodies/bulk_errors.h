@@ -1,5 +1,5 @@
-#ifndef rolling_contact_pair_bulk_errors_h
-#define rolling_contact_pair_bulk_errors_h
+#ifndef rolling_contact_bodies_bulk_errors_h
+#define rolling_contact_bodies_bulk_errors_h
 
 #include <rolling_contact/algebra/dense_matrix.h>
 
