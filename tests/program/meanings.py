@@ -216,8 +216,8 @@ def check_bounds(folder, row, mesh, n, growth, tolerance, approach):
          2 / n**2 + 4e-3 * growth + 1.6e-2 * bulk + 4 * row["residual_normal"], tolerance)
     heat = mesh + residual + 2e-3 * growth / MU
     check(f"{folder}: bound of the heat", heat < row["bound_dissipation"] < 10 * heat)
-    # of the load: by an approach, on the scale of what the closed form differs by
-    check(f"{folder}: bound of the load", (0 < row["bound_normal_force"] < 0.02) == approach)
+    # of the load, which follows from an approach: a few per cent on coarse meshes
+    check(f"{folder}: bound of the load", (0 < row["bound_normal_force"] < 0.05) == approach)
 
 
 def check_line_contact(folder, row, elements):
