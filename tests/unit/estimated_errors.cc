@@ -4,6 +4,7 @@
 #include <rolling_contact/results/error_bounds.h>
 
 #include <cmath>
+#include <functional>
 
 using namespace RollingContact;
 
@@ -335,6 +336,66 @@ BOOST_AUTO_TEST_CASE(a_target_error_out_of_reach_is_refused)
     },
     5e-3,
     "a smoother Contact/Roughness");
+}
+
+/**
+ * A material that differs by a millionth, or a Poisson ratio just above 0.45,
+ * moves the bound by as little; materials that are unlike in full raise it.
+ */
+BOOST_AUTO_TEST_CASE(bounds_do_not_jump_from_class_to_class)
+{
+  const auto bound_of =
+    [](const std::function<void(BoundCircumstances &)> &change,
+       const SlipOperatorKind                           kind) {
+      BoundCircumstances found;
+      found.kind     = kind;
+      found.n        = 48.;
+      found.growth   = 0.1;
+      found.friction = 0.3;
+      change(found);
+      return *error_bounds(found).force;
+    };
+  for (const SlipOperatorKind kind :
+       {SlipOperatorKind::calibrated, SlipOperatorKind::upwind_2})
+    {
+      const double twins = bound_of([](BoundCircumstances &) {}, kind);
+      const auto   check =
+        [&](const std::function<void(BoundCircumstances &)> &little) {
+          BOOST_TEST(bound_of(little, kind) >= twins);
+          BOOST_TEST(bound_of(little, kind) == twins,
+                     boost::test_tools::tolerance(5e-3));
+        };
+      check([](BoundCircumstances &found) { found.beta = 1e-6; });
+      check([](BoundCircumstances &found) { found.incompressibility = 1e-4; });
+      BOOST_TEST(bound_of([](BoundCircumstances &found) { found.beta = 0.1; },
+                          kind) > 1.5 * twins);
+    }
+}
+
+/**
+ * On a patch that is three times as wide as long elements are at most 1.5 times
+ * as wide as long, on one that is long six of them are enough.
+ */
+BOOST_AUTO_TEST_CASE(elements_across_are_as_small_as_spin_needs)
+{
+  SceneInMemory run;
+  run.scene.dimension            = 3;
+  run.scene.wheel.lateral_radius = run.scene.rail.lateral_radius = 0.3;
+  run.scene.contact.normal_load                                  = 36059.;
+  run.scene.check();
+  const auto elements = [&](const double half_width_y) {
+    PatchEstimate patch;
+    patch.half_width_x = 3e-3;
+    patch.half_width_y = half_width_y;
+    const Grading<3> grading =
+      make_grading<3>(run.situation(), StateDemands(), patch, 12, 0.);
+    return std::lround(2 * half_width_y / grading.element_size_y);
+  };
+  BOOST_TEST(elements(8.9e-3) == 24);
+  BOOST_TEST(elements(5.9e-3) == 16);
+  BOOST_TEST(elements(4e-3) == 12);
+  BOOST_TEST(elements(3e-3) == 12);
+  BOOST_TEST(elements(0.5e-3) == 6);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
