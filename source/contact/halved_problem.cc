@@ -1,4 +1,5 @@
 #include <rolling_contact/contact/halved_problem.h>
+#include <rolling_contact/contact/surface_coupling.h>
 
 #include <algorithm>
 #include <cmath>
@@ -153,28 +154,6 @@ namespace RollingContact
       return R;
     }
 
-    /**
-     * R W R^T, component by component.
-     */
-    DenseMatrix restricted(const DenseMatrix &W,
-                           const SparseRows  &R,
-                           const unsigned int n_whole)
-    {
-      const unsigned int n = R.size(), n_components = W.rows() / n_whole;
-      DenseMatrix        rows =
-        DenseMatrix::Zero(W.cols(), std::size_t(n) * n_components);
-      for (unsigned int c = 0; c < n_components; ++c)
-        for (unsigned int k = 0; k < n; ++k)
-          for (const auto &[i, w] : R[k])
-            rows.col(c * n + k) += w * W.col(c * n_whole + i);
-      DenseMatrix result = DenseMatrix::Zero(n * n_components, rows.cols());
-      for (unsigned int c = 0; c < n_components; ++c)
-        for (unsigned int k = 0; k < n; ++k)
-          for (const auto &[i, w] : R[k])
-            result.row(c * n + k) += w * rows.row(c * n_whole + i);
-      return result;
-    }
-
     template <typename Values>
     Values taken(const Values &all, const std::vector<unsigned int> &nodes)
     {
@@ -227,9 +206,9 @@ namespace RollingContact
     half.problem.operators            = ContactOperators(
       half.trace.nodes,
       contact_matrix(half.trace, matrices, thickness),
-      restricted(operators.W(),
-                 weights_of(half, grid, trace, operators.areas()),
-                 whole.n_nodes()),
+      SurfaceCoupling(weights_of(half, grid, trace, operators.areas()),
+                      whole.n_nodes())
+        .to_interface(operators.W()),
       whole.n_tangential() > 0
                    ? SlipOperator(half.trace, slip.kind(), matrices, slip.flow_direction())
                    : SlipOperator(slip.kind()),

@@ -26,7 +26,6 @@ namespace RollingContact
     , surfaces(scene,
                {{grading.element_size_x, grading.element_size_y},
                 {grading.zone_x, grading.zone_y}})
-    , surfaces_in_time(demands.surfaces_in_time)
     , demands(demands)
     , element_size(std::max(grading.element_size_x, grading.element_size_y))
   {
@@ -44,7 +43,6 @@ namespace RollingContact
     , surfaces(scene,
                {{grading.element_size_x, grading.element_size_y},
                 {grading.zone_x, grading.zone_y}})
-    , surfaces_in_time(demands.surfaces_in_time)
     , demands(demands)
     , element_size(std::max(grading.element_size_x, grading.element_size_y))
   {
@@ -271,7 +269,7 @@ namespace RollingContact
                                     : -height(Side::wheel, *wheel, i) -
                                         height(Side::rail, *rail, i)) +
                           roughness.value(at[i][0], at[i][1]) -
-                          (surfaces_in_time || !surfaces.in_use()
+                          (demands.surfaces_in_time || !surfaces.in_use()
                              ? 0.
                              : surfaces.height(at[i][0], at[i][1], 0.)));
     loads.slip_of_profile = slip_of_profiles(scene, at, friction ? dim - 1 : 0);

@@ -74,9 +74,21 @@ namespace RollingContact
       /**
        * What is missing in the bulk, over a value of the same units.
        */
-      double of_bulk(const double change, const double value) const
+      double of_bulk(double ValueChanges::*what, const double value) const
       {
-        return (found.approach_given ? 1.3 : 0.8) * change / value;
+        return (found.approach_given ? 1.3 : 0.8) * ((*estimate.bulk).*what) /
+               value;
+      }
+
+      /**
+       * What the growth of the mesh adds to a force or a moment, over that of
+       * sliding: what is missing in the bulk or, where that is not known, what
+       * the circumstances tell.
+       */
+      double of_growth(double ValueChanges::*what, const double sliding) const
+      {
+        return estimate.bulk ? of_bulk(what, sliding)
+                             : *known.force - *mesh.force - residual;
       }
 
       void set_force(ErrorBounds &bounds) const;
@@ -100,9 +112,7 @@ namespace RollingContact
                    elements = of_elements(
                      std::min(tells ? estimate.across.force / sliding : unknown,
                               estimate.from_level_before.value_or(unknown))),
-                   growth = estimate.bulk_known
-                              ? of_bulk(estimate.bulk.force, sliding)
-                              : *known.force - *mesh.force - residual;
+                   growth = of_growth(&ValueChanges::force, sliding);
       bounds.force        = std::min(1., elements + growth + residual);
       bounds.text         = scientific(elements, 2) +
                     " for the elements across the patch, " +
@@ -115,19 +125,19 @@ namespace RollingContact
     {
       const double sliding = result.friction_force * result.half_width_x;
       if (sliding > 0.)
-        bounds.moment = std::min(
-          1.,
-          of_elements(tells ? estimate.across.moment / sliding : unknown) +
-            (estimate.bulk_known ? of_bulk(estimate.bulk.moment, sliding)
-                                 : *known.force - *mesh.force - residual) +
-            residual);
+        bounds.moment =
+          std::min(1.,
+                   of_elements(tells ? estimate.across.moment / sliding
+                                     : unknown) +
+                     of_growth(&ValueChanges::moment, sliding) + residual);
     }
 
     void Estimated::set_heat(ErrorBounds &bounds) const
     {
       if (tells && result.dissipation > 0.)
         bounds.dissipation =
-          (estimate.across.dissipation + estimate.bulk.dissipation) /
+          (estimate.across.dissipation +
+           (estimate.bulk ? estimate.bulk->dissipation : 0.)) /
             result.dissipation +
           *mesh.force + residual +
           of_growth_on_heat * found.growth / found.friction;
@@ -143,10 +153,10 @@ namespace RollingContact
           std::max(*bounds.max_pressure,
                    of_change_on_peak * estimate.across.max_pressure /
                      result.max_pressure);
-      if (found.approach_given && estimate.bulk_known && tells)
+      if (found.approach_given && estimate.bulk && tells)
         bounds.normal_force =
-          (estimate.across.normal_force / result.normal_force +
-           of_bulk(estimate.bulk.normal_force, result.normal_force));
+          estimate.across.normal_force / result.normal_force +
+          of_bulk(&ValueChanges::normal_force, result.normal_force);
       if (!(result.friction_force > 0.))
         return bounds;
       set_force(bounds);

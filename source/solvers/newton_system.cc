@@ -231,6 +231,31 @@ namespace RollingContact
     return true;
   }
 
+  void NewtonSystem::linearise()
+  {
+    add_columns();
+    set_load_rows();
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+      set_friction_rows(k, fall(k));
+  }
+
+  std::array<double, 2>
+  NewtonSystem::part_of_slip(const std::size_t            touching,
+                             const std::array<double, 2> &change) const
+  {
+    std::array<double, 2> direction{};
+    double                size = 0., bound = 0.;
+    if (!slides(touching, direction, size, bound))
+      return {{-change[0], -change[1]}};
+    const double along = change[0] * direction[0] + change[1] * direction[1],
+                 falls = fall(touching) * now.pressure[nodes[touching]];
+    std::array<double, 2> part{};
+    for (unsigned int c = 0; c < n_tangential; ++c)
+      part[c] = falls * along * direction[c] -
+                bound * rho_t / size * (change[c] - along * direction[c]);
+    return part;
+  }
+
   std::vector<ContactState>
   NewtonSystem::response(const std::vector<NodalField> &slips)
   {
@@ -240,8 +265,7 @@ namespace RollingContact
         for (unsigned int i = 0; i < problem.n_nodes(); ++i)
           immediate.push_back(memory.immediate_part(i));
       }
-    add_columns();
-    set_load_rows();
+    linearise();
     const std::size_t n = matrix.rows();
     right               = DenseMatrix::Zero(n, slips.size());
     for (std::size_t j = 0; j < slips.size(); ++j)
@@ -249,22 +273,14 @@ namespace RollingContact
         const NodalField change = friction.rows.B2 * slips[j];
         for (std::size_t k = 0; k < nodes.size(); ++k)
           {
-            std::array<double, 2> e{};
-            double                size = 0., bound = 0., along = 0.;
-            const unsigned int    i     = nodes[k];
-            const bool            moves = slides(k, e, size, bound);
+            std::array<double, 2> at_node{};
             for (unsigned int c = 0; c < n_tangential; ++c)
-              along += e[c] * change(c, i);
-            const double falls = fall(k) * now.pressure[i];
+              at_node[c] = change(c, nodes[k]);
+            const auto part = part_of_slip(k, at_node);
             for (unsigned int c = 0; c < n_tangential; ++c)
-              right(place(k, c), j) =
-                moves ? falls * along * e[c] -
-                          bound * rho_t / size * (change(c, i) - along * e[c])
-                      : -change(c, i);
+              right(place(k, c), j) = part[c];
           }
       }
-    for (std::size_t k = 0; k < nodes.size(); ++k)
-      set_friction_rows(k, fall(k));
     if (n == 0 || !solve_general(matrix, right))
       return {};
     std::vector<ContactState> changes;
@@ -285,10 +301,7 @@ namespace RollingContact
   std::vector<std::vector<double>>
   NewtonSystem::sensitivities(const std::vector<ContactState> &weights)
   {
-    add_columns();
-    set_load_rows();
-    for (std::size_t k = 0; k < nodes.size(); ++k)
-      set_friction_rows(k, fall(k));
+    linearise();
     matrix.transposeInPlace();
     const std::size_t n = matrix.rows();
     right               = DenseMatrix::Zero(n, weights.size());
@@ -310,18 +323,12 @@ namespace RollingContact
         std::vector<double> gap_weights(N, 0.);
         for (std::size_t k = 0; k < nodes.size(); ++k)
           {
-            std::array<double, 2> e{};
-            double                size = 0., bound = 0., along = 0.;
-            const bool            moves = slides(k, e, size, bound);
+            std::array<double, 2> at_node{};
             for (unsigned int c = 0; c < n_tangential; ++c)
-              along += e[c] * right(place(k, c), j);
-            const double falls = fall(k) * now.pressure[nodes[k]];
+              at_node[c] = right(place(k, c), j);
+            const auto part = part_of_slip(k, at_node);
             for (unsigned int c = 0; c < n_tangential; ++c)
-              slip_weights(c, nodes[k]) =
-                moves ? falls * along * e[c] -
-                          bound * rho_t / size *
-                            (right(place(k, c), j) - along * e[c])
-                      : -right(place(k, c), j);
+              slip_weights(c, nodes[k]) = part[c];
             if (n_components > n_tangential)
               gap_weights[nodes[k]] = -right(place(k, n_tangential), j);
           }

@@ -186,11 +186,9 @@ namespace RollingContact
           last_state = std::move(*state);
         }
     estimate.sticks = any_sticks(problem, steady.state);
-    const auto bulk = changes_by_bulk(
+    estimate.bulk   = changes_by_bulk(
       scene, steady, *last, last == &problem ? steady.state : last_state);
-    estimate.bulk_known = bulk.has_value();
-    estimate.bulk       = bulk.value_or(ValueChanges());
-    steady.estimate     = estimate;
+    steady.estimate = estimate;
   }
 
   template void estimate_errors(const PairSpec &, SteadyState<2> &);

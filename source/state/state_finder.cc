@@ -168,7 +168,10 @@ namespace RollingContact
 
   namespace
   {
-    /// Of meshes that take seconds, so that it is said what is done.
+    /**
+     * Meshes and bodies of this size take seconds, so that it is said what is
+     * done.
+     */
     const double      many_cells    = 20000.;
     const std::size_t many_unknowns = 60000;
   } // namespace

@@ -134,6 +134,7 @@ namespace RollingContact::Profiles
              " mm, from y = " + in_mm(from) + " to " + in_mm(to) +
              " mm: a spline bridges them, and what touches there is a guess.";
     }
+
     std::string doubt_of_groove(std::vector<MeasuredPoint> points,
                                 const std::string         &name)
     {

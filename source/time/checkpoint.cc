@@ -6,7 +6,6 @@
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/vector.hpp>
 
-#include <rolling_contact/base/broadcast.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/files.h>
 #include <rolling_contact/base/ranks.h>

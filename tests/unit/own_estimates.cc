@@ -118,7 +118,7 @@ BOOST_AUTO_TEST_CASE(of_the_bulk_answer_to_friction)
         scene.mesh.growth                  = 0.8;
       });
       const double          bulk =
-        run.steady.estimate->bulk.force / run.steady.result.friction_force;
+        run.steady.estimate->bulk->force / run.steady.result.friction_force;
       if (before > 0.)
         BOOST_TEST(bulk == 2 * before, boost::test_tools::tolerance(0.3));
       before = bulk;
@@ -135,7 +135,7 @@ BOOST_AUTO_TEST_CASE(of_the_bulk_vanish_in_full_slip)
     scene.mesh.growth         = 0.8;
   });
   BOOST_TEST(!run.steady.estimate->sticks);
-  BOOST_TEST(run.steady.estimate->bulk.force <
+  BOOST_TEST(run.steady.estimate->bulk->force <
              1e-9 * run.steady.result.friction_force);
   // but a small stick zone might not have been seen
   BOOST_TEST(*run.bounds().force > 1. / std::pow(24, 2));

@@ -79,14 +79,6 @@ namespace
     scene.contact.creepages.x = 0.001;
     scene.time.initial_state  = InitialState::rest;
   }
-
-  void oscillates(SceneParameters &scene)
-  {
-    scene.contact.creepages.x   = 0.001;
-    scene.contact.slip_operator = SlipOperatorKind::upwind_2;
-    scene.time.initial_state    = InitialState::steady;
-    scene.time.creepage_x       = "0.001 + 0.0008 * sin(2 * pi * 1000 * t)";
-  }
 } // namespace
 
 /**

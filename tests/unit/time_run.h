@@ -38,6 +38,17 @@ namespace RollingContact
   }
 
   /**
+   * Steady rolling whose creepage begins to oscillate, 0.1 +- 0.08 % at 1 kHz.
+   */
+  inline void oscillates(SceneParameters &scene)
+  {
+    scene.contact.creepages.x   = 0.001;
+    scene.contact.slip_operator = SlipOperatorKind::upwind_2;
+    scene.time.initial_state    = InitialState::steady;
+    scene.time.creepage_x       = "0.001 + 0.0008 * sin(2 * pi * 1000 * t)";
+  }
+
+  /**
    * A transient scene stepped in memory.
    */
   template <int dim>

@@ -22,8 +22,9 @@ namespace RollingContact::Cycles
    * The shortest period by which the motion differs from itself by no more than
    * @p tolerance; else the one, of those looked at, by which it differs least.
    * The length 0 if none comes near. Looked for up to a twelfth of the samples.
-   * Of a multiple of another that leaves less than twice as much, that other: a
-   * motion that is about to repeat itself has no period of twice its length.
+   * A period of which another that leaves less than twice as much is a part
+   * gives way to that one: a motion that is about to repeat itself has no
+   * period of twice its length.
    *
    * Candidates are the minima of the mean square difference of all signals to
    * themselves tau later, by fast Fourier transforms; each is then refined with

@@ -220,7 +220,6 @@ namespace RollingContact
     BodyPair<dim>             body_pair;
     PairInterface<dim>        pair_interface;
     const MovingSurfaces      surfaces;
-    const bool                surfaces_in_time; ///< not in the gap
     std::vector<unsigned int> components;
     const PairDemands         demands;
     const double              element_size; ///< the larger one, m

@@ -90,6 +90,20 @@ namespace RollingContact
      */
     void set_friction_rows(const std::size_t touching, const double fall);
 
+    /**
+     * The matrix of the laws linearised at the present state.
+     */
+    void linearise();
+
+    /**
+     * What a @p change of slip alone takes from the linearised friction law of
+     * a node, a symmetric map: the change where it sticks, else what turns the
+     * traction and lets mu fall. Units: those of the change.
+     */
+    std::array<double, 2>
+    part_of_slip(const std::size_t            touching,
+                 const std::array<double, 2> &change) const;
+
     void set_right(const std::size_t touching);
 
     void set_load_rows();

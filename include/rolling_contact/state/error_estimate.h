@@ -32,9 +32,10 @@ namespace RollingContact
   {
     unsigned int n_positions = 0; ///< of every second node, that were solved
     bool         sticks      = false; ///< whether any node does
-    bool         bulk_known  = false;
-    ValueChanges across; ///< largest over the positions
-    ValueChanges bulk;
+    ValueChanges across;              ///< largest over the positions
+
+    /** None where it is not known. */
+    std::optional<ValueChanges> bulk;
 
     /** Change from the refinement level before, the largest of those of forces
      * over N and mu N; none on the first. */
