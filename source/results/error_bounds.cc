@@ -1,5 +1,6 @@
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/contact/friction_limit.h>
+#include <rolling_contact/contact/tangential_problem.h>
 #include <rolling_contact/contact/touching_run.h>
 #include <rolling_contact/results/error_bounds.h>
 #include <rolling_contact/results/estimated_bounds.h>
@@ -56,6 +57,17 @@ namespace RollingContact
      * Waves that the edge law leaves to upwind 2, see slip_rows().
      */
     const double unresolved = 0.5;
+
+    /**
+     * Friction below which the elements across the patch shift the slip by more
+     * than the edges of the patch do: the force over mu N follows as 1 / mu.
+     */
+    const double little_friction = 0.05;
+
+    double rise_of_elements(const double friction)
+    {
+      return friction > 0. ? std::max(1., little_friction / friction) : 1.;
+    }
 
     /**
      * Bodies thinner than so many half-widths count as thin.
@@ -153,6 +165,11 @@ namespace RollingContact
                std::max(0., 1 / found.element_aspect - widest_element);
     }
 
+    Bound upwind_2_bound(const bool plane)
+    {
+      return {plane ? 0.4 : 0.65, 1.};
+    }
+
     /**
      * The part of the operator's own order, that of bodies of one material.
      */
@@ -160,7 +177,7 @@ namespace RollingContact
     {
       const bool plane = found.dim == 2;
       if (found.kind == SlipOperatorKind::upwind_2 || found.waves > unresolved)
-        return {plane ? 0.4 : 0.65, 1.};
+        return upwind_2_bound(plane);
       if (plane)
         return {disturbed ? 5. : 1.3, 2.};
       return found.spin ? Bound{0.5, 1.5} : Bound{disturbed ? 2.6 : 1.3, 2.};
@@ -171,7 +188,9 @@ namespace RollingContact
      */
     std::array<Bound, 2> force_bounds(const BoundCircumstances &found)
     {
-      const bool plane     = found.dim == 2;
+      const bool   plane = found.dim == 2;
+      const double of_upwind_2 =
+        found.on_upwind_2 * upwind_2_bound(plane).constant;
       const bool disturbed = found.thickness < thin || found.refined;
       if (found.kind == SlipOperatorKind::upwind_1)
         return {{{plane ? 0.65 : 1.1, 1.}, {0., 1.}}};
@@ -182,7 +201,8 @@ namespace RollingContact
       own.constant *= 1 - share;
       return {{own,
                {share * ((plane ? 0.6 : 0.75) + 2.4 * found.beta) *
-                  (disturbed || found.waves > wavy ? of_both : 1.),
+                    (disturbed || found.waves > wavy ? of_both : 1.) +
+                  of_upwind_2,
                 1.}}};
     }
 
@@ -219,7 +239,8 @@ namespace RollingContact
     double               mesh  = 0.;
     for (Bound &part : parts)
       {
-        part.constant *= rise_with_shape(found);
+        part.constant *=
+          rise_with_shape(found) * rise_of_elements(found.friction);
         mesh += part.at(found.n);
       }
     bounds.first_order =
@@ -299,6 +320,17 @@ namespace RollingContact
           bend += apply(*weights, p);
       return std::abs(bend) / p[peak];
     }
+
+    template <int dim>
+    double share_on_upwind_2(const SteadyState<dim> &steady)
+    {
+      if (steady.problem.n_tangential() == 0)
+        return 0.;
+      const SlipRows rows =
+        tangential_problem(steady.problem, steady.state).rows;
+      const std::size_t left = rows.n_unresolved;
+      return left == 0 ? 0. : double(left) / (rows.edges.size() + left);
+    }
   } // namespace
 
   template <int dim>
@@ -333,6 +365,7 @@ namespace RollingContact
                                        places(run, problem.operators),
                                        problem.loads.gap));
       }
+    found.on_upwind_2 = share_on_upwind_2(steady);
     return found;
   }
 

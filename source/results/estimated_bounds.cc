@@ -22,6 +22,12 @@ namespace RollingContact
     const double of_change_on_peak = 1.3;
 
     /**
+     * What the change from the level before weighs at least, and how much of
+     * the change on every second node stays where that is small by chance.
+     */
+    const double of_change_of_level = 1.3, least_of_halving = 1. / 3;
+
+    /**
      * The circumstances without what is estimated or added by itself.
      */
     BoundCircumstances of_mesh_alone(BoundCircumstances found)
@@ -91,6 +97,8 @@ namespace RollingContact
                              : *known.force - *mesh.force - residual;
       }
 
+      double of_elements_on_force() const;
+
       void set_force(ErrorBounds &bounds) const;
 
       void set_moment(ErrorBounds &bounds) const;
@@ -106,15 +114,29 @@ namespace RollingContact
       static constexpr double unknown = std::numeric_limits<double>::infinity();
     };
 
+    /**
+     * What the elements across the patch may add to a force; with levels of
+     * refinement by what the last one changed as well.
+     */
+    double Estimated::of_elements_on_force() const
+    {
+      const double halving =
+        tells ? estimate.across.force / result.friction_force : unknown;
+      if (!estimate.from_level_before)
+        return of_elements(halving);
+      const double level = *estimate.from_level_before;
+      return std::max(of_elements(std::min(
+                        halving, std::max(level, least_of_halving * halving))),
+                      of_change_of_level * level);
+    }
+
     void Estimated::set_force(ErrorBounds &bounds) const
     {
       const double sliding  = result.friction_force,
-                   elements = of_elements(
-                     std::min(tells ? estimate.across.force / sliding : unknown,
-                              estimate.from_level_before.value_or(unknown))),
-                   growth = of_growth(&ValueChanges::force, sliding);
-      bounds.force        = std::min(1., elements + growth + residual);
-      bounds.text         = scientific(elements, 2) +
+                   elements = of_elements_on_force(),
+                   growth   = of_growth(&ValueChanges::force, sliding);
+      bounds.force          = std::min(1., elements + growth + residual);
+      bounds.text           = scientific(elements, 2) +
                     " for the elements across the patch, " +
                     scientific(growth, 2) + " for the growth of the mesh";
       if (residual > 0.1 * (elements + growth))

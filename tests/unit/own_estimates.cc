@@ -2,6 +2,7 @@
 
 #include <rolling_contact/contact/halved_problem.h>
 #include <rolling_contact/results/error_bounds.h>
+#include <rolling_contact/results/estimated_bounds.h>
 #include <rolling_contact/solvers/newton_system.h>
 #include <rolling_contact/state/estimate_errors.h>
 
@@ -235,6 +236,86 @@ BOOST_AUTO_TEST_CASE(answer_as_the_contact_does)
       BOOST_TEST(found == expected,
                  boost::test_tools::tolerance(normal ? 0.2 : 0.01));
     }
+}
+
+namespace
+{
+  /**
+   * Circumstances of a state of twins, of so little mesh error that what is
+   * asked for shows.
+   */
+  BoundCircumstances of_twins(const int dim)
+  {
+    BoundCircumstances found;
+    found.dim      = dim;
+    found.n        = 16.;
+    found.friction = 0.3;
+    return found;
+  }
+
+  /**
+   * The bound of a force that changes by so much, over mu N, on every second
+   * node and from the level before.
+   */
+  double bound_with_level(const double halving, const double level)
+  {
+    ErrorEstimate estimate;
+    estimate.n_positions       = 4;
+    estimate.sticks            = true;
+    estimate.across.force      = halving;
+    estimate.from_level_before = level;
+    estimate.bulk              = ValueChanges();
+    Resultants result;
+    result.normal_force = result.friction_force = result.half_width_x = 1.;
+    return *estimated_bounds(of_twins(3), estimate, result).force;
+  }
+} // namespace
+
+/**
+ * The level before is believed where it says little, but not that the state is
+ * exact, and where it says much more than every second node.
+ */
+BOOST_AUTO_TEST_CASE(take_what_the_last_level_changed_for_what_it_is)
+{
+  BOOST_TEST(bound_with_level(6e-3, 1e-9) == bound_with_level(6e-3, 1e-3));
+  BOOST_TEST(bound_with_level(6e-3, 1e-9) < bound_with_level(6e-3, 4e-3));
+  BOOST_TEST(bound_with_level(1e-3, 2e-2) == 2.6e-2,
+             boost::test_tools::tolerance(1e-9));
+}
+
+/**
+ * Edges left to upwind 2 have its error, by their share.
+ */
+BOOST_AUTO_TEST_CASE(know_which_edges_are_left_to_upwind_2)
+{
+  for (const int dim : {2, 3})
+    {
+      BoundCircumstances found = of_twins(dim);
+      const double       none  = *error_bounds(found).force;
+      found.on_upwind_2        = 0.25;
+      const double quarter     = *error_bounds(found).force;
+      found.on_upwind_2        = 0.;
+      found.kind               = SlipOperatorKind::upwind_2;
+      const double all         = *error_bounds(found).force;
+      BOOST_TEST(quarter - none == 0.25 * all,
+                 boost::test_tools::tolerance(1e-6));
+    }
+}
+
+/**
+ * Elements of the zone of contact shift the slip as well, which little friction
+ * makes a larger part of the force.
+ */
+BOOST_AUTO_TEST_CASE(know_that_little_friction_enlarges_errors)
+{
+  BoundCircumstances found = of_twins(2);
+  const auto         bound = [&](const double friction) {
+    found.friction = friction;
+    return *error_bounds(found).force;
+  };
+  BOOST_TEST(bound(0.06) == bound(0.6));
+  BOOST_TEST(bound(0.01) == 5 * bound(0.05),
+             boost::test_tools::tolerance(1e-9));
 }
 
 BOOST_AUTO_TEST_CASE(take_smooth_forces_for_what_they_are)

@@ -17,11 +17,12 @@ namespace RollingContact
    */
   struct BoundCircumstances
   {
-    int              dim   = 2;
-    SlipOperatorKind kind  = SlipOperatorKind::calibrated;
-    double           n     = 0.; ///< elements across the patch
-    double           beta  = 0.; ///< |Dundurs' constant|
-    double           waves = 0.; ///< largest change_of_curvature()
+    int              dim         = 2;
+    SlipOperatorKind kind        = SlipOperatorKind::calibrated;
+    double           n           = 0.; ///< elements across the patch
+    double           beta        = 0.; ///< |Dundurs' constant|
+    double           waves       = 0.; ///< largest change_of_curvature()
+    double           on_upwind_2 = 0.; ///< share of leading edges left to it
     double thickness = std::numeric_limits<double>::infinity(); ///< smallest
     bool   edges_settled = true, edge_law = true;
     bool   spin              = false;
@@ -63,7 +64,8 @@ namespace RollingContact
    * tests/campaigns/error_bounds, n the elements across the patch in the
    * direction of rolling, with what adds to them: thin bodies, materials that
    * differ, surfaces with waves, long elements, the growth of the mesh, the
-   * residual of the solver, edges of the patch that did not settle.
+   * residual of the solver, edges of the patch that did not settle or that the
+   * edge law left to upwind 2, and little friction.
    */
   ErrorBounds error_bounds(const BoundCircumstances &found);
 
