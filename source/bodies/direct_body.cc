@@ -158,6 +158,15 @@ namespace RollingContact
   }
 
   template <int dim>
+  DenseMatrix DirectBody<dim>::solve(DenseMatrix columns)
+  {
+    DirectBody::analyse();
+    factor->factorise();
+    factor->solve(columns);
+    return columns;
+  }
+
+  template <int dim>
   DenseMatrix
   DirectBody<dim>::compliance(const std::vector<SurfaceNode>  &nodes,
                               const std::vector<unsigned int> &components,

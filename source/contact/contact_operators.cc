@@ -40,13 +40,15 @@ namespace RollingContact
                                      DenseMatrix  W,
                                      SlipOperator slip_operator,
                                      const NormalTangentialCoupling &coupling,
-                                     SurfaceFrames                   frames)
+                                     SurfaceFrames                   frames,
+                                     const NodalForces               forces)
     : n_tangential_components(W.rows() / H.size() - 1)
     , node_positions(std::move(positions))
     , contact_matrix(std::move(H))
     , H_columns(contact_matrix.transposed())
     , B1(std::move(slip_operator))
     , normal_tangential(coupling)
+    , forces(forces)
     , surface_frames(std::move(frames))
     , node_areas(contact_matrix.multiply(std::vector<double>(n_nodes(), 1.)))
   {

@@ -90,6 +90,10 @@ namespace RollingContact
                 coupling.dundurs_beta,
                 coupling.antiplane_share},
                "1");
+      file.add("/operators/nodal_forces",
+               {1},
+               {double(operators.nodal_forces())},
+               "0 of elements, 1 hats");
       const SlipOperator &B1 = operators.slip_operator();
       file.file.write("/operators/slip_operator", name_of(B1.kind()));
       file.add("/operators/flow", {1}, {double(B1.flow_direction())}, "1");
@@ -226,6 +230,17 @@ namespace RollingContact
         "\".");
     }
 
+    /**
+     * Files of earlier versions are of finite elements.
+     */
+    NodalForces nodal_forces_of(const Hdf5Reader &file)
+    {
+      const std::string path = "/operators/nodal_forces";
+      return file.has(path) && file.numbers(path, 1)[0] != 0.
+               ? NodalForces::hats
+               : NodalForces::of_elements;
+    }
+
     ContactOperators operators_of(const Hdf5Reader &file, StoredProblem &stored)
     {
       const Numbers at              = file.numbers("/operators/positions"),
@@ -259,7 +274,8 @@ namespace RollingContact
                               std::move(W),
                               std::move(B1),
                               {coupling[0] != 0., coupling[1], coupling[2]},
-                              surface);
+                              surface,
+                              nodal_forces_of(file));
     }
   } // namespace
 

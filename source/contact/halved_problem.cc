@@ -213,7 +213,8 @@ namespace RollingContact
                    ? SlipOperator(half.trace, slip.kind(), matrices, slip.flow_direction())
                    : SlipOperator(slip.kind()),
       operators.coupling(),
-      frames);
+      frames,
+      operators.nodal_forces());
     return half;
   }
 

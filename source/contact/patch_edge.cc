@@ -36,7 +36,8 @@ namespace RollingContact
 
   double recovered_edge(const std::vector<double> &x,
                         const std::vector<double> &pressure,
-                        const bool                 curved)
+                        const bool                 curved,
+                        const NodalForces          forces)
   {
     const double        alike = 1e-3; // distances between nodes, relatively
     std::vector<double> from_end;
@@ -48,7 +49,8 @@ namespace RollingContact
         from_end.push_back(pressure[k]);
       }
     if (const auto distance =
-          SquareRootEdge::of_pressure().distance(from_end, curved ? 2 : 1))
+          SquareRootEdge::of_pressure(forces).distance(from_end,
+                                                       curved ? 2 : 1))
       return x[0] - *distance * (x[1] - x[0]);
     return patch_edge(x, pressure);
   }

@@ -22,7 +22,8 @@ namespace RollingContact
     public:
       EdgeLines(const ContactOperators    &operators,
                 const std::vector<double> &pressure)
-        : at(operators.positions())
+        : nodal_forces(operators.nodal_forces())
+        , at(operators.positions())
         , pressure(pressure)
       {
         for (unsigned int i = 0; i < at.size(); ++i)
@@ -126,6 +127,8 @@ namespace RollingContact
         });
       }
 
+      const NodalForces nodal_forces;
+
     private:
       template <typename Condition>
       Line line(const unsigned int axis, const Condition &is_part) const
@@ -169,7 +172,7 @@ namespace RollingContact
     double recovered(const EdgeLines &lines, const Line &line, const int sign)
     {
       const auto [places, pressures] = lines.from_end(line, 1, sign);
-      return recovered_edge(places, pressures, true);
+      return recovered_edge(places, pressures, true, lines.nodal_forces);
     }
 
     /**
@@ -212,7 +215,7 @@ namespace RollingContact
     const bool      curved = !lines.is_line();
     PatchEdges      edges =
       edges_of(lines, [&](const auto &places, const auto &pressures) {
-        return recovered_edge(places, pressures, curved);
+        return recovered_edge(places, pressures, curved, lines.nodal_forces);
       });
     if (curved && !lines.empty())
       {

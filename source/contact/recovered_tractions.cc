@@ -106,8 +106,9 @@ namespace RollingContact
   std::vector<double> recovered_pressure(const ContactOperators    &operators,
                                          const std::vector<double> &pressure)
   {
-    const SquareRootEdge edge    = SquareRootEdge::of_pressure();
-    const auto           touches = [&](const unsigned int node) {
+    const SquareRootEdge edge =
+      SquareRootEdge::of_pressure(operators.nodal_forces());
+    const auto touches = [&](const unsigned int node) {
       return pressure[node] > 0.;
     };
     Deviations deviations(edge, pressure);
@@ -131,8 +132,9 @@ namespace RollingContact
     for (unsigned int i = 0; i < margin.size(); ++i)
       margin[i] = std::max(0., tangential.bound[i] - state.traction.norm_at(i));
     const ContactOperators &operators = tangential.contact.operators;
-    const SquareRootEdge    edge      = SquareRootEdge::of_stick_zone();
-    const auto              sticks    = [&](const unsigned int node) {
+    const SquareRootEdge    edge =
+      SquareRootEdge::of_stick_zone(operators.nodal_forces());
+    const auto sticks = [&](const unsigned int node) {
       return states[node] == NodeState::stick;
     };
     Deviations deviations(edge, margin);

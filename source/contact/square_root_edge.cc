@@ -8,12 +8,6 @@ namespace RollingContact
   {
     const std::size_t n_fitted = 5; // nodes that a parabola is fitted to
 
-    /**
-     * Where xi may lie: a node farther outside carries no force, and one
-     * farther inside has a neighbour that does.
-     */
-    const double smallest_distance = -0.45, largest_distance = 0.8;
-
     const unsigned int n_rounds = 8; // each reduces the change about 10 times
 
     /**
@@ -56,26 +50,54 @@ namespace RollingContact
   } // namespace
 
   SquareRootEdge::SquareRootEdge(
-    const std::array<Quadratic, n_disturbed> &deviations)
+    const std::array<Quadratic, n_disturbed> &deviations,
+    const std::array<double, 2>              &distances)
     : deviations(deviations)
+    , distances(distances)
   {}
 
-  SquareRootEdge SquareRootEdge::of_pressure()
+  namespace
   {
+    /**
+     * Where xi may lie: a node farther outside carries no force, and one
+     * farther inside has a neighbour that does.
+     */
+    const std::array<double, 2> of_elements{{-0.45, 0.8}},
+      of_collocation{{-0.2, 0.95}};
+  } // namespace
+
+  SquareRootEdge SquareRootEdge::of_hats()
+  {
+    return SquareRootEdge({{{{1.0441, -0.7593, 0.0139}},
+                            {{0.1277, -0.2436, 0.1298}},
+                            {{0.1077, -0.0714, 0.0049}},
+                            {{0.0725, -0.0659, 0.0177}},
+                            {{0.0568, -0.0467, 0.0102}}}},
+                          of_collocation);
+  }
+
+  SquareRootEdge SquareRootEdge::of_pressure(const NodalForces forces)
+  {
+    if (forces == NodalForces::hats)
+      return of_hats();
     return SquareRootEdge({{{{0.6258, -0.5745, 0.0735}},
                             {{0.2575, -0.0275, -0.0749}},
                             {{0.1148, -0.0559, -0.0159}},
                             {{0.0829, -0.0202, -0.0204}},
-                            {{0.0625, -0.0213, -0.0132}}}});
+                            {{0.0625, -0.0213, -0.0132}}}},
+                          of_elements);
   }
 
-  SquareRootEdge SquareRootEdge::of_stick_zone()
+  SquareRootEdge SquareRootEdge::of_stick_zone(const NodalForces forces)
   {
+    if (forces == NodalForces::hats)
+      return of_hats();
     return SquareRootEdge({{{{0.7666, -0.6095, 0.0503}},
                             {{0.1994, -0.1187, -0.0244}},
                             {{0.1143, -0.0497, -0.0237}},
                             {{0.0770, -0.0413, -0.0141}},
-                            {{0.0592, -0.0271, -0.0139}}}});
+                            {{0.0592, -0.0271, -0.0139}}}},
+                          of_elements);
   }
 
   double SquareRootEdge::deviation_of(const std::size_t k,
@@ -104,8 +126,8 @@ namespace RollingContact
         const Parabola parabola(exact, first);
         found.distance = -parabola.root();
         found.growth   = parabola.slope_at(-found.distance);
-        if (!(found.distance > smallest_distance &&
-              found.distance < largest_distance && found.growth > 0.))
+        if (!(found.distance > distances[0] && found.distance < distances[1] &&
+              found.growth > 0.))
           return {};
         for (std::size_t k = 0; k < n_disturbed; ++k)
           exact[k] = square[k] - deviation_of(k, found);

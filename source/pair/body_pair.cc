@@ -93,7 +93,8 @@ namespace RollingContact
                           const Grading<dim> &grading,
                           const PairDemands  &demands,
                           const bool          statics)
-    : solver(scene.body_solver)
+    : compliance(choose_compliance(scene, grading, demands))
+    , solver(scene.body_solver)
     , body_threads(scene.body_threads)
     , are_twins(
         !scene.wheel.rigid && !scene.rail.rigid &&
@@ -103,7 +104,8 @@ namespace RollingContact
     , elastic{!scene.wheel.rigid, !scene.rail.rigid}
   {
     check_room(scene, grading);
-    check_element_size(scene, grading);
+    if (!is_split())
+      check_element_size(scene, grading);
     check_contact_memory(scene, grading);
     choose_and_build(scene, grading, demands, statics);
   }
@@ -148,8 +150,8 @@ namespace RollingContact
                                        const PairDemands  &demands,
                                        const bool          statics)
   {
-    const bool open =
-      solver == BodySolver::automatic && !needs_factors(scene, demands);
+    const bool open = !is_split() && solver == BodySolver::automatic &&
+                      !needs_factors(scene, demands);
     if (!open || Ranks::count() > 1)
       {
         if (solver == BodySolver::automatic)
@@ -214,15 +216,19 @@ namespace RollingContact
       if (!has_own_body(side) || (direct && ranks[side] != Ranks::rank()))
         return;
       const BodySpec &parameters = scene.body(side);
-      bodies[side] =
-        make_body<dim>(solver,
-                       parameters.body_shape(),
-                       parameters.material,
-                       parameters.thickness,
-                       grading,
-                       demands.displacements || demands.bulk_errors,
-                       ranks[side],
-                       parameters.model);
+      if constexpr (dim == 3)
+        if (is_split())
+          bodies[side] = make_split_body(parameters, grading);
+      if (!bodies[side])
+        bodies[side] =
+          make_body<dim>(solver,
+                         parameters.body_shape(),
+                         parameters.material,
+                         parameters.thickness,
+                         grading,
+                         demands.displacements || demands.bulk_errors,
+                         ranks[side],
+                         parameters.model);
       if (statics)
         bodies[side]->analyse();
     };

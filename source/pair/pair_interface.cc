@@ -126,6 +126,11 @@ namespace RollingContact
                                     const Grading<dim>  &grading,
                                     const BodyPair<dim> &bodies)
   {
+    if (bodies.is_split())
+      {
+        take_nodes_of_interface(grading, bodies);
+        return;
+      }
     const auto is_generated = [&](const Side side) {
       return bodies.is_elastic(side) && !scene.body(side).is_from_file();
     };
@@ -161,6 +166,21 @@ namespace RollingContact
             nodes[side] = bodies.body(side)->nodes_at(surface.vertices);
         }
     turn_nodes(scene, bodies);
+  }
+
+  template <int dim>
+  void PairInterface<dim>::take_nodes_of_interface(const Grading<dim>  &grading,
+                                                   const BodyPair<dim> &bodies)
+  {
+    trace = interface_mesh(grading);
+    for (const Side side : both_sides)
+      if (bodies.is_elastic(side))
+        for (const auto &at : trace.nodes)
+          {
+            nodes[side].emplace_back();
+            for (unsigned int d = 0; d < dim - 1; ++d)
+              nodes[side].back().position[d] = at[d];
+          }
   }
 
   template <int dim>

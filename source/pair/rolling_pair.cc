@@ -253,7 +253,9 @@ namespace RollingContact
                        {!body_pair.twins() && friction,
                         constants.dundurs_beta,
                         1 / (1 - constants.elasticity.poisson_ratio)},
-                       surface_frames(scene, at));
+                       surface_frames(scene, at),
+                       body_pair.is_split() ? NodalForces::hats
+                                            : NodalForces::of_elements);
     const auto wheel = scene.wheel.body_shape(), rail = scene.rail.body_shape();
     const Roughness roughness(contact.roughness);
     const auto      height =

@@ -31,11 +31,16 @@ namespace RollingContact
     ElasticBody<dim> &body = *body_pair.body(side);
     if (errors.smooth.forces().empty())
       return {};
-    const std::vector<DenseMatrix> parts =
-      energy_errors(body,
-                    scene.thickness(),
-                    element_size,
-                    displacements(side, errors.smooth.forces()));
+    std::vector<std::vector<double>> forces;
+    for (const std::vector<double> &load : errors.smooth.forces())
+      forces.push_back(forces_on_body(side, load));
+    std::vector<DenseMatrix> parts =
+      body.compliance_errors(pair_interface.nodes[side], components, forces);
+    if (parts.empty())
+      parts = energy_errors(body,
+                            scene.thickness(),
+                            element_size,
+                            displacements(side, errors.smooth.forces()));
     if (!demands.displacements)
       body.release_factor();
     const std::size_t n = errors.smooth.forces().size();

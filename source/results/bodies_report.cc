@@ -44,6 +44,21 @@ namespace RollingContact
       context.log.warning(text);
   }
 
+  namespace
+  {
+    template <int dim>
+    void describe_compliance(const BodyPair<dim> &bodies, RunContext &context)
+    {
+      if (bodies.is_split())
+        context.log.message("The compliance is split: half-spaces in closed "
+                            "form, and what the bodies add.");
+      if (!bodies.reason_against_split().empty())
+        context.log.message("Mesh/Compliance = automatic takes finite "
+                            "elements: " +
+                            bodies.reason_against_split() + ".");
+    }
+  } // namespace
+
   template <int dim>
   void describe_bodies(const SteadyState<dim> &steady, RunContext &context)
   {
@@ -57,6 +72,7 @@ namespace RollingContact
           steady.pair->bodies().reason_for_solver() + ".";
         direct ? context.log.detail(choice) : context.log.message(choice);
       }
+    describe_compliance(steady.pair->bodies(), context);
     describe_surfaces(*steady.pair, context);
     describe_factors(steady, context);
     auto       &objects = context.report.objects;

@@ -62,7 +62,7 @@ namespace RollingContact
      * Friction below which the elements across the patch shift the slip by more
      * than the edges of the patch do: the force over mu N follows as 1 / mu.
      */
-    const double little_friction = 0.05;
+    const double little_friction = 0.1;
 
     double rise_of_elements(const double friction)
     {
@@ -365,6 +365,7 @@ namespace RollingContact
                                        places(run, problem.operators),
                                        problem.loads.gap));
       }
+    found.split       = steady.pair->bodies().is_split();
     found.on_upwind_2 = share_on_upwind_2(steady);
     return found;
   }

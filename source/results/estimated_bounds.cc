@@ -22,6 +22,11 @@ namespace RollingContact
     const double of_change_on_peak = 1.3;
 
     /**
+     * Error of second order over the change on every second node.
+     */
+    const double of_second_order = 1. / 3;
+
+    /**
      * What the change from the level before weighs at least, and how much of
      * the change on every second node stays where that is small by chance.
      */
@@ -70,11 +75,13 @@ namespace RollingContact
         // a patch have edges at many places of the mesh
         const bool   plane  = found.dim == 2;
         const double weight = plane ? 0.4 + 0.6 * mesh.first_order : 0.2,
-                     least = plane ? 0.05 : 0.1, most = *mesh.force;
-        return estimate.sticks
-                 ? std::min(most,
-                            std::sqrt(weight * change * most) + least * most)
-                 : most;
+                     share = plane ? 0.05 : 0.1, most = *mesh.force;
+        if (!estimate.sticks || change == unknown)
+          return most;
+        const double told =
+          std::min(most, std::sqrt(weight * change * most) + share * most);
+        // few elements across a patch under spin may be off by more than most
+        return plane ? told : std::max(told, of_second_order * change);
       }
 
       /**
@@ -124,7 +131,7 @@ namespace RollingContact
         tells ? estimate.across.force / result.friction_force : unknown;
       if (!estimate.from_level_before)
         return of_elements(halving);
-      const double level = *estimate.from_level_before;
+      const double level = estimate.from_level_before->forces;
       return std::max(of_elements(std::min(
                         halving, std::max(level, least_of_halving * halving))),
                       of_change_of_level * level);
@@ -138,7 +145,9 @@ namespace RollingContact
       bounds.force          = std::min(1., elements + growth + residual);
       bounds.text           = scientific(elements, 2) +
                     " for the elements across the patch, " +
-                    scientific(growth, 2) + " for the growth of the mesh";
+                    scientific(growth, 2) +
+                    (found.split ? " for the bodies beyond half-spaces"
+                                 : " for the growth of the mesh");
       if (residual > 0.1 * (elements + growth))
         bounds.text += ", " + scientific(residual, 2) + " for the residual";
     }
@@ -173,8 +182,10 @@ namespace RollingContact
       if (estimate.from_level_before)
         bounds.max_pressure =
           std::max(*bounds.max_pressure,
-                   of_change_on_peak * estimate.across.max_pressure /
-                     result.max_pressure);
+                   of_change_on_peak *
+                     std::max(estimate.across.max_pressure /
+                                result.max_pressure,
+                              estimate.from_level_before->max_pressure));
       if (found.approach_given && estimate.bulk && tells)
         bounds.normal_force =
           estimate.across.normal_force / result.normal_force +

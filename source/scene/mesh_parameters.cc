@@ -17,6 +17,11 @@ namespace RollingContact
       {"adaptive", LevelMarking::adaptive},
       {"uniform", LevelMarking::uniform}};
 
+    const std::vector<NamedValue<Compliance>> named_compliances{
+      {"automatic", Compliance::automatic},
+      {"finite elements", Compliance::finite_elements},
+      {"split", Compliance::split}};
+
     std::optional<double> offset_of(const std::string &text)
     {
       if (text == "aligned")
@@ -101,6 +106,21 @@ namespace RollingContact
     entries.add_automatic("Growth", growth, "1").between(0.01, 10.).help =
       "Growth of the element size with the distance from that zone; "
       "`automatic`: 0.1 in 2D, 0.4 in 3D, where 0.4 to 0.8 are usual.";
+    entries.choice("Compliance", compliance, named_compliances)
+      .read_by(scenes_in_3d())
+      .read_by({asks<AnalysisTraits>([](const auto &analysis) {
+                  return !analysis.marches && !analysis.linearises &&
+                         !analysis.has_own_meshes;
+                }),
+                "bodies that move in time or vibrate, and studies of their "
+                "meshes, take finite elements"})
+      .help =
+      "What the compliance of the contact nodes is made of: `finite elements` "
+      "refined to the patch, or `split` into that of a half-space in closed "
+      "form and what the body adds, from a mesh that does not know the patch: "
+      "for plain discs and blocks whose edges are far from the patch, without "
+      "Output/Body fields, in a third of the time. `automatic`: split where "
+      "its error is below that of the elements across the patch.";
     entries.add("Rim levels", rim_levels, "1").between(0, 10).help =
       "Further halvings of the element size at the rim of the patch.";
     entries.choice("Rim edges", rim_edges, named_rim_edges).help =

@@ -139,12 +139,14 @@ namespace RollingContact
     check_budget();
     LevelHistory           history;
     const StateFinder<dim> finder(scene, demands, context);
-    const auto             estimate = [&](SteadyState<dim> &level) {
+    double                 peak_before = 0.;
+    const auto             estimate    = [&](SteadyState<dim> &level) {
       if (!demands.pair.bulk_errors)
         return;
       estimate_errors(scene, level);
-      if (level.estimate)
-        level.estimate->from_level_before = level.change;
+      if (level.estimate && level.change)
+        level.estimate->from_level_before = {
+          *level.change, std::abs(peak_before / level.result.max_pressure - 1)};
     };
     SteadyState<dim> steady = finder.find();
     estimate(steady);
@@ -156,6 +158,7 @@ namespace RollingContact
            refine(steady, grading))
       {
         steady.pair->release_statics();
+        peak_before              = steady.result.max_pressure;
         const unsigned int level = steady.level + 1;
         steady =
           finder.find_from(steady, grading, "Level " + std::to_string(level));

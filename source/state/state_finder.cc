@@ -4,6 +4,7 @@
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/contact/patch_edges.h>
 #include <rolling_contact/pair/mesh_limits.h>
+#include <rolling_contact/pair/split_choice.h>
 #include <rolling_contact/state/state_finder.h>
 
 #include <cmath>
@@ -183,7 +184,7 @@ namespace RollingContact
     steady.grading = grading;
     {
       PhaseTimer::Scope phase(context.timer, Phase::mesh);
-      if (!make_pair)
+      if (!make_pair && !choose_compliance(scene, grading, demands.pair).split)
         if (const CellCount cells = cells_to_mesh(scene, grading);
             cells.total > many_cells)
           context.log.message("Meshing " + cells.text + ".");

@@ -257,7 +257,7 @@ namespace
    * The bound of a force that changes by so much, over mu N, on every second
    * node and from the level before.
    */
-  double bound_with_level(const double halving, const double level)
+  ErrorBounds bounds_with_level(const double halving, const LevelChange level)
   {
     ErrorEstimate estimate;
     estimate.n_positions       = 4;
@@ -266,8 +266,14 @@ namespace
     estimate.from_level_before = level;
     estimate.bulk              = ValueChanges();
     Resultants result;
-    result.normal_force = result.friction_force = result.half_width_x = 1.;
-    return *estimated_bounds(of_twins(3), estimate, result).force;
+    result.normal_force = result.friction_force = result.half_width_x =
+      result.max_pressure                       = 1.;
+    return estimated_bounds(of_twins(3), estimate, result);
+  }
+
+  double bound_with_level(const double halving, const double level)
+  {
+    return *bounds_with_level(halving, {level, 0.}).force;
   }
 } // namespace
 
@@ -279,8 +285,10 @@ BOOST_AUTO_TEST_CASE(take_what_the_last_level_changed_for_what_it_is)
 {
   BOOST_TEST(bound_with_level(6e-3, 1e-9) == bound_with_level(6e-3, 1e-3));
   BOOST_TEST(bound_with_level(6e-3, 1e-9) < bound_with_level(6e-3, 4e-3));
-  BOOST_TEST(bound_with_level(1e-3, 2e-2) == 2.6e-2,
-             boost::test_tools::tolerance(1e-9));
+  const auto tolerance = boost::test_tools::tolerance(1e-9);
+  BOOST_TEST(bound_with_level(1e-3, 2e-2) == 2.6e-2, tolerance);
+  BOOST_TEST(*bounds_with_level(1e-3, {0., 0.1}).max_pressure == 0.13,
+             tolerance);
 }
 
 /**
@@ -313,9 +321,8 @@ BOOST_AUTO_TEST_CASE(know_that_little_friction_enlarges_errors)
     found.friction = friction;
     return *error_bounds(found).force;
   };
-  BOOST_TEST(bound(0.06) == bound(0.6));
-  BOOST_TEST(bound(0.01) == 5 * bound(0.05),
-             boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(bound(0.11) == bound(0.6));
+  BOOST_TEST(bound(0.02) == 5 * bound(0.1), boost::test_tools::tolerance(1e-9));
 }
 
 BOOST_AUTO_TEST_CASE(take_smooth_forces_for_what_they_are)

@@ -87,6 +87,11 @@ namespace RollingContact
     double solver_seconds() const override;
 
     /**
+     * K^-1 of several columns; K is factorised on first use.
+     */
+    DenseMatrix solve(DenseMatrix columns);
+
+    /**
      * Stiffness K of the unknowns, assembled anew. Units: N/m.
      */
     SymmetricSparseMatrix stiffness() const;

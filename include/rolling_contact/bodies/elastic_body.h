@@ -138,6 +138,23 @@ namespace RollingContact
             const std::vector<unsigned int> &components) = 0;
 
     /**
+     * How far off compliance() may be for given sets of nodal forces on the
+     * nodes, in parts that do not cancel each other, if the body knows by
+     * itself: work of the forces of the row under those of the column. Units:
+     * J.
+     */
+    virtual std::vector<DenseMatrix>
+    compliance_errors(const std::vector<SurfaceNode>         &nodes,
+                      const std::vector<unsigned int>        &components,
+                      const std::vector<std::vector<double>> &forces) const
+    {
+      static_cast<void>(nodes);
+      static_cast<void>(components);
+      static_cast<void>(forces);
+      return {};
+    }
+
+    /**
      * Free what solves K; compliance() would compute it again.
      */
     virtual void release_solver() = 0;
@@ -174,6 +191,14 @@ namespace RollingContact
     const dealii::DoFHandler<dim> &dof_handler() const
     {
       return dofs;
+    }
+
+    /**
+     * Hanging nodes and what is held.
+     */
+    const dealii::AffineConstraints<double> &ties() const
+    {
+      return constraints;
     }
 
     const Material &elasticity() const

@@ -41,6 +41,16 @@ namespace RollingContact
   };
 
   /**
+   * What W takes a nodal force for: one of linear elements of the bodies, or a
+   * hat of traction on half-spaces, whose displacement is that at the nodes.
+   */
+  enum class NodalForces
+  {
+    of_elements,
+    hats
+  };
+
+  /**
    * What the bodies, their interface and the scheme in time make of the contact
    * problem, whatever its loads: compliance W, contact matrix H, slip operator
    * B1 on N paired nodes with T = 0 (frictionless), 1 (2D) or 2 (3D) tangential
@@ -65,7 +75,8 @@ namespace RollingContact
                      DenseMatrix                     W,
                      SlipOperator                    slip_operator = {},
                      const NormalTangentialCoupling &coupling      = {},
-                     SurfaceFrames                   frames        = {});
+                     SurfaceFrames                   frames        = {},
+                     const NodalForces forces = NodalForces::of_elements);
 
     /**
      * Replace W.
@@ -113,6 +124,11 @@ namespace RollingContact
     const Positions &positions() const
     {
       return node_positions;
+    }
+
+    NodalForces nodal_forces() const
+    {
+      return forces;
     }
 
     const SurfaceFrames &frames() const
@@ -321,6 +337,7 @@ namespace RollingContact
     DenseMatrix              compliance, W_nn_H;
     SlipOperator             B1;
     NormalTangentialCoupling normal_tangential;
+    NodalForces              forces = NodalForces::of_elements;
     TimeScaling              scaling;
     SurfaceFrames            surface_frames;
     std::vector<double>      shares; ///< of the approach; empty for ones

@@ -1,6 +1,8 @@
 #ifndef rolling_contact_contact_patch_edge_h
 #define rolling_contact_contact_patch_edge_h
 
+#include <rolling_contact/contact/contact_operators.h>
+
 #include <vector>
 
 namespace RollingContact
@@ -24,7 +26,8 @@ namespace RollingContact
    */
   double recovered_edge(const std::vector<double> &x,
                         const std::vector<double> &pressure,
-                        const bool                 curved);
+                        const bool                 curved,
+                        const NodalForces          forces);
 } // namespace RollingContact
 
 #endif

@@ -1,6 +1,8 @@
 #ifndef rolling_contact_contact_square_root_edge_h
 #define rolling_contact_contact_square_root_edge_h
 
+#include <rolling_contact/contact/contact_operators.h>
+
 #include <array>
 #include <optional>
 #include <vector>
@@ -13,10 +15,11 @@ namespace RollingContact
    * 0, 1, ... from the outermost node with f_k > 0 inwards, s the growth of
    * f(x)^2 over an element at the end, xi the distance from it to node 0 in
    * elements, below zero outside, where the area of the node reaches over the
-   * end. d_k are polynomials in xi, those of linear elements on a half-plane:
-   * the same for all loads and radii, and nearly so for all materials. Their
-   * coefficients are fitted to Hertz and Carter by
-   * tests/campaigns/edge_deviations.
+   * end. d_k are polynomials in xi, those of linear elements or of
+   * hats on a half-plane: the same for all loads and radii, and nearly so for
+   * all materials. Their coefficients are fitted to Hertz and Carter, those of
+   * elements by tests/campaigns/edge_deviations, those of hats in the suite
+   * `recovered_tractions`.
    */
   class SquareRootEdge
   {
@@ -24,12 +27,12 @@ namespace RollingContact
     /**
      * The end of the pressure, where the gap opens.
      */
-    static SquareRootEdge of_pressure();
+    static SquareRootEdge of_pressure(const NodalForces forces);
 
     /**
      * The end of the stick zone downstream: f = mu p - |q|.
      */
-    static SquareRootEdge of_stick_zone();
+    static SquareRootEdge of_stick_zone(const NodalForces forces);
 
     /**
      * At one node.
@@ -70,8 +73,13 @@ namespace RollingContact
       double distance, growth;
     };
 
-    explicit SquareRootEdge(
-      const std::array<Quadratic, n_disturbed> &deviations);
+    SquareRootEdge(const std::array<Quadratic, n_disturbed> &deviations,
+                   const std::array<double, 2>              &distances);
+
+    /**
+     * That of hats on a half-plane, both of pressures and of stick zones.
+     */
+    static SquareRootEdge of_hats();
 
     std::optional<Ending> ending(const std::vector<double> &from_end,
                                  const std::size_t          first) const;
@@ -82,6 +90,7 @@ namespace RollingContact
     double deviation_of(const std::size_t k, const Ending &ending) const;
 
     std::array<Quadratic, n_disturbed> deviations;
+    std::array<double, 2>              distances; ///< where xi may lie
   };
 } // namespace RollingContact
 

@@ -4,6 +4,8 @@
 #include <rolling_contact/base/broadcast.h>
 #include <rolling_contact/base/side.h>
 #include <rolling_contact/bodies/make_body.h>
+#include <rolling_contact/pair/pair_demands.h>
+#include <rolling_contact/pair/split_choice.h>
 #include <rolling_contact/scene/pair_spec.h>
 
 #include <memory>
@@ -11,23 +13,6 @@
 
 namespace RollingContact
 {
-  /**
-   * What an analysis demands of the bodies, beyond what the scene says.
-   */
-  struct PairDemands
-  {
-    /** Displacements inside the bodies will be asked for. */
-    bool displacements = false;
-    /** How far off the compliance is for want of elements in the bulk will be
-     * asked for. */
-    bool bulk_errors = false;
-    /** The compliance must be exact: bodies are factorised. */
-    bool factors = false;
-    /** Surfaces that move are left out of the gap: each step of time brings
-     * its own. */
-    bool surfaces_in_time = false;
-  };
-
   /**
    * The elastic bodies of a scene and the ranks they live on: spread over all
    * ranks (distributed) or each on one (direct). Only what the scene needs is
@@ -114,6 +99,23 @@ namespace RollingContact
     }
 
     /**
+     * True if the bodies are SplitBody, which have the nodes of the interface.
+     */
+    bool is_split() const
+    {
+      return compliance.split;
+    }
+
+    /**
+     * Why the program did not split the compliance, a part of a sentence; empty
+     * if it did or was not asked to.
+     */
+    const std::string &reason_against_split() const
+    {
+      return compliance.reason;
+    }
+
+    /**
      * Number of threads, 1 or 2, for work on both bodies: MPI may be used by
      * one thread only, which rules out a second one for distributed bodies.
      */
@@ -172,6 +174,7 @@ namespace RollingContact
      */
     double factor_memory(const bool analysed) const;
 
+    ComplianceChoice                           compliance;
     BodySolver                                 solver;
     std::string                                reason;
     unsigned int                               body_threads;

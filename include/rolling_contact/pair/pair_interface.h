@@ -35,7 +35,7 @@ namespace RollingContact
 
     /**
      * The surface nodes of the generated bodies, or a mesh of its own if both
-     * bodies are read from files.
+     * bodies are read from files or split.
      */
     Trace trace;
 
@@ -85,6 +85,12 @@ namespace RollingContact
     void turn_nodes(const PairSpec &scene, const BodyPair<dim> &bodies);
 
     bool nodes_turned = false;
+
+    /**
+     * Give split bodies the nodes of a mesh that is on neither of them.
+     */
+    void take_nodes_of_interface(const Grading<dim>  &grading,
+                                 const BodyPair<dim> &bodies);
 
     /**
      * Take the nodes of a generated body; its surface, on all ranks.

@@ -26,6 +26,16 @@ namespace RollingContact
   };
 
   /**
+   * What the compliance of the contact nodes is made of.
+   */
+  enum class Compliance
+  {
+    automatic,
+    finite_elements,
+    split ///< a half-space, and what the body adds: see SplitBody
+  };
+
+  /**
    * Section `Mesh`: element sizes, measured in the patch of the Hertz estimate.
    */
   struct MeshParameters
@@ -75,6 +85,7 @@ namespace RollingContact
     RimEdges              rim_edges           = RimEdges::leading;
     unsigned int          adaptive_levels     = 0;
     LevelMarking          level_marking       = LevelMarking::adaptive;
+    Compliance            compliance          = Compliance::finite_elements;
     unsigned int          contact_node_budget = 2000;
     double                target_change       = 1e-3;
 

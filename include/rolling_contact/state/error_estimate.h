@@ -19,6 +19,15 @@ namespace RollingContact
   };
 
   /**
+   * How much a level of refinement changed what the one before had found.
+   */
+  struct LevelChange
+  {
+    double forces       = 0.; ///< the largest of those over N and mu N
+    double max_pressure = 0.; ///< over itself
+  };
+
+  /**
    * What a state tells of its own errors. The elements across the patch show
    * theirs by the same bodies' contact on every second node, at several
    * positions of these: values of second order have a third of that change as
@@ -37,9 +46,8 @@ namespace RollingContact
     /** None where it is not known. */
     std::optional<ValueChanges> bulk;
 
-    /** Change from the refinement level before, the largest of those of forces
-     * over N and mu N; none on the first. */
-    std::optional<double> from_level_before;
+    /** None on the first level. */
+    std::optional<LevelChange> from_level_before;
   };
 } // namespace RollingContact
 

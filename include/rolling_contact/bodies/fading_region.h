@@ -1,0 +1,39 @@
+#ifndef rolling_contact_bodies_fading_region_h
+#define rolling_contact_bodies_fading_region_h
+
+#include <algorithm>
+
+namespace RollingContact
+{
+  /**
+   * Distances from the contact point between which the field of a half-space is
+   * faded out by chi, 1 up to inner and 0 from outer on: a polynomial of degree
+   * five whose first two derivatives are steady. Units: m.
+   */
+  struct FadingRegion
+  {
+    double inner, outer;
+
+    /** chi at a distance. */
+    double at(const double distance) const
+    {
+      const double t = place(distance);
+      return 1 - t * t * t * (10 - 15 * t + 6 * t * t);
+    }
+
+    /** Its derivative along the distance. Units: 1/m. */
+    double slope(const double distance) const
+    {
+      const double t = place(distance);
+      return -30 * t * t * (1 - t) * (1 - t) / (outer - inner);
+    }
+
+  private:
+    double place(const double distance) const
+    {
+      return std::clamp((distance - inner) / (outer - inner), 0., 1.);
+    }
+  };
+} // namespace RollingContact
+
+#endif

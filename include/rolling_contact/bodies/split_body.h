@@ -1,0 +1,95 @@
+#ifndef rolling_contact_bodies_split_body_h
+#define rolling_contact_bodies_split_body_h
+
+#include <rolling_contact/bodies/direct_body.h>
+#include <rolling_contact/bodies/patch_correction.h>
+
+#include <array>
+
+namespace RollingContact
+{
+  /**
+   * A body whose compliance is split: that of a half-space in closed form, on
+   * nodes that are on no mesh, and what the finite, held body adds, which is
+   * smooth at the patch and known by 18 moments from a mesh that does not know
+   * the patch,
+   *   W = W_hs + Phi S Phi^T,
+   * Phi the values x^i y^j/(i! j!) of force_moments() at the nodes. S is that
+   * of two meshes, extrapolated. It gives no displacements away from the
+   * contact, and has no motion in time.
+   */
+  class SplitBody final : public DirectBody<3>
+  {
+  public:
+    /**
+     * @p element_size are those of the contact nodes, along x and y, @p
+     * farthest the distance of the farthest one, and @p half_widths those of
+     * the patch. Units: m.
+     */
+    SplitBody(const std::shared_ptr<const BodyShape> &shape,
+              const Material                         &material,
+              const std::array<double, 2>            &element_size,
+              const FadingRegion                     &fading,
+              const double                            farthest,
+              const std::array<double, 2>            &half_widths,
+              const BodyModel                        &model);
+
+    /**
+     * Not a body of which anything but the contact is known.
+     */
+    const DirectBody<3> *with_factor() const override
+    {
+      return nullptr;
+    }
+
+    /**
+     * Find S.
+     */
+    void analyse() override;
+
+    DenseMatrix compliance(const std::vector<SurfaceNode>  &nodes,
+                           const std::vector<unsigned int> &components,
+                           const SparseRows                &P) override;
+
+    /**
+     * What a mesh of larger elements changes, extrapolated; what the highest
+     * moments do, over the ratio of body and patch by which the next ones are
+     * smaller; and a share of what the curvature under the patch does.
+     */
+    std::vector<DenseMatrix> compliance_errors(
+      const std::vector<SurfaceNode>         &nodes,
+      const std::vector<unsigned int>        &components,
+      const std::vector<std::vector<double>> &forces) const override;
+
+    /** Throws std::logic_error, as nothing is known inside. */
+    std::vector<BodyField>
+    recover(const std::vector<SurfaceNode>         &nodes,
+            const std::vector<unsigned int>        &components,
+            const std::vector<std::vector<double>> &forces) override;
+
+    /** Throws std::logic_error, as it has no mass. */
+    std::unique_ptr<BodyDynamics>
+    in_time(const ThetaScheme               &scheme,
+            const MassKind                   mass,
+            const std::vector<SurfaceNode>  &nodes,
+            const std::vector<unsigned int> &components) override;
+
+    std::string description() const override;
+
+  private:
+    /**
+     * Phi^T of all forces: how much of each moment they have.
+     */
+    DenseMatrix moments_of(const std::vector<SurfaceNode>  &nodes,
+                           const std::vector<unsigned int> &components) const;
+
+    const std::shared_ptr<const BodyShape> shape;
+    const std::array<double, 2>            element_size;
+    const FadingRegion                     fading;
+    const double                           farthest;
+    const std::array<double, 2>            half_widths;
+    DenseMatrix                            S, change, of_curvature;
+  };
+} // namespace RollingContact
+
+#endif

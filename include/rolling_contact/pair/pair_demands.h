@@ -1,0 +1,24 @@
+#ifndef rolling_contact_pair_pair_demands_h
+#define rolling_contact_pair_pair_demands_h
+
+namespace RollingContact
+{
+  /**
+   * What an analysis demands of the bodies, beyond what the scene says.
+   */
+  struct PairDemands
+  {
+    /** Displacements inside the bodies will be asked for. */
+    bool displacements = false;
+    /** How far off the compliance is for want of elements in the bulk will be
+     * asked for. */
+    bool bulk_errors = false;
+    /** The compliance must be exact: bodies are factorised. */
+    bool factors = false;
+    /** Surfaces that move are left out of the gap: each step of time brings
+     * its own. */
+    bool surfaces_in_time = false;
+  };
+} // namespace RollingContact
+
+#endif

@@ -1,0 +1,263 @@
+#include <deal.II/base/quadrature_lib.h>
+
+#include <rolling_contact/algebra/lapack.h>
+#include <rolling_contact/bodies/curvature_correction.h>
+#include <rolling_contact/bodies/half_space_influence.h>
+#include <rolling_contact/bodies/moment_fields.h>
+
+#include <cmath>
+
+namespace RollingContact
+{
+  namespace
+  {
+    /**
+     * Half of the elements across the patch of the grid on which smooth loads
+     * are, and points of the rings around it.
+     */
+    const int          elements_of_half  = 8;
+    const unsigned int points_along_ring = 48, rings = 12;
+
+    using OfLoads = Eigen::RowVectorXd; ///< a value for each load
+
+    /**
+     * The surface of a half-space at a point under several loads: tractions,
+     * strains along the surface and slopes of it. Units: Pa, 1.
+     */
+    struct SurfaceState
+    {
+      std::array<OfLoads, 3> t;
+      OfLoads                xx, yy, xy, slope_x, slope_y;
+    };
+
+    /**
+     * The integrand of curvature_correction() over h.
+     */
+    DenseMatrix work(const SurfaceState &at, const Material &material)
+    {
+      const double  G = material.shear_modulus(), nu = material.poisson_ratio;
+      const OfLoads sum     = at.xx + at.yy,
+                    common  = nu / (1 - nu) * (2 * G * sum + at.t[2]),
+                    stretch = ((1 - 2 * nu) / (2 * G) * at.t[2] - nu * sum) /
+                              (1 - nu); // u_z,z
+      DenseMatrix result = at.t[2].transpose() * stretch;
+      result -= (2 * G * at.xx + common).transpose() * at.xx;
+      result -= (2 * G * at.yy + common).transpose() * at.yy;
+      result -= 4 * G * at.xy.transpose() * at.xy;
+      for (const auto &[t, slope] :
+           {std::pair(&at.t[0], &at.slope_x), std::pair(&at.t[1], &at.slope_y)})
+        {
+          result += t->transpose() * (*t / G - *slope);
+          result -= slope->transpose() * *t;
+        }
+      return result;
+    }
+
+    /**
+     * Elliptical tractions times polynomials on the nodes of a grid around the
+     * contact point, one for each of force_moments() that has no other of
+     * these.
+     */
+    class SmoothLoads
+    {
+    public:
+      /**
+       * @p reach is how far from the contact point displacements are asked for.
+       * Units: m.
+       */
+      SmoothLoads(const Material              &material,
+                  const std::array<double, 2> &half_widths,
+                  const double                 reach);
+
+      /**
+       * What the surface is like at a point of the grid.
+       */
+      SurfaceState at(const int i, const int j) const;
+
+      std::array<double, 2> size; ///< of elements, m
+      std::array<int, 2>    last; ///< points of the grid within reach
+
+    private:
+      using Values = Eigen::Matrix<double, 3, Eigen::Dynamic>;
+
+      struct Node
+      {
+        int    i, j;
+        Values force; ///< component by load, N
+      };
+
+      void make_nodes(const int half);
+
+      Values displacements(const int i, const int j) const;
+
+      const std::size_t         n;
+      HalfSpaceInfluence::Table influence;
+      std::vector<Node>         nodes;
+      std::vector<Values>       found; ///< displacements on the grid
+    };
+
+    std::array<double, 2> elements_of(const std::array<double, 2> &half_widths)
+    {
+      return {
+        {half_widths[0] / elements_of_half, half_widths[1] / elements_of_half}};
+    }
+
+    std::array<int, 2> reached(const std::array<double, 2> &size,
+                               const double                 reach)
+    {
+      return {
+        {int(std::ceil(reach / size[0])), int(std::ceil(reach / size[1]))}};
+    }
+
+    SmoothLoads::SmoothLoads(const Material              &material,
+                             const std::array<double, 2> &half_widths,
+                             const double                 reach)
+      : size(elements_of(half_widths))
+      , last(reached(size, reach))
+      , n(force_moments().size())
+      , influence(HalfSpaceInfluence(material, size),
+                  {{last[0] + 1 + elements_of_half,
+                    last[1] + 1 + elements_of_half}})
+    {
+      make_nodes(elements_of_half);
+      for (int i = -last[0] - 1; i <= last[0] + 1; ++i)
+        for (int j = -last[1] - 1; j <= last[1] + 1; ++j)
+          found.push_back(displacements(i, j));
+    }
+
+    void SmoothLoads::make_nodes(const int half)
+    {
+      const auto &moments   = force_moments();
+      DenseMatrix of_shapes = DenseMatrix::Zero(n, n);
+      for (int i = -half; i <= half; ++i)
+        for (int j = -half; j <= half; ++j)
+          {
+            const double x = double(i) / half, y = double(j) / half,
+                         left = 1 - x * x - y * y;
+            if (left <= 0.)
+              continue;
+            Node node{i, j, Values::Zero(3, n)};
+            for (std::size_t m = 0; m < n; ++m)
+              node.force(moments[m].component, m) =
+                std::sqrt(left) * moments[m].shape(x, y);
+            for (std::size_t m = 0; m < n; ++m)
+              of_shapes.row(m) += moments[m].shape(i * size[0], j * size[1]) *
+                                  node.force.row(moments[m].component);
+            nodes.push_back(node);
+          }
+      DenseMatrix to_moments = DenseMatrix::Identity(n, n);
+      solve_general(of_shapes, to_moments);
+      for (Node &node : nodes)
+        node.force = node.force * to_moments;
+    }
+
+    SmoothLoads::Values SmoothLoads::displacements(const int i,
+                                                   const int j) const
+    {
+      Values u = Values::Zero(3, n);
+      for (const Node &node : nodes)
+        {
+          Eigen::Matrix3d W;
+          for (unsigned int of = 0; of < 3; ++of)
+            for (unsigned int by = 0; by < 3; ++by)
+              W(of, by) = influence(i - node.i, j - node.j, of, by);
+          u.noalias() += W * node.force;
+        }
+      return u;
+    }
+
+    SurfaceState SmoothLoads::at(const int i, const int j) const
+    {
+      const auto u = [&](const int k, const int l) -> const Values & {
+        return found[(k + last[0] + 1) * (2 * last[1] + 3) + l + last[1] + 1];
+      };
+      const Values along_x = (u(i + 1, j) - u(i - 1, j)) / (2 * size[0]),
+                   along_y = (u(i, j + 1) - u(i, j - 1)) / (2 * size[1]);
+      SurfaceState state{{OfLoads::Zero(n), OfLoads::Zero(n), OfLoads::Zero(n)},
+                         along_x.row(0),
+                         along_y.row(1),
+                         (along_x.row(1) + along_y.row(0)) / 2,
+                         along_x.row(2),
+                         along_y.row(2)};
+      for (const Node &node : nodes)
+        if (node.i == i && node.j == j)
+          for (unsigned int c = 0; c < 3; ++c)
+            state.t[c] = node.force.row(c) / (size[0] * size[1]);
+      return state;
+    }
+
+    /**
+     * The integrand over h away from all loads, at a point.
+     */
+    DenseMatrix faded_work(const std::array<double, 2> &at,
+                           const FadingRegion          &fading,
+                           const Material              &material)
+    {
+      const auto fields =
+        moment_fields(dealii::Point<3>(at[0], at[1], 0.), material);
+      const std::size_t n = fields.size();
+      SurfaceState state{{OfLoads::Zero(n), OfLoads::Zero(n), OfLoads::Zero(n)},
+                         OfLoads(n),
+                         OfLoads(n),
+                         OfLoads(n),
+                         OfLoads(n),
+                         OfLoads(n)};
+      std::array<OfLoads, 2> u{{OfLoads(n), OfLoads(n)}};
+      for (std::size_t m = 0; m < n; ++m)
+        {
+          const auto &gradient = fields[m].gradient;
+          state.xx[m]          = gradient[0][0];
+          state.yy[m]          = gradient[1][1];
+          state.xy[m]          = (gradient[0][1] + gradient[1][0]) / 2;
+          state.slope_x[m]     = gradient[2][0];
+          state.slope_y[m]     = gradient[2][1];
+          u[0][m]              = fields[m].value[0];
+          u[1][m]              = fields[m].value[1];
+        }
+      const double r = std::hypot(at[0], at[1]), chi = fading.at(r),
+                   G = material.shear_modulus(), nu = material.poisson_ratio,
+                   chi_x    = fading.slope(r) * at[0] / r,
+                   chi_y    = fading.slope(r) * at[1] / r;
+      const OfLoads common  = 2 * G * nu / (1 - nu) * (state.xx + state.yy),
+                    along_x = chi_x * (2 * G * state.xx + common) +
+                              chi_y * 2 * G * state.xy,
+                    along_y = chi_x * 2 * G * state.xy +
+                              chi_y * (2 * G * state.yy + common);
+      return chi * chi * work(state, material) -
+             2 * chi *
+               (u[0].transpose() * along_x + u[1].transpose() * along_y);
+    }
+  } // namespace
+
+  DenseMatrix curvature_correction(const BodyShape             &shape,
+                                   const Material              &material,
+                                   const std::array<double, 2> &half_widths,
+                                   const FadingRegion          &fading)
+  {
+    const std::size_t n   = force_moments().size();
+    DenseMatrix       sum = DenseMatrix::Zero(n, n);
+    const SmoothLoads loads(material, half_widths, fading.inner);
+    for (int i = -loads.last[0]; i <= loads.last[0]; ++i)
+      for (int j = -loads.last[1]; j <= loads.last[1]; ++j)
+        {
+          const double x = i * loads.size[0], y = j * loads.size[1];
+          if (std::hypot(x, y) < fading.inner)
+            sum += shape.surface_height(x, y) * loads.size[0] * loads.size[1] *
+                   work(loads.at(i, j), material);
+        }
+    const dealii::QGauss<1> along(rings);
+    const double            width = fading.outer - fading.inner;
+    for (unsigned int k = 0; k < rings; ++k)
+      for (unsigned int l = 0; l < points_along_ring; ++l)
+        {
+          const double r     = fading.inner + along.point(k)[0] * width,
+                       angle = 2 * dealii::numbers::PI * l / points_along_ring,
+                       area  = along.weight(k) * width * 2 *
+                              dealii::numbers::PI * r / points_along_ring,
+                       x = r * std::cos(angle), y = r * std::sin(angle);
+          sum += shape.surface_height(x, y) * area *
+                 faded_work({{x, y}}, fading, material);
+        }
+    return (sum + sum.transpose()) / 2;
+  }
+} // namespace RollingContact

@@ -1,0 +1,236 @@
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <rolling_contact/bodies/moment_fields.h>
+#include <rolling_contact/bodies/patch_correction.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace RollingContact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /**
+     * chi and its gradient.
+     */
+    struct Fading
+    {
+      Fading(const Point<3> &point, const FadingRegion &region)
+        : value(region.at(point.norm()))
+        , gradient(region.slope(point.norm()) / point.norm() *
+                   Tensor<1, 3>(point))
+      {}
+
+      double       value;
+      Tensor<1, 3> gradient;
+    };
+
+    /**
+     * 2 G sym(strain) + lambda tr(strain). Units: Pa.
+     */
+    Tensor<2, 3> stress(const Tensor<2, 3> &gradient, const Material &material)
+    {
+      const double G      = material.shear_modulus(),
+                   lambda = material.bulk_modulus() - 2 * G / 3;
+      Tensor<2, 3> result = G * (gradient + transpose(gradient));
+      for (unsigned int d = 0; d < 3; ++d)
+        result[d][d] += lambda * trace(gradient);
+      return result;
+    }
+
+    /**
+     * A vector and a tensor for each moment, side by side: forces and stresses
+     * against gradients, or displacements and their gradients.
+     */
+    using Pairs = Eigen::Matrix<double, Eigen::Dynamic, 12>;
+
+    Eigen::Matrix<double, 1, 12> pair_of(const Tensor<1, 3> &vector,
+                                         const Tensor<2, 3> &tensor)
+    {
+      Eigen::Matrix<double, 1, 12> pair;
+      for (unsigned int k = 0; k < 3; ++k)
+        {
+          pair[k] = vector[k];
+          for (unsigned int l = 0; l < 3; ++l)
+            pair[3 + 3 * k + l] = tensor[k][l];
+        }
+      return pair;
+    }
+
+    /**
+     * F of each moment, field by field over the unknowns of a body, and the
+     * part of Q from within the body.
+     */
+    class Loads
+    {
+    public:
+      Loads(const DirectBody<3> &body,
+            const BodyShape     &shape,
+            const FadingRegion  &region,
+            const double         load_ends);
+
+      std::vector<BodyField> F;
+      DenseMatrix            Q;
+
+    private:
+      using Cell = DoFHandler<3>::active_cell_iterator;
+
+      void add_cell(const Cell &cell);
+
+      void add_inside(const unsigned int point);
+
+      void add_on_surface(const unsigned int point);
+
+      /**
+       * Let forces and stresses work on the shape functions at a point.
+       */
+      void add(const FEValuesBase<3> &at,
+               const unsigned int     point,
+               const Pairs           &loads);
+
+      const DirectBody<3> &body;
+      const BodyShape     &shape;
+      const FadingRegion   region;
+      const double         load_ends;
+      const std::size_t    n;
+      FEValues<3>          values;
+      FEFaceValues<3>      on_face;
+      DenseMatrix          on_cell; ///< moment by unknown
+    };
+
+    Loads::Loads(const DirectBody<3> &body,
+                 const BodyShape     &shape,
+                 const FadingRegion  &region,
+                 const double         load_ends)
+      : Q(DenseMatrix::Zero(force_moments().size(), force_moments().size()))
+      , body(body)
+      , shape(shape)
+      , region(region)
+      , load_ends(load_ends)
+      , n(force_moments().size())
+      , values(body.dof_handler().get_fe(),
+               QGauss<3>(2),
+               update_values | update_gradients | update_quadrature_points |
+                 update_JxW_values)
+      , on_face(body.dof_handler().get_fe(),
+                QGauss<2>(3),
+                update_values | update_gradients | update_quadrature_points |
+                  update_JxW_values | update_normal_vectors)
+    {
+      for (std::size_t k = 0; k < n; ++k)
+        F.push_back(body.field(std::vector<double>(body.n_unknowns(), 0.)));
+      for (const auto &cell : body.dof_handler().active_cell_iterators())
+        if (cell->center().norm() - cell->diameter() / 2 < region.outer)
+          add_cell(cell);
+    }
+
+    void Loads::add_cell(const Cell &cell)
+    {
+      values.reinit(cell);
+      on_cell = DenseMatrix::Zero(n, values.dofs_per_cell);
+      for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
+        add_inside(q);
+      for (const unsigned int face : cell->face_indices())
+        if (cell->face(face)->at_boundary())
+          {
+            on_face.reinit(cell, face);
+            for (unsigned int q = 0; q < on_face.n_quadrature_points; ++q)
+              add_on_surface(q);
+          }
+      if (on_cell.isZero(0.))
+        return;
+      std::vector<types::global_dof_index> dofs(values.dofs_per_cell);
+      cell->get_dof_indices(dofs);
+      Vector<double> load(values.dofs_per_cell);
+      for (std::size_t k = 0; k < n; ++k)
+        {
+          for (unsigned int i = 0; i < load.size(); ++i)
+            load(i) = on_cell(k, i);
+          body.ties().distribute_local_to_global(load, dofs, F[k]);
+        }
+    }
+
+    void Loads::add(const FEValuesBase<3> &at,
+                    const unsigned int     point,
+                    const Pairs           &loads)
+    {
+      Eigen::Matrix<double, 12, Eigen::Dynamic> shapes =
+        DenseMatrix::Zero(12, at.dofs_per_cell);
+      for (unsigned int i = 0; i < at.dofs_per_cell; ++i)
+        {
+          const unsigned int c = at.get_fe().system_to_component_index(i).first;
+          shapes(c, i)         = at.shape_value(i, point);
+          for (unsigned int d = 0; d < 3; ++d)
+            shapes(3 + 3 * c + d, i) = -at.shape_grad(i, point)[d];
+        }
+      on_cell.noalias() += at.JxW(point) * (loads * shapes);
+    }
+
+    void Loads::add_inside(const unsigned int point)
+    {
+      Point<3> at = values.quadrature_point(point);
+      at[2]       = std::min(at[2], 0.);
+      const Fading chi(at, region);
+      if (chi.gradient.norm_square() == 0.)
+        return;
+      const Material &material = body.elasticity();
+      const auto      fields   = moment_fields(at, material);
+      Pairs           loads(n, 12), faded(n, 12);
+      for (std::size_t k = 0; k < n; ++k)
+        {
+          const auto &[u, gradient] = fields[k];
+          loads.row(k) =
+            pair_of(stress(gradient, material) * chi.gradient,
+                    stress(outer_product(u, chi.gradient), material));
+          faded.row(k) =
+            pair_of(chi.value * u,
+                    -chi.value * gradient - outer_product(u, chi.gradient));
+        }
+      add(values, point, loads);
+      Q.noalias() += values.JxW(point) * (loads * faded.transpose());
+    }
+
+    void Loads::add_on_surface(const unsigned int point)
+    {
+      Point<3> at = on_face.quadrature_point(point);
+      at[2]       = 0.;
+      const Fading chi(at, region);
+      if (chi.value == 0. || at.norm() < load_ends)
+        return;
+      const Material &material = body.elasticity();
+      const auto      fields   = moment_fields(at, material);
+      // h dx dy, and derivatives along x and y only
+      const double weight =
+        -shape.surface_height(at[0], at[1]) * on_face.normal_vector(point)[2];
+      Pairs loads(n, 12);
+      for (std::size_t k = 0; k < n; ++k)
+        {
+          Tensor<2, 3> sigma = stress(fields[k].gradient, material);
+          for (unsigned int d = 0; d < 3; ++d)
+            sigma[d][2] = 0.;
+          loads.row(k) = pair_of(weight * (sigma * chi.gradient),
+                                 -weight * chi.value * sigma);
+        }
+      add(on_face, point, loads);
+    }
+  } // namespace
+
+  DenseMatrix patch_correction(DirectBody<3>      &body,
+                               const BodyShape    &shape,
+                               const FadingRegion &fading,
+                               const double        load_ends)
+  {
+    const Loads       loads(body, shape, fading, load_ends);
+    const std::size_t n = loads.F.size();
+    DenseMatrix       F(body.n_unknowns(), n);
+    for (std::size_t k = 0; k < n; ++k)
+      {
+        const std::vector<double> f = body.unknowns_of(loads.F[k]);
+        F.col(k) = Eigen::Map<const Eigen::VectorXd>(f.data(), f.size());
+      }
+    return F.transpose() * body.solve(F) + (loads.Q + loads.Q.transpose()) / 2;
+  }
+} // namespace RollingContact

@@ -1,0 +1,218 @@
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/text.h>
+#include <rolling_contact/pair/patch_estimate.h>
+#include <rolling_contact/pair/split_choice.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace RollingContact
+{
+  namespace
+  {
+    /**
+     * Outer radius of the fading region over the distance to the next edge, and
+     * over the inner radius: measured, 6 half-widths to the edge are enough and
+     * with 3.5 forces are 0.23 % of mu N off.
+     */
+    const double share_of_distance = 0.9, outer_over_inner = 4.,
+                 least_ratio = 3.5;
+
+    /**
+     * Error of the force for want of second order in the curvature, over mu N
+     * and the half-width over the least radius: 0.05 was found.
+     */
+    const double of_curvature = 0.1;
+
+    /**
+     * Dundurs' constant from which on materials are unlike.
+     */
+    const double largest_beta = 0.01;
+
+    /**
+     * Bound of the force for so many elements across the patch, over their
+     * inverse square.
+     */
+    const double of_elements = 1.3;
+
+    /**
+     * The inner radius over that of the farthest node.
+     */
+    const double beyond_nodes = 1.2;
+
+    /**
+     * Largest patch over the radii of a surface that is taken as plane.
+     */
+    const double largest_curvature = 0.05;
+
+    /**
+     * Distance from the contact point to the next edge or to what holds the
+     * body. Units: m.
+     */
+    double distance_to_edge(const BodyShape &shape)
+    {
+      const auto across = shape.room_across();
+      return std::min(
+        {shape.reach_x(), -across[0], across[1], shape.thickness_below()});
+    }
+
+    /**
+     * How far the farthest node that may touch is from the contact point.
+     * Units: m.
+     */
+    template <int dim>
+    double farthest_node(const Grading<dim> &grading)
+    {
+      const auto along = grading.zone_along(), across = grading.zone_across();
+      if (grading.zone_boxes.empty())
+        return std::max({-along[0], along[1], dim == 3 ? across[1] : 0.});
+      return std::hypot(std::max(-along[0], along[1]),
+                        std::max(-across[0], across[1]));
+    }
+
+    /**
+     * Where the half-space fades out in a body of this shape. Units: m.
+     */
+    FadingRegion fading_region(const BodyShape &shape, const double farthest)
+    {
+      const double outer = share_of_distance * distance_to_edge(shape);
+      return {std::max(outer / outer_over_inner, beyond_nodes * farthest),
+              outer};
+    }
+
+    /**
+     * 1/R along x and across, from the heights of a circle, -r^2 / (2 R).
+     * Units: 1/m.
+     */
+    std::array<double, 2> curvatures_of(const BodyShape &shape, const double r)
+    {
+      return {{-2 * shape.surface_height(r, 0.) / (r * r),
+               -2 * shape.surface_height(0., r) / (r * r)}};
+    }
+
+    /**
+     * What speaks against one body.
+     */
+    std::string reason_of_body(const BodySpec &body, const double farthest)
+    {
+      if (body.is_from_file())
+        return "the " + body.section + "'s mesh or section is from a file";
+      const auto shape = body.body_shape();
+      if (shape->is_swept())
+        return "the " + body.section + " has the section of its profile";
+      const FadingRegion fading = fading_region(*shape, farthest);
+      if (fading.outer < least_ratio * beyond_nodes * farthest)
+        return "nodes that may touch are up to " +
+               significant(1e3 * farthest, 3) +
+               " mm from the contact point, and the next edge of the " +
+               body.section + " or what holds it " +
+               significant(1e3 * fading.outer / share_of_distance, 3) +
+               " mm, where " +
+               significant(1e3 * least_ratio * beyond_nodes * farthest /
+                             share_of_distance,
+                           3) +
+               " mm are needed";
+      const auto curvatures = curvatures_of(*shape, farthest);
+      if (curvatures[0] < 0. || curvatures[1] < 0.)
+        return "the surface of the " + body.section + " is concave";
+      if (std::max(curvatures[0], curvatures[1]) * farthest > largest_curvature)
+        return "the patch is large for the radii of the " + body.section;
+      return "";
+    }
+
+    /**
+     * Why finite elements would be more exact, or empty: unlike materials have
+     * 2 to 10 times less error with them, and the curvature of the surfaces may
+     * count for more than the elements across the patch.
+     */
+    template <int dim>
+    std::string why_not_better(const PairSpec     &scene,
+                               const Grading<dim> &grading)
+    {
+      if (std::abs(pair_constants(scene).dundurs_beta) > largest_beta)
+        return "the materials are unlike";
+      const double half_width = std::abs(grading.leading_edge_x);
+      double       curvature  = 0.;
+      for (const BodySpec *body : {&scene.wheel, &scene.rail})
+        if (!body->rigid)
+          for (const double found :
+               curvatures_of(*body->body_shape(), half_width))
+            curvature = std::max(curvature, found);
+      return of_curvature * curvature * half_width >
+                 of_elements / std::pow(grading.elements_across(), 2)
+               ? "the curvature of the surfaces would count for more than the "
+                 "elements across the patch"
+               : "";
+    }
+
+    /**
+     * Why the compliance of these bodies cannot be split: a part of a sentence,
+     * empty if it can.
+     */
+    template <int dim>
+    std::string why_not_split(const PairSpec     &scene,
+                              const Grading<dim> &grading,
+                              const PairDemands  &demands)
+    {
+      if (demands.displacements)
+        return "displacements inside the bodies are wanted (Output/Body fields)";
+      if (scene.body_solver == BodySolver::distributed)
+        return "bodies are spread over ranks (Body solver = distributed)";
+      if (scene.mesh.rim_levels > 0 || scene.mesh.adaptive_levels > 0)
+        return "elements of the contact are refined (Mesh/Rim levels, Adaptive "
+               "levels)";
+      if (scene.contact.contact_matrices != ContactMatrices::lumped)
+        return "Contact/Contact matrices are not lumped";
+      if (scene.profiles.in_use() &&
+          scene.profiles.surface_kind == Profiles::SurfaceKind::curved)
+        return "the surface of contact is curved";
+      for (const BodySpec *body : {&scene.wheel, &scene.rail})
+        if (!body->rigid)
+          if (const std::string reason =
+                reason_of_body(*body, farthest_node(grading));
+              !reason.empty())
+            return reason;
+      return "";
+    }
+  } // namespace
+
+  template <int dim>
+  ComplianceChoice choose_compliance(const PairSpec     &scene,
+                                     const Grading<dim> &grading,
+                                     const PairDemands  &demands)
+  {
+    const Compliance asked = scene.mesh.compliance;
+    if (dim == 2 || !demands.bulk_errors ||
+        asked == Compliance::finite_elements)
+      return {};
+    std::string reason = why_not_split(scene, grading, demands);
+    if (!reason.empty() && asked == Compliance::split)
+      throw InputError("Mesh/Compliance = split: " + reason +
+                       ". Take `finite elements`, or `automatic`.");
+    if (reason.empty() && asked == Compliance::automatic)
+      reason = why_not_better(scene, grading);
+    return {reason.empty(), reason};
+  }
+
+  std::shared_ptr<SplitBody> make_split_body(const BodySpec   &body,
+                                             const Grading<3> &grading)
+  {
+    const auto   shape    = body.body_shape();
+    const double farthest = farthest_node(grading);
+    return std::make_shared<SplitBody>(
+      shape,
+      body.material,
+      std::array<double, 2>{{grading.element_size_x, grading.element_size_y}},
+      fading_region(*shape, farthest),
+      farthest,
+      std::array<double, 2>{
+        {std::abs(grading.leading_edge_x),
+         std::abs(grading.leading_edge_x) * grading.zone_y / grading.zone_x}},
+      body.model);
+  }
+
+  template ComplianceChoice
+  choose_compliance(const PairSpec &, const Grading<2> &, const PairDemands &);
+  template ComplianceChoice
+  choose_compliance(const PairSpec &, const Grading<3> &, const PairDemands &);
+} // namespace RollingContact
