@@ -9,23 +9,27 @@ namespace RollingContact
   namespace
   {
     /**
-     * 1, x or y of a point, k = 0, 1, 2.
+     * 1, x, y, x^2, x y or y^2 of a point, k = 0, 1, ..., 5.
      */
     double shape(const unsigned int           k,
                  const std::array<double, 2> &at,
                  const std::array<double, 2> &scale)
     {
-      return k == 0 ? 1. : at[k - 1] / scale[k - 1];
+      const double x = at[0] / scale[0],
+                   y = scale[1] > 0. ? at[1] / scale[1] : 0.;
+      const std::array<double, 6> all{{1., x, y, x * x, x * y, y * y}};
+      return all[k];
     }
   } // namespace
 
   SmoothForces::SmoothForces(const Positions             &positions,
                              const std::vector<double>   &areas,
                              const std::array<double, 2> &half_widths,
-                             const unsigned int           n_components)
+                             const unsigned int           n_components,
+                             const unsigned int           degree)
     : scale(half_widths)
     , n_components(n_components)
-    , n_shapes(half_widths[1] > 0. ? 3 : 2)
+    , n_shapes(half_widths[1] > 0. ? (degree == 1 ? 3 : 6) : 2)
   {
     const std::size_t   N = positions.size();
     std::vector<double> ellipse;
@@ -33,7 +37,7 @@ namespace RollingContact
     for (std::size_t i = 0; i < N; ++i)
       {
         double height = 1.;
-        for (unsigned int k = 1; k < n_shapes; ++k)
+        for (const unsigned int k : {1u, 2u})
           height -= std::pow(shape(k, positions[i], scale), 2);
         ellipse.push_back(areas[i] * std::sqrt(std::max(0., height)));
         sum += ellipse.back();

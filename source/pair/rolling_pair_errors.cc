@@ -21,8 +21,11 @@ namespace RollingContact
       contact_matrix(trace(), ContactMatrices::lumped, scene.thickness());
     const std::vector<double> areas =
       H.multiply(std::vector<double>(H.size(), 1.));
-    errors.smooth =
-      SmoothForces(trace().nodes, areas, reach, components.size());
+    errors.smooth = SmoothForces(trace().nodes,
+                                 areas,
+                                 reach,
+                                 components.size(),
+                                 body_pair.is_split() ? 2 : 1);
   }
 
   template <int dim>

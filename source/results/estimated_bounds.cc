@@ -22,9 +22,11 @@ namespace RollingContact
     const double of_change_on_peak = 1.3;
 
     /**
-     * Error of second order over the change on every second node.
+     * Under spin, whose error falls with n^1.5 only: the error over the change
+     * on every second node, were it of second order, and how many times the
+     * bound of the circumstances it may be.
      */
-    const double of_second_order = 1. / 3;
+    const double of_second_order = 1. / 3, most_under_spin = 2.;
 
     /**
      * What the change from the level before weighs at least, and how much of
@@ -80,8 +82,11 @@ namespace RollingContact
           return most;
         const double told =
           std::min(most, std::sqrt(weight * change * most) + share * most);
-        // few elements across a patch under spin may be off by more than most
-        return plane ? told : std::max(told, of_second_order * change);
+        return plane || !found.spin
+                 ? told
+                 : std::max(told,
+                            std::min(of_second_order * change,
+                                     most_under_spin * most));
       }
 
       /**

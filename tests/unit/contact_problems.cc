@@ -24,6 +24,7 @@ namespace
     HalfPlane::Options options;
     options.n_elements = 20;
     options.coupling   = coupling;
+    options.forces     = NodalForces::hats;
     StoredProblem stored;
     stored.problem     = HalfPlane::half_plane_problem(options);
     stored.trace.nodes = stored.problem.operators.positions();
@@ -74,6 +75,8 @@ BOOST_AUTO_TEST_CASE(a_problem_comes_back_as_it_was)
       BOOST_CHECK(same(a.slip_operator().rows(), b.slip_operator().rows()));
       BOOST_CHECK(a.slip_operator().lines() == b.slip_operator().lines());
       BOOST_CHECK(a.W() == b.W());
+      BOOST_CHECK(a.nodal_forces() == NodalForces::hats);
+      BOOST_CHECK(b.nodal_forces() == NodalForces::hats);
       BOOST_TEST(a.coupling().exists == b.coupling().exists);
       BOOST_TEST(a.coupling().dundurs_beta == b.coupling().dundurs_beta);
       BOOST_CHECK(given.problem.loads.gap == found.problem.loads.gap);

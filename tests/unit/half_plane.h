@@ -42,6 +42,7 @@ namespace HalfPlane
     double           coupling    = 0.; ///< Dundurs' beta
     bool             friction    = true;
     double           length_unit = 1., pressure_unit = 1.;
+    NodalForces      forces = NodalForces::of_elements; ///< taken for
   };
 
   /**
@@ -84,7 +85,9 @@ namespace HalfPlane
                                                        ContactMatrices::lumped,
                                                        options.flow)
                                         : SlipOperator(),
-                       {options.coupling != 0., options.coupling});
+                       {options.coupling != 0., options.coupling},
+                       {},
+                       options.forces);
     for (const auto &node : trace.nodes)
       problem.loads.gap.push_back(node[0] * node[0] / 2 / options.length_unit);
     problem.loads.friction.assign(n, mu);

@@ -1,3 +1,4 @@
+#include "half_plane.h"
 #include "scene_run.h"
 
 #include <rolling_contact/base/constants.h>
@@ -309,6 +310,54 @@ BOOST_AUTO_TEST_CASE(what_sticks_is_part_of_what_touches)
     patch_areas(creeping.steady.problem, creeping.steady.state);
   BOOST_TEST(found.stick < found.contact);
   BOOST_TEST(found.stick > 0.7 * found.contact);
+}
+
+/**
+ * Hats on a half-plane recover to the pressure of Hertz and the traction of
+ * Carter at all nodes, wherever the edges lie between them; as of elements they
+ * would not.
+ */
+BOOST_AUTO_TEST_CASE(hats_on_half_planes_are_those_of_hertz_and_carter)
+{
+  const auto largest_error = [](const NodalForces forces) {
+    std::array<double, 2> largest{{0., 0.}};
+    for (const double offset : {0., 0.13, 0.31, 0.5, 0.68, 0.87})
+      {
+        HalfPlane::Options options;
+        options.n_elements             = 64;
+        options.offset                 = offset;
+        options.forces                 = forces;
+        const ContactProblem problem   = HalfPlane::half_plane_problem(options);
+        const ContactState   state     = HalfPlane::solve(problem).state;
+        const auto           recovered = recovered_tractions(problem, state);
+        const double         creepage = options.creepage, stick = 1 - creepage;
+        for (unsigned int i = 0; i < problem.n_nodes(); ++i)
+          {
+            if (state.pressure[i] <= 0.)
+              continue;
+            const double x     = problem.operators.positions()[i][0],
+                         p     = std::sqrt(std::max(0., 1 - x * x)),
+                         t     = (x + creepage) / stick,
+                         inner = stick * std::sqrt(std::max(0., 1 - t * t)),
+                         q     = HalfPlane::mu * (p - inner);
+            // squares, as next to an edge values are small roots of them
+            largest[0] =
+              std::max(largest[0],
+                       std::abs(std::pow(recovered.pressure[i], 2) - p * p));
+            largest[1] =
+              std::max(largest[1],
+                       std::abs(std::pow(recovered.traction(0, i), 2) - q * q) /
+                         std::pow(HalfPlane::mu, 2));
+          }
+      }
+    BOOST_TEST_MESSAGE("errors " << largest[0] << ", " << largest[1]);
+    return largest;
+  };
+  const auto as_hats     = largest_error(NodalForces::hats),
+             as_elements = largest_error(NodalForces::of_elements);
+  BOOST_TEST(as_hats[0] < 1.5e-3);
+  BOOST_TEST(as_hats[1] < 1e-2);
+  BOOST_TEST(as_elements[0] > 5 * as_hats[0]);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

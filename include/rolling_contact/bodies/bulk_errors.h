@@ -11,8 +11,8 @@ namespace RollingContact
   /**
    * Nodal forces that change smoothly over the zone of contact: in each of
    * several components those of an elliptical pressure and this times x and, in
-   * 3D, times y. Forces are alike that have the same sums and the same moments
-   * with x and y. Units: m, N.
+   * 3D, times y; of degree 2, times x^2, x y, y^2 as well. Forces are alike
+   * that have the same sums and the same moments with these. Units: m, N.
    */
   class SmoothForces
   {
@@ -28,7 +28,8 @@ namespace RollingContact
     SmoothForces(const Positions             &positions,
                  const std::vector<double>   &areas,
                  const std::array<double, 2> &half_widths,
-                 const unsigned int           n_components);
+                 const unsigned int           n_components,
+                 const unsigned int           degree = 1);
 
     /**
      * Each of the smooth forces, component by component of the nodes. Its sum

@@ -18,8 +18,8 @@ namespace RollingContact
    * end. d_k are polynomials in xi, those of linear elements or of
    * hats on a half-plane: the same for all loads and radii, and nearly so for
    * all materials. Their coefficients are fitted to Hertz and Carter, those of
-   * elements by tests/campaigns/edge_deviations, those of hats in the suite
-   * `recovered_tractions`.
+   * elements by tests/campaigns/edge_deviations, those of hats to those of
+   * tests/unit/half_plane.h, with 192 elements.
    */
   class SquareRootEdge
   {

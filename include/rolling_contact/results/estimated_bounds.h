@@ -14,8 +14,8 @@ namespace RollingContact
    * every second node changes and m the bound without growth and residual:
    *   min(m, sqrt(w E m) + v m)
    * with v = 0.05 and w = 1 where m is of first order, 0.4 where of a higher in
-   * 2D, and w = 0.2 and v = 0.1 in 3D, but there at
-   * least E / 3; m alone where nothing is told by every
+   * 2D, and w = 0.2 and v = 0.1 in 3D, under spin at least E / 3 but at most
+   * 2 m; m alone where nothing is told by every
    * second node or nothing sticks, as a stick zone smaller than an element is
    * not seen. With levels of refinement E is not above what the last level
    * changed, nor below a third of itself, and the sum at least 1.3 times that.
