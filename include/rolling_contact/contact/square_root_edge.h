@@ -77,7 +77,7 @@ namespace RollingContact
                    const std::array<double, 2>              &distances);
 
     /**
-     * That of hats on a half-plane, both of pressures and of stick zones.
+     * The end of hats on a half-plane, of pressures and stick zones alike.
      */
     static SquareRootEdge of_hats();
 
