@@ -67,6 +67,13 @@ namespace RollingContact
       return friction > 0. ? std::max(1., little_friction / friction) : 1.;
     }
 
+    double rise_with_spin(const BoundCircumstances &found)
+    {
+      return found.dim == 3 && found.spin && !found.seen_on_halves
+               ? most_under_spin
+               : 1.;
+    }
+
     /**
      * Bodies thinner than so many half-widths count as thin.
      */
@@ -237,8 +244,9 @@ namespace RollingContact
     double               mesh  = 0.;
     for (Bound &part : parts)
       {
-        part.constant *=
-          rise_with_shape(found) * rise_of_elements(found.friction);
+        part.constant *= rise_with_shape(found) *
+                         rise_of_elements(found.friction) *
+                         rise_with_spin(found);
         mesh += part.at(found.n);
       }
     bounds.first_order =

@@ -25,8 +25,9 @@ namespace RollingContact
     double           on_upwind_2 = 0.; ///< share of leading edges left to it
     double thickness = std::numeric_limits<double>::infinity(); ///< smallest
     bool   edges_settled = true, edge_law = true;
-    bool   spin              = false;
-    double incompressibility = 0.;    ///< up to nu = 0.45; 1 at nu = 0.5
+    bool   spin           = false;
+    bool   seen_on_halves = false; ///< every second node tells what spin adds
+    double incompressibility = 0.; ///< up to nu = 0.45; 1 at nu = 0.5
     bool   varying_friction  = false; ///< from place to place, or with a memory
     bool   refined           = false; ///< lines end at smaller elements
     bool   split             = false; ///< compliance of SplitBody
@@ -41,6 +42,12 @@ namespace RollingContact
     double bend_of_peak   = 0.;
     double element_aspect = 1.; ///< 3D: length in x over width of elements
   };
+
+  /**
+   * How many times what is usual under spin in 3D a state may be off, with few
+   * elements across the patch.
+   */
+  constexpr double most_under_spin = 2.;
 
   /**
    * How far a state may be off from that of an infinitely fine mesh of the same
