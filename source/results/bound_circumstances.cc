@@ -11,6 +11,7 @@ namespace RollingContact
                                             const double    half_width)
   {
     BoundCircumstances found;
+    found.expected         = true;
     found.dim              = static_cast<int>(scene.dimension);
     found.kind             = scene.contact.slip_operator;
     found.beta             = std::abs(pair_constants(scene).dundurs_beta);
@@ -77,6 +78,7 @@ namespace RollingContact
     const ContactProblem &problem = steady.problem;
     const double          a       = steady.result.half_width_x;
     BoundCircumstances    found   = expected_circumstances(scene, a);
+    found.expected                = false;
     found.kind                    = problem.operators.slip_operator().kind();
     found.n                   = a > 0. ? 2 * a / steady.grading.element_size_x
                                        : steady.grading.elements_across();

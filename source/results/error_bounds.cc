@@ -69,9 +69,8 @@ namespace RollingContact
 
     double rise_with_spin(const BoundCircumstances &found)
     {
-      return found.dim == 3 && found.spin && !found.seen_on_halves
-               ? most_under_spin
-               : 1.;
+      return found.dim == 3 && found.spin && found.expected ? most_under_spin
+                                                            : 1.;
     }
 
     /**

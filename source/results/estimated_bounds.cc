@@ -33,18 +33,11 @@ namespace RollingContact
      */
     const double of_change_of_level = 1.3, least_of_halving = 1. / 3;
 
-    BoundCircumstances of_told(BoundCircumstances found)
-    {
-      found.seen_on_halves = true;
-      return found;
-    }
-
     /**
      * The circumstances without what is estimated or added by itself.
      */
     BoundCircumstances of_mesh_alone(BoundCircumstances found)
     {
-      found.seen_on_halves      = true;
       found.growth              = 0.;
       found.residual_tangential = found.residual_normal = 0.;
       found.approach_given                              = false;
@@ -64,7 +57,7 @@ namespace RollingContact
         : found(found)
         , estimate(estimate)
         , result(result)
-        , known(error_bounds(of_told(found)))
+        , known(error_bounds(found))
         , mesh(error_bounds(of_mesh_alone(found)))
         , residual(residual_share(found))
         , tells(estimate.n_positions > 0)
@@ -85,9 +78,7 @@ namespace RollingContact
         const double weight = plane ? 0.4 + 0.6 * mesh.first_order : 0.2,
                      share = plane ? 0.05 : 0.1, most = *mesh.force;
         if (!estimate.sticks || change == unknown)
-          return change == unknown && found.spin && !plane
-                   ? most_under_spin * most
-                   : most;
+          return most;
         const double told =
           std::min(most, std::sqrt(weight * change * most) + share * most);
         return plane || !found.spin

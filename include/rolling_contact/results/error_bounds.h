@@ -25,9 +25,9 @@ namespace RollingContact
     double           on_upwind_2 = 0.; ///< share of leading edges left to it
     double thickness = std::numeric_limits<double>::infinity(); ///< smallest
     bool   edges_settled = true, edge_law = true;
-    bool   spin           = false;
-    bool   seen_on_halves = false; ///< every second node tells what spin adds
-    double incompressibility = 0.; ///< up to nu = 0.45; 1 at nu = 0.5
+    bool   spin              = false;
+    bool   expected          = false; ///< before there is a state
+    double incompressibility = 0.;    ///< up to nu = 0.45; 1 at nu = 0.5
     bool   varying_friction  = false; ///< from place to place, or with a memory
     bool   refined           = false; ///< lines end at smaller elements
     bool   split             = false; ///< compliance of SplitBody
@@ -44,8 +44,8 @@ namespace RollingContact
   };
 
   /**
-   * How many times what is usual under spin in 3D a state may be off, with few
-   * elements across the patch.
+   * How many times the bound of the circumstances a state under spin in 3D may
+   * be off, with few elements across the patch, as every second node tells.
    */
   constexpr double most_under_spin = 2.;
 
