@@ -1,4 +1,5 @@
 #include <rolling_contact/bodies/cell_matrices.h>
+#include <rolling_contact/bodies/hookes_law.h>
 
 namespace RollingContact
 {
@@ -59,19 +60,6 @@ namespace RollingContact
           jacobian[d] +=
             ((v >> d) & 1 ? 1. : -1.) / (1 << (dim - 1)) * cell->vertex(v);
       return jacobian;
-    }
-
-    /**
-     * sigma = lambda tr(eps) I + 2 G eps, in the plane with eps_yy = 0.
-     */
-    template <int dim>
-    SymmetricTensor<2, dim> stress_of(const SymmetricTensor<2, dim> &strain,
-                                      const Material                &material)
-    {
-      const double G      = material.shear_modulus(),
-                   lambda = material.bulk_modulus() - 2 * G / 3;
-      return 2 * G * strain +
-             lambda * trace(strain) * unit_symmetric_tensor<dim>();
     }
 
     /**

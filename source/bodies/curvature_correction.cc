@@ -1,11 +1,13 @@
 #include <deal.II/base/quadrature_lib.h>
 
 #include <rolling_contact/algebra/lapack.h>
+#include <rolling_contact/bodies/bulk_errors.h>
 #include <rolling_contact/bodies/curvature_correction.h>
 #include <rolling_contact/bodies/half_space_influence.h>
 #include <rolling_contact/bodies/moment_fields.h>
 
 #include <cmath>
+#include <stdexcept>
 
 namespace RollingContact
 {
@@ -54,9 +56,8 @@ namespace RollingContact
     }
 
     /**
-     * Elliptical tractions times polynomials on the nodes of a grid around the
-     * contact point, one for each of force_moments() that has no other of
-     * these.
+     * SmoothForces on the nodes of a grid around the contact point, combined to
+     * one for each of force_moments() that has no other of these.
      */
     class SmoothLoads
     {
@@ -86,7 +87,7 @@ namespace RollingContact
         Values force; ///< component by load, N
       };
 
-      void make_nodes(const int half);
+      void make_nodes();
 
       Values displacements(const int i, const int j) const;
 
@@ -119,36 +120,40 @@ namespace RollingContact
                   {{last[0] + 1 + elements_of_half,
                     last[1] + 1 + elements_of_half}})
     {
-      make_nodes(elements_of_half);
+      make_nodes();
       for (int i = -last[0] - 1; i <= last[0] + 1; ++i)
         for (int j = -last[1] - 1; j <= last[1] + 1; ++j)
           found.push_back(displacements(i, j));
     }
 
-    void SmoothLoads::make_nodes(const int half)
+    void SmoothLoads::make_nodes()
     {
-      const auto &moments   = force_moments();
-      DenseMatrix of_shapes = DenseMatrix::Zero(n, n);
-      for (int i = -half; i <= half; ++i)
-        for (int j = -half; j <= half; ++j)
-          {
-            const double x = double(i) / half, y = double(j) / half,
-                         left = 1 - x * x - y * y;
-            if (left <= 0.)
-              continue;
-            Node node{i, j, Values::Zero(3, n)};
-            for (std::size_t m = 0; m < n; ++m)
-              node.force(moments[m].component, m) =
-                std::sqrt(left) * moments[m].shape(x, y);
-            for (std::size_t m = 0; m < n; ++m)
-              of_shapes.row(m) += moments[m].shape(i * size[0], j * size[1]) *
-                                  node.force.row(moments[m].component);
-            nodes.push_back(node);
-          }
+      const int                   half = elements_of_half;
+      SmoothForces::Positions     positions;
+      const std::array<double, 2> half_widths{{half * size[0], half * size[1]}};
+      for (int i = 1 - half; i < half; ++i)
+        for (int j = 1 - half; j < half; ++j)
+          if (i * i + j * j < half * half)
+            {
+              nodes.push_back({i, j, Values(3, n)});
+              positions.push_back({{i * size[0], j * size[1]}});
+            }
+      const std::size_t  N = nodes.size();
+      const SmoothForces smooth(
+        positions, std::vector<double>(N, 1.), half_widths, 3, 2);
+      DenseMatrix forces(3 * N, n);
+      for (std::size_t k = 0; k < n; ++k)
+        forces.col(k) =
+          Eigen::Map<const Eigen::VectorXd>(smooth.forces()[k].data(), 3 * N);
+      DenseMatrix moments =
+        shapes_of_moments(positions, {0, 1, 2}).transpose() * forces;
       DenseMatrix to_moments = DenseMatrix::Identity(n, n);
-      solve_general(of_shapes, to_moments);
-      for (Node &node : nodes)
-        node.force = node.force * to_moments;
+      if (!solve_general(moments, to_moments))
+        throw std::logic_error("Smooth loads of the curvature are alike.");
+      forces *= to_moments;
+      for (std::size_t i = 0; i < N; ++i)
+        for (unsigned int c = 0; c < 3; ++c)
+          nodes[i].force.row(c) = forces.row(c * N + i);
     }
 
     SmoothLoads::Values SmoothLoads::displacements(const int i,

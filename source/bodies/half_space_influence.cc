@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace RollingContact
 {
@@ -74,11 +73,12 @@ namespace RollingContact
           const double                 at_y,
           const std::array<double, 2> &size)
       {
+        const double areas = std::pow(size[0] * size[1], 2);
         for (const int i : {-1, 0, 1})
           for (const int j : {-1, 0, 1})
             {
-              const double weight = (i == 0 ? -2 : 1) * (j == 0 ? -2 : 1) /
-                                    std::pow(size[0] * size[1], 2),
+              const double weight =
+                             (i == 0 ? -2 : 1) * (j == 0 ? -2 : 1) / areas,
                            corner_x = at_x + i * size[0],
                            corner_y = at_y + j * size[1];
               inverse += weight * of_inverse(corner_x, corner_y);

@@ -176,6 +176,22 @@ namespace RollingContact
     return moments;
   }
 
+  DenseMatrix
+  shapes_of_moments(const std::vector<std::array<double, 2>> &positions,
+                    const std::vector<unsigned int>          &components)
+  {
+    const auto       &moments = force_moments();
+    const std::size_t N       = positions.size();
+    DenseMatrix Phi = DenseMatrix::Zero(components.size() * N, moments.size());
+    for (std::size_t m = 0; m < moments.size(); ++m)
+      for (std::size_t c = 0; c < components.size(); ++c)
+        if (components[c] == moments[m].component)
+          for (std::size_t i = 0; i < N; ++i)
+            Phi(c * N + i, m) =
+              moments[m].shape(positions[i][0], positions[i][1]);
+    return Phi;
+  }
+
   std::vector<DisplacementField> moment_fields(const dealii::Point<3> &point,
                                                const Material         &material)
   {

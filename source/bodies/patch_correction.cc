@@ -1,6 +1,7 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 
+#include <rolling_contact/bodies/hookes_law.h>
 #include <rolling_contact/bodies/moment_fields.h>
 #include <rolling_contact/bodies/patch_correction.h>
 
@@ -28,17 +29,9 @@ namespace RollingContact
       Tensor<1, 3> gradient;
     };
 
-    /**
-     * 2 G sym(strain) + lambda tr(strain). Units: Pa.
-     */
     Tensor<2, 3> stress(const Tensor<2, 3> &gradient, const Material &material)
     {
-      const double G      = material.shear_modulus(),
-                   lambda = material.bulk_modulus() - 2 * G / 3;
-      Tensor<2, 3> result = G * (gradient + transpose(gradient));
-      for (unsigned int d = 0; d < 3; ++d)
-        result[d][d] += lambda * trace(gradient);
-      return result;
+      return stress_of(symmetrize(gradient), material);
     }
 
     /**

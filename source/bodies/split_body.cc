@@ -35,6 +35,15 @@ namespace RollingContact
       grading.growth                                       = 0.8;
       return grading;
     }
+
+    std::vector<std::array<double, 2>>
+    positions_of(const std::vector<ElasticBody<3>::SurfaceNode> &nodes)
+    {
+      std::vector<std::array<double, 2>> positions;
+      for (const auto &node : nodes)
+        positions.push_back({{node.position[0], node.position[1]}});
+      return positions;
+    }
   } // namespace
 
   SplitBody::SplitBody(const std::shared_ptr<const BodyShape> &shape,
@@ -66,22 +75,6 @@ namespace RollingContact
     release_factor();
   }
 
-  DenseMatrix
-  SplitBody::moments_of(const std::vector<SurfaceNode>  &nodes,
-                        const std::vector<unsigned int> &components) const
-  {
-    const auto &moments = force_moments();
-    DenseMatrix Phi =
-      DenseMatrix::Zero(components.size() * nodes.size(), moments.size());
-    for (std::size_t m = 0; m < moments.size(); ++m)
-      for (std::size_t c = 0; c < components.size(); ++c)
-        if (components[c] == moments[m].component)
-          for (std::size_t i = 0; i < nodes.size(); ++i)
-            Phi(c * nodes.size() + i, m) =
-              moments[m].shape(nodes[i].position[0], nodes[i].position[1]);
-    return Phi;
-  }
-
   DenseMatrix SplitBody::compliance(const std::vector<SurfaceNode>  &nodes,
                                     const std::vector<unsigned int> &components,
                                     const SparseRows                &P)
@@ -89,12 +82,10 @@ namespace RollingContact
     if (P.size() > 0)
       throw std::logic_error("A split body has the nodes of the interface.");
     analyse();
-    std::vector<std::array<double, 2>> positions;
-    for (const SurfaceNode &node : nodes)
-      positions.push_back({{node.position[0], node.position[1]}});
-    DenseMatrix W = HalfSpaceInfluence(material, element_size)
+    const auto  positions = positions_of(nodes);
+    DenseMatrix W         = HalfSpaceInfluence(material, element_size)
                       .compliance(positions, components);
-    const DenseMatrix Phi = moments_of(nodes, components);
+    const DenseMatrix Phi = shapes_of_moments(positions, components);
     W.noalias() += (Phi * S) * Phi.transpose();
     return W;
   }
@@ -108,9 +99,10 @@ namespace RollingContact
     for (std::size_t k = 0; k < forces.size(); ++k)
       f.col(k) =
         Eigen::Map<const Eigen::VectorXd>(forces[k].data(), forces[k].size());
-    const DenseMatrix moments = moments_of(nodes, components).transpose() * f;
-    DenseMatrix       highest = S;
-    const auto       &all     = force_moments();
+    const DenseMatrix moments =
+      shapes_of_moments(positions_of(nodes), components).transpose() * f;
+    DenseMatrix highest = S;
+    const auto &all     = force_moments();
     for (std::size_t k = 0; k < all.size(); ++k)
       for (std::size_t l = 0; l < all.size(); ++l)
         if (all[k].degree() < 2 && all[l].degree() < 2)

@@ -11,9 +11,10 @@ namespace RollingContact
   namespace
   {
     /**
-     * Outer radius of the fading region over the distance to the next edge, and
-     * over the inner radius: measured, 6 half-widths to the edge are enough and
-     * with 3.5 forces are 0.23 % of mu N off.
+     * Outer radius of the fading region over the distance to the next edge;
+     * over the inner radius, where nodes leave room for it, and at the least:
+     * with an outer radius of 6 half-widths forces hardly depend on it,
+     * with 3.5 they were 0.23 % of mu N off.
      */
     const double share_of_distance = 0.9, outer_over_inner = 4.,
                  least_ratio = 3.5;
@@ -30,8 +31,8 @@ namespace RollingContact
     const double largest_beta = 0.01;
 
     /**
-     * Bound of the force for so many elements across the patch, over their
-     * inverse square.
+     * Bound of the force without spin in error_bounds(), over the inverse
+     * square of the elements across the patch.
      */
     const double of_elements = 1.3;
 

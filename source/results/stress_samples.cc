@@ -3,6 +3,7 @@
 #include <deal.II/grid/cell_id.h>
 #include <deal.II/grid/grid_tools.h>
 
+#include <rolling_contact/bodies/hookes_law.h>
 #include <rolling_contact/results/stress_samples.h>
 
 #include <cmath>
@@ -68,17 +69,6 @@ namespace RollingContact
         for (unsigned int j = 0; j <= i; ++j)
           strain[axis(i)][axis(j)] = (mean[i][j] + mean[j][i]) / 2;
       return strain;
-    }
-
-    /**
-     * sigma = 2 G dev(eps) + k tr(eps) I, as B-bar has it.
-     */
-    SymmetricTensor<2, 3> stress_of(const SymmetricTensor<2, 3> &strain,
-                                    const Material              &material)
-    {
-      return 2 * material.shear_modulus() * deviator(strain) +
-             material.bulk_modulus() * trace(strain) *
-               unit_symmetric_tensor<3>();
     }
 
     /**

@@ -143,14 +143,11 @@ namespace RollingContact
      * itself: work of the forces of the row under those of the column. Units:
      * J.
      */
-    virtual std::vector<DenseMatrix>
-    compliance_errors(const std::vector<SurfaceNode>         &nodes,
-                      const std::vector<unsigned int>        &components,
-                      const std::vector<std::vector<double>> &forces) const
+    virtual std::vector<DenseMatrix> compliance_errors(
+      const std::vector<SurfaceNode> & /* nodes */,
+      const std::vector<unsigned int> & /* components */,
+      const std::vector<std::vector<double>> & /* forces */) const
     {
-      static_cast<void>(nodes);
-      static_cast<void>(components);
-      static_cast<void>(forces);
       return {};
     }
 

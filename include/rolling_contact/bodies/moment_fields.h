@@ -3,6 +3,7 @@
 
 #include <deal.II/base/point.h>
 
+#include <rolling_contact/algebra/dense_matrix.h>
 #include <rolling_contact/mesh/material.h>
 
 #include <array>
@@ -31,6 +32,15 @@ namespace RollingContact
    * The moments to degree 2, in ascending degree: 18.
    */
   const std::vector<ForceMoment> &force_moments();
+
+  /**
+   * Phi: the shapes of force_moments() at nodes, component @p components[i] of
+   * node n in row i * N + n. Phi^T f are the moments of nodal forces f. Units:
+   * m to m^degrees.
+   */
+  DenseMatrix
+  shapes_of_moments(const std::vector<std::array<double, 2>> &positions,
+                    const std::vector<unsigned int>          &components);
 
   /**
    * Displacement and its gradient, gradient[k][l] = du_k/dx_l.

@@ -77,12 +77,6 @@ namespace RollingContact
     std::string description() const override;
 
   private:
-    /**
-     * Phi^T of all forces: how much of each moment they have.
-     */
-    DenseMatrix moments_of(const std::vector<SurfaceNode>  &nodes,
-                           const std::vector<unsigned int> &components) const;
-
     const std::shared_ptr<const BodyShape> shape;
     const std::array<double, 2>            element_size;
     const FadingRegion                     fading;

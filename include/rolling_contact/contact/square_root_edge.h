@@ -15,11 +15,11 @@ namespace RollingContact
    * 0, 1, ... from the outermost node with f_k > 0 inwards, s the growth of
    * f(x)^2 over an element at the end, xi the distance from it to node 0 in
    * elements, below zero outside, where the area of the node reaches over the
-   * end. d_k are polynomials in xi, those of linear elements or of
-   * hats on a half-plane: the same for all loads and radii, and nearly so for
-   * all materials. Their coefficients are fitted to Hertz and Carter, those of
-   * elements by tests/campaigns/edge_deviations, those of hats to those of
-   * tests/unit/half_plane.h, with 192 elements.
+   * end. d_k are polynomials in xi, those of linear elements or of hats on a
+   * half-plane: the same for all loads and radii, and nearly so for all
+   * materials. Their coefficients are fitted to Hertz and Carter: those of
+   * elements by tests/campaigns/edge_deviations, those of hats, with 192
+   * elements, on the half-planes of tests/unit/half_plane.h.
    */
   class SquareRootEdge
   {
