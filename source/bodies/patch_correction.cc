@@ -62,8 +62,7 @@ namespace RollingContact
     public:
       Loads(const DirectBody<3> &body,
             const BodyShape     &shape,
-            const FadingRegion  &region,
-            const double         load_ends);
+            const FadingRegion  &region);
 
       std::vector<BodyField> F;
       DenseMatrix            Q;
@@ -87,7 +86,6 @@ namespace RollingContact
       const DirectBody<3> &body;
       const BodyShape     &shape;
       const FadingRegion   region;
-      const double         load_ends;
       const std::size_t    n;
       FEValues<3>          values;
       FEFaceValues<3>      on_face;
@@ -96,13 +94,11 @@ namespace RollingContact
 
     Loads::Loads(const DirectBody<3> &body,
                  const BodyShape     &shape,
-                 const FadingRegion  &region,
-                 const double         load_ends)
+                 const FadingRegion  &region)
       : Q(DenseMatrix::Zero(force_moments().size(), force_moments().size()))
       , body(body)
       , shape(shape)
       , region(region)
-      , load_ends(load_ends)
       , n(force_moments().size())
       , values(body.dof_handler().get_fe(),
                QGauss<3>(2),
@@ -191,7 +187,7 @@ namespace RollingContact
       Point<3> at = on_face.quadrature_point(point);
       at[2]       = 0.;
       const Fading chi(at, region);
-      if (chi.value == 0. || at.norm() < load_ends)
+      if (chi.value == 0. || at.norm() < region.loads_end())
         return;
       const Material &material = body.elasticity();
       const auto      fields   = moment_fields(at, material);
@@ -213,10 +209,9 @@ namespace RollingContact
 
   DenseMatrix patch_correction(DirectBody<3>      &body,
                                const BodyShape    &shape,
-                               const FadingRegion &fading,
-                               const double        load_ends)
+                               const FadingRegion &fading)
   {
-    const Loads       loads(body, shape, fading, load_ends);
+    const Loads       loads(body, shape, fading);
     const std::size_t n = loads.F.size();
     DenseMatrix       F(body.n_unknowns(), n);
     for (std::size_t k = 0; k < n; ++k)

@@ -4,6 +4,8 @@
 #include <rolling_contact/bodies/moment_fields.h>
 #include <rolling_contact/bodies/split_body.h>
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace RollingContact
@@ -11,11 +13,12 @@ namespace RollingContact
   namespace
   {
     /**
-     * Elements over the width in which the half-space fades out. Those of the
-     * second mesh are twice as large, which makes its cells those of the first
-     * put together.
+     * Elements over the radius within which the half-space fades out, seven of
+     * them where it does if loads leave room for that. Those of the second mesh
+     * are twice as large, which makes its cells those of the first put
+     * together.
      */
-    const double elements_of_fading = 7., coarser = 2.;
+    const double elements_of_radius = 10., coarser = 2.;
 
     /**
      * What second order in the curvature may add, over what first order does.
@@ -30,35 +33,65 @@ namespace RollingContact
     {
       Grading<3> grading;
       grading.element_size_x = grading.element_size_y =
-        larger * (fading.outer - fading.inner) / elements_of_fading;
+        larger * fading.outer / elements_of_radius;
       grading.zone_x = grading.zone_y = grading.zone_depth = fading.outer / 2;
       grading.growth                                       = 0.8;
       return grading;
     }
 
-    std::vector<std::array<double, 2>>
+    /**
+     * Half-widths of the patch over how far the nodes that may touch reach.
+     */
+    const double patch_over_nodes = 0.85;
+
+    using Positions = std::vector<std::array<double, 2>>;
+
+    Positions
     positions_of(const std::vector<ElasticBody<3>::SurfaceNode> &nodes)
     {
-      std::vector<std::array<double, 2>> positions;
+      Positions positions;
       for (const auto &node : nodes)
         positions.push_back({{node.position[0], node.position[1]}});
       return positions;
     }
+
+    /**
+     * The grid that the nodes are on: distances of neighbours, half-widths of
+     * the patch on it, and how far the farthest node is. Units: m.
+     */
+    struct NodeGrid
+    {
+      explicit NodeGrid(const Positions &positions)
+      {
+        for (unsigned int d = 0; d < 2; ++d)
+          {
+            std::vector<double> at;
+            for (const auto &position : positions)
+              at.push_back(position[d]);
+            std::sort(at.begin(), at.end());
+            const double all = at.back() - at.front();
+            element_size[d]  = all;
+            half_widths[d]   = patch_over_nodes * all / 2;
+            for (std::size_t i = 1; i < at.size(); ++i)
+              if (const double step = at[i] - at[i - 1]; step > 1e-6 * all)
+                element_size[d] = std::min(element_size[d], step);
+          }
+        for (const auto &[x, y] : positions)
+          farthest = std::max(farthest, std::hypot(x, y));
+      }
+
+      std::array<double, 2> element_size, half_widths;
+      double                farthest = 0.;
+    };
   } // namespace
 
   SplitBody::SplitBody(const std::shared_ptr<const BodyShape> &shape,
                        const Material                         &material,
-                       const std::array<double, 2>            &element_size,
                        const FadingRegion                     &fading,
-                       const double                            farthest,
-                       const std::array<double, 2>            &half_widths,
                        const BodyModel                        &model)
-    : DirectBody<3>(shape, material, 1., grading_of(fading, 1.), true, model)
+    : DirectBody<3>(shape, material, 1., grading_of(fading, 1.), false, model)
     , shape(shape)
-    , element_size(element_size)
     , fading(fading)
-    , farthest(farthest)
-    , half_widths(half_widths)
   {}
 
   void SplitBody::analyse()
@@ -67,11 +100,10 @@ namespace RollingContact
       return;
     DirectBody<3> larger(
       shape, material, 1., grading_of(fading, coarser), true, model);
-    S      = patch_correction(*this, *shape, fading, farthest);
-    change = (S - patch_correction(larger, *shape, fading, farthest)) /
-             (coarser * coarser - 1);
-    of_curvature = curvature_correction(*shape, material, half_widths, fading);
-    S += change + of_curvature;
+    S = patch_correction(*this, *shape, fading);
+    change =
+      (S - patch_correction(larger, *shape, fading)) / (coarser * coarser - 1);
+    S += change;
     release_factor();
   }
 
@@ -83,10 +115,17 @@ namespace RollingContact
       throw std::logic_error("A split body has the nodes of the interface.");
     analyse();
     const auto  positions = positions_of(nodes);
-    DenseMatrix W         = HalfSpaceInfluence(material, element_size)
-                      .compliance(positions, components);
-    const DenseMatrix Phi = shapes_of_moments(positions, components);
-    W.noalias() += (Phi * S) * Phi.transpose();
+    DenseMatrix W =
+      HalfSpaceInfluence(material, NodeGrid(positions).element_size)
+        .compliance(positions, components);
+    const DenseMatrix Phi = shapes_of_moments(positions, components),
+                      added =
+                        S +
+                        curvature_correction(*shape,
+                                             material,
+                                             NodeGrid(positions).half_widths,
+                                             fading);
+    W.noalias() += (Phi * added) * Phi.transpose();
     return W;
   }
 
@@ -99,8 +138,15 @@ namespace RollingContact
     for (std::size_t k = 0; k < forces.size(); ++k)
       f.col(k) =
         Eigen::Map<const Eigen::VectorXd>(forces[k].data(), forces[k].size());
+    const auto        positions = positions_of(nodes);
     const DenseMatrix moments =
-      shapes_of_moments(positions_of(nodes), components).transpose() * f;
+                        shapes_of_moments(positions, components).transpose() *
+                        f,
+                      of_curvature =
+                        curvature_correction(*shape,
+                                             material,
+                                             NodeGrid(positions).half_widths,
+                                             fading);
     DenseMatrix highest = S;
     const auto &all     = force_moments();
     for (std::size_t k = 0; k < all.size(); ++k)
@@ -111,16 +157,8 @@ namespace RollingContact
       return DenseMatrix(moments.transpose() * of_moments * moments);
     };
     return {work(change),
-            work(farthest / fading.outer * highest),
+            work(NodeGrid(positions).farthest / fading.outer * highest),
             work(of_second_order_in_curvature * of_curvature)};
-  }
-
-  std::vector<BodyField>
-  SplitBody::recover(const std::vector<SurfaceNode> &,
-                     const std::vector<unsigned int> &,
-                     const std::vector<std::vector<double>> &)
-  {
-    throw std::logic_error("A split body has no displacements inside.");
   }
 
   std::unique_ptr<BodyDynamics>

@@ -40,7 +40,6 @@ namespace RollingContact
                                      DenseMatrix  W,
                                      SlipOperator slip_operator,
                                      const NormalTangentialCoupling &coupling,
-                                     SurfaceFrames                   frames,
                                      const NodalForces               forces)
     : n_tangential_components(W.rows() / H.size() - 1)
     , node_positions(std::move(positions))
@@ -49,14 +48,19 @@ namespace RollingContact
     , B1(std::move(slip_operator))
     , normal_tangential(coupling)
     , forces(forces)
-    , surface_frames(std::move(frames))
     , node_areas(contact_matrix.multiply(std::vector<double>(n_nodes(), 1.)))
   {
+    set_compliance(std::move(W));
+  }
+
+  void ContactOperators::set_frames(SurfaceFrames frames)
+  {
+    surface_frames = std::move(frames);
+    shares.clear();
     for (const SurfaceFrames::Node &node : surface_frames.nodes)
       shares.push_back(std::cos(node.angle + surface_frames.load_angle));
-    if (!shares.empty())
-      areas_of_load = contact_matrix.multiply_transposed(shares);
-    set_compliance(std::move(W));
+    areas_of_load = shares.empty() ? std::vector<double>()
+                                   : contact_matrix.multiply_transposed(shares);
   }
 
   std::array<double, 2> ContactOperators::place(const unsigned int i) const

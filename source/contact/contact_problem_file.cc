@@ -269,13 +269,14 @@ namespace RollingContact
         static_cast<int>(file.numbers("/operators/contact_matrices", 1)[0]));
       SlipOperator B1 =
         slip_operator_of(file, stored.trace, stored.matrices, size > n);
-      return ContactOperators(positions,
-                              rows_of(file, "/operators/H", n),
-                              std::move(W),
-                              std::move(B1),
-                              {coupling[0] != 0., coupling[1], coupling[2]},
-                              surface,
-                              nodal_forces_of(file));
+      ContactOperators operators(positions,
+                                 rows_of(file, "/operators/H", n),
+                                 std::move(W),
+                                 std::move(B1),
+                                 {coupling[0] != 0., coupling[1], coupling[2]},
+                                 nodal_forces_of(file));
+      operators.set_frames(std::move(surface));
+      return operators;
     }
   } // namespace
 

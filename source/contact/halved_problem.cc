@@ -177,15 +177,18 @@ namespace RollingContact
     }
   } // namespace
 
-  void HalvedProblem::set_loads(const ContactLoads &whole)
+  void HalvedProblem::take(const ContactProblem &whole)
   {
     ContactLoads &loads   = problem.loads;
-    loads                 = whole;
+    loads                 = whole.loads;
     loads.gap             = taken(loads.gap, nodes);
     loads.friction        = taken(loads.friction, nodes);
     loads.slip_of_profile = taken(loads.slip_of_profile, nodes);
     loads.forces          = {};
     loads.inclined_load.reset();
+    SurfaceFrames frames = whole.operators.frames();
+    frames.nodes         = taken(frames.nodes, nodes);
+    problem.operators.set_frames(std::move(frames));
   }
 
   std::optional<HalvedProblem>
@@ -201,8 +204,6 @@ namespace RollingContact
       return {};
     const ContactOperators &operators = whole.operators;
     const SlipOperator     &slip      = operators.slip_operator();
-    SurfaceFrames           frames    = operators.frames();
-    frames.nodes                      = taken(frames.nodes, half.nodes);
     half.problem.operators            = ContactOperators(
       half.trace.nodes,
       contact_matrix(half.trace, matrices, thickness),
@@ -213,7 +214,6 @@ namespace RollingContact
                    ? SlipOperator(half.trace, slip.kind(), matrices, slip.flow_direction())
                    : SlipOperator(slip.kind()),
       operators.coupling(),
-      frames,
       operators.nodal_forces());
     return half;
   }

@@ -211,14 +211,17 @@ namespace RollingContact
                        (needs_factors(scene, demands)
                           ? "; this scene needs direct bodies."
                           : ", or take Body solver = distributed."));
-    ranks.rail      = n_bodies == 2 && n_ranks > 1 ? 1 : 0;
-    const auto make = [&](const Side side) {
+    ranks.rail              = n_bodies == 2 && n_ranks > 1 ? 1 : 0;
+    const auto split_bodies = demands.split_bodies
+                                ? demands.split_bodies
+                                : std::make_shared<SplitBodies>();
+    const auto make         = [&](const Side side) {
       if (!has_own_body(side) || (direct && ranks[side] != Ranks::rank()))
         return;
       const BodySpec &parameters = scene.body(side);
       if constexpr (dim == 3)
         if (is_split())
-          bodies[side] = make_split_body(parameters, grading);
+          bodies[side] = split_bodies->body_of(parameters, grading);
       if (!bodies[side])
         bodies[side] =
           make_body<dim>(solver,

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace RollingContact
 {
@@ -20,8 +21,27 @@ namespace RollingContact
                                 const Grading<dim> &grading,
                                 const PairDemands  &demands,
                                 const bool          statics)
+    : RollingPair(BodyPair<dim>(scene, grading, demands, statics),
+                  scene,
+                  grading,
+                  demands)
+  {}
+
+  template <int dim>
+  RollingPair<dim>::RollingPair(const PairSpec      &scene,
+                                const Grading<dim>  &grading,
+                                const PairDemands   &demands,
+                                const BodyPair<dim> &bodies)
+    : RollingPair(for_several_places(scene, bodies), scene, grading, demands)
+  {}
+
+  template <int dim>
+  RollingPair<dim>::RollingPair(BodyPair<dim>       bodies,
+                                const PairSpec     &scene,
+                                const Grading<dim> &grading,
+                                const PairDemands  &demands)
     : scene(scene)
-    , body_pair(scene, grading, demands, statics)
+    , body_pair(std::move(bodies))
     , pair_interface(scene, grading, body_pair)
     , surfaces(scene,
                {{grading.element_size_x, grading.element_size_y},
@@ -33,20 +53,18 @@ namespace RollingContact
   }
 
   template <int dim>
-  RollingPair<dim>::RollingPair(const PairSpec      &scene,
-                                const Grading<dim>  &grading,
-                                const PairDemands   &demands,
-                                const BodyPair<dim> &bodies)
+  RollingPair<dim>::RollingPair(const PairSpec &scene, const RollingPair &other)
     : scene(scene)
-    , body_pair(for_several_places(scene, bodies))
-    , pair_interface(scene, grading, body_pair)
-    , surfaces(scene,
-               {{grading.element_size_x, grading.element_size_y},
-                {grading.zone_x, grading.zone_y}})
-    , demands(demands)
-    , element_size(std::max(grading.element_size_x, grading.element_size_y))
+    , body_pair(other.body_pair)
+    , pair_interface(other.pair_interface)
+    , surfaces(other.surfaces)
+    , components(other.components)
+    , demands(other.demands)
+    , element_size(other.element_size)
+    , errors(other.errors)
   {
-    choose_components();
+    if (scene.frame != other.scene.frame && scene.follows_profiles())
+      throw std::logic_error("Bodies that know their place are at another.");
   }
 
   template <int dim>
@@ -253,11 +271,20 @@ namespace RollingContact
                        {!body_pair.twins() && friction,
                         constants.dundurs_beta,
                         1 / (1 - constants.elasticity.poisson_ratio)},
-                       surface_frames(scene, at),
                        body_pair.is_split() ? NodalForces::hats
                                             : NodalForces::of_elements);
+    set_surfaces(problem);
+    set_loads(contact, problem);
+    return problem;
+  }
+
+  template <int dim>
+  void RollingPair<dim>::set_surfaces(ContactProblem &problem) const
+  {
+    const auto &at = trace().nodes;
+    problem.operators.set_frames(surface_frames(scene, at));
     const auto wheel = scene.wheel.body_shape(), rail = scene.rail.body_shape();
-    const Roughness roughness(contact.roughness);
+    const Roughness roughness(scene.contact.roughness);
     const auto      height =
       [&](const Side side, const BodyShape &shape, const std::size_t i) {
         const std::vector<double> &given = pair_interface.heights[side];
@@ -266,6 +293,7 @@ namespace RollingContact
       };
     ContactLoads &loads    = problem.loads;
     const auto   *profiles = scene.frame.get();
+    loads.gap.clear();
     for (std::size_t i = 0; i < at.size(); ++i)
       loads.gap.push_back((profiles ? gap_of_profiles(scene, at[i])
                                     : -height(Side::wheel, *wheel, i) -
@@ -274,9 +302,8 @@ namespace RollingContact
                           (demands.surfaces_in_time || !surfaces.in_use()
                              ? 0.
                              : surfaces.height(at[i][0], at[i][1], 0.)));
-    loads.slip_of_profile = slip_of_profiles(scene, at, friction ? dim - 1 : 0);
-    set_loads(contact, problem);
-    return problem;
+    loads.slip_of_profile =
+      slip_of_profiles(scene, at, components.size() > 1 ? dim - 1 : 0);
   }
 
   template <int dim>

@@ -11,13 +11,13 @@ namespace RollingContact
   namespace
   {
     /**
-     * Outer radius of the fading region over the distance to the next edge;
-     * over the inner radius, where nodes leave room for it, and at the least:
-     * with an outer radius of 6 half-widths forces hardly depend on it,
-     * with 3.5 they were 0.23 % of mu N off.
+     * Outer radius of the fading region over the distance to the next edge, and
+     * over the inner radius, which leaves as much room for nodes as may be:
+     * with an outer radius of 6 half-widths forces hardly depend on it, with
+     * 3.5 they were 0.23 % of mu N off.
      */
-    const double share_of_distance = 0.9, outer_over_inner = 4.,
-                 least_ratio = 3.5;
+    const double share_of_distance = 0.9, outer_over_inner = 3.5,
+                 least_ratio = 2.2;
 
     /**
      * Error of the force for want of second order in the curvature, over mu N
@@ -37,9 +37,9 @@ namespace RollingContact
     const double of_elements = 1.3;
 
     /**
-     * The inner radius over that of the farthest node.
+     * Number of split bodies that are kept.
      */
-    const double beyond_nodes = 1.2;
+    const std::size_t most_kept = 8;
 
     /**
      * Largest patch over the radii of a surface that is taken as plane.
@@ -77,8 +77,10 @@ namespace RollingContact
     FadingRegion fading_region(const BodyShape &shape, const double farthest)
     {
       const double outer = share_of_distance * distance_to_edge(shape);
-      return {std::max(outer / outer_over_inner, beyond_nodes * farthest),
-              outer};
+      FadingRegion fading{outer / outer_over_inner, outer};
+      if (fading.loads_end() < farthest)
+        fading.inner = outer / least_ratio;
+      return fading;
     }
 
     /**
@@ -102,15 +104,14 @@ namespace RollingContact
       if (shape->is_swept())
         return "the " + body.section + " has the section of its profile";
       const FadingRegion fading = fading_region(*shape, farthest);
-      if (fading.outer < least_ratio * beyond_nodes * farthest)
+      if (fading.loads_end() < farthest)
         return "nodes that may touch are up to " +
                significant(1e3 * farthest, 3) +
                " mm from the contact point, and the next edge of the " +
                body.section + " or what holds it " +
-               significant(1e3 * fading.outer / share_of_distance, 3) +
-               " mm, where " +
-               significant(1e3 * least_ratio * beyond_nodes * farthest /
-                             share_of_distance,
+               significant(1e3 * distance_to_edge(*shape), 3) + " mm, where " +
+               significant(1e3 * distance_to_edge(*shape) * farthest /
+                             fading.loads_end(),
                            3) +
                " mm are needed";
       const auto curvatures = curvatures_of(*shape, farthest);
@@ -164,9 +165,6 @@ namespace RollingContact
                "levels)";
       if (scene.contact.contact_matrices != ContactMatrices::lumped)
         return "Contact/Contact matrices are not lumped";
-      if (scene.profiles.in_use() &&
-          scene.profiles.surface_kind == Profiles::SurfaceKind::curved)
-        return "the surface of contact is curved";
       for (const BodySpec *body : {&scene.wheel, &scene.rail})
         if (!body->rigid)
           if (const std::string reason =
@@ -195,21 +193,20 @@ namespace RollingContact
     return {reason.empty(), reason};
   }
 
-  std::shared_ptr<SplitBody> make_split_body(const BodySpec   &body,
-                                             const Grading<3> &grading)
+  std::shared_ptr<SplitBody> SplitBodies::body_of(const BodySpec   &body,
+                                                  const Grading<3> &grading)
   {
-    const auto   shape    = body.body_shape();
-    const double farthest = farthest_node(grading);
-    return std::make_shared<SplitBody>(
-      shape,
-      body.material,
-      std::array<double, 2>{{grading.element_size_x, grading.element_size_y}},
-      fading_region(*shape, farthest),
-      farthest,
-      std::array<double, 2>{
-        {std::abs(grading.leading_edge_x),
-         std::abs(grading.leading_edge_x) * grading.zone_y / grading.zone_x}},
-      body.model);
+    const auto         shape  = body.body_shape();
+    const FadingRegion fading = fading_region(*shape, farthest_node(grading));
+    const std::lock_guard<std::mutex> lock(alone);
+    for (const auto &known : bodies)
+      if (known->is_one_of(*shape, body.material, fading, body.model))
+        return known;
+    if (bodies.size() == most_kept)
+      bodies.erase(bodies.begin());
+    bodies.push_back(
+      std::make_shared<SplitBody>(shape, body.material, fading, body.model));
+    return bodies.back();
   }
 
   template ComplianceChoice

@@ -48,8 +48,17 @@ namespace RollingContact
     if (row.renews == Renews::bodies || row.renews == Renews::place)
       {
         const auto as_number = number(value);
-        of_bodies[entry] = as_number ? fmt::format("{}", *as_number) : value;
+        (row.renews == Renews::bodies ? of_bodies : of_place)[entry] =
+          as_number ? fmt::format("{}", *as_number) : value;
       }
+  }
+
+  std::string SceneEntries::text_of(const SetEntries &entries)
+  {
+    std::string text;
+    for (const auto &[entry, value] : entries)
+      text += ", " + entry + " = " + value;
+    return text;
   }
 
   std::string SceneEntries::unit(const std::string &entry) const
@@ -69,8 +78,10 @@ namespace RollingContact
                         ? "with friction"
                         : "without friction";
     key += given.contact.flow() > 0 ? ", flow +x" : ", flow -x";
-    for (const auto &[entry, value] : of_bodies)
-      key += ", " + entry + " = " + value;
+    key += text_of(of_bodies);
+    if (given.analysis.linearises ||
+        bodies_follow_profiles(given.profiles, given.wheel, given.rail))
+      key += text_of(of_place);
     return key;
   }
 

@@ -8,6 +8,15 @@
 
 namespace RollingContact
 {
+  bool bodies_follow_profiles(const ProfileParameters &profiles,
+                              const BodyParameters    &wheel,
+                              const BodyParameters    &rail)
+  {
+    return profiles.in_use() &&
+           ((profiles.has_true_sections() && !(wheel.rigid && rail.rigid)) ||
+            wheel.is_from_file() || rail.is_from_file());
+  }
+
   PairSpec::PairSpec(const SceneParameters &inputs)
     : dimension(inputs.dimension)
     , body_solver(inputs.body_solver)

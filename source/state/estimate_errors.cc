@@ -137,7 +137,7 @@ namespace RollingContact
                                             const ContactState   &from,
                                             HalvedProblem        &half)
     {
-      half.set_loads(whole.loads);
+      half.take(whole);
       SolverControls controls = scene.solver.controls;
       controls.tolerance      = std::max(controls.tolerance, tolerance);
       controls.max_iterations =

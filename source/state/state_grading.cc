@@ -49,16 +49,23 @@ namespace RollingContact
     }
 
     /**
-     * The boxes of the patch in place of its ellipse, with as much around them.
+     * The boxes of the patch and of others in place of its ellipse, with as
+     * much around them.
      */
     template <int dim>
-    void set_zone_boxes(const PatchEstimate &patch, Grading<dim> &grading)
+    void set_zone_boxes(const PatchEstimate        &patch,
+                        const std::vector<ZoneBox> &others,
+                        Grading<dim>               &grading)
     {
+      std::vector<ZoneBox> all = patch.boxes;
+      for (const ZoneBox &other : others)
+        if (!is_within(other, all))
+          all.push_back(other);
       const double around_x = grading.zone_x - patch.half_width_x,
                    around_y = grading.zone_y - patch.half_width_y,
                    upstream = grading.element_size_x;
       grading.zone_x = grading.zone_y = 0.;
-      for (const ZoneBox &touching : patch.boxes)
+      for (const ZoneBox &touching : all)
         {
           ZoneBox box = touching.grown(around_x, around_y);
           if (grading.upstream < 0)
@@ -114,7 +121,7 @@ namespace RollingContact
     grading.leading_edge_only = mesh.rim_edges == RimEdges::leading;
     grading.rim_width         = 2 * grading.element_size_x;
     if (!patch.boxes.empty())
-      set_zone_boxes(patch, grading);
+      set_zone_boxes(patch, demands.other_patches, grading);
     return grading;
   }
 

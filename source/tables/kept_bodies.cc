@@ -21,15 +21,41 @@ namespace RollingContact
   void solve_on_kept_bodies(const PairSpec &scene, SteadyState<dim> &steady)
   {
     const Stopwatch watch;
+    if (steady.pair->frame() != scene.frame && !scene.follows_profiles())
+      {
+        steady.pair = std::make_shared<RollingPair<dim>>(scene, *steady.pair);
+        steady.pair->set_surfaces(steady.problem);
+      }
     steady.pair->set_loads(scene.contact, steady.problem);
     solve_contact(scene, demands_of_kept_bodies(), steady);
     steady.result = resultants(steady.problem, steady.state);
     steady.wall_s = watch.seconds();
   }
 
-  double patch_size(const PairSpec &scene)
+  namespace
   {
-    return bodies_touch(scene) ? estimate_patch(scene).half_width_x : 0.;
+    template <int dim>
+    std::array<double, 2> element_size(const PairSpec      &scene,
+                                       const PatchEstimate &patch)
+    {
+      const Grading<dim> grading =
+        make_grading<dim>(scene,
+                          demands_of_kept_bodies(),
+                          patch,
+                          scene.mesh.elements_across_patch,
+                          scene.mesh.offset());
+      return {{grading.element_size_x, grading.element_size_y}};
+    }
+  } // namespace
+
+  WantedMesh wanted_mesh(const PairSpec &scene)
+  {
+    if (!bodies_touch(scene))
+      return {};
+    const PatchEstimate patch = estimate_patch(scene);
+    return {patch,
+            scene.dimension == 2 ? element_size<2>(scene, patch)
+                                 : element_size<3>(scene, patch)};
   }
 
   template void solve_on_kept_bodies(const PairSpec &, SteadyState<2> &);

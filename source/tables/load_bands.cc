@@ -1,9 +1,9 @@
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/tables/kept_bodies.h>
 #include <rolling_contact/tables/load_bands.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <tuple>
 
@@ -11,35 +11,51 @@ namespace RollingContact
 {
   namespace
   {
-    using Load = std::tuple<double, double, double>;
+    /**
+     * A load and the place where profiles touch.
+     */
+    using Touch = std::tuple<double, double, double, std::string>;
 
-    Load load_of(const ContactParameters &contact)
+    Touch touch_of(const ContactParameters &contact, const std::string &place)
     {
       return {contact.vertical_load ? 0. : contact.normal_load.value_or(0.),
               contact.vertical_load.value_or(0.),
-              contact.approach.value_or(0.)};
+              contact.approach.value_or(0.),
+              place};
     }
 
     /**
-     * Half-widths of the patches of the states of a group.
+     * A state, where profiles touch, and its mesh if it had one of its own.
      */
-    std::vector<double> sizes_of(const TablePlan  &plan,
-                                 const TableGroup &group,
-                                 SceneEntries     &entries)
+    struct StateOfGroup
     {
-      std::map<Load, double> known;
-      std::vector<double>    sizes;
+      std::size_t       state;
+      std::string       place;
+      const WantedMesh *wanted;
+    };
+
+    using States = std::vector<StateOfGroup>;
+
+    /**
+     * The states of a group; @p known keeps their meshes.
+     */
+    States states_of(const TablePlan             &plan,
+                     const TableGroup            &group,
+                     SceneEntries                &entries,
+                     std::map<Touch, WantedMesh> &known)
+    {
+      States states;
       for (const std::size_t state : group.states)
         {
           plan.set(state, entries);
           try
             {
-              const Situation &scene = entries.situation();
-              const auto [place, is_new] =
-                known.emplace(load_of(scene.contact), 0.);
-              if (is_new)
-                place->second = patch_size(scene);
-              sizes.push_back(place->second);
+              const Situation  &scene = entries.situation();
+              const std::string place = entries.place_key();
+              const Touch       touch = touch_of(scene.contact, place);
+              if (known.count(touch) == 0)
+                known[touch] = wanted_mesh(scene);
+              states.push_back({state, place, &known[touch]});
             }
           catch (const InputError &error)
             {
@@ -47,25 +63,73 @@ namespace RollingContact
                                plan.name(state) + ": " + error.what());
             }
         }
-      return sizes;
+      return states;
     }
 
-    void take_states(const std::vector<std::size_t> &states,
-                     const std::vector<double>      &sizes,
-                     LoadBand                       &band)
+    /**
+     * The states in bands of sizes from large to small, each down to a share @p
+     * smallest of its largest; in a band they are in the order that they had.
+     */
+    std::vector<States>
+    cut(const States                                    &states,
+        const double                                     smallest,
+        const std::function<double(const WantedMesh &)> &size_of)
     {
-      bool has_largest = false;
-      for (std::size_t k = 0; k < states.size(); ++k)
+      std::vector<double> descending;
+      for (const StateOfGroup &state : states)
+        descending.push_back(size_of(*state.wanted));
+      std::sort(descending.rbegin(), descending.rend());
+      std::vector<double> largest;
+      for (const double size : descending)
+        if (largest.empty() || size < smallest * largest.back() ||
+            (size == 0. && largest.back() > 0.))
+          largest.push_back(size);
+      std::vector<States> bands(largest.size());
+      for (const StateOfGroup &state : states)
         {
-          if (sizes[k] > band.largest_size || sizes[k] < band.smallest_size)
-            continue;
-          band.states.push_back(states[k]);
-          if (!has_largest && sizes[k] == band.largest_size)
-            {
-              band.largest = states[k];
-              has_largest  = true;
-            }
+          std::size_t band = largest.size() - 1;
+          while (size_of(*state.wanted) > largest[band])
+            --band;
+          bands[band].push_back(state);
         }
+      return bands;
+    }
+
+    /**
+     * One band of all these states.
+     */
+    LoadBand band_of(const std::size_t group, const States &states)
+    {
+      const StateOfGroup &largest =
+        *std::max_element(states.begin(),
+                          states.end(),
+                          [](const auto &one, const auto &other) {
+                            return one.wanted->patch.half_width_x <
+                                   other.wanted->patch.half_width_x;
+                          });
+      const PatchEstimate  &patch = largest.wanted->patch;
+      std::array<double, 2> size  = largest.wanted->element_size;
+      LoadBand              band;
+      band.group        = group;
+      band.largest      = largest.state;
+      band.largest_size = band.smallest_size = patch.half_width_x;
+      for (const StateOfGroup &state : states)
+        {
+          const WantedMesh &wanted = *state.wanted;
+          band.states.push_back(state.state);
+          band.smallest_size =
+            std::min(band.smallest_size, wanted.patch.half_width_x);
+          for (unsigned int d = 0; d < 2; ++d)
+            size[d] = std::min(size[d], wanted.element_size[d]);
+          if (state.place != largest.place)
+            band.other_patches.insert(band.other_patches.end(),
+                                      wanted.patch.boxes.begin(),
+                                      wanted.patch.boxes.end());
+        }
+      if (band.touches())
+        band.n_elements = {
+          {2 * patch.half_width_x / size[0], 2 * patch.half_width_y / size[1]}};
+      return band;
     }
   } // namespace
 
@@ -74,16 +138,14 @@ namespace RollingContact
     plan.set(largest, entries);
     Situation scene = entries.situation();
     take_economical_solver(scene);
-    const auto more = [&](const unsigned int n) {
-      return static_cast<unsigned int>(
-        std::ceil(n * largest_size / smallest_size - 1e-9));
+    const auto number = [](const double n) {
+      return static_cast<unsigned int>(std::ceil(n - 1e-9));
     };
     if (touches())
       {
-        scene.mesh.elements_across_patch =
-          more(scene.mesh.elements_across_patch);
-        scene.mesh.elements_across_patch_y =
-          more(scene.mesh.elements_across_patch_y);
+        scene.mesh.elements_across_patch = number(n_elements[0]);
+        if (scene.mesh.elements_across_patch_y > 0 || !other_patches.empty())
+          scene.mesh.elements_across_patch_y = number(n_elements[1]);
       }
     return scene;
   }
@@ -96,28 +158,17 @@ namespace RollingContact
     SceneEntries          entries(scene);
     for (std::size_t g = 0; g < plan.groups.size(); ++g)
       {
-        const std::vector<std::size_t> &states = plan.groups[g].states;
-        const std::vector<double>       sizes =
-          sizes_of(plan, plan.groups[g], entries);
-        std::vector<double> descending = sizes;
-        std::sort(descending.rbegin(), descending.rend());
-        for (double size : descending)
-          {
-            const bool is_served =
-              !bands.empty() && bands.back().group == g &&
-              (size == bands.back().smallest_size ||
-               (size > 0. && size >= smallest * bands.back().largest_size));
-            if (!is_served)
-              {
-                bands.emplace_back();
-                bands.back().group        = g;
-                bands.back().largest_size = size;
-              }
-            bands.back().smallest_size = size;
-          }
-        for (LoadBand &band : bands)
-          if (band.group == g)
-            take_states(states, sizes, band);
+        std::map<Touch, WantedMesh> known;
+        const States all = states_of(plan, plan.groups[g], entries, known);
+        for (const States &alike_along :
+             cut(all, smallest, [](const WantedMesh &wanted) {
+               return wanted.element_size[0];
+             }))
+          for (const States &alike :
+               cut(alike_along, smallest, [](const WantedMesh &wanted) {
+                 return wanted.element_size[1];
+               }))
+            bands.push_back(band_of(g, alike));
       }
     return bands;
   }

@@ -12,6 +12,7 @@
 #include <rolling_contact/tables/quiet_context.h>
 #include <rolling_contact/tables/session.h>
 
+#include <algorithm>
 #include <cmath>
 #include <list>
 #include <stdexcept>
@@ -70,92 +71,152 @@ namespace RollingContact
       /** A state, and what its bodies are good for. */
       struct Kept
       {
-        std::string      bodies;
-        double           size; ///< of the patch, m
-        SteadyState<dim> steady;
+        std::string           bodies;
+        std::array<double, 2> element_size; ///< wanted, m
+        std::vector<ZoneBox>  patches;      ///< where profiles touch
+        SteadyState<dim>      steady;
+
+        /** By how much wanted elements are larger or smaller, in logarithms. */
+        double misfit(const WantedMesh &wanted) const;
+
+        bool reaches(const WantedMesh &wanted) const;
       };
 
-      using Place = typename std::list<Kept>::iterator;
+      /** Whether one serves; it is the first then. */
+      bool find(const std::string &bodies, const WantedMesh &wanted);
 
-      /** The end if none serves; else it is the first then. */
-      Place find(const std::string &bodies, const double size);
+      /** Solve on the first of those that are kept. */
+      void solve_kept(const Situation &scene, const WantedMesh &wanted);
 
-      void make(const Situation   &scene,
-                const std::string &bodies,
-                const double       size,
-                const std::string &why);
+      void make(const Situation            &scene,
+                const std::string          &bodies,
+                const WantedMesh           &wanted,
+                const std::vector<ZoneBox> &other_patches,
+                const std::string          &why);
 
       void report(const Situation &scene);
 
-      QuietContext    context;
+      QuietContext                       context;
+      const std::shared_ptr<SplitBodies> split_bodies =
+        std::make_shared<SplitBodies>();
       std::list<Kept> kept; ///< the one that was used last first
     };
 
     template <int dim>
-    typename Bodies<dim>::Place Bodies<dim>::find(const std::string &bodies,
-                                                  const double       size)
+    double Bodies<dim>::Kept::misfit(const WantedMesh &wanted) const
     {
-      Place nearest = kept.end();
-      for (Place it = kept.begin(); it != kept.end(); ++it)
-        if (it->bodies == bodies && size >= smallest_patch * it->size &&
-            it->size >= smallest_patch * size &&
-            (nearest == kept.end() ||
-             std::abs(size - it->size) < std::abs(size - nearest->size)))
-          nearest = it;
-      if (nearest != kept.end())
-        kept.splice(kept.begin(), kept, nearest);
-      return nearest;
+      double largest = 0.;
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        largest = std::max(largest,
+                           std::abs(std::log(wanted.element_size[d] /
+                                             element_size[d])));
+      return largest;
     }
 
     template <int dim>
-    void Bodies<dim>::make(const Situation   &scene,
-                           const std::string &bodies,
-                           const double       size,
-                           const std::string &why)
+    bool Bodies<dim>::Kept::reaches(const WantedMesh &wanted) const
+    {
+      const auto  &boxes     = wanted.patch.boxes;
+      const double step      = steady.grading.element_size_x / 2;
+      const auto   is_inside = [&](const ZoneBox &box) {
+        return covers(steady.grading.zone_boxes, box, step) ||
+               covers(patches, box, step);
+      };
+      return std::all_of(boxes.begin(), boxes.end(), is_inside);
+    }
+
+    template <int dim>
+    bool Bodies<dim>::find(const std::string &bodies, const WantedMesh &wanted)
+    {
+      const double largest = -std::log(smallest_patch) * (1 + 1e-9);
+      auto         nearest = kept.end();
+      for (auto it = kept.begin(); it != kept.end(); ++it)
+        if (it->bodies == bodies && it->misfit(wanted) <= largest &&
+            (nearest == kept.end() ||
+             it->misfit(wanted) < nearest->misfit(wanted)))
+          nearest = it;
+      if (nearest == kept.end())
+        return false;
+      kept.splice(kept.begin(), kept, nearest);
+      return true;
+    }
+
+    template <int dim>
+    void Bodies<dim>::make(const Situation            &scene,
+                           const std::string          &bodies,
+                           const WantedMesh           &wanted,
+                           const std::vector<ZoneBox> &other_patches,
+                           const std::string          &why)
     {
       if (kept.size() == most_kept)
         kept.pop_back();
       ++n_made;
-      found.new_bodies = why;
+      found.new_bodies          = why;
+      StateDemands demands      = demands_of_kept_bodies();
+      demands.pair.split_bodies = split_bodies;
+      demands.other_patches     = other_patches;
       SteadyState<dim> steady =
-        solve_steady_state<dim>(scene, demands_of_kept_bodies(), context.run);
+        solve_steady_state<dim>(scene, demands, context.run);
       steady.pair->release_statics();
-      kept.push_front({bodies, size, std::move(steady)});
+      kept.push_front(
+        {bodies, wanted.element_size, wanted.patch.boxes, std::move(steady)});
+      kept.front().patches.insert(kept.front().patches.end(),
+                                  other_patches.begin(),
+                                  other_patches.end());
+    }
+
+    template <int dim>
+    void Bodies<dim>::solve_kept(const Situation  &scene,
+                                 const WantedMesh &wanted)
+    {
+      SteadyState<dim> &steady = kept.front().steady;
+      const auto        start  = [&]() {
+        steady.state = initial_state(steady.problem, wanted.patch);
+      };
+      if (!steady.solver.converged)
+        start();
+      steady.solver.converged = false; // where it throws
+      solve_on_kept_bodies(scene, steady);
+      if (!steady.solver.converged)
+        {
+          start();
+          solve_on_kept_bodies(scene, steady);
+        }
     }
 
     template <int dim>
     void Bodies<dim>::solve(const Situation &scene, const std::string &bodies)
     {
-      const double size = patch_size(scene);
-      problem           = nullptr;
-      if (find(bodies, size) == kept.end())
+      const WantedMesh wanted = wanted_mesh(scene);
+      problem                 = nullptr;
+      if (!find(bodies, wanted))
         make(scene,
              bodies,
-             size,
+             wanted,
+             {},
              kept.empty()
                ? "the first state"
                : "no bodies that are kept are made for " + bodies +
-                   " and a patch of " + significant(size, 3) + " m half-width");
+                   " and a patch of " +
+                   significant(wanted.patch.half_width_x, 3) +
+                   " m half-width, " +
+                   significant(wanted.patch.half_width_y, 3) + " m across");
       else
         {
-          SteadyState<dim> &steady = kept.front().steady;
-          if (!steady.solver.converged)
-            steady.state = initial_state(steady.problem, estimate_patch(scene));
-          steady.solver.converged = false; // where it throws
-          solve_on_kept_bodies(scene, steady);
-          if (!steady.solver.converged)
+          std::string why = "the patch is elsewhere than in the zone of nodes";
+          if (kept.front().reaches(wanted))
             {
-              steady.state =
-                initial_state(steady.problem, estimate_patch(scene));
-              solve_on_kept_bodies(scene, steady);
+              solve_kept(scene, wanted);
+              const SteadyState<dim> &steady = kept.front().steady;
+              why = steady.solver.converged && zone_too_small(steady)
+                      ? "the patch reaches the border of the candidate zone"
+                      : "";
             }
-          if (steady.solver.converged && zone_too_small(steady))
+          if (!why.empty())
             {
+              const std::vector<ZoneBox> patches = kept.front().patches;
               kept.pop_front();
-              make(scene,
-                   bodies,
-                   size,
-                   "the patch reaches the border of the candidate zone");
+              make(scene, bodies, wanted, patches, why);
             }
         }
       report(scene);

@@ -202,8 +202,8 @@ namespace RollingContact
           SceneEntries           entries(this->scene);
           const Situation        largest   = band.scene(plan, entries);
           const auto             make_pair = this->pair_maker(band);
-          const SteadyState<dim> base =
-            solve_steady_state<dim>(largest, demands(), context, make_pair);
+          const SteadyState<dim> base      = solve_steady_state<dim>(
+            largest, this->demands_of(band), context, make_pair);
           take_bodies(largest, base);
           prove_worst(band, largest, base);
           rolling.reset();

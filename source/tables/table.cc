@@ -122,7 +122,10 @@ namespace RollingContact
     try
       {
         make_pair = pair_maker(band);
-        base = solve_steady_state<dim>(largest, demands(), context, make_pair);
+        base      = solve_steady_state<dim>(largest,
+                                       demands_of(band),
+                                       context,
+                                       make_pair);
       }
     catch (const ConvergenceError &error)
       {
@@ -147,7 +150,7 @@ namespace RollingContact
           return false;
         try
           {
-            base = enlarged(base, largest, 1u << k, make_pair);
+            base = enlarged(base, band, largest, 1u << k, make_pair);
           }
         catch (const InputError &error) // no memory, or beyond the bodies
           {
@@ -160,6 +163,7 @@ namespace RollingContact
 
   template <int dim>
   SteadyState<dim> Table<dim>::enlarged(const SteadyState<dim> &base,
+                                        const LoadBand         &band,
                                         const Situation        &scene,
                                         const unsigned int      n_elements,
                                         const PairMaker<dim>   &make_pair)
@@ -168,7 +172,7 @@ namespace RollingContact
     grading.enlarge_zone(n_elements);
     say_enlarged(grading, context.log);
     ++n_bodies;
-    return StateFinder<dim>(scene, demands(), context, make_pair)
+    return StateFinder<dim>(scene, demands_of(band), context, make_pair)
       .solve_on(grading, [&](const ContactProblem &problem) {
         return transferred_state(base, problem);
       });
@@ -227,7 +231,8 @@ namespace RollingContact
   {
     if (n_bodies++ == 0)
       describe_bodies(base, context);
-    const double ratio = band.smallest_size / band.largest_size;
+    const std::string &why   = base.pair->bodies().reason_against_split();
+    const double       ratio = band.smallest_size / band.largest_size;
     context.log.message(
       "Bodies made for " + plan.name(band.largest) + ": " +
       std::to_string(scene.mesh.elements_across_patch) + " elements across, " +
@@ -235,7 +240,9 @@ namespace RollingContact
       std::to_string(n_states) + (n_states == 1 ? " state" : " states") +
       (ratio < 1.
          ? " with patches down to " + significant(ratio, 3) + " of that size."
-         : "."));
+         : ".") +
+      (n_bodies == 1 || why.empty() ? ""
+                                    : " Finite elements, as " + why + '.'));
   }
 
   template <int dim>
@@ -268,6 +275,15 @@ namespace RollingContact
   StateDemands Table<dim>::demands() const
   {
     return demands_of_kept_bodies();
+  }
+
+  template <int dim>
+  StateDemands Table<dim>::demands_of(const LoadBand &band) const
+  {
+    StateDemands result      = demands();
+    result.pair.split_bodies = split_bodies;
+    result.other_patches     = band.other_patches;
+    return result;
   }
 
   template <int dim>

@@ -104,8 +104,8 @@ BOOST_AUTO_TEST_CASE(what_only_some_problems_have)
                              old.H(),
                              old.W(),
                              old.slip_operator(),
-                             old.coupling(),
-                             frames);
+                             old.coupling());
+  operators.set_frames(frames);
   given.problem.operators     = operators;
   ContactLoads &loads         = given.problem.loads;
   loads.slip_of_profile       = NodalField(old.n_nodes(), 1);

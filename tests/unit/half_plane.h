@@ -86,7 +86,6 @@ namespace HalfPlane
                                                        options.flow)
                                         : SlipOperator(),
                        {options.coupling != 0., options.coupling},
-                       {},
                        options.forces);
     for (const auto &node : trace.nodes)
       problem.loads.gap.push_back(node[0] * node[0] / 2 / options.length_unit);

@@ -1,6 +1,8 @@
 #include "complaint.h"
 #include "scene_run.h"
 
+#include <rolling_contact/state/estimate_errors.h>
+#include <rolling_contact/tables/kept_bodies.h>
 #include <rolling_contact/tables/session.h>
 
 #include <cmath>
@@ -31,29 +33,39 @@ namespace
   }
 } // namespace
 
+namespace
+{
+  /** S1002 on 60E1 over a disc and a block. */
+  SceneParameters profile_scene()
+  {
+    SceneParameters scene;
+    scene.dimension                  = 3;
+    scene.mesh.elements_across_patch = 8;
+    scene.mesh.growth                = 0.8;
+    scene.wheel.hub_radius           = 0.1;
+    scene.wheel.width                = 0.1;
+    scene.rail.shape                 = "block";
+    scene.rail.radius                = 0.;
+    scene.rail.block_length          = 0.3;
+    scene.rail.block_depth           = 0.15;
+    scene.rail.width                 = 0.1;
+    scene.profiles.wheel_profile     = "S1002";
+    scene.profiles.rail_profile      = "60E1";
+    scene.profiles.shift             = 0.003;
+    scene.profiles.creepage_source =
+      ProfileParameters::CreepageSource::kinematics;
+    scene.contact.normal_load = 16e3;
+    scene.contact.speed       = 20.;
+    return scene;
+  }
+} // namespace
+
 /** How fast the axle turns is a creepage, not another place. */
 BOOST_AUTO_TEST_CASE(an_axle_that_turns_faster_keeps_its_bodies)
 {
-  SceneParameters scene;
-  scene.dimension                  = 3;
-  scene.mesh.elements_across_patch = 8;
-  scene.mesh.growth                = 0.8;
-  scene.wheel.hub_radius           = 0.1;
-  scene.wheel.width                = 0.1;
-  scene.rail.shape                 = "block";
-  scene.rail.radius                = 0.;
-  scene.rail.block_length          = 0.3;
-  scene.rail.block_depth           = 0.15;
-  scene.rail.width                 = 0.1;
-  scene.profiles.wheel_profile     = "S1002";
-  scene.profiles.rail_profile      = "60E1";
-  scene.profiles.shift             = 0.003;
-  scene.profiles.creepage_source =
-    ProfileParameters::CreepageSource::kinematics;
-  scene.contact.normal_load = 16e3;
-  scene.contact.speed       = 20.;
-  Session      session{Situation(scene)};
-  const double rolling = -20. / scene.wheel.radius;
+  SceneParameters scene = profile_scene();
+  Session         session{Situation(scene)};
+  const double    rolling = -20. / scene.wheel.radius;
   session.set("Profiles/Pitch rate", rolling);
   const double before = session.solve().forces.force_x;
   session.set("Profiles/Pitch rate", 1.001 * rolling);
@@ -65,6 +77,94 @@ BOOST_AUTO_TEST_CASE(an_axle_that_turns_faster_keeps_its_bodies)
   BOOST_TEST(std::abs(expected - before) > 500.);
   BOOST_TEST(found.forces.force_x == expected,
              boost::test_tools::tolerance(1e-5));
+}
+
+/**
+ * A state on bodies that were made for another place is that of bodies of the
+ * same mesh that are made there: gap, slip, frames and loads are all of the new
+ * place, in the state and in its error.
+ */
+BOOST_AUTO_TEST_CASE(profiles_touch_elsewhere_on_the_same_bodies)
+{
+  for (const Profiles::SurfaceKind kind :
+       {Profiles::SurfaceKind::plane, Profiles::SurfaceKind::curved})
+    for (const Compliance compliance :
+         {Compliance::finite_elements, Compliance::split})
+      {
+        SceneParameters scene       = profile_scene();
+        scene.profiles.surface_kind = kind;
+        scene.mesh.compliance       = compliance;
+        scene.mesh.candidate_zone   = 1.3;
+        SceneInMemory   run;
+        const Situation here(scene);
+        SteadyState<3>  kept =
+          solve_steady_state<3>(here, demands_of_kept_bodies(), run.context);
+        estimate_errors(here, kept);
+        const double before  = kept.result.force_y;
+        scene.profiles.shift = 0.0034;
+        scene.profiles.yaw   = 0.003;
+        scene.contact.normal_load.reset();
+        scene.contact.vertical_load = 15e3;
+        const Situation there(scene);
+        solve_on_kept_bodies(there, kept);
+        estimate_errors(there, kept);
+        BOOST_TEST(kept.solver.converged);
+        SteadyState<3> made =
+          StateFinder<3>(there, demands_of_kept_bodies(), run.context)
+            .solve_on(kept.grading, [&](const ContactProblem &problem) {
+              return initial_state(problem, estimate_patch(there));
+            });
+        estimate_errors(there, made);
+        BOOST_TEST(std::abs(before - made.result.force_y) > 100.);
+        const auto same = [](const double one, const double other) {
+          BOOST_TEST(one == other, boost::test_tools::tolerance(1e-5));
+        };
+        same(kept.result.force_x, made.result.force_x);
+        same(kept.result.force_y, made.result.force_y);
+        same(kept.result.spin_moment, made.result.spin_moment);
+        same(kept.result.normal_force, made.result.normal_force);
+        same(kept.result.max_pressure, made.result.max_pressure);
+        same(kept.state.approach, made.state.approach);
+        BOOST_TEST(kept.problem.loads.gap == made.problem.loads.gap,
+                   boost::test_tools::per_element());
+        BOOST_TEST(kept.estimate->across.force == made.estimate->across.force,
+                   boost::test_tools::tolerance(1e-3));
+        BOOST_TEST(kept.estimate->bulk->force == made.estimate->bulk->force,
+                   boost::test_tools::tolerance(0.05));
+      }
+}
+
+/** Bodies are made where none reach, and then reach both places. */
+BOOST_AUTO_TEST_CASE(a_wheelset_that_moves_keeps_its_bodies)
+{
+  const SceneParameters scene = profile_scene();
+  Session               session{Situation(scene)};
+  const auto            moved = [&](const double shift) {
+    session.set("Profiles/Lateral shift", shift);
+    const SessionState found = session.solve();
+    BOOST_TEST(found.converged);
+    SceneParameters alone       = scene;
+    alone.profiles.shift        = shift;
+    const SessionState expected = Session{Situation(alone)}.solve();
+    const double       mu_N     = 0.3 * 16e3;
+    BOOST_TEST(std::abs(found.forces.force_y - expected.forces.force_y) <
+               0.01 * mu_N);
+    BOOST_TEST(std::abs(found.forces.spin_moment -
+                        expected.forces.spin_moment) < 0.01 * mu_N * 3e-3);
+    return found;
+  };
+  moved(0.003);
+  for (const double shift : {0.0031, 0.0032, 0.0033, 0.0029})
+    BOOST_TEST(moved(shift).new_bodies == "");
+  const unsigned int n_made = session.n_bodies_made();
+  BOOST_TEST(n_made == 1u);
+  session.set("Profiles/Yaw", 0.004);
+  BOOST_TEST(session.solve().new_bodies == "");
+  // sections that follow their profiles are other bodies elsewhere
+  SceneParameters followed        = scene;
+  followed.profiles.true_sections = true;
+  BOOST_TEST(Situation(followed).follows_profiles());
+  BOOST_TEST(!Situation(scene).follows_profiles());
 }
 
 BOOST_AUTO_TEST_CASE(states_are_those_of_runs_of_their_own)

@@ -170,12 +170,13 @@ BOOST_AUTO_TEST_CASE(each_load_has_its_elements)
         continue;
       SceneEntries entries{Situation(scene)};
       const auto   made = band.scene(plan, entries);
-      BOOST_TEST(patch_size(made) == band.largest_size);
+      BOOST_TEST(wanted_mesh(made).patch.half_width_x == band.largest_size);
       for (const std::size_t state : band.states)
         {
           plan.set(state, entries);
           const double share =
-            patch_size(entries.situation()) / band.largest_size;
+            wanted_mesh(entries.situation()).patch.half_width_x /
+            band.largest_size;
           BOOST_TEST(share <= 1.);
           BOOST_TEST(share >= smallest_patch);
           BOOST_TEST(made.mesh.elements_across_patch * share >= 12 - 1e-6);

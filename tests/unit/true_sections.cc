@@ -2,6 +2,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "../references/section_properties.h"
 #include "complaint.h"
 #include "scene_run.h"
 

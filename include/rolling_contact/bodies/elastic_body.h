@@ -203,11 +203,6 @@ namespace RollingContact
       return material;
     }
 
-    const BodyModel &how_modelled() const
-    {
-      return model;
-    }
-
     const BodyMesh<dim> &mesh() const
     {
       return body_mesh;

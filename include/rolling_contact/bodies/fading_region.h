@@ -14,6 +14,15 @@ namespace RollingContact
   {
     double inner, outer;
 
+    /** The inner radius over that of the farthest load, at the least. */
+    static constexpr double beyond_loads = 1.2;
+
+    /** How far loads may be from the contact point. */
+    double loads_end() const
+    {
+      return inner / beyond_loads;
+    }
+
     /** chi at a distance. */
     double at(const double distance) const
     {
@@ -26,6 +35,11 @@ namespace RollingContact
     {
       const double t = place(distance);
       return -30 * t * t * (1 - t) * (1 - t) / (outer - inner);
+    }
+
+    friend bool operator==(const FadingRegion &one, const FadingRegion &other)
+    {
+      return one.inner == other.inner && one.outer == other.outer;
     }
 
   private:

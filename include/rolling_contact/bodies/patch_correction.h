@@ -19,14 +19,13 @@ namespace RollingContact
    *                      - int h sigma_hs,ka (chi v_k),a dS,
    *   S_kl = F_k K^-1 F_l + Q_kl,   Q_kl = F_k(chi u_hs,l)
    * with the first integral over the region where chi changes and the second,
-   * of the curved surface z = h(x, y), a = x, y, from @p load_ends on; in Q
-   * that of curvature_correction() stands in its place. Factorises K. Units:
-   * m/N to m/(N m^degrees).
+   * of the curved surface z = h(x, y), a = x, y, beyond the loads, of which
+   * @p fading leaves room for the farthest; in Q that of curvature_correction()
+   * stands in its place. Factorises K. Units: m/N to m/(N m^degrees).
    */
   DenseMatrix patch_correction(DirectBody<3>      &body,
                                const BodyShape    &shape,
-                               const FadingRegion &fading,
-                               const double        load_ends);
+                               const FadingRegion &fading);
 } // namespace RollingContact
 
 #endif

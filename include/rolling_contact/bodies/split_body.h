@@ -4,8 +4,6 @@
 #include <rolling_contact/bodies/direct_body.h>
 #include <rolling_contact/bodies/patch_correction.h>
 
-#include <array>
-
 namespace RollingContact
 {
   /**
@@ -15,24 +13,32 @@ namespace RollingContact
    * the patch,
    *   W = W_hs + Phi S Phi^T,
    * Phi the values x^i y^j/(i! j!) of force_moments() at the nodes. S is that
-   * of two meshes, extrapolated. It gives no displacements away from the
-   * contact, and has no motion in time.
+   * of two meshes, extrapolated, and what the curvature under the nodes adds.
+   * It gives no displacements away from the contact, and has no motion in time.
    */
   class SplitBody final : public DirectBody<3>
   {
   public:
     /**
-     * @p element_size are those of the contact nodes, along x and y, @p
-     * farthest the distance of the farthest one, and @p half_widths those of
-     * the patch. Units: m.
+     * The body knows of a patch no more than the nodes whose compliance is
+     * asked for, so that it serves all patches.
      */
     SplitBody(const std::shared_ptr<const BodyShape> &shape,
               const Material                         &material,
-              const std::array<double, 2>            &element_size,
               const FadingRegion                     &fading,
-              const double                            farthest,
-              const std::array<double, 2>            &half_widths,
               const BodyModel                        &model);
+
+    /**
+     * Whether it is a body of this kind.
+     */
+    bool is_one_of(const BodyShape    &other_shape,
+                   const Material     &other_material,
+                   const FadingRegion &other_fading,
+                   const BodyModel    &other_model) const
+    {
+      return shape->is_twin_of(other_shape) && material == other_material &&
+             fading == other_fading && model == other_model;
+    }
 
     /**
      * Not a body of which anything but the contact is known.
@@ -47,6 +53,9 @@ namespace RollingContact
      */
     void analyse() override;
 
+    /**
+     * The nodes are those of equal boxes, the same distances apart all over.
+     */
     DenseMatrix compliance(const std::vector<SurfaceNode>  &nodes,
                            const std::vector<unsigned int> &components,
                            const SparseRows                &P) override;
@@ -61,11 +70,9 @@ namespace RollingContact
       const std::vector<unsigned int>        &components,
       const std::vector<std::vector<double>> &forces) const override;
 
-    /** Throws std::logic_error, as nothing is known inside. */
-    std::vector<BodyField>
-    recover(const std::vector<SurfaceNode>         &nodes,
-            const std::vector<unsigned int>        &components,
-            const std::vector<std::vector<double>> &forces) override;
+    /** Nothing, as its factor went when S was known. */
+    void release_solver() override
+    {}
 
     /** Throws std::logic_error, as it has no mass. */
     std::unique_ptr<BodyDynamics>
@@ -78,11 +85,8 @@ namespace RollingContact
 
   private:
     const std::shared_ptr<const BodyShape> shape;
-    const std::array<double, 2>            element_size;
     const FadingRegion                     fading;
-    const double                           farthest;
-    const std::array<double, 2>            half_widths;
-    DenseMatrix                            S, change, of_curvature;
+    DenseMatrix                            S, change; ///< without curvature
   };
 } // namespace RollingContact
 

@@ -68,14 +68,13 @@ namespace RollingContact
     /**
      * @p positions are (x, y) of the nodes in m, y along the surface of
      * contact, @p H has N rows (m^2) and @p W (T + 1) N (m/N), tangential
-     * components first, normal last.
+     * components first, normal last. The surface of contact is a plane.
      */
     ContactOperators(Positions                       positions,
                      SparseRows                      H,
                      DenseMatrix                     W,
                      SlipOperator                    slip_operator = {},
                      const NormalTangentialCoupling &coupling      = {},
-                     SurfaceFrames                   frames        = {},
                      const NodalForces forces = NodalForces::of_elements);
 
     /**
@@ -87,6 +86,11 @@ namespace RollingContact
      * Replace convection and rate, 1 and 0 in operators just built.
      */
     void set_time_scaling(const TimeScaling &scaling);
+
+    /**
+     * Replace the frames of the surface of contact.
+     */
+    void set_frames(SurfaceFrames frames);
 
     /**
      * Make W, an approximate one, give the @p displacement of the bodies under

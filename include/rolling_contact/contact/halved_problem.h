@@ -21,21 +21,21 @@ namespace RollingContact
     std::vector<unsigned int> nodes; ///< their numbers in the whole problem
 
     /**
-     * Take the loads of the whole problem, but for those that are found anew
-     * with each state: its creepages and its normal load stay.
+     * Take the loads and the frames of the whole problem, but for loads that
+     * are found anew with each state: its creepages and its normal load stay.
      */
-    void set_loads(const ContactLoads &whole);
+    void take(const ContactProblem &whole);
   };
 
   /**
-   * The problem without loads on every second node, in both directions, of the
-   * grid that the largest elements of a @p trace make: those with even or odd
-   * numbers in the lines along x and y as @p odd says. A nodal force is spread
-   * over the nodes around as the shape function of the larger elements spreads
-   * it, over equal elements with the weights 1/4, 1/2, 1/4 in each direction,
-   * and a displacement is taken with the same weights: W = R W R^T. The matrix
-   * H is that of the kind @p matrices, with the @p thickness of plane bodies in
-   * m. None if the elements make no grid.
+   * The problem without loads and frames on every second node, in both
+   * directions, of the grid that the largest elements of a @p trace make: those
+   * with even or odd numbers in the lines along x and y as @p odd says. A nodal
+   * force is spread over the nodes around as the shape function of the larger
+   * elements spreads it, over equal elements with the weights 1/4, 1/2, 1/4 in
+   * each direction, and a displacement is taken with the same weights: W = R W
+   * R^T. The matrix H is that of the kind @p matrices, with the @p thickness of
+   * plane bodies in m. None if the elements make no grid.
    */
   std::optional<HalvedProblem>
   halved_problem(const ContactProblem              &whole,

@@ -37,11 +37,6 @@ namespace RollingContact
     std::shared_ptr<const SweptMesh>
     equal_cells(const double along, const double across) const override;
 
-    const RunningSurface &running_surface() const
-    {
-      return surface;
-    }
-
   protected:
     SectionShape(const ShapeSpec &parameters, const RunningSurface &surface);
 

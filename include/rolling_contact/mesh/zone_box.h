@@ -1,7 +1,10 @@
 #ifndef rolling_contact_mesh_zone_box_h
 #define rolling_contact_mesh_zone_box_h
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <vector>
 
 namespace RollingContact
 {
@@ -18,6 +21,12 @@ namespace RollingContact
       return lower[0] <= x && x <= upper[0] && lower[1] <= y && y <= upper[1];
     }
 
+    bool contains(const ZoneBox &other) const
+    {
+      return contains(other.lower[0], other.lower[1]) &&
+             contains(other.upper[0], other.upper[1]);
+    }
+
     /**
      * With distances added on all sides.
      */
@@ -27,6 +36,43 @@ namespace RollingContact
               {{upper[0] + in_x, upper[1] + in_y}}};
     }
   };
+
+  /**
+   * Whether one of several boxes contains a @p box.
+   */
+  inline bool is_within(const ZoneBox &box, const std::vector<ZoneBox> &boxes)
+  {
+    return std::any_of(boxes.begin(), boxes.end(), [&](const ZoneBox &other) {
+      return other.contains(box);
+    });
+  }
+
+  /**
+   * Whether each of equal parts of a @p box, of at most @p step, has its middle
+   * in one of several @p boxes. Units: m.
+   */
+  inline bool covers(const std::vector<ZoneBox> &boxes,
+                     const ZoneBox              &box,
+                     const double                step)
+  {
+    const auto number = [&](const unsigned int d) {
+      return std::ceil((box.upper[d] - box.lower[d]) / step);
+    };
+    const auto place = [&](const unsigned int d, const double k) {
+      return box.lower[d] +
+             (k + 0.5) / number(d) * (box.upper[d] - box.lower[d]);
+    };
+    for (double i = 0.; i < number(0); ++i)
+      for (double j = 0.; j < number(1); ++j)
+        {
+          const double x = place(0, i), y = place(1, j);
+          if (std::none_of(boxes.begin(), boxes.end(), [&](const auto &other) {
+                return other.contains(x, y);
+              }))
+            return false;
+        }
+    return true;
+  }
 } // namespace RollingContact
 
 #endif

@@ -1,8 +1,12 @@
 #ifndef rolling_contact_pair_pair_demands_h
 #define rolling_contact_pair_pair_demands_h
 
+#include <memory>
+
 namespace RollingContact
 {
+  class SplitBodies;
+
   /**
    * What an analysis demands of the bodies, beyond what the scene says.
    */
@@ -18,6 +22,8 @@ namespace RollingContact
     /** Surfaces that move are left out of the gap: each step of time brings
      * its own. */
     bool surfaces_in_time = false;
+    /** Where split bodies are kept for other meshes; none: they are not. */
+    std::shared_ptr<SplitBodies> split_bodies;
   };
 } // namespace RollingContact
 

@@ -50,6 +50,14 @@ namespace RollingContact
                 const PairDemands   &demands,
                 const BodyPair<dim> &bodies);
 
+    /**
+     * The pair of another scene that differs from that of @p other in loads and
+     * in where profiles touch: bodies, interface and the compliance between
+     * them are the same. Throws std::logic_error if a body has the section of
+     * its profile, whose place in the contact is another one then.
+     */
+    RollingPair(const PairSpec &scene, const RollingPair &other);
+
     const BodyPair<dim> &bodies() const
     {
       return body_pair;
@@ -111,6 +119,20 @@ namespace RollingContact
      */
     std::vector<double> friction_at_nodes(const ContactParameters &contact,
                                           const double travelled) const;
+
+    /**
+     * Give a problem on this interface the gap, the rigid slip and the frames
+     * of the surfaces of this scene.
+     */
+    void set_surfaces(ContactProblem &problem) const;
+
+    /**
+     * The frame of the profiles' contact; none without profiles.
+     */
+    const std::shared_ptr<const Profiles::ContactFrame> &frame() const
+    {
+      return scene.frame;
+    }
 
     /**
      * Give a problem of this pair the load or approach, the creepages and the
@@ -187,6 +209,11 @@ namespace RollingContact
     }
 
   private:
+    RollingPair(BodyPair<dim>       bodies,
+                const PairSpec     &scene,
+                const Grading<dim> &grading,
+                const PairDemands  &demands);
+
     /**
      * The smooth forces of BulkErrors, if these were demanded.
      */

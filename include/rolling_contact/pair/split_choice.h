@@ -5,7 +5,10 @@
 #include <rolling_contact/pair/pair_demands.h>
 #include <rolling_contact/scene/pair_spec.h>
 
+#include <memory>
+#include <mutex>
 #include <string>
+#include <vector>
 
 namespace RollingContact
 {
@@ -28,11 +31,20 @@ namespace RollingContact
                                      const PairDemands  &demands);
 
   /**
-   * A body for contact nodes of this grading, whose half-space fades out as far
-   * from the contact point as edges and what holds the body allow.
+   * Split bodies that were made, which serve again wherever the same bodies
+   * touch: their half-spaces fade out as far from the contact point as edges
+   * and what holds the body allow, whatever the patch. For several threads.
    */
-  std::shared_ptr<SplitBody> make_split_body(const BodySpec   &body,
-                                             const Grading<3> &grading);
+  class SplitBodies
+  {
+  public:
+    std::shared_ptr<SplitBody> body_of(const BodySpec   &body,
+                                       const Grading<3> &grading);
+
+  private:
+    std::mutex                              alone;
+    std::vector<std::shared_ptr<SplitBody>> bodies;
+  };
 } // namespace RollingContact
 
 #endif

@@ -17,6 +17,15 @@ namespace RollingContact
   struct SceneParameters;
 
   /**
+   * Whether an elastic body is one of its own wherever profiles touch, as it
+   * has the section of its profile or comes from a file; a disc or a block
+   * under a profile does not know it.
+   */
+  bool bodies_follow_profiles(const ProfileParameters &profiles,
+                              const BodyParameters    &wheel,
+                              const BodyParameters    &rail);
+
+  /**
    * Two bodies in rolling contact: what they are made of, where they touch,
    * what presses and drags them, and the mesh and the solvers of their contact.
    */
@@ -50,6 +59,14 @@ namespace RollingContact
     double thickness() const
     {
       return wheel.rigid ? rail.thickness : wheel.thickness;
+    }
+
+    /**
+     * bodies_follow_profiles() of these bodies.
+     */
+    bool follows_profiles() const
+    {
+      return bodies_follow_profiles(profiles, wheel, rail);
     }
 
     const BodySpec &body(const Side side) const

@@ -55,9 +55,19 @@ namespace RollingContact
 
     /**
      * What the bodies, their mesh and the operators between them depend on, of
-     * what was set: the same text for scenes that may share them.
+     * what was set: the same text for scenes that may share them. Where
+     * profiles touch is a part of it if bodies follow them, and for linearised
+     * vibrations.
      */
     std::string bodies_key() const;
+
+    /**
+     * Where profiles touch, of what was set: the same text for the same place.
+     */
+    std::string place_key() const
+    {
+      return text_of(of_place);
+    }
 
     /**
      * The situation that follows from the entries. What does not depend on
@@ -67,11 +77,15 @@ namespace RollingContact
     const Situation &situation();
 
   private:
-    SceneParameters                    given;
-    Entries                            entries;   ///< of `given`
-    std::map<std::string, std::string> of_bodies; ///< set entries
-    Situation                          last;
-    std::string                        checked; ///< bodies_key()
+    using SetEntries = std::map<std::string, std::string>;
+
+    static std::string text_of(const SetEntries &entries);
+
+    SceneParameters given;
+    Entries         entries; ///< of `given`
+    SetEntries      of_bodies, of_place;
+    Situation       last;
+    std::string     checked; ///< what of bodies was
   };
 } // namespace RollingContact
 

@@ -56,7 +56,7 @@ namespace RollingContact
                 RunContext           &context,
                 const PairMaker<dim> &make_pair = {})
       : scene(scene)
-      , demands(demands)
+      , demands(keeping_split_bodies(demands))
       , context(context)
       , make_pair(make_pair)
     {}
@@ -99,6 +99,16 @@ namespace RollingContact
     void solve_enclosed(SteadyState<dim> &steady) const;
 
   private:
+    /**
+     * Demands whose split bodies serve the next mesh as well.
+     */
+    static StateDemands keeping_split_bodies(StateDemands demands)
+    {
+      if (!demands.pair.split_bodies)
+        demands.pair.split_bodies = std::make_shared<SplitBodies>();
+      return demands;
+    }
+
     /**
      * Whether a state that is solved needs a larger zone; if so the grading has
      * one, which is said. @p k: number of enlargements before.

@@ -13,6 +13,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace RollingContact
 {
@@ -34,6 +35,9 @@ namespace RollingContact
     double growth = 1.;
     /** The flow keeps its direction: an element more on the upstream side. */
     bool one_direction = true;
+    /** Where patches of other states will be that are solved on this mesh, on
+     * profiles. */
+    std::vector<ZoneBox> other_patches;
     /** Corrections of an approximate compliance may begin with rough
      * responses. */
     bool rough_responses = true;

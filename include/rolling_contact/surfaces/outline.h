@@ -54,22 +54,6 @@ namespace RollingContact::Profiles
     std::vector<Point>  nodes;
     std::vector<double> arc;
   };
-
-  /**
-   * What a beam of this section needs: area (m^2), height of its centroid (m),
-   * and second moments of area about the axes across and up through it (m^4).
-   */
-  struct SectionProperties
-  {
-    double area, height, I_y, I_z;
-  };
-
-  /**
-   * Properties of the section inside the polygon of these points (across, up),
-   * in either sense.
-   */
-  SectionProperties
-  section_properties(const std::vector<Outline::Point> &polygon);
 } // namespace RollingContact::Profiles
 
 #endif

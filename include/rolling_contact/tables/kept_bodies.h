@@ -20,22 +20,29 @@ namespace RollingContact
   /**
    * Solve the state of a @p scene on the bodies of another one, from where that
    * is. The scenes may differ by load or approach, creepages, friction and
-   * speed, see RollingPair::set_loads(). The time is that of this solve.
+   * speed, see RollingPair::set_loads(), and by where profiles touch unless
+   * bodies follow them. The time is that of this solve.
    */
   template <int dim>
   void solve_on_kept_bodies(const PairSpec &scene, SteadyState<dim> &steady);
 
   /**
-   * Smallest patch over the one that a mesh was made for that may be solved on
-   * it; the error goes with the elements across the patch.
+   * Smallest element that a state may have over that of a mesh of its own, and
+   * the other way round; the error goes with the elements across the patch.
    */
   inline constexpr double smallest_patch = 0.9;
 
   /**
-   * The half-width of the estimated patch of a scene, by which meshes are made;
-   * 0 without contact. Units: m.
+   * What a state would have of its own: its patch as estimated, none without
+   * contact, and the sizes of its elements. Units: m.
    */
-  double patch_size(const PairSpec &scene);
+  struct WantedMesh
+  {
+    PatchEstimate         patch;
+    std::array<double, 2> element_size{};
+  };
+
+  WantedMesh wanted_mesh(const PairSpec &scene);
 } // namespace RollingContact
 
 #endif

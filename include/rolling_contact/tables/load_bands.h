@@ -2,6 +2,7 @@
 #define rolling_contact_tables_load_bands_h
 
 #include <rolling_contact/scene/situation.h>
+#include <rolling_contact/tables/kept_bodies.h>
 #include <rolling_contact/tables/table_plan.h>
 
 namespace RollingContact
@@ -9,7 +10,8 @@ namespace RollingContact
   /**
    * States whose patches are so alike in size that one mesh serves them all: it
    * is made for the largest one, with as many elements more as the smallest
-   * needs to have those that the scene asks for.
+   * needs to have those that the scene asks for, and in all places where
+   * profiles touch.
    */
   struct LoadBand
   {
@@ -17,6 +19,8 @@ namespace RollingContact
     std::vector<std::size_t> states;      ///< as in the group
     std::size_t              largest = 0; ///< the state to make the mesh for
     double largest_size = 0., smallest_size = 0.; ///< half-widths of patches, m
+    std::array<double, 2> n_elements{};           ///< across the largest patch
+    std::vector<ZoneBox>  other_patches;          ///< at other places
 
     bool touches() const
     {
@@ -31,7 +35,7 @@ namespace RollingContact
 
   /**
    * The bands of all groups of a plan, from large to small patches, each with
-   * patches down to a share @p smallest of its largest one. Throws InputError
+   * elements down to a share @p smallest of its largest ones. Throws InputError
    * naming the state that no patch can be estimated for.
    */
   std::vector<LoadBand> load_bands(const Situation &scene,

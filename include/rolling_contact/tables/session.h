@@ -38,9 +38,11 @@ namespace RollingContact
    * a further load, creepage or friction takes milliseconds. Each state starts
    * from the last one on its bodies. Bodies are made again, and four sets of
    * them kept, where an entry outside of section Contact differs, where the
-   * flow turns round, where there is friction in place of none, or where the
-   * estimated patch is less than 0.9 or more than 1/0.9 times the one that the
-   * mesh was made for. Writes no files; several sessions in a
+   * flow turns round, where there is friction in place of none, where the
+   * elements of the estimated patch would be less than 0.9 or more than 1/0.9
+   * times those that the mesh was made with, or where a patch is outside of its
+   * zone. Where profiles touch is no matter of the bodies unless they have the
+   * sections of these. Writes no files; several sessions in a
    * process do not know of each other, and one may be used by one thread at a
    * time. BLAS should have one thread, see use_one_solver_thread(). For one
    * rank.

@@ -72,6 +72,9 @@ namespace RollingContact
      */
     virtual StateDemands demands() const;
 
+    /** And of those of a band, wherever profiles touch. */
+    StateDemands demands_of(const LoadBand &band) const;
+
     /**
      * When all states have rows, in the order of their numbers.
      */
@@ -117,6 +120,7 @@ namespace RollingContact
 
     /** Steady state of the same bodies with a larger zone of contact nodes. */
     SteadyState<dim> enlarged(const SteadyState<dim> &base,
+                              const LoadBand         &band,
                               const Situation        &scene,
                               const unsigned int      n_elements,
                               const PairMaker<dim>   &make_pair);
@@ -128,11 +132,13 @@ namespace RollingContact
 
     void finish();
 
-    const unsigned int n_threads;
-    std::vector<bool>  has_row;
-    std::size_t        n_before = 0;  ///< rows of a run that is continued
-    unsigned int       n_bodies = 0;  ///< sets of them that were built
-    double             seconds  = 0.; ///< of solving states
+    const unsigned int                 n_threads;
+    const std::shared_ptr<SplitBodies> split_bodies =
+      std::make_shared<SplitBodies>();
+    std::vector<bool> has_row;
+    std::size_t       n_before = 0;  ///< rows of a run that is continued
+    unsigned int      n_bodies = 0;  ///< sets of them that were built
+    double            seconds  = 0.; ///< of solving states
   };
 
   /**
