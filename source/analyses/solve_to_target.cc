@@ -109,7 +109,7 @@ namespace RollingContact
                                               " (" + bounds.text + ')'
                                           : "not known (" + bounds.text + ')') +
                             ": the mesh is made again.");
-        chooser.learn(mesh, steady);
+        chooser.learn(mesh, steady, k + 1 == n_meshes);
       }
   }
 

@@ -181,6 +181,27 @@ namespace RollingContact
       compliance, first, first, n_nodes(), contact_matrix.multiply(field));
   }
 
+  std::vector<double> ContactOperators::displacement_along(
+    const unsigned int               c,
+    const std::vector<double>       &field,
+    const std::vector<double>       &pressure,
+    const std::vector<unsigned int> &nodes) const
+  {
+    std::vector<double> result(nodes.size(), 0.);
+    const auto          add = [&](const std::size_t first, const auto &values) {
+      const std::vector<double> forces = contact_matrix.multiply(values);
+      for (std::size_t j = 0; j < forces.size(); ++j)
+        if (forces[j] != 0.)
+          for (std::size_t k = 0; k < nodes.size(); ++k)
+            result[k] +=
+              compliance(c * n_nodes() + nodes[k], first + j) * forces[j];
+    };
+    add(c * n_nodes(), field);
+    if (normal_tangential.exists)
+      add(first_normal(), pressure);
+    return result;
+  }
+
   NodalField
   ContactOperators::distortion(const std::size_t          first_column,
                                const std::vector<double> &forces) const

@@ -273,15 +273,11 @@ namespace RollingContact
                      std::log((x[k] - begin) / (end - x[k]));
         nodal[run.nodes[k]] = field[k];
       }
-    std::vector<double> displacement = operators.displacement_along(0, nodal);
-    const NodalField    of_pressure =
-      operators.tangential_displacement_of_pressure(pressure);
-    for (std::size_t i = 0; i < displacement.size(); ++i)
-      displacement[i] += of_pressure(0, i);
     // the logarithm of unlike materials leaves a displacement of many powers
     const bool alike = operators.coupling().dundurs_beta == 0.;
-    smooth(without_smooth_part(on_run(displacement),
-                               alike ? least_degree : most_degree),
+    smooth(without_smooth_part(
+             operators.displacement_along(0, nodal, pressure, run.nodes),
+             alike ? least_degree : most_degree),
            p,
            field);
     return field;

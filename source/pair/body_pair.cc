@@ -1,6 +1,7 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/memory.h>
 #include <rolling_contact/base/text.h>
+#include <rolling_contact/bodies/distributed_body.h>
 #include <rolling_contact/pair/body_pair.h>
 #include <rolling_contact/pair/mesh_limits.h>
 #include <rolling_contact/pair/parallel_bodies.h>
@@ -183,6 +184,18 @@ namespace RollingContact
     build(scene, grading, demands, statics);
   }
 
+  namespace
+  {
+    /**
+     * Estimated memory in bytes for factor and condensation of a direct body
+     * that was not analysed, fitted to runs of bodies in 2D and 3D.
+     */
+    double direct_memory(const int dim, const double n)
+    {
+      return dim == 2 ? 100 * n * std::log2(n + 2) : 200 * std::pow(n, 4. / 3);
+    }
+  } // namespace
+
   template <int dim>
   double BodyPair<dim>::factor_memory(const bool analysed) const
   {
@@ -190,7 +203,7 @@ namespace RollingContact
     for (const Side side : both_sides)
       if (body(side) && has_own_body(side))
         bytes += analysed ? body(side)->solver_memory()
-                          : direct_memory<dim>(body(side)->n_unknowns());
+                          : direct_memory(dim, body(side)->n_unknowns());
     return bytes;
   }
 
@@ -222,16 +235,23 @@ namespace RollingContact
       if constexpr (dim == 3)
         if (is_split())
           bodies[side] = split_bodies->body_of(parameters, grading);
+      if (!bodies[side] && direct)
+        bodies[side] =
+          std::make_shared<DirectBody<dim>>(parameters.body_shape(),
+                                            parameters.material,
+                                            parameters.thickness,
+                                            grading,
+                                            demands.displacements ||
+                                              demands.bulk_errors,
+                                            parameters.model);
       if (!bodies[side])
         bodies[side] =
-          make_body<dim>(solver,
-                         parameters.body_shape(),
-                         parameters.material,
-                         parameters.thickness,
-                         grading,
-                         demands.displacements || demands.bulk_errors,
-                         ranks[side],
-                         parameters.model);
+          std::make_shared<DistributedBody<dim>>(parameters.body_shape(),
+                                                 parameters.material,
+                                                 parameters.thickness,
+                                                 grading,
+                                                 ranks[side],
+                                                 parameters.model);
       if (statics)
         bodies[side]->analyse();
     };

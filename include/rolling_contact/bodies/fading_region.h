@@ -37,11 +37,6 @@ namespace RollingContact
       return -30 * t * t * (1 - t) * (1 - t) / (outer - inner);
     }
 
-    friend bool operator==(const FadingRegion &one, const FadingRegion &other)
-    {
-      return one.inner == other.inner && one.outer == other.outer;
-    }
-
   private:
     double place(const double distance) const
     {

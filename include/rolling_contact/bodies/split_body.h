@@ -37,7 +37,7 @@ namespace RollingContact
                    const BodyModel    &other_model) const
     {
       return shape->is_twin_of(other_shape) && material == other_material &&
-             fading == other_fading && model == other_model;
+             fading.inner == other_fading.inner && model == other_model;
     }
 
     /**

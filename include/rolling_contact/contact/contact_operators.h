@@ -291,6 +291,17 @@ namespace RollingContact
                        const std::vector<double> &field) const;
 
     /**
+     * Displacement as of displacement_along() at some @p nodes alone, and that
+     * under a @p pressure with it, in less time: W_cc H f + W_cn H p. Units: Pa
+     * to m.
+     */
+    std::vector<double>
+    displacement_along(const unsigned int               c,
+                       const std::vector<double>       &field,
+                       const std::vector<double>       &pressure,
+                       const std::vector<unsigned int> &nodes) const;
+
+    /**
      * Displacement W_tt H q as the slip needs it: in steady rolling every
      * component without the displacement of one node. The displacement of a
      * rigid motion, which B1 does not see, may be many orders of magnitude

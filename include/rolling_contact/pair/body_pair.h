@@ -3,7 +3,8 @@
 
 #include <rolling_contact/base/broadcast.h>
 #include <rolling_contact/base/side.h>
-#include <rolling_contact/bodies/make_body.h>
+#include <rolling_contact/bodies/elastic_body.h>
+#include <rolling_contact/mesh/body_model.h>
 #include <rolling_contact/pair/pair_demands.h>
 #include <rolling_contact/pair/split_choice.h>
 #include <rolling_contact/scene/pair_spec.h>

@@ -19,6 +19,12 @@ namespace RollingContact
     /** Half-widths of their patches, largest and smallest, over that of the
      * patch the mesh is made for. */
     std::vector<double> patches{1.};
+
+    /** Whether the state of the scene, which is solved first, is all. */
+    bool is_one_state() const
+    {
+      return !spin && patches.size() == 1;
+    }
   };
 
   /**
@@ -35,7 +41,10 @@ namespace RollingContact
   /**
    * Finds the mesh for `Mesh/Target error` from the bounds of the error, before
    * anything is meshed, and again when a state turned out to be another than
-   * expected: its patch smaller, its edges not settled, its waves larger.
+   * expected: its patch smaller, its edges not settled, its waves larger. Of a
+   * single state the bound that it estimates itself counts, which in 3D is
+   * hoped to be below the expected one; on the last of the meshes nothing is
+   * hoped.
    */
   class TargetError
   {
@@ -57,10 +66,13 @@ namespace RollingContact
                           const SteadyState<dim> &steady) const;
 
     /**
-     * The next cheapest_mesh() is for states like this one.
+     * The next cheapest_mesh() is for states like this one, or the worst of its
+     * kind if it is @p the_last.
      */
     template <int dim>
-    void learn(const TargetMesh &mesh, const SteadyState<dim> &steady);
+    void learn(const TargetMesh       &mesh,
+               const SteadyState<dim> &steady,
+               const bool              the_last);
 
   private:
     /**
@@ -87,7 +99,9 @@ namespace RollingContact
     BoundCircumstances  known;
     double              length;     ///< of the patch over the estimated one
     double              waves = 1.; ///< over those of the estimated patch
-    double raised = 1.; ///< what a state's own bound was over the expected one
+    /** What a state's own bound was over the expected one. */
+    double raised = 1.;
+    bool   hopes; ///< for an own bound below the expected one
   };
 } // namespace RollingContact
 
