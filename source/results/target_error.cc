@@ -238,11 +238,20 @@ namespace RollingContact
   }
 
   template <int dim>
+  ErrorBounds TargetError::own_bounds(const TargetMesh       &mesh,
+                                      const SteadyState<dim> &steady) const
+  {
+    PairSpec meshed    = scene;
+    meshed.mesh.growth = mesh.growth;
+    return error_bounds(meshed, steady);
+  }
+
+  template <int dim>
   ErrorBounds TargetError::bounds_on(const TargetMesh       &mesh,
                                      const SteadyState<dim> &steady) const
   {
     const ErrorBounds worst = worst_bounds(found_on(mesh, steady)),
-                      here  = error_bounds(scene, steady);
+                      here  = own_bounds(mesh, steady);
     return worst.force && here.force &&
                (demands.is_one_state() || *here.force > *worst.force)
              ? here
@@ -259,7 +268,7 @@ namespace RollingContact
     known.residual_tangential  = std::max(known.residual_tangential, tolerance);
     length                     = margin * known.n / mesh.elements;
     const ErrorBounds expected = worst_bounds(known),
-                      here     = error_bounds(scene, steady);
+                      here     = own_bounds(mesh, steady);
     if (expected.force && here.force)
       {
         const double ratio = *here.force / *expected.force;

@@ -59,7 +59,7 @@ namespace RollingContact
     {
       std::vector<ZoneBox> all = patch.boxes;
       for (const ZoneBox &other : others)
-        if (!is_within(other, all))
+        if (!covers(all, other, grading.element_size_x / 2))
           all.push_back(other);
       const double around_x = grading.zone_x - patch.half_width_x,
                    around_y = grading.zone_y - patch.half_width_y,

@@ -21,12 +21,6 @@ namespace RollingContact
       return lower[0] <= x && x <= upper[0] && lower[1] <= y && y <= upper[1];
     }
 
-    bool contains(const ZoneBox &other) const
-    {
-      return contains(other.lower[0], other.lower[1]) &&
-             contains(other.upper[0], other.upper[1]);
-    }
-
     /**
      * With distances added on all sides.
      */
@@ -36,16 +30,6 @@ namespace RollingContact
               {{upper[0] + in_x, upper[1] + in_y}}};
     }
   };
-
-  /**
-   * Whether one of several boxes contains a @p box.
-   */
-  inline bool is_within(const ZoneBox &box, const std::vector<ZoneBox> &boxes)
-  {
-    return std::any_of(boxes.begin(), boxes.end(), [&](const ZoneBox &other) {
-      return other.contains(box);
-    });
-  }
 
   /**
    * Whether each of equal parts of a @p box, of at most @p step, has its middle

@@ -90,6 +90,13 @@ namespace RollingContact
     BoundCircumstances found_on(const TargetMesh       &mesh,
                                 const SteadyState<dim> &steady) const;
 
+    /**
+     * The bounds that a state on the @p mesh has itself.
+     */
+    template <int dim>
+    ErrorBounds own_bounds(const TargetMesh       &mesh,
+                           const SteadyState<dim> &steady) const;
+
     [[noreturn]] void reject(const TargetMesh &best) const;
 
     const PairSpec      scene;
