@@ -127,6 +127,12 @@ BOOST_AUTO_TEST_CASE(profiles_touch_elsewhere_on_the_same_bodies)
         same(kept.state.approach, made.state.approach);
         BOOST_TEST(kept.problem.loads.gap == made.problem.loads.gap,
                    boost::test_tools::per_element());
+        const HalvedProblem &half   = kept.halves.at(1);
+        const SurfaceFrames &frames = half.problem.operators.frames(),
+                            &whole  = kept.problem.operators.frames();
+        BOOST_TEST(frames.is_plane() == (kind == Profiles::SurfaceKind::plane));
+        for (std::size_t k = 0; k < frames.nodes.size(); ++k)
+          BOOST_TEST(frames.nodes[k].angle == whole.nodes[half.nodes[k]].angle);
         BOOST_TEST(kept.estimate->across.force == made.estimate->across.force,
                    boost::test_tools::tolerance(1e-3));
         BOOST_TEST(kept.estimate->bulk->force == made.estimate->bulk->force,

@@ -140,7 +140,11 @@ namespace
    */
   struct WheelOnRail : public SceneInMemory
   {
-    explicit WheelOnRail(const Compliance compliance)
+    using Change = std::function<void(SceneParameters &)>;
+
+    explicit WheelOnRail(
+      const Compliance compliance,
+      const Change    &change = [](SceneParameters &) {})
     {
       scene.dimension           = 3;
       scene.wheel.radius        = 0.46;
@@ -159,6 +163,7 @@ namespace
       scene.mesh.growth                = 0.4;
       scene.mesh.compliance            = compliance;
       scene.output.body_fields         = false;
+      change(scene);
       scene.check();
       StateDemands demands;
       demands.pair.bulk_errors = true;
@@ -185,8 +190,8 @@ BOOST_AUTO_TEST_CASE(forces_are_those_of_finite_elements)
   const double mu_N = one.friction_force;
   BOOST_TEST_MESSAGE("forces " << one.force_x << ' ' << one.force_y << ", "
                                << other.force_x << ' ' << other.force_y);
-  BOOST_TEST(std::abs(one.force_x - other.force_x) < 2e-3 * mu_N);
-  BOOST_TEST(std::abs(one.force_y - other.force_y) < 2e-3 * mu_N);
+  BOOST_TEST(std::abs(one.force_x - other.force_x) < 1.6e-3 * mu_N);
+  BOOST_TEST(std::abs(one.force_y - other.force_y) < 1.6e-3 * mu_N);
   BOOST_TEST(one.max_pressure == other.max_pressure,
              boost::test_tools::tolerance(5e-3));
   BOOST_TEST(one.half_width_x == other.half_width_x,
@@ -197,6 +202,33 @@ BOOST_AUTO_TEST_CASE(forces_are_those_of_finite_elements)
   BOOST_TEST(bound < 0.02);
   BOOST_TEST(split.steady.estimate->bulk->force > 2e-4 * mu_N);
   BOOST_TEST(split.steady.estimate->bulk->force < 4e-3 * mu_N);
+}
+
+/**
+ * Crowned discs, whose curved surfaces count for more than the elements: 1.5e-3
+ * of mu N if it did not load what is not a half-space.
+ */
+BOOST_AUTO_TEST_CASE(curved_twins_have_the_forces_of_finite_elements)
+{
+  const auto twins = [](SceneParameters &scene) {
+    scene.wheel.lateral_radius = 0.6;
+    scene.wheel.hub_radius     = 0.08;
+    scene.wheel.width          = 0.1;
+    scene.rail                 = BodyParameters("Rail");
+    static_cast<ShapeParameters &>(scene.rail) =
+      static_cast<const ShapeParameters &>(scene.wheel);
+    scene.rail.section        = "Rail";
+    scene.contact.normal_load = 36059.;
+    scene.contact.creepages   = {0., 0.003, 0.};
+  };
+  const WheelOnRail elements(Compliance::finite_elements, twins),
+    split(Compliance::split, twins);
+  BOOST_TEST(split.steady.pair->bodies().twins());
+  const double mu_N = elements.steady.result.friction_force,
+               difference =
+                 split.steady.result.force_y - elements.steady.result.force_y;
+  BOOST_TEST_MESSAGE("differs by " << difference / mu_N << " of mu N");
+  BOOST_TEST(std::abs(difference) < 1.2e-3 * mu_N);
 }
 
 /**
