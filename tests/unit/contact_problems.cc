@@ -100,11 +100,8 @@ BOOST_AUTO_TEST_CASE(what_only_some_problems_have)
   frames.load_angle = 0.1;
   for (std::size_t i = 0; i < old.n_nodes(); ++i)
     frames.nodes.push_back({0.1 * i, 0.01 * i, 0.001 * i});
-  ContactOperators operators(old.positions(),
-                             old.H(),
-                             old.W(),
-                             old.slip_operator(),
-                             old.coupling());
+  ContactOperators operators(
+    old.positions(), old.H(), old.W(), old.slip_operator(), old.coupling());
   operators.set_frames(frames);
   given.problem.operators     = operators;
   ContactLoads &loads         = given.problem.loads;
