@@ -25,9 +25,8 @@ namespace RollingContact
   {
     StateDemands cycle_demands()
     {
-      StateDemands demands       = demands_in_time(PairDemands());
-      demands.pair.displacements = true; // keeps the factors
-      demands.pair.factors       = true;
+      StateDemands demands = demands_in_time(PairDemands());
+      demands.pair.modes   = true;
       return demands;
     }
   } // namespace

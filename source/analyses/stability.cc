@@ -33,8 +33,7 @@ namespace RollingContact
     StateDemands stability_demands()
     {
       StateDemands demands;
-      demands.pair.displacements = true; // keeps the factors
-      demands.pair.factors       = true;
+      demands.pair.modes = true;
       return demands;
     }
 

@@ -241,6 +241,15 @@ namespace RollingContact
   }
 
   template <int dim>
+  std::unique_ptr<ContactVibration> DirectBody<dim>::vibration_of(
+    const std::vector<SurfaceNode>  &nodes,
+    const std::vector<unsigned int> &components) const
+  {
+    return std::make_unique<VibrationOfUnknowns>(unknowns(nodes, components),
+                                                 n_unknowns());
+  }
+
+  template <int dim>
   std::string DirectBody<dim>::description() const
   {
     if (factor == nullptr)

@@ -3,6 +3,7 @@
 #include <rolling_contact/bodies/half_space_influence.h>
 #include <rolling_contact/bodies/moment_fields.h>
 #include <rolling_contact/bodies/split_body.h>
+#include <rolling_contact/bodies/split_vibration.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +22,12 @@ namespace RollingContact
     const double elements_of_radius = 10., coarser = 2.;
 
     /**
+     * Elements over that radius of bodies with cells of their own, which are
+     * halved until they are smaller: on average as small as those of others.
+     */
+    const double elements_of_own_cells = 7.;
+
+    /**
      * What second order in the curvature may add, over what first order does.
      */
     const double of_second_order_in_curvature = 1. / 3;
@@ -29,13 +36,17 @@ namespace RollingContact
      * Elements alike around the contact point and larger ones beyond, which do
      * not know the patch.
      */
-    Grading<3> grading_of(const FadingRegion &fading, const double larger)
+    Grading<3> grading_of(const BodyShape    &shape,
+                          const FadingRegion &fading,
+                          const double        larger)
     {
       Grading<3> grading;
       grading.element_size_x = grading.element_size_y =
-        larger * fading.outer / elements_of_radius;
+        larger * fading.outer /
+        (shape.has_own_cells() ? elements_of_own_cells : elements_of_radius);
       grading.zone_x = grading.zone_y = grading.zone_depth = fading.outer / 2;
       grading.growth                                       = 0.8;
+      grading.is_alone                                     = true;
       return grading;
     }
 
@@ -83,15 +94,43 @@ namespace RollingContact
       std::array<double, 2> element_size, half_widths;
       double                farthest = 0.;
     };
+
+    /**
+     * Moments of several sets of nodal forces, by columns.
+     */
+    DenseMatrix moments_of(const Positions                        &positions,
+                           const std::vector<unsigned int>        &components,
+                           const std::vector<std::vector<double>> &forces)
+    {
+      DenseMatrix f(components.size() * positions.size(), forces.size());
+      for (std::size_t k = 0; k < forces.size(); ++k)
+        f.col(k) = as_vector(forces[k]);
+      return shapes_of_moments(positions, components).transpose() * f;
+    }
+
+    /**
+     * Moments of displacement under moments of force, by work alone.
+     */
+    DenseMatrix moments_of(DirectBody<3> &body, const FadedFields &fields)
+    {
+      return fields.F.transpose() * body.solve(fields.F) + fields.Q;
+    }
   } // namespace
 
   SplitBody::SplitBody(const std::shared_ptr<const BodyShape> &shape,
                        const Material                         &material,
                        const FadingRegion                     &fading,
-                       const BodyModel                        &model)
-    : DirectBody<3>(shape, material, 1., grading_of(fading, 1.), false, model)
+                       const BodyModel                        &model,
+                       const bool                              vibrates)
+    : DirectBody<3>(shape,
+                    material,
+                    1.,
+                    grading_of(*shape, fading, 1.),
+                    vibrates,
+                    model)
     , shape(shape)
     , fading(fading)
+    , vibrates(vibrates)
   {}
 
   void SplitBody::analyse()
@@ -99,12 +138,20 @@ namespace RollingContact
     if (S.size() > 0)
       return;
     DirectBody<3> larger(
-      shape, material, 1., grading_of(fading, coarser), true, model);
-    S = patch_correction(*this, *shape, fading);
+      shape, material, 1., grading_of(*shape, fading, coarser), true, model);
+    FadedFields of_mesh(*this, *shape, fading);
+    S_of_mesh = moments_of(*this, of_mesh);
     change =
-      (S - patch_correction(larger, *shape, fading)) / (coarser * coarser - 1);
-    S += change;
-    release_factor();
+      (S_of_mesh - moments_of(larger, FadedFields(larger, *shape, fading))) /
+      (coarser * coarser - 1);
+    S = S_of_mesh + change;
+    if (vibrates)
+      {
+        fields  = std::move(of_mesh);
+        inertia = FadedInertia(*this, fading);
+      }
+    else
+      release_factor();
   }
 
   DenseMatrix SplitBody::compliance(const std::vector<SurfaceNode>  &nodes,
@@ -114,7 +161,13 @@ namespace RollingContact
     if (P.size() > 0)
       throw std::logic_error("A split body has the nodes of the interface.");
     analyse();
-    const auto  positions = positions_of(nodes);
+    return compliance_of(positions_of(nodes), components);
+  }
+
+  DenseMatrix
+  SplitBody::compliance_of(const Positions                 &positions,
+                           const std::vector<unsigned int> &components) const
+  {
     DenseMatrix W =
       HalfSpaceInfluence(material, NodeGrid(positions).element_size)
         .compliance(positions, components);
@@ -134,14 +187,8 @@ namespace RollingContact
     const std::vector<unsigned int>        &components,
     const std::vector<std::vector<double>> &forces) const
   {
-    DenseMatrix f(components.size() * nodes.size(), forces.size());
-    for (std::size_t k = 0; k < forces.size(); ++k)
-      f.col(k) =
-        Eigen::Map<const Eigen::VectorXd>(forces[k].data(), forces[k].size());
     const auto        positions = positions_of(nodes);
-    const DenseMatrix moments =
-                        shapes_of_moments(positions, components).transpose() *
-                        f,
+    const DenseMatrix moments   = moments_of(positions, components, forces),
                       of_curvature =
                         curvature_correction(*shape,
                                              material,
@@ -159,6 +206,41 @@ namespace RollingContact
     return {work(change),
             work(NodeGrid(positions).farthest / fading.outer * highest),
             work(of_second_order_in_curvature * of_curvature)};
+  }
+
+  void SplitBody::require_vibrating() const
+  {
+    if (!vibrates)
+      throw std::logic_error("Of this split body only the contact is known.");
+  }
+
+  std::vector<BodyField>
+  SplitBody::recover(const std::vector<SurfaceNode>         &nodes,
+                     const std::vector<unsigned int>        &components,
+                     const std::vector<std::vector<double>> &forces)
+  {
+    require_vibrating();
+    const DenseMatrix m = moments_of(positions_of(nodes), components, forces),
+                      x = solve(fields.F * m) + inertia.at_nodes * m;
+    std::vector<BodyField> displacements;
+    for (std::size_t k = 0; k < forces.size(); ++k)
+      displacements.push_back(field(column_of(x, k)));
+    return displacements;
+  }
+
+  std::unique_ptr<ContactVibration>
+  SplitBody::vibration_of(const std::vector<SurfaceNode>  &nodes,
+                          const std::vector<unsigned int> &components) const
+  {
+    require_vibrating();
+    const auto positions = positions_of(nodes);
+    return std::make_unique<SplitVibration>(
+      SplitCompliance{fields,
+                      inertia,
+                      S_of_mesh,
+                      shapes_of_moments(positions, components),
+                      compliance_of(positions, components)},
+      model.damping);
   }
 
   std::unique_ptr<BodyDynamics>

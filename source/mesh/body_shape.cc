@@ -123,6 +123,14 @@ namespace RollingContact
     return nullptr;
   }
 
+  double BodyShape::distance_to_edge() const
+  {
+    if (is_swept() || parameters.mesh)
+      return 0.;
+    const auto across = room_across();
+    return std::min({reach_x(), -across[0], across[1], thickness_below()});
+  }
+
   std::array<double, 2> BodyShape::room_across() const
   {
     return {{-reach_y(), reach_y()}};
@@ -164,8 +172,15 @@ namespace RollingContact
 
   bool BodyShape::is_twin_of(const BodyShape &other) const
   {
-    return typeid(*this) == typeid(other) && !mesh() && !is_swept() &&
-           hub() == other.hub() && dimensions() == other.dimensions();
+    return is_same_as(other) && !mesh() && !is_swept();
+  }
+
+  bool BodyShape::is_same_as(const BodyShape &other) const
+  {
+    return typeid(*this) == typeid(other) && hub() == other.hub() &&
+           parameters.mesh == other.parameters.mesh &&
+           parameters.profile == other.parameters.profile &&
+           dimensions() == other.dimensions();
   }
 
   void BodyShape::check_extent(const unsigned int dimension,

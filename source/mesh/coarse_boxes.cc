@@ -380,7 +380,7 @@ namespace RollingContact
 
   Grading<3> grading_of_body(const BodyShape &shape, const Grading<3> &grading)
   {
-    if (!shape.has_own_cells() || grading.is_uniform)
+    if (!shape.has_own_cells() || grading.is_uniform || grading.is_alone)
       return grading;
     Grading<3>  own = grading.of_coupled_body();
     const auto &strip =

@@ -20,6 +20,10 @@ namespace RollingContact
     /// of an edge's length, its ends may be off the circle that it follows
     const double on_circle = 1e-3;
 
+    /// so far below its circle, over the distance from the contact point, a
+    /// running surface is an edge
+    const double steepest = 0.2;
+
     using Edge = std::pair<unsigned int, unsigned int>; ///< ends, ascending
 
     std::map<Edge, SectionBoundary> boundary_of(const FileMesh &mesh)
@@ -33,6 +37,22 @@ namespace RollingContact
     }
 
     /**
+     * Whether both ends of an edge are on the circle of this radius across, or
+     * the straight line, with the contact point at this height.
+     */
+    bool follows_crown(const SectionPoint &p,
+                       const SectionPoint &q,
+                       const double        top,
+                       const double        lateral_radius)
+    {
+      const double tolerance = on_circle * std::hypot(q[0] - p[0], q[1] - p[1]);
+      const auto   off       = [&](const SectionPoint &point) {
+        return std::abs(point[1] - top + crown_depth(lateral_radius, point[0]));
+      };
+      return std::max(off(p), off(q)) <= tolerance;
+    }
+
+    /**
      * The edge from @p p to @p q, with the contact point at this height, along
      * the circle of this radius across; none if its ends are not on it.
      */
@@ -41,19 +61,33 @@ namespace RollingContact
                                const double        top,
                                const double        lateral_radius)
     {
-      const double tolerance = on_circle * std::hypot(q[0] - p[0], q[1] - p[1]);
-      const auto   height    = [=](const double y) {
+      if (lateral_radius == 0. || !follows_crown(p, q, top, lateral_radius))
+        return {};
+      const auto height = [=](const double y) {
         return top - crown_depth(lateral_radius, y);
       };
       const double off_p = p[1] - height(p[0]), off_q = q[1] - height(q[0]);
-      if (lateral_radius == 0. ||
-          std::max(std::abs(off_p), std::abs(off_q)) > tolerance)
-        return {};
       return [=](const double t) {
         const double y = (1 - t) * p[0] + t * q[0],
                      z = height(y) + (1 - t) * off_p + t * off_q;
         return SectionPoint{{y, z, (1 - t) * p[2] + t * q[2]}};
       };
+    }
+
+    /** Distance of a point from the segment between two others. Units: m. */
+    double distance_to_segment(const std::array<double, 2> &from,
+                               const SectionPoint          &p,
+                               const SectionPoint          &q)
+    {
+      const double along_y = q[0] - p[0], along_z = q[1] - p[1],
+                   square = along_y * along_y + along_z * along_z,
+                   t      = std::clamp(((from[0] - p[0]) * along_y +
+                                   (from[1] - p[1]) * along_z) /
+                                    square,
+                                  0.,
+                                  1.);
+      return std::hypot(p[0] + t * along_y - from[0],
+                        p[1] + t * along_z - from[1]);
     }
   } // namespace
 
@@ -100,6 +134,23 @@ namespace RollingContact
                        ": the hub must be another part of the boundary.");
   }
 
+  double SectionFileShape::surface_height(const double x, const double y) const
+  {
+    if (parameters.mesh && !parameters.profile)
+      for (const FileMesh::Face &edge : parameters.mesh->contact_faces)
+        {
+          const auto &p = parameters.mesh->vertices[edge[0]],
+                     &q = parameters.mesh->vertices[edge[1]];
+          const SectionPoint begin{{p[0], p[2], p[2]}}, end{{q[0], q[2], q[2]}};
+          const double       t = (y - p[0]) / (q[0] - p[0]);
+          if (t >= 0. && t <= 1. &&
+              !follows_crown(begin, end, 0., parameters.lateral_radius))
+            return (1 - t) * p[2] + t * q[2] -
+                   crown_depth(parameters.radius, x);
+        }
+    return BodyShape::surface_height(x, y);
+  }
+
   double SectionFileShape::thickness_below() const
   {
     return parameters.mesh ? parameters.mesh->depth : 0.;
@@ -126,6 +177,39 @@ namespace RollingContact
     // under a profile, from wherever that touches
     return parameters.profile ? mesh.upper[0] - mesh.lower[0]
                               : std::min(-mesh.lower[0], mesh.upper[0]);
+  }
+
+  double SectionFileShape::distance_to_edge() const
+  {
+    if (!parameters.mesh || parameters.profile)
+      return 0.;
+    const SectionMesh            body = section();
+    std::map<Edge, unsigned int> cells_at;
+    for (unsigned int cell = 0; cell < body.quads().size(); ++cell)
+      for (unsigned int edge = 0; edge < 4; ++edge)
+        {
+          const auto ends = body.ends_of_edge(cell, edge);
+          ++cells_at[std::minmax(ends[0], ends[1])];
+        }
+    const auto   boundary = boundary_of(*parameters.mesh);
+    const double top      = parameters.radius;
+    const auto   is_edge  = [&](const SectionPoint &point) {
+      return top - crown_depth(parameters.lateral_radius, point[0]) - point[1] >
+             steepest * std::hypot(point[0], point[1] - top);
+    };
+    double distance = reach_x();
+    for (const auto &[ends, n_cells] : cells_at)
+      {
+        const SectionPoint &p = body.vertices()[ends.first],
+                           &q = body.vertices()[ends.second];
+        const auto found      = boundary.find(ends);
+        const bool runs       = found != boundary.end() &&
+                          found->second == SectionBoundary::contact &&
+                          !is_edge(p) && !is_edge(q);
+        if (n_cells == 1 && !runs)
+          distance = std::min(distance, distance_to_segment({{0., top}}, p, q));
+      }
+    return distance;
   }
 
   double SectionFileShape::largest_half_width() const
@@ -228,7 +312,9 @@ namespace RollingContact
 
   std::vector<double> SectionFileShape::dimensions() const
   {
-    // never the mirror image of another body
-    return {};
+    return {parameters.radius,
+            parameters.lateral_radius,
+            parameters.block_length,
+            double(parameters.cells_along)};
   }
 } // namespace RollingContact

@@ -59,7 +59,6 @@ namespace RollingContact
     , modes(modes)
     , K_m(K_m)
     , C_m(C_m)
-    , M_phi(times(structure.M, modes.shapes))
     , attached(std::move(attached))
   {
     modal_damping =
@@ -148,9 +147,10 @@ namespace RollingContact
       result += times(structure.C, velocities);
     if (modal_damping.isZero(0.))
       return result;
-    return result + product(M_phi,
-                            modal_damping.asDiagonal() *
-                              product(M_phi.transpose(), velocities));
+    const ComplexMatrix of_modes =
+      modal_damping.asDiagonal() *
+      product(modes.shapes.transpose(), times(structure.M, velocities));
+    return result + times(structure.M, product(modes.shapes, of_modes));
   }
 
   void FullDynamics::add_modes(const Rates   &rates,

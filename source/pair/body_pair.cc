@@ -125,7 +125,8 @@ namespace RollingContact
                  body.hub == Hub::elastic || body.hub == Hub::mass ||
                  body.model.damping.has_sponge()));
       };
-      return demands.factors || needs(scene.wheel) || needs(scene.rail);
+      return demands.factors || demands.modes || needs(scene.wheel) ||
+             needs(scene.rail);
     }
 
     /**
@@ -234,14 +235,15 @@ namespace RollingContact
       const BodySpec &parameters = scene.body(side);
       if constexpr (dim == 3)
         if (is_split())
-          bodies[side] = split_bodies->body_of(parameters, grading);
+          bodies[side] =
+            split_bodies->body_of(parameters, grading, demands.modes);
       if (!bodies[side] && direct)
         bodies[side] =
           std::make_shared<DirectBody<dim>>(parameters.body_shape(),
                                             parameters.material,
                                             parameters.thickness,
                                             grading,
-                                            demands.displacements ||
+                                            demands.whole_bodies() ||
                                               demands.bulk_errors,
                                             parameters.model);
       if (!bodies[side])

@@ -1,5 +1,3 @@
-#include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/base/text.h>
 #include <rolling_contact/pair/mesh_limits.h>
 #include <rolling_contact/pair/parallel_bodies.h>
 #include <rolling_contact/pair/patch_estimate.h>
@@ -128,22 +126,27 @@ namespace RollingContact
   std::vector<double>
   RollingPair<dim>::relative_motion(PerSide<std::vector<double>> bodies) const
   {
-    const std::size_t n_nodes  = trace().nodes.size(),
-                      n_values = components.size() * n_nodes;
-    std::vector<double> result(n_values, 0.);
+    std::vector<double> result(components.size() * trace().nodes.size(), 0.);
     for (const Side side : both_sides)
       {
-        const std::vector<double> motion =
-          pair_interface.coupling[side].to_interface(
-            body_pair.on_all_ranks(side, std::move(bodies[side])));
-        for (std::size_t i = 0; i < motion.size(); ++i)
-          {
-            const bool tangential = i + n_nodes < n_values;
-            result[i] +=
-              side == Side::wheel && tangential ? motion[i] : -motion[i];
-          }
+        const auto part = relative_motion_of(side, std::move(bodies[side]));
+        as_vector(result).head(part.size()) += as_vector(part);
       }
     return result;
+  }
+
+  template <int dim>
+  std::vector<double>
+  RollingPair<dim>::relative_motion_of(const Side          side,
+                                       std::vector<double> motion) const
+  {
+    motion = pair_interface.coupling[side].to_interface(
+      body_pair.on_all_ranks(side, std::move(motion)));
+    const std::size_t first_normal = motion.size() - trace().nodes.size();
+    for (std::size_t i = 0; i < motion.size(); ++i)
+      if (side == Side::rail || i >= first_normal)
+        motion[i] = -motion[i];
+    return motion;
   }
 
   template <int dim>

@@ -44,7 +44,7 @@ namespace RollingContact
                             scene.thickness(),
                             element_size,
                             displacements(side, errors.smooth.forces()));
-    if (!demands.displacements)
+    if (!demands.whole_bodies())
       body.release_factor();
     const std::size_t n = errors.smooth.forces().size();
     DenseMatrix       all(n, n * parts.size());

@@ -47,17 +47,6 @@ namespace RollingContact
     const double largest_curvature = 0.05;
 
     /**
-     * Distance from the contact point to the next edge or to what holds the
-     * body. Units: m.
-     */
-    double distance_to_edge(const BodyShape &shape)
-    {
-      const auto across = shape.room_across();
-      return std::min(
-        {shape.reach_x(), -across[0], across[1], shape.thickness_below()});
-    }
-
-    /**
      * How far the farthest node that may touch is from the contact point.
      * Units: m.
      */
@@ -76,7 +65,7 @@ namespace RollingContact
      */
     FadingRegion fading_region(const BodyShape &shape, const double farthest)
     {
-      const double outer = share_of_distance * distance_to_edge(shape);
+      const double outer = share_of_distance * shape.distance_to_edge();
       FadingRegion fading{outer / outer_over_inner, outer};
       if (fading.loads_end() < farthest)
         fading.inner = outer / least_ratio;
@@ -98,19 +87,19 @@ namespace RollingContact
      */
     std::string reason_of_body(const BodySpec &body, const double farthest)
     {
-      if (body.is_from_file())
-        return "the " + body.section + "'s mesh or section is from a file";
       const auto shape = body.body_shape();
-      if (shape->is_swept())
-        return "the " + body.section + " has the section of its profile";
+      if (!(shape->distance_to_edge() > 0.))
+        return "the " + body.section +
+               "'s mesh is from a file, or its section "
+               "that of a profile";
       const FadingRegion fading = fading_region(*shape, farthest);
       if (fading.loads_end() < farthest)
         return "nodes that may touch are up to " +
                significant(1e3 * farthest, 3) +
                " mm from the contact point, and the next edge of the " +
                body.section + " or what holds it " +
-               significant(1e3 * distance_to_edge(*shape), 3) + " mm, where " +
-               significant(1e3 * distance_to_edge(*shape) * farthest /
+               significant(1e3 * shape->distance_to_edge(), 3) + " mm, where " +
+               significant(1e3 * shape->distance_to_edge() * farthest /
                              fading.loads_end(),
                            3) +
                " mm are needed";
@@ -156,7 +145,7 @@ namespace RollingContact
                               const Grading<dim> &grading,
                               const PairDemands  &demands)
     {
-      if (demands.displacements)
+      if (demands.displacements && !demands.modes)
         return "displacements inside the bodies are wanted (Output/Body fields)";
       if (scene.body_solver == BodySolver::distributed)
         return "bodies are spread over ranks (Body solver = distributed)";
@@ -181,7 +170,7 @@ namespace RollingContact
                                      const PairDemands  &demands)
   {
     const Compliance asked = scene.mesh.compliance;
-    if (dim == 2 || !demands.bulk_errors ||
+    if (dim == 2 || !(demands.bulk_errors || demands.modes) ||
         asked == Compliance::finite_elements)
       return {};
     std::string reason = why_not_split(scene, grading, demands);
@@ -194,18 +183,19 @@ namespace RollingContact
   }
 
   std::shared_ptr<SplitBody> SplitBodies::body_of(const BodySpec   &body,
-                                                  const Grading<3> &grading)
+                                                  const Grading<3> &grading,
+                                                  const bool        vibrates)
   {
     const auto         shape  = body.body_shape();
     const FadingRegion fading = fading_region(*shape, farthest_node(grading));
     const std::lock_guard<std::mutex> lock(alone);
     for (const auto &known : bodies)
-      if (known->is_one_of(*shape, body.material, fading, body.model))
+      if (known->is_one_of(*shape, body.material, fading, body.model, vibrates))
         return known;
     if (bodies.size() == most_kept)
       bodies.erase(bodies.begin());
-    bodies.push_back(
-      std::make_shared<SplitBody>(shape, body.material, fading, body.model));
+    bodies.push_back(std::make_shared<SplitBody>(
+      shape, body.material, fading, body.model, vibrates));
     return bodies.back();
   }
 

@@ -109,18 +109,17 @@ namespace RollingContact
     entries.choice("Compliance", compliance, named_compliances)
       .read_by(scenes_in_3d())
       .read_by({asks<AnalysisTraits>([](const auto &analysis) {
-                  return !analysis.marches && !analysis.linearises &&
-                         !analysis.has_own_meshes;
+                  return !analysis.has_own_meshes;
                 }),
-                "bodies that move in time or vibrate, and studies of their "
-                "meshes, take finite elements"})
+                "studies of meshes take finite elements"})
       .help =
       "What the compliance of the contact nodes is made of: `finite elements` "
       "refined to the patch, or `split` into that of a half-space in closed "
       "form and what the body adds, from a mesh that does not know the patch: "
-      "for plain discs and blocks whose edges are far from the patch, without "
-      "Output/Body fields, in a third of the time. `automatic`: split where "
-      "its error is below that of the elements across the patch.";
+      "for discs, blocks and sections from files whose edges are far from the "
+      "patch, steady without Output/Body fields or vibrating by their modes, in "
+      "a third of the time. `automatic`: split where its error is below that of "
+      "the elements across the patch.";
     entries.add("Rim levels", rim_levels, "1").between(0, 10).help =
       "Further halvings of the element size at the rim of the patch.";
     entries.choice("Rim edges", rim_edges, named_rim_edges).help =

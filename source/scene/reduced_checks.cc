@@ -18,6 +18,11 @@ namespace RollingContact
       throw InputError("Time/Hold approach = true: the approach is that of the "
                        "steady state at t = 0; take Time/Initial state = "
                        "steady and leave Time/Normal load empty.");
+    if (!has_reduced_bodies() && mesh.compliance == Compliance::split)
+      throw InputError(
+        "Mesh/Compliance = split: all unknowns of bodies move in "
+        "time by finite elements; take these, or Time/Bodies = "
+        "reduced.");
     if (!has_reduced_bodies() && time.inertia && !wheel.dampers.number.empty())
       throw InputError("Wheel/Dampers: they hang on modes, and Time/Bodies = "
                        "full has none; leave it empty, or take Time/Bodies = "

@@ -70,10 +70,10 @@ namespace RollingContact
   template <int dim>
   StateDemands StabilityMap<dim>::demands() const
   {
-    StateDemands demands       = Table<dim>::demands();
-    demands.pair.displacements = true;
-    demands.zone               = 1.5;
-    demands.margin             = 3.;
+    StateDemands demands = Table<dim>::demands();
+    demands.pair.modes   = true;
+    demands.zone         = 1.5;
+    demands.margin       = 3.;
     return demands;
   }
 

@@ -185,7 +185,7 @@ namespace RollingContact
                            const Situation        &scene,
                            const bool              keep_all)
   {
-    if (!demands().pair.displacements)
+    if (!demands().pair.whole_bodies())
       base.pair->release_statics();
     take_bodies(scene, base);
     PhaseTimer::Scope        phase(context.timer, Phase::contact_solve);

@@ -320,8 +320,8 @@ namespace RollingContact
     StateDemands in_time = demands_in_time(demands);
     if (scene.inputs->time.inertia) // the motion starts from them
       in_time.pair.displacements = true;
-    const bool reduced   = scene.inputs->has_reduced_bodies();
-    in_time.pair.factors = in_time.pair.factors || reduced;
+    const bool reduced = scene.inputs->has_reduced_bodies();
+    in_time.pair.modes = reduced;
     if (reduced)
       return make_reduced_contact(scene,
                                   make_reduced_bodies<dim>(scene,

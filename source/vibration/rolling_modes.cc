@@ -9,16 +9,17 @@ namespace RollingContact
     /// relative residual of the equations of whole bodies
     const double full_tolerance = 1e-10;
 
-    /** The unknowns of a body at its contact nodes, component by component;
-     * without friction the normal one alone. */
-    template <int dim>
-    std::vector<std::size_t>
-    unknowns_of_contact(const ModalBodies<dim> &modal,
-                        const RollingPair<dim> &rolling,
-                        const Side              side)
+    /** Both parts of complex values by a function of real ones. */
+    template <typename Function>
+    ComplexVector by_parts(const Function      &function,
+                           const ComplexVector &values)
     {
-      return modal.body(side)->body->unknowns(rolling.interface().nodes[side],
-                                              rolling.contact_directions());
+      std::vector<double> real(values.size()), imaginary(values.size());
+      as_vector(real)      = values.real();
+      as_vector(imaginary) = values.imag();
+      real                 = function(std::move(real));
+      imaginary            = function(std::move(imaginary));
+      return as_vector(real) + Complex(0., 1.) * as_vector(imaginary);
     }
   } // namespace
 
@@ -37,16 +38,28 @@ namespace RollingContact
         Phi[side]           = DenseMatrix::Zero(n, m);
         if (m == 0)
           continue;
-        const StructuralModes &modes = modal.body(side)->modes;
-        Phi[side]                    = at_contact(side, modes.shapes);
-        DenseMatrix soft             = Phi[side]; // Phi Lambda^-1
+        const VibratingBody<dim> &body  = *modal.body(side);
+        const StructuralModes    &modes = body.modes;
+        contacts[side] =
+          body.body->vibration_of(rolling.interface().nodes[side],
+                                  rolling.contact_directions());
+        std::vector<double> eigenvalues;
         for (std::size_t j = 0; j < m; ++j)
-          soft.col(j) /= modes.eigenvalue(j);
+          eigenvalues.push_back(modes.eigenvalue(j));
+        Phi[side] =
+          at_contact(side, contacts[side]->of_modes(modes.shapes, eigenvalues));
+        DenseMatrix soft = Phi[side]; // Phi Lambda^-1
+        for (std::size_t j = 0; j < m; ++j)
+          soft.col(j) /= eigenvalues[j];
         W_res -= soft * Phi[side].transpose();
         const AbsorberPlaces &places = modal.absorber_places(side);
         if (places.n_coordinates() > 0)
-          cross[side] = at_contact(side, places.deflected) -
-                        soft * places.motions.transpose();
+          cross[side] =
+            at_contact(side,
+                       contacts[side]->of_modes(
+                         places.deflected,
+                         std::vector<double>(places.deflected.cols(), 0.))) -
+            soft * places.motions.transpose();
       }
     check(reduced(bodies.standing()));
   }
@@ -55,22 +68,10 @@ namespace RollingContact
   DenseMatrix RollingModes<dim>::at_contact(const Side         side,
                                             const DenseMatrix &motions) const
   {
-    PerSide<std::vector<std::size_t>> unknowns;
-    PerSide<std::vector<double>>      at_rest;
-    for (const Side it : both_sides)
-      if (modal.body(it) != nullptr)
-        {
-          unknowns[it] = unknowns_of_contact(modal, rolling, it);
-          at_rest[it].assign(unknowns[it].size(), 0.);
-        }
     DenseMatrix result = DenseMatrix::Zero(W_res.rows(), motions.cols());
     for (Eigen::Index j = 0; j < motions.cols(); ++j)
-      {
-        PerSide<std::vector<double>> moved = at_rest;
-        for (std::size_t i = 0; i < unknowns[side].size(); ++i)
-          moved[side][i] = motions(unknowns[side][i], j);
-        result.col(j) = as_vector(rolling.relative_motion(std::move(moved)));
-      }
+      result.col(j) =
+        as_vector(rolling.relative_motion_of(side, column_of(motions, j)));
     return result;
   }
 
@@ -180,26 +181,29 @@ namespace RollingContact
     const ModalBodies<dim> &modal = rolling.bodies();
     for (const Side side : both_sides)
       if (modal.body(side) != nullptr)
-        {
-          bodies[side]   = modal.whole_body(side, conditions);
-          unknowns[side] = unknowns_of_contact(modal, rolling.pair(), side);
-        }
+        bodies[side] = modal.whole_body(side, conditions);
   }
 
   template <int dim>
-  ComplexVector WholeBodies<dim>::load(const Side           side,
-                                       const ComplexVector &forces) const
+  typename WholeBodies<dim>::Answer
+  WholeBodies<dim>::answer(const Side                        side,
+                           const ComplexValues              &s,
+                           const std::vector<ComplexVector> &forces) const
   {
-    std::vector<double> real(forces.size()), imaginary(forces.size());
-    as_vector(real)           = forces.real();
-    as_vector(imaginary)      = forces.imag();
-    const auto load_real      = rolling.pair().forces_on_body(side, real),
-               load_imaginary = rolling.pair().forces_on_body(side, imaginary);
-    ComplexVector b =
-      ComplexVector::Zero(rolling.bodies().body(side)->K.size());
-    for (std::size_t i = 0; i < unknowns[side].size(); ++i)
-      b[unknowns[side][i]] += Complex(load_real[i], load_imaginary[i]);
-    return b;
+    Answer                     answer;
+    std::vector<ComplexVector> loads;
+    for (std::size_t k = 0; k < forces.size(); ++k)
+      {
+        answer.forces.push_back(by_parts(
+          [&](std::vector<double> part) {
+            return rolling.pair().forces_on_body(side, std::move(part));
+          },
+          forces[k]));
+        loads.push_back(
+          rolling.contact_of(side).load(s[k], answer.forces.back()));
+      }
+    answer.x = bodies[side]->solve(s, loads, full_tolerance);
+    return answer;
   }
 
   template <int dim>
@@ -210,10 +214,11 @@ namespace RollingContact
   {
     if (!bodies[side])
       return std::vector<ComplexVector>(forces.size());
-    std::vector<ComplexVector> loads;
-    for (const ComplexVector &force : forces)
-      loads.push_back(load(side, force));
-    return bodies[side]->solve(s, loads, full_tolerance);
+    Answer moved = answer(side, s, forces);
+    for (std::size_t k = 0; k < forces.size(); ++k)
+      moved.x[k] =
+        rolling.contact_of(side).of_body(s[k], moved.forces[k], moved.x[k]);
+    return std::move(moved.x);
   }
 
   template <int dim>
@@ -221,22 +226,22 @@ namespace RollingContact
   WholeBodies<dim>::response(const ComplexValues              &s,
                              const std::vector<ComplexVector> &forces) const
   {
-    PerSide<std::vector<ComplexVector>> x;
-    for (const Side side : both_sides)
-      x[side] = motion(side, s, forces);
     std::vector<ComplexVector> result;
-    for (std::size_t k = 0; k < forces.size(); ++k)
+    for (const ComplexVector &force : forces)
+      result.push_back(ComplexVector::Zero(force.size()));
+    for (const Side side : both_sides)
       {
-        PerSide<std::vector<double>> real, imaginary;
-        for (const Side side : both_sides)
-          for (const std::size_t unknown : unknowns[side])
-            {
-              real[side].push_back(x[side][k][unknown].real());
-              imaginary[side].push_back(x[side][k][unknown].imag());
-            }
-        const auto u = rolling.pair().relative_motion(std::move(real)),
-                   v = rolling.pair().relative_motion(std::move(imaginary));
-        result.push_back(as_vector(u) + Complex(0., 1.) * as_vector(v));
+        if (!bodies[side])
+          continue;
+        const Answer moved = answer(side, s, forces);
+        for (std::size_t k = 0; k < forces.size(); ++k)
+          result[k] += by_parts(
+            [&](std::vector<double> part) {
+              return rolling.pair().relative_motion_of(side, std::move(part));
+            },
+            rolling.contact_of(side).of_nodes(s[k],
+                                              moved.forces[k],
+                                              moved.x[k]));
       }
     return result;
   }

@@ -92,9 +92,8 @@ namespace VibratingPair
       run.scene.analysis = analysis_kind("stability");
       run.scene.check();
       PairDemands pair;
-      pair.displacements = true;
-      pair.factors       = true;
-      steady             = solve_steady_state<dim>(run.situation(),
+      pair.modes = true;
+      steady     = solve_steady_state<dim>(run.situation(),
                                        demands_in_time(pair),
                                        run.context);
       BOOST_TEST_REQUIRE(steady.solver.converged);

@@ -13,7 +13,7 @@ namespace RollingContact
   /**
    * What the curvature of a body's surface, z = h(x, y) in place of z = 0, adds
    * to its displacements under and around a patch of these @p half_widths:
-   * moments of displacement by force_moments(), as patch_correction(). To first
+   * moments of displacement by force_moments(), as those of SplitBody. To first
    * order in h two loads i and j on the plane, of tractions t, have
    *   int h [- sigma_ab(j) eps_ab(i) + t_a(i) t_a(j) / G - t_a(i) u_z,a(j)
    *          - t_a(j) u_z,a(i) + t_z(i) u_z,z(j)] dS,   a, b = x, y,

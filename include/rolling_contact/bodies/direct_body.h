@@ -2,6 +2,7 @@
 #define rolling_contact_bodies_direct_body_h
 
 #include <rolling_contact/algebra/factorisation.h>
+#include <rolling_contact/bodies/contact_vibration.h>
 #include <rolling_contact/bodies/elastic_body.h>
 
 namespace RollingContact
@@ -74,6 +75,14 @@ namespace RollingContact
     {
       factor->release();
     }
+
+    /**
+     * How contact nodes belong to vibrations of all unknowns, numbered as in
+     * compliance().
+     */
+    virtual std::unique_ptr<ContactVibration>
+    vibration_of(const std::vector<SurfaceNode>  &nodes,
+                 const std::vector<unsigned int> &components) const;
 
     std::size_t n_unknowns() const override
     {

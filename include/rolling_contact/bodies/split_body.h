@@ -2,7 +2,7 @@
 #define rolling_contact_bodies_split_body_h
 
 #include <rolling_contact/bodies/direct_body.h>
-#include <rolling_contact/bodies/patch_correction.h>
+#include <rolling_contact/bodies/faded_fields.h>
 
 namespace RollingContact
 {
@@ -14,7 +14,14 @@ namespace RollingContact
    *   W = W_hs + Phi S Phi^T,
    * Phi the values x^i y^j/(i! j!) of force_moments() at the nodes. S is that
    * of two meshes, extrapolated, and what the curvature under the nodes adds.
-   * It gives no displacements away from the contact, and has no motion in time.
+   * S comes from the fields chi u_hs of half-spaces under each moment, which
+   * fade out within the body, and from u_c, what the body adds to them, a field
+   * that is smooth where the load is, so that elements which do not know the
+   * patch are enough:
+   *   S_kl = F_k K^-1 F_l + F_k(chi u_hs,l),
+   * F of FadedFields, with curvature_correction() under the patch. A body that
+   * vibrates keeps its factor, and its modes are those of the same mesh; others
+   * give no displacements away from the contact. It has no motion in time.
    */
   class SplitBody final : public DirectBody<3>
   {
@@ -26,7 +33,8 @@ namespace RollingContact
     SplitBody(const std::shared_ptr<const BodyShape> &shape,
               const Material                         &material,
               const FadingRegion                     &fading,
-              const BodyModel                        &model);
+              const BodyModel                        &model,
+              const bool                              vibrates);
 
     /**
      * Whether it is a body of this kind.
@@ -34,18 +42,20 @@ namespace RollingContact
     bool is_one_of(const BodyShape    &other_shape,
                    const Material     &other_material,
                    const FadingRegion &other_fading,
-                   const BodyModel    &other_model) const
+                   const BodyModel    &other_model,
+                   const bool          other_vibrates) const
     {
-      return shape->is_twin_of(other_shape) && material == other_material &&
-             fading.inner == other_fading.inner && model == other_model;
+      return shape->is_same_as(other_shape) && material == other_material &&
+             fading.inner == other_fading.inner && model == other_model &&
+             vibrates == other_vibrates;
     }
 
     /**
-     * Not a body of which anything but the contact is known.
+     * Unless it vibrates, nothing but the contact is known of the body.
      */
     const DirectBody<3> *with_factor() const override
     {
-      return nullptr;
+      return vibrates ? this : nullptr;
     }
 
     /**
@@ -70,7 +80,19 @@ namespace RollingContact
       const std::vector<unsigned int>        &components,
       const std::vector<std::vector<double>> &forces) const override;
 
-    /** Nothing, as its factor went when S was known. */
+    /** Throws std::logic_error unless the body vibrates. */
+    std::vector<BodyField>
+    recover(const std::vector<SurfaceNode>         &nodes,
+            const std::vector<unsigned int>        &components,
+            const std::vector<std::vector<double>> &forces) override;
+
+    /** Throws std::logic_error unless the body vibrates, which must outlive
+     * what is returned. */
+    std::unique_ptr<ContactVibration>
+    vibration_of(const std::vector<SurfaceNode>  &nodes,
+                 const std::vector<unsigned int> &components) const override;
+
+    /** Nothing, as its factor is small or went when S was known. */
     void release_solver() override
     {}
 
@@ -84,9 +106,18 @@ namespace RollingContact
     std::string description() const override;
 
   private:
+    void require_vibrating() const;
+
+    DenseMatrix
+    compliance_of(const std::vector<std::array<double, 2>> &positions,
+                  const std::vector<unsigned int>          &components) const;
+
     const std::shared_ptr<const BodyShape> shape;
     const FadingRegion                     fading;
-    DenseMatrix                            S, change; ///< without curvature
+    const bool                             vibrates;
+    DenseMatrix  S_of_mesh, S, change; ///< without curvature
+    FadedFields  fields;               ///< if it vibrates, as inertia
+    FadedInertia inertia;
   };
 } // namespace RollingContact
 

@@ -77,6 +77,13 @@ namespace RollingContact
     virtual std::array<double, 2> room_across() const;
 
     /**
+     * Distance from the contact point to the next edge or to what holds the
+     * body: so far it is a half-space but for the curvature of its surface. 0
+     * for shapes that do not know.
+     */
+    virtual double distance_to_edge() const;
+
+    /**
      * Largest half-width of a patch that line_compression() is asked for.
      */
     virtual double largest_half_width() const;
@@ -177,6 +184,11 @@ namespace RollingContact
      * bring their meshes or are swept never do.
      */
     bool is_twin_of(const BodyShape &other) const;
+
+    /**
+     * Whether the program meshes both alike.
+     */
+    bool is_same_as(const BodyShape &other) const;
 
   protected:
     /**

@@ -78,6 +78,7 @@ namespace RollingContact
 
     double deeper = 1.; ///< elements, see element_size_z()
 
+    bool is_alone   = false; ///< no nodes of contact are on the body
     bool is_uniform = false; ///< all cells alike, of at most the element sizes
 
     /**

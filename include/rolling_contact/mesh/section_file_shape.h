@@ -21,6 +21,11 @@ namespace RollingContact
 
     void check(const unsigned int dimension, const bool rigid) const override;
 
+    /**
+     * Along the running surface of the section, revolved or extruded.
+     */
+    double surface_height(const double x, const double y) const override;
+
     double thickness_below() const override;
 
     std::optional<Axle> axle() const override;
@@ -28,6 +33,12 @@ namespace RollingContact
     double reach_x() const override;
 
     double reach_y() const override;
+
+    /**
+     * In the section, to the next edge that is not of the running surface or is
+     * far below its circle; 0 under a profile.
+     */
+    double distance_to_edge() const override;
 
     double largest_half_width() const override;
 

@@ -129,7 +129,6 @@ namespace RollingContact
     Eigen::VectorXd        modal_damping; ///< 2 zeta omega
     Eigen::VectorXd        inverse_eigenvalues;
     DenseMatrix            K_m, C_m;
-    DenseMatrix            M_phi;
 
     std::optional<AttachedDynamics> attached;
 

@@ -17,11 +17,20 @@ namespace RollingContact
     /** How far off the compliance is for want of elements in the bulk will be
      * asked for. */
     bool bulk_errors = false;
+    /** Modes of the bodies and displacements by them will be asked for, so
+     * that bodies keep their factors. */
+    bool modes = false;
     /** The compliance must be exact: bodies are factorised. */
     bool factors = false;
     /** Surfaces that move are left out of the gap: each step of time brings
      * its own. */
     bool surfaces_in_time = false;
+    /** Displacements of whole bodies will be asked for. */
+    bool whole_bodies() const
+    {
+      return displacements || modes;
+    }
+
     /** Where split bodies are kept for other meshes; none: they are not. */
     std::shared_ptr<SplitBodies> split_bodies;
   };

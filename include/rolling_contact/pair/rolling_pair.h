@@ -160,6 +160,12 @@ namespace RollingContact
     relative_motion(PerSide<std::vector<double>> body_motions) const;
 
     /**
+     * The part of one elastic body in relative_motion(). Collective.
+     */
+    std::vector<double> relative_motion_of(const Side          side,
+                                           std::vector<double> motion) const;
+
+    /**
      * False if the W of contact_problem() is an approximation that the
      * response() of the bodies corrects.
      */

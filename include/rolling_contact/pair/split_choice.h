@@ -39,7 +39,8 @@ namespace RollingContact
   {
   public:
     std::shared_ptr<SplitBody> body_of(const BodySpec   &body,
-                                       const Grading<3> &grading);
+                                       const Grading<3> &grading,
+                                       const bool        vibrates);
 
   private:
     std::mutex                              alone;

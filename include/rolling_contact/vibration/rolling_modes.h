@@ -67,16 +67,24 @@ namespace RollingContact
       return rolling;
     }
 
+    /** How the contact nodes belong to vibrations of an elastic body. */
+    const ContactVibration &contact_of(const Side side) const
+    {
+      return *contacts[side];
+    }
+
   private:
-    /** Motions of the unknowns of a body, by columns, as the relative motion at
-     * the contact nodes. */
+    /** Motions of the contact nodes of a body, by columns, as the relative
+     * motion. */
     DenseMatrix at_contact(const Side side, const DenseMatrix &motions) const;
 
     const ModalBodies<dim> &modal;
     const RollingPair<dim> &rolling;
-    PerSide<DenseMatrix>    Phi;   ///< of the modes of a body
-    PerSide<DenseMatrix>    cross; ///< between contact and absorbers, residual
-    DenseMatrix             W_res; ///< without absorbers
+
+    PerSide<std::unique_ptr<ContactVibration>> contacts;
+    PerSide<DenseMatrix>                       Phi; ///< of the modes of a body
+    PerSide<DenseMatrix> cross; ///< between contact and absorbers, residual
+    DenseMatrix          W_res; ///< without absorbers
   };
 
   /**
@@ -111,12 +119,19 @@ namespace RollingContact
     unsigned int n_iterations() const;
 
   private:
-    /** Nodal forces of contact as those of all unknowns of a body. */
-    ComplexVector load(const Side side, const ComplexVector &forces) const;
+    /** What nodal forces of contact move of a body, its unknowns. */
+    struct Answer
+    {
+      std::vector<ComplexVector> forces; ///< on the contact nodes of the body
+      std::vector<ComplexVector> x;
+    };
+
+    Answer answer(const Side                        side,
+                  const ComplexValues              &s,
+                  const std::vector<ComplexVector> &forces) const;
 
     const RollingModes<dim>               &rolling;
     PerSide<std::unique_ptr<FullDynamics>> bodies;
-    PerSide<std::vector<std::size_t>>      unknowns; ///< of contact
   };
 } // namespace RollingContact
 

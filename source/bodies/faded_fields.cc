@@ -1,9 +1,11 @@
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/mapping_q1.h>
 
+#include <rolling_contact/bodies/faded_fields.h>
 #include <rolling_contact/bodies/hookes_law.h>
 #include <rolling_contact/bodies/moment_fields.h>
-#include <rolling_contact/bodies/patch_correction.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,6 +30,22 @@ namespace RollingContact
       double       value;
       Tensor<1, 3> gradient;
     };
+
+    DenseMatrix as_unknowns(const DirectBody<3>          &body,
+                            const std::vector<BodyField> &fields)
+    {
+      DenseMatrix result(body.n_unknowns(), fields.size());
+      for (std::size_t k = 0; k < fields.size(); ++k)
+        result.col(k) = as_vector(body.unknowns_of(fields[k]));
+      return result;
+    }
+
+    std::vector<BodyField> zero_fields(const DirectBody<3> &body)
+    {
+      return std::vector<BodyField>(
+        force_moments().size(),
+        body.field(std::vector<double>(body.n_unknowns(), 0.)));
+    }
 
     Tensor<2, 3> stress(const Tensor<2, 3> &gradient, const Material &material)
     {
@@ -95,7 +113,8 @@ namespace RollingContact
     Loads::Loads(const DirectBody<3> &body,
                  const BodyShape     &shape,
                  const FadingRegion  &region)
-      : Q(DenseMatrix::Zero(force_moments().size(), force_moments().size()))
+      : F(zero_fields(body))
+      , Q(DenseMatrix::Zero(force_moments().size(), force_moments().size()))
       , body(body)
       , shape(shape)
       , region(region)
@@ -109,8 +128,6 @@ namespace RollingContact
                 update_values | update_gradients | update_quadrature_points |
                   update_JxW_values | update_normal_vectors)
     {
-      for (std::size_t k = 0; k < n; ++k)
-        F.push_back(body.field(std::vector<double>(body.n_unknowns(), 0.)));
       for (const auto &cell : body.dof_handler().active_cell_iterators())
         if (cell->center().norm() - cell->diameter() / 2 < region.outer)
           add_cell(cell);
@@ -207,18 +224,92 @@ namespace RollingContact
     }
   } // namespace
 
-  DenseMatrix patch_correction(DirectBody<3>      &body,
-                               const BodyShape    &shape,
-                               const FadingRegion &fading)
+  FadedFields::FadedFields(const DirectBody<3> &body,
+                           const BodyShape     &shape,
+                           const FadingRegion  &fading)
   {
-    const Loads       loads(body, shape, fading);
-    const std::size_t n = loads.F.size();
-    DenseMatrix       F(body.n_unknowns(), n);
-    for (std::size_t k = 0; k < n; ++k)
+    const Loads loads(body, shape, fading);
+    F = as_unknowns(body, loads.F);
+    Q = (loads.Q + loads.Q.transpose()) / 2;
+  }
+
+  namespace
+  {
+    /// of the inner radius, within which fields are those at this distance
+    const double spread = 0.25;
+
+    /**
+     * chi u_hs of each moment by component, 18 x 3; none where chi is 0.
+     */
+    DenseMatrix
+    faded_at(Point<3> at, const Material &material, const FadingRegion &fading)
+    {
+      at[2]                 = std::min(at[2], 0.);
+      const double distance = at.norm(), chi = fading.at(distance),
+                   least = spread * fading.inner;
+      if (chi == 0.)
+        return {};
+      if (distance < least)
+        at = distance > 0. ? least / distance * at : Point<3>(0., 0., -least);
+      const auto  fields = moment_fields(at, material);
+      DenseMatrix faded(fields.size(), 3);
+      for (std::size_t k = 0; k < fields.size(); ++k)
+        for (unsigned int d = 0; d < 3; ++d)
+          faded(k, d) = chi * fields[k].value[d];
+      return faded;
+    }
+  } // namespace
+
+  FadedInertia::FadedInertia(const DirectBody<3> &body,
+                             const FadingRegion  &fading)
+  {
+    const auto            &dofs     = body.dof_handler();
+    const Material        &material = body.elasticity();
+    const std::size_t      n        = force_moments().size();
+    std::vector<BodyField> of_loads = zero_fields(body), of_nodes = of_loads;
+    std::vector<Point<3>>  positions(dofs.n_dofs());
+    DoFTools::map_dofs_to_support_points(MappingQ1<3>(), dofs, positions);
+    for (std::size_t i = 0; i < positions.size(); ++i)
+      if (const DenseMatrix faded = faded_at(positions[i], material, fading);
+          faded.size() > 0)
+        for (std::size_t k = 0; k < n; ++k)
+          of_nodes[k][i] = faded(k, i % 3);
+    at_nodes = as_unknowns(body, of_nodes);
+
+    FEValues<3>                          values(dofs.get_fe(),
+                       QIterated<3>(QGauss<1>(2), 2),
+                       update_values | update_quadrature_points |
+                         update_JxW_values);
+    std::vector<types::global_dof_index> numbers(values.dofs_per_cell);
+    mutual = DenseMatrix::Zero(n, n);
+    for (const auto &cell : dofs.active_cell_iterators())
       {
-        const std::vector<double> f = body.unknowns_of(loads.F[k]);
-        F.col(k) = Eigen::Map<const Eigen::VectorXd>(f.data(), f.size());
+        if (cell->center().norm() - cell->diameter() / 2 > fading.outer)
+          continue;
+        values.reinit(cell);
+        cell->get_dof_indices(numbers);
+        DenseMatrix on_cell = DenseMatrix::Zero(numbers.size(), n);
+        for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
+          {
+            const DenseMatrix faded =
+              faded_at(values.quadrature_point(q), material, fading);
+            if (faded.size() == 0)
+              continue;
+            const double mass = material.density * values.JxW(q);
+            mutual.noalias() += mass * faded * faded.transpose();
+            for (std::size_t i = 0; i < numbers.size(); ++i)
+              on_cell.row(i) +=
+                mass * values.shape_value(i, q) *
+                faded.col(dofs.get_fe().system_to_component_index(i).first);
+          }
+        for (std::size_t k = 0; k < n; ++k)
+          {
+            Vector<double> load(numbers.size());
+            for (std::size_t i = 0; i < numbers.size(); ++i)
+              load(i) = on_cell(i, k);
+            body.ties().distribute_local_to_global(load, numbers, of_loads[k]);
+          }
       }
-    return F.transpose() * body.solve(F) + (loads.Q + loads.Q.transpose()) / 2;
+    loads = as_unknowns(body, of_loads);
   }
 } // namespace RollingContact
