@@ -132,7 +132,7 @@ namespace RollingContact
     const StructuralModes &modes = body.modes;
     const auto             damping =
       total_damping(modes, body.given_damping(), body.H, body.C);
-    const MeasuringPoint contact(body.places, {{0., 0., 0.}}, 0.);
+    const MeasuringPoint contact(*body.body, {{0., 0., 0.}}, 0.);
     const double         up = body.side == Side::wheel ? -1. : 1.;
     for (std::size_t j = 0; j < modes.size(); ++j)
       {

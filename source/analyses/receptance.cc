@@ -118,18 +118,18 @@ namespace RollingContact
     for (const auto &place : section.places(body.side))
       {
         const MeasuringPoint point(
-          body.places,
+          *body.body,
           {{place.point[0], place.point[1], up * place.point[2]}},
           section.load_radius);
         const std::string where = "Receptance: the place " + place.name +
                                   " of the " + name_of(body.side);
-        if (point.distance() > section.load_radius)
+        if (point.distance() > 0.)
           context.log.warning(
             where + " is " + millimetres(point.distance()) +
-            " away from the nearest node, which stands for it: raise "
-            "Receptance/Load radius, refine the mesh or correct the place.");
+            " away from the body, whose nearest point stands for it: correct "
+            "the place, or raise Receptance/Load radius.");
         else
-          context.log.detail(where + " is the mean of " +
+          context.log.detail(where + " is a mean of " +
                              std::to_string(point.n_nodes()) + " nodes.");
         for (const unsigned int axis : section.axes())
           {

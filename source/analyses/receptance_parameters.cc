@@ -78,8 +78,8 @@ namespace RollingContact
       "Of forces and motions: x along the track, y across it, z vertical, "
       "separated by commas.";
     entries.add("Load radius", load_radius, "m").at_least(0.).help =
-      "A force is spread over the nodes within this distance of its place, "
-      "and a motion is their mean. A force on a point would give a receptance "
+      "A force is spread over the part of the body within this distance of "
+      "its place, and a motion is the mean over that part. A force on a point would give a receptance "
       "that grows with every refinement of the mesh.";
     entries.list("Check frequencies", check_frequencies, "", "Hz").help =
       "Where the equations of the whole body are solved as well, with a "

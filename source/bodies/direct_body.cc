@@ -89,6 +89,20 @@ namespace RollingContact
   }
 
   template <int dim>
+  std::vector<double>
+  DirectBody<dim>::loads_of_nodes(const BodyField   &nodes,
+                                  const unsigned int component) const
+  {
+    BodyField loads(unknown_of_dof.size());
+    for (types::global_dof_index i = 0; i < this->dofs.n_dofs(); i += dim)
+      if (nodes[i] != 0.)
+        this->constraints.distribute_local_to_global(i + component,
+                                                     nodes[i],
+                                                     loads);
+    return unknowns_of(loads);
+  }
+
+  template <int dim>
   std::vector<std::size_t> DirectBody<dim>::portable_dof_order() const
   {
     std::vector<Point<dim>> positions(this->dofs.n_dofs());

@@ -176,33 +176,28 @@ namespace RollingContact
 
   namespace
   {
-    /** The unknown of the contact at which the modes move most; -1 if none
-     * does. */
-    int moved_unknown(const std::array<int, 3>       &contact,
-                      const DenseMatrix              &shapes,
-                      const std::vector<std::size_t> &modes)
+    /** The motions of modes along the axis of the contact along which they
+     * move most; zeros if they do not move there. */
+    std::vector<double> largest_motions(const MeasuringPoint           &contact,
+                                        const DenseMatrix              &shapes,
+                                        const std::vector<std::size_t> &modes)
     {
-      int    moved   = -1;
-      double largest = 0.;
-      for (const int unknown : contact)
+      std::vector<double> largest(modes.size(), 0.);
+      for (unsigned int axis = 0; axis < 3; ++axis)
         {
-          double length = 0.;
+          std::vector<double> motions;
           for (const std::size_t mode : modes)
-            if (unknown >= 0)
-              length = std::hypot(length, shapes(unknown, mode));
+            motions.push_back(contact.motion(axis, shapes.col(mode).data()));
           // the margin keeps rounding from choosing between equal ones
-          if (length > 1.01 * largest)
-            {
-              largest = length;
-              moved   = unknown;
-            }
+          if (norm(motions) > 1.01 * norm(largest))
+            largest = motions;
         }
-      return moved;
+      return largest;
     }
   } // namespace
 
   void align_pairs(const std::vector<ModeCharacter> &characters,
-                   const std::array<int, 3>         &contact,
+                   const MeasuringPoint             &contact,
                    const double                      tolerance,
                    StructuralModes                  &modes)
   {
@@ -212,18 +207,16 @@ namespace RollingContact
         const auto partner = characters[j].partner;
         if (partner && *partner > j && characters[j].split < tolerance)
           {
-            const int i = moved_unknown(contact, shapes, {j, *partner});
-            if (i < 0)
+            const auto moved = largest_motions(contact, shapes, {j, *partner});
+            const double length = norm(moved), c = moved[0] / length,
+                         s = moved[1] / length;
+            if (length == 0.)
               continue;
-            const double length = std::hypot(shapes(i, j), shapes(i, *partner)),
-                         c      = shapes(i, j) / length,
-                         s      = shapes(i, *partner) / length;
             const Eigen::VectorXd first = shapes.col(j);
             shapes.col(j)               = c * first + s * shapes.col(*partner);
             shapes.col(*partner)        = c * shapes.col(*partner) - s * first;
           }
-        const int i = moved_unknown(contact, shapes, {j});
-        if (i >= 0 && shapes(i, j) < 0.)
+        if (largest_motions(contact, shapes, {j})[0] < 0.)
           shapes.col(j) *= -1;
       }
   }

@@ -36,8 +36,10 @@ namespace RollingContact
 
   double Saturation::grown(const double size) const
   {
+    // m (1 - (1 - known)^(1/m)), of forces that are rounding alone too
     const double known = std::min(size, last);
-    return m * (1 - std::pow(1 - known, 1 / m)) + growth(size) * (size - known);
+    return -m * std::expm1(std::log1p(-known) / m) +
+           growth(size) * (size - known);
   }
 
   DenseMatrix force_derivative(const ContactProblem &problem,

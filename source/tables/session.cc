@@ -172,6 +172,8 @@ namespace RollingContact
       SteadyState<dim> &steady = kept.front().steady;
       const auto        start  = [&]() {
         steady.state = initial_state(steady.problem, wanted.patch);
+        // creepages of a search that found nothing are no place to begin at
+        steady.problem.loads.forces = AskedForces();
       };
       if (!steady.solver.converged)
         start();

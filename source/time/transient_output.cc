@@ -159,10 +159,14 @@ namespace RollingContact
   template <int dim>
   void TransientOutput<dim>::note_largest_load() const
   {
-    const auto  rows    = history->columns({"force_time_s", "normal_force_N"});
-    const auto &load    = rows.at("normal_force_N");
-    const auto  largest = std::max_element(load.begin(), load.end());
-    if (largest == load.end() || *largest <= 0.)
+    const auto  rows = history->columns({"force_time_s", "normal_force_N"});
+    const auto &load = rows.at("normal_force_N");
+    if (load.empty())
+      return;
+    const auto [least, largest] = std::minmax_element(load.begin(), load.end());
+    // a load that is constant but for rounding has no peak
+    const double rounding = 1e-6;
+    if (*largest - *least <= rounding * *largest)
       return;
     context.report.set_finding(
       "peak",

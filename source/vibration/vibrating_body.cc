@@ -150,8 +150,8 @@ namespace RollingContact
                              body_reflections(places, K, M));
     const auto axle = parameters.body_shape()->axle();
     characters      = mode_characters(places, axle, modes);
-    const MeasuringPoint contact(places, {{0., 0., 0.}}, 0.);
-    align_pairs(characters, contact.nearest_unknowns(), same_frequency, modes);
+    const MeasuringPoint contact(*body, {{0., 0., 0.}}, 0.);
+    align_pairs(characters, contact, same_frequency, modes);
 
     report_modes(wanted, context);
   }

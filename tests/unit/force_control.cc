@@ -170,6 +170,21 @@ BOOST_AUTO_TEST_CASE(the_derivative_is_that_of_differences)
     }
 }
 
+/** Forces that are rounding alone leave the derivative as it is without any,
+ * and small ones are themselves to first order. */
+BOOST_AUTO_TEST_CASE(saturation_of_forces_that_are_rounding)
+{
+  const Saturation saturation(3.);
+  for (const double size : {1e-300, 1e-18, 1e-9})
+    {
+      const DenseMatrix derivative =
+        saturation.derivative({0.6 * size, -0.8 * size});
+      BOOST_TEST((derivative - DenseMatrix::Identity(2, 2)).norm() < 1e-8);
+      BOOST_TEST(saturation.value({0.6 * size, -0.8 * size})[1] == -0.8 * size,
+                 boost::test_tools::tolerance(1e-8));
+    }
+}
+
 BOOST_AUTO_TEST_CASE(carter_backwards)
 {
   // the creepage of a force, in closed form; near saturation the discrete

@@ -239,8 +239,8 @@ BOOST_AUTO_TEST_CASE(a_free_ring_bends_in_its_plane)
 BOOST_AUTO_TEST_CASE(pairs_are_turned_to_the_contact)
 {
   Vibrating plate(section("Wheel", "annular_plate.msh", 0.46, 48), 800.);
-  const MeasuringPoint contact(plate.places, {{0., 0., 0.}}, 0.);
-  align_pairs(plate.characters, contact.nearest_unknowns(), 1e-6, plate.modes);
+  const MeasuringPoint contact(plate.body, {{0., 0., 0.}}, 0.);
+  align_pairs(plate.characters, contact, 1e-6, plate.modes);
   unsigned int n_pairs = 0;
   for (std::size_t j = 0; j < plate.modes.size(); ++j)
     {
@@ -305,7 +305,7 @@ BOOST_AUTO_TEST_CASE(flow_turns_a_pair_by_its_nodal_diameters)
 BOOST_AUTO_TEST_CASE(a_measuring_point_spreads_a_force_as_it_takes_a_mean)
 {
   const Vibrating plate(section("Wheel", "annular_plate.msh", 0.46, 48), 200.);
-  const MeasuringPoint point(plate.places, {{0., 0., -0.03}}, 0.05);
+  const MeasuringPoint point(plate.body, {{0., 0., -0.03}}, 0.05);
   BOOST_TEST(point.n_nodes() > 3u);
   for (unsigned int axis = 0; axis < 3; ++axis)
     {
@@ -320,18 +320,45 @@ BOOST_AUTO_TEST_CASE(a_measuring_point_spreads_a_force_as_it_takes_a_mean)
       BOOST_TEST(point.motion(axis, motion.data()) == dot(force, motion),
                  boost::test_tools::tolerance(1e-12));
     }
-  // masses 1, 2 and 4 at 0, 1/2 and 4/5 of the radius: 1 - (d / r)^2
-  BodyPlaces made    = plate.places;
-  made.nodes         = {{{{0., 0., 0.}}, {{0, 1, 2}}, 1.},
-                        {{{0., 0., 0.025}}, {{3, 4, 5}}, 2.},
-                        {{{0.04, 0., 0.}}, {{6, 7, 8}}, 4.},
-                        {{{0., 0.0501, 0.}}, {{9, 10, 11}}, 8.}};
-  const auto   force = MeasuringPoint(made, {{0., 0., 0.}}, 0.05).load(1, 12);
-  const double sum   = 1. + 2 * 0.75 + 4 * 0.36;
-  BOOST_TEST(force[1] == 1. / sum, boost::test_tools::tolerance(1e-12));
-  BOOST_TEST(force[4] == 1.5 / sum, boost::test_tools::tolerance(1e-12));
-  BOOST_TEST(force[7] == 1.44 / sum, boost::test_tools::tolerance(1e-12));
-  BOOST_TEST(force[10] == 0.);
+}
+
+/** Between nodes a body moves as its shape functions say: a linear field has
+ * its own value wherever it is measured, at a point and as a mean round one,
+ * and a mean of the square of the distance has that of the weights. */
+BOOST_AUTO_TEST_CASE(a_measuring_point_is_where_it_is_asked_for)
+{
+  const auto parameters = section("Wheel", "annular_plate.msh", 0.46, 48);
+  const DirectBody<3> body(parameters.body_shape(),
+                           parameters.material,
+                           parameters.thickness,
+                           Grading<3>::unrefined(),
+                           true,
+                           parameters.model);
+  const BodyPlaces    places(body);
+  const auto motion = [&](const MeasuringPoint &point, const auto &field) {
+    std::vector<double> values(body.n_unknowns());
+    for (const auto &node : places.nodes)
+      if (node.unknowns[1] >= 0)
+        values[node.unknowns[1]] = field(node.point);
+    return point.motion(1, values.data());
+  };
+  const auto linear = [](const std::array<double, 3> &at) {
+    return 2. + 3. * at[0] - 5. * at[1] + 7. * at[2];
+  };
+  const std::array<double, 3> place{{0.013, 0.002, -0.0512}};
+  const MeasuringPoint        point(body, place, 0.), mean(body, place, 0.02);
+  BOOST_TEST(motion(point, linear) == linear(place),
+             boost::test_tools::tolerance(1e-10));
+  BOOST_TEST(point.distance() == 0.);
+  // the plate is 5 mm to both sides of its middle
+  auto middle = place;
+  middle[1]   = 0.;
+  BOOST_TEST(motion(mean, linear) == linear(middle),
+             boost::test_tools::tolerance(2e-3));
+  // beyond the plate, the nearest point of it, and how far it is
+  const MeasuringPoint beyond(body, {{0., 0.1, -0.05}}, 0.01);
+  BOOST_TEST(beyond.distance() > 0.08);
+  BOOST_TEST(beyond.n_nodes() > 0u);
 }
 
 namespace
@@ -387,7 +414,7 @@ namespace
                                const double     h,
                                const double     length)
   {
-    const MeasuringPoint contact(plate.places, {{0., 0., 0.}}, 0.);
+    const MeasuringPoint contact(plate.body, {{0., 0., 0.}}, 0.);
     const std::size_t    n    = plate.modes.shapes.rows(),
                       n_steps = std::lround(length / h);
     const auto load           = contact.load(1, n);

@@ -28,6 +28,16 @@ namespace RollingContact
     std::array<double, dim> value(const BodyField &field) const;
 
     /**
+     * The first degree of freedom of each vertex of its cell, and the value of
+     * the vertex's shape function.
+     */
+    const std::vector<std::pair<dealii::types::global_dof_index, double>> &
+    weights() const
+    {
+      return vertices;
+    }
+
+    /**
      * Where the point is, moved onto the mesh or not. Units: m.
      */
     const dealii::Point<dim> &place() const

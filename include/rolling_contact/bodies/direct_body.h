@@ -193,6 +193,14 @@ namespace RollingContact
     std::vector<double> unknowns_of(const BodyField &field) const;
 
     /**
+     * Forces at the unknowns, which work as forces on nodes along a component
+     * do, hanging and clamped ones included. @p nodes: force at the first
+     * degree of freedom of each node. Units: N.
+     */
+    std::vector<double> loads_of_nodes(const BodyField   &nodes,
+                                       const unsigned int component) const;
+
+    /**
      * Numbers of the unknowns in the order of BodyMotion, see
      * in_portable_order().
      */

@@ -1,7 +1,7 @@
 #ifndef rolling_contact_modes_measuring_point_h
 #define rolling_contact_modes_measuring_point_h
 
-#include <rolling_contact/modes/body_places.h>
+#include <rolling_contact/bodies/direct_body.h>
 
 #include <array>
 #include <utility>
@@ -11,19 +11,23 @@ namespace RollingContact
 {
   /**
    * A place where a body is excited or its motion is measured: the mean over
-   * the nodes within a distance of the point, weighted by their masses and by
-   * 1 - (distance / radius)^2, or the nearest node if there are none. A force
-   * there is spread with the same weights, so that receptances are symmetric. A
-   * force on a single node would give a compliance that grows with every
-   * refinement of the mesh.
+   * the part of the body within a distance of the point, weighted by
+   * 1 - (distance / radius)^2, or the point itself where that part is none.
+   * Between its nodes the body moves as its shape functions say, so that the
+   * place is where it is asked for and not at a node beside it. A force there
+   * is spread with the same weights, so that receptances are symmetric. A force
+   * on a point alone would give a compliance that grows with every refinement
+   * of the mesh.
    */
   class MeasuringPoint
   {
   public:
     /**
+     * @p point in the frame of the body, its second coordinate unused in 2D.
      * Units: m.
      */
-    MeasuringPoint(const BodyPlaces            &places,
+    template <int dim>
+    MeasuringPoint(const DirectBody<dim>       &body,
                    const std::array<double, 3> &point,
                    const double                 radius);
 
@@ -35,18 +39,15 @@ namespace RollingContact
     /** The motion along an axis of a field of the unknowns. */
     double motion(const unsigned int axis, const double *values) const;
 
-    /** The unknown along an axis of the nearest node; -1 if it is held. */
-    std::array<int, 3> nearest_unknowns() const
-    {
-      return nearest;
-    }
-
-    /** Distance of the asked point from the nearest node. Units: m. */
+    /** How far the body is from a point outside of it, but for what the facets
+     * of the mesh leave out of a curved body; 0 where part of the body is
+     * within the radius. Units: m. */
     double distance() const
     {
-      return nearest_distance;
+      return away;
     }
 
+    /** Nodes whose unknowns along z take part. */
     std::size_t n_nodes() const
     {
       return weights[2].size();
@@ -54,8 +55,7 @@ namespace RollingContact
 
   private:
     std::array<std::vector<std::pair<std::size_t, double>>, 3> weights;
-    std::array<int, 3>                                         nearest;
-    double nearest_distance = 0.;
+    double                                                     away = 0.;
   };
 } // namespace RollingContact
 

@@ -3,6 +3,7 @@
 
 #include <rolling_contact/mesh/body_shape.h>
 #include <rolling_contact/modes/body_places.h>
+#include <rolling_contact/modes/measuring_point.h>
 #include <rolling_contact/modes/structural_modes.h>
 
 #include <optional>
@@ -45,10 +46,10 @@ namespace RollingContact
    * Choose among the equivalent shapes of modes: of a pair whose eigenvalues
    * are equal to @p tolerance, the first moves the body at the contact point,
    * the second does not; and the motion there is positive, so that shapes do
-   * not depend on the random start. @p contact: the unknowns there.
+   * not depend on the random start.
    */
   void align_pairs(const std::vector<ModeCharacter> &characters,
-                   const std::array<int, 3>         &contact,
+                   const MeasuringPoint             &contact,
                    const double                      tolerance,
                    StructuralModes                  &modes);
 } // namespace RollingContact
