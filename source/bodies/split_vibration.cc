@@ -1,4 +1,3 @@
-#include <rolling_contact/base/constants.h>
 #include <rolling_contact/bodies/split_vibration.h>
 
 namespace RollingContact
@@ -12,8 +11,7 @@ namespace RollingContact
                                  const BodyDamping &damping)
     : parts(std::move(parts))
     , alpha(damping.mass_damping)
-    , tau(damping.stiffness_damping +
-          damping.loss_factor / (2 * pi * damping.loss_frequency))
+    , tau(damping.retardation())
   {}
 
   DenseMatrix

@@ -6,16 +6,20 @@
 namespace RollingContact
 {
   ContactResponse::ContactResponse(const LinearContact &contact,
-                                   const DenseMatrix   &W_res,
+                                   const ReducedPair   &pair,
                                    const DenseMatrix   &U)
-    : statics(contact.N_u * (W_res * contact.forces))
-    , viscosity(contact.N_v * (W_res * contact.forces))
+    : statics(contact.N_u * (pair.W_res * contact.forces))
+    , viscosity(contact.N_v * (pair.W_res * contact.forces))
     , motion(contact.N_u * U)
     , velocity(contact.N_v * U)
+    , retardation(pair.retardation)
     , reaction((U.transpose() * contact.forces).cast<std::complex<double>>())
   {
     statics += contact.N_r;
     viscosity += contact.N_s;
+    // of unknowns of which (1 + tau s) are tractions and pressures
+    const unsigned int n = contact.n_tractions();
+    viscosity.leftCols(n) += retardation * contact.N_r.leftCols(n);
     scale_rows();
   }
 
@@ -38,7 +42,7 @@ namespace RollingContact
   {
     ComplexMatrix driven = motion + s * velocity;
     ComplexLU(statics + s * viscosity).solve(driven);
-    return -reaction * driven;
+    return -(1. + s * retardation) * reaction * driven;
   }
 
   ComplexValues ContactResponse::poles(const double shift) const

@@ -43,13 +43,15 @@ namespace RollingContact
         (pair.Phi.transpose() * contact.forces).cast<Complex>();
       modal_factors(pair, s).solve(modal);
       const ComplexMatrix motion = pair.Phi.cast<Complex>() * modal +
-                                   pair.W_res * contact.forces,
+                                   pair.W_res * contact.forces /
+                                     (1. + s * pair.retardation),
                           N = contact.N_u + s * contact.N_v;
       return N * motion + contact.N_r + s * contact.N_s;
     }
 
     /**
-     * T'(s) x of the reduced pair, with W' = -Phi D^-1 (2 s + C_m) D^-1 Phi^T.
+     * T'(s) x of the reduced pair, with W' = -Phi D^-1 (2 s + C_m) D^-1 Phi^T
+     * - tau W_res / (1 + s tau)^2.
      */
     ComplexVector reduced_derivative(const ReducedPair         &pair,
                                      const LinearContact       &contact,
@@ -62,7 +64,10 @@ namespace RollingContact
       factors.solve(modal);
       ComplexVector rate = pair.C_m * modal + 2. * s * modal;
       factors.solve(rate);
-      const ComplexVector change = pair.Phi * rate;
+      const std::complex<double> follows = 1. + s * pair.retardation;
+      const ComplexVector        change =
+        pair.Phi * rate +
+        pair.W_res * forces * (pair.retardation / (follows * follows));
       return contact.N_s * x - contact.N_u * change +
              contact.N_v * (reduced_response(pair, s, forces) - s * change);
     }
@@ -156,7 +161,7 @@ namespace RollingContact
   {
     ComplexVector modal = pair.Phi.transpose() * forces;
     modal_factors(pair, s).solve(modal);
-    return pair.W_res * forces + pair.Phi * modal;
+    return pair.W_res * forces / (1. + s * pair.retardation) + pair.Phi * modal;
   }
 
   namespace

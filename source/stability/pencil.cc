@@ -28,6 +28,8 @@ namespace RollingContact
   StabilityPencil::StabilityPencil(const ReducedPair   &pair,
                                    const LinearContact &contact)
     : n_modes(pair.n_modes())
+    , n_tractions(contact.n_tractions())
+    , retardation(pair.retardation)
   {
     const std::size_t n_x = contact.n_unknowns(), n = 2 * n_modes + n_x;
     if (pair.W_res.rows() != contact.forces.rows())
@@ -57,6 +59,8 @@ namespace RollingContact
     A.middleRows(m, m).rightCols(drive.cols()) =
       drive * (scale / (rate * rate));
     E.topLeftCorner(2 * m, 2 * m).setIdentity();
+    E.middleRows(m, m).rightCols(drive.cols()) =
+      drive * (-retardation * scale / rate);
   }
 
   void StabilityPencil::add_contact(const ReducedPair   &pair,
@@ -68,6 +72,8 @@ namespace RollingContact
       (contact.N_u * residual + contact.N_r) * scale;
     E.bottomRightCorner(n_x, n_x) =
       -(contact.N_v * residual + contact.N_s) * scale * rate;
+    E.bottomRightCorner(n_x, n_x).leftCols(n_tractions) -=
+      contact.N_r.leftCols(n_tractions) * (retardation * scale * rate);
     for (std::size_t i = 0; i < n_x; ++i)
       {
         auto         of_A = A.row(2 * m + i), of_E = E.row(2 * m + i);
@@ -161,6 +167,7 @@ namespace RollingContact
                  factor = modal > 0. ? 1 / modal : 1.;
     mode.modal          = x.head(n_modes) * factor;
     mode.unknowns       = x.tail(size() - 2 * n_modes) * (factor * scale);
+    mode.unknowns.head(n_tractions) *= 1. + retardation * mode.s;
     return mode;
   }
 

@@ -36,6 +36,10 @@ namespace RollingContact
       throw InputError("There are " + std::to_string(pair.n_wheel_modes) +
                        " modes of the wheel, more than the " +
                        std::to_string(m) + " of both bodies.");
+    if (!(pair.retardation >= 0.) || !std::isfinite(pair.retardation))
+      throw InputError("The retardation time of the bodies is " +
+                       significant(pair.retardation, 6) +
+                       " s; it must be >= 0 s.");
     if (n == 0)
       return;
 

@@ -26,9 +26,7 @@ namespace RollingContact
   UnstableCounter::UnstableCounter(const ReducedPair  &pair,
                                    const CountOptions &options)
     : options(options)
-    , K_m(pair.K_m)
-    , C_m(pair.C_m)
-    , W_res(pair.W_res)
+    , pair(pair)
   {
     if (!(options.lowest_frequency > 0.) ||
         !(options.highest_frequency > options.lowest_frequency))
@@ -36,17 +34,17 @@ namespace RollingContact
                        significant(options.lowest_frequency, 6) + " Hz to " +
                        significant(options.highest_frequency, 6) +
                        " Hz: both must be > 0 Hz, the second the higher one.");
-    find_motions(pair);
-    find_poles(pair);
+    find_motions();
+    find_poles();
     set_contour();
   }
 
-  void UnstableCounter::find_motions(const ReducedPair &pair)
+  void UnstableCounter::find_motions()
   {
     DenseMatrix  flexible = pair.Phi;
     const double lowest   = std::pow(2 * pi * options.lowest_frequency, 2.);
     for (std::size_t k = 0; k < pair.n_modes(); ++k)
-      flexible.col(k) /= std::sqrt(std::max(std::abs(K_m(k, k)), lowest));
+      flexible.col(k) /= std::sqrt(std::max(std::abs(pair.K_m(k, k)), lowest));
     std::vector<double> values;
     const DenseMatrix all = left_singular_vectors(std::move(flexible), values);
     std::size_t       p   = 0;
@@ -57,14 +55,14 @@ namespace RollingContact
     L = pair.Phi.transpose() * U;
   }
 
-  void UnstableCounter::find_poles(const ReducedPair &pair)
+  void UnstableCounter::find_poles()
   {
     const std::size_t m = pair.n_modes();
     const double      rate =
       2 * pi * std::sqrt(options.lowest_frequency * options.highest_frequency);
     DenseMatrix first_order(2 * m, 2 * m);
     first_order << DenseMatrix::Zero(m, m), rate * DenseMatrix::Identity(m, m),
-      -K_m / rate, -C_m;
+      -pair.K_m / rate, -pair.C_m;
     const Eigenpairs pairs = eigenpairs(std::move(first_order));
     poles                  = pairs.values;
     right                  = ComplexMatrix::Zero(2 * m, n_motions());
@@ -92,7 +90,7 @@ namespace RollingContact
   ComplexMatrix
   UnstableCounter::solved_response(const std::complex<double> s) const
   {
-    ComplexMatrix D = K_m + s * C_m;
+    ComplexMatrix D = pair.K_m + s * pair.C_m;
     D.diagonal().array() += s * s;
     const ComplexMatrix forces = L.cast<std::complex<double>>();
     ComplexMatrix       X      = forces;
@@ -259,11 +257,11 @@ namespace RollingContact
 
   UnstableCount UnstableCounter::count(const LinearContact &contact) const
   {
-    if (contact.forces.rows() != W_res.rows())
+    if (contact.forces.rows() != pair.W_res.rows())
       throw InputError("Bodies and contact of a count of unstable modes do not "
                        "have the same nodes.");
     UnstableCount         result;
-    const ContactResponse direct(contact, W_res, U);
+    const ContactResponse direct(contact, pair, U);
     const std::size_t     p   = n_motions();
     const RationalFit     fit = fit_of(direct, fit_points(), p);
     // where no point of the fit is

@@ -18,7 +18,7 @@ namespace RollingContact
                          const double         velocity)
     : s(mode.s)
     , modal(mode.modal)
-    , forces(contact.forces * mode.unknowns)
+    , forces(contact.forces * mode.unknowns / (1. + s * pair.retardation))
   {
     const ComplexVector u       = pair.Phi * modal + pair.W_res * forces;
     Complex             largest = 0.;

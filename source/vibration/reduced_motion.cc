@@ -51,7 +51,8 @@ namespace RollingContact
                              " s of the modes is singular.");
     inverse_transposed  = inverse.transpose();
     const DenseMatrix G = pair.Phi * (inverse * shapes);
-    W = pair.W_res + h * h / (4 * velocity_factor) * (G + G.transpose());
+    W                   = follows() * pair.W_res +
+        h * h / (4 * velocity_factor) * (G + G.transpose());
   }
 
   void ReducedMotion::rest_at(const Vector &eta, const Vector &forces)
@@ -106,10 +107,11 @@ namespace RollingContact
     const Vector start  = sum(now.rate, h / 2, sum(load, -1., K_eta));
     free_rate           = inverse * start;
 
-    const Vector expected = smooth ? sum(sum(now.forces, 1., now.forces),
-                                         -1.,
-                                         now.forces_before)
-                                   : now.forces,
+    // 2 g_n - g_(n-1) + tau g'
+    const double ahead    = smooth ? 1 + pair.retardation / h : 0.;
+    const Vector expected = sum(sum(now.forces, ahead, now.forces),
+                                -ahead,
+                                now.forces_before),
                  loads = shapes * expected, y = inverse * loads,
                  z = inverse_transposed * loads;
 
@@ -118,11 +120,13 @@ namespace RollingContact
     amount              = sum(std::move(amount), h * h / 4 - part, y);
     free_u              = pair.Phi * sum(std::move(amount), -part, z);
 
-    Vector rate = sum(free_rate, h / 4, y);
-    free_v      = pair.Phi * sum(std::move(rate), -h / 4, z);
-    as_vector(free_v) -= (weight.before * as_vector(residual) +
-                          weight.earlier * as_vector(residual_before)) /
-                         h;
+    Vector rate                = sum(free_rate, h / 4, y);
+    free_v                     = pair.Phi * sum(std::move(rate), -h / 4, z);
+    const Eigen::VectorXd went = (weight.before * as_vector(residual) +
+                                  weight.earlier * as_vector(residual_before)) /
+                                 h * follows();
+    as_vector(free_v) -= went;
+    as_vector(free_u) += pair.retardation * went;
     begun     = true;
     continues = smooth;
   }
@@ -154,10 +158,16 @@ namespace RollingContact
     const Vector     eta = now.eta, K_before = K_eta;
     const Vector     loads = shapes * forces;
     const Vector     rate  = sum(free_rate, h / 2, inverse * loads); // v_m
-    const Vector     u     = pair.W_res * forces;
+    Vector           g(forces.size());
+    as_vector(g) =
+      follows() *
+      (as_vector(forces) + pair.retardation / h *
+                             (weight.before * as_vector(now.forces) +
+                              weight.earlier * as_vector(now.forces_before)));
+    const Vector u = pair.W_res * g;
 
     const Vector bend_force =
-                   sum(sum(forces, -2., now.forces), 1., now.forces_before),
+                   sum(sum(g, -2., now.forces), 1., now.forces_before),
                  bend = sum(sum(u, -2., residual), 1., residual_before);
     Vector give(u.size()); // h times its rate
     as_vector(give) = velocity_factor * as_vector(u) -
@@ -167,9 +177,9 @@ namespace RollingContact
 
     now.eta           = sum(eta, h, rate);
     now.rate          = sum(sum(rate, 1., rate), -1., now.rate);
-    now.forces_before = continues ? now.forces : forces;
+    now.forces_before = continues ? now.forces : g;
     residual_before   = continues ? residual : u;
-    now.forces        = forces;
+    now.forces        = g;
     residual          = u;
     now.distance      = now.last_step > 0. ? (h + now.last_step) / 2 : h;
     now.last_step     = h;
@@ -180,10 +190,11 @@ namespace RollingContact
     energy.load_work    = h * dot(rate, load);
     // with what K_m does beyond its symmetric part, which stores energy
     energy.damping = h * dot(rate, pair.C_m * rate) +
-                     (dot(now.eta, K_before) - dot(eta, K_eta)) / 2;
+                     (dot(now.eta, K_before) - dot(eta, K_eta)) / 2 +
+                     dot(sum(forces, -1., g), give);
     energy.numerical_dissipation =
       weight.before == 2. ? dot(bend_force, bend) / 4
-                          : dot(forces, give) - residual_energy() + pressed;
+                          : dot(g, give) - residual_energy() + pressed;
     energy.balance_error = energy.kinetic + energy.strain - stored.kinetic -
                            stored.strain -
                            (energy.contact_work + energy.load_work -

@@ -87,6 +87,7 @@ namespace RollingContact
     pair.K_m = pair.C_m = DenseMatrix::Zero(m, m);
     pair.Phi            = DenseMatrix::Zero(n, m);
     pair.W_res          = W_res;
+    pair.retardation    = retardation();
     for (const Side side : both_sides)
       {
         if (modal.n_modes(side) == 0)
@@ -103,6 +104,22 @@ namespace RollingContact
         pair.Phi.middleCols(first, shapes.cols()) = shapes;
       }
     return pair;
+  }
+
+  template <int dim>
+  double RollingModes<dim>::retardation() const
+  {
+    double sum = 0., weights = 0.;
+    for (const Side side : both_sides)
+      if (modal.body(side) != nullptr)
+        {
+          const BodySpec &spec = modal.body(side)->parameters;
+          const double    nu   = spec.material.poisson_ratio,
+                       weight  = (1 - nu * nu) / spec.material.young_modulus;
+          sum += weight * spec.model.damping.retardation();
+          weights += weight;
+        }
+    return weights > 0. ? sum / weights : 0.;
   }
 
   template <int dim>

@@ -133,8 +133,9 @@ BOOST_AUTO_TEST_CASE(a_vibration_that_grows_in_full_slip)
       const bool grows = mode.growth() > 0.;
       n_growing += grows;
       BOOST_TEST(difference(mode, found) < (grows ? 1e-5 : 1e-4));
-      if (grows) // the modes alone are not enough
-        BOOST_TEST(std::abs(mode.reduced.real() / mode.growth() - 1.) > 0.1);
+      // what the modes leave out is damped as well
+      if (grows)
+        BOOST_TEST(std::abs(mode.reduced.real() / mode.growth() - 1.) < 0.02);
     }
   BOOST_TEST(n_growing == 1u);
 }

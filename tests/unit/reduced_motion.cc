@@ -121,6 +121,54 @@ BOOST_AUTO_TEST_CASE(given_forces_move_the_contact_with_second_order)
   BOOST_TEST(std::log2(errors[0] / errors[1]) < 2.2);
 }
 
+/** A force that swings moves what the modes leave out by W_res f / (1 + i omega
+ * tau), in steps that are long or short beside tau, and the work that it does
+ * in a period is what is lost. */
+BOOST_AUTO_TEST_CASE(the_residual_compliance_is_retarded)
+{
+  for (const double tau : {2e-7, 2e-6, 2e-5})
+    {
+      ReducedPair pair    = random_pair(grid_3d, 4, 8);
+      pair.retardation    = tau;
+      const std::size_t n = pair.W_res.rows();
+      pair.Phi            = DenseMatrix::Zero(n, 4);
+      const double omega = 2 * pi * 2000., period = 2 * pi / omega;
+      const std::complex<double> answer =
+        1. / (1. + std::complex<double>(0., omega * tau));
+      double errors[2], losses[2];
+      for (unsigned int k = 0; k < 2; ++k)
+        {
+          ReducedMotion      motion(pair);
+          const unsigned int n_steps = 200 << k;
+          const double       h       = period / n_steps;
+          motion.set_time_step(h);
+          const std::vector<double> unit(n, 1.), W_unit = pair.W_res * unit;
+          double                    lost = 0., worst = 0.;
+          for (unsigned int step = 0; step < 4 * n_steps; ++step)
+            {
+              const double        t = (step + 0.5) * h;
+              std::vector<double> forces(n, std::cos(omega * t));
+              motion.begin_step();
+              const std::vector<double> u = sum(motion.compliance() * forces,
+                                                1.,
+                                                motion.free_displacement());
+              const StepEnergy         &energy = motion.end_step(forces);
+              if (step < 3 * n_steps) // until it swings evenly
+                continue;
+              lost += energy.damping + energy.numerical_dissipation;
+              const double expected =
+                (answer * std::polar(1., omega * t)).real();
+              worst = std::max(worst, std::abs(u[0] / W_unit[0] - expected));
+            }
+          errors[k] = worst;
+          losses[k] = lost / (-pi * answer.imag() * dot(unit, W_unit)) - 1.;
+        }
+      BOOST_TEST(errors[1] < 1e-3);
+      BOOST_TEST(errors[0] / errors[1] > 3.5);
+      BOOST_TEST(std::abs(losses[1]) < 5e-3);
+    }
+}
+
 /** What the modes leave out answers at once: under forces that rise evenly its
  * velocity is W_res dF/dt, whatever the lengths of the steps. */
 BOOST_AUTO_TEST_CASE(steps_of_any_length_know_the_rate_of_a_force)

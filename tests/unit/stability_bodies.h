@@ -177,6 +177,7 @@ namespace StabilityBodies
     pair.Phi            = DenseMatrix::Zero((T + 1) * N, n_modes);
     pair.W_res          = half_space(grid, 80e9, 0.3);
     pair.n_wheel_modes  = n_modes / 2;
+    pair.retardation    = 1e-6 * (seed % 3);
     for (unsigned int k = 0; k < n_modes; ++k)
       {
         const double omega =

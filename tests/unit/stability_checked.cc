@@ -129,6 +129,48 @@ BOOST_AUTO_TEST_CASE(a_rational_fit_finds_poles)
       BOOST_TEST(std::abs(fit(s)[k] - function(s, k)) < 1e-8);
 }
 
+/** What many stiff modes with C = tau K take, their compliance takes with the
+ * retardation time tau, and without it growths are another. */
+BOOST_AUTO_TEST_CASE(a_retarded_compliance_damps_as_the_modes_left_out)
+{
+  const double tau       = 3e-6;
+  ReducedPair  full      = random_pair({7, 5}, 30, 42, 2e-4, 0.2);
+  full.retardation       = tau;
+  const unsigned int few = 14;
+  for (unsigned int k = few; k < full.n_modes(); ++k)
+    {
+      full.K_m(k, k) *= 100.;
+      full.C_m(k, k) = tau * full.K_m(k, k);
+      full.Phi.col(k) *= 10.;
+    }
+  const RollingState state =
+    rolling_state({7, 5}, full, 0.5, {0.02, -0.01, 0.});
+  const auto  contact       = linear_contact(state.problem,
+                                      state.state,
+                                      at_speed(FrictionResponse::constant));
+  ReducedPair reduced       = truncated(full, few);
+  const auto  of_full       = StabilityPencil(full, contact).eigenvalues();
+  const auto  largest_error = [&]() {
+    const auto found = StabilityPencil(reduced, contact).eigenvalues();
+    double     error = 0.;
+    for (const auto &s : of_full)
+      if (s.imag() > 2 * pi * 60. && s.imag() < 2 * pi * 4000.)
+        {
+          double nearest = 1e300;
+          for (const auto &other : found)
+            nearest = std::min(nearest, std::abs(other - s));
+          error = std::max(error, nearest);
+        }
+    return error;
+  };
+  const double retarded = largest_error();
+  reduced.retardation   = 0.;
+  const double at_once  = largest_error();
+  BOOST_TEST_MESSAGE("error " << retarded << " 1/s, at once " << at_once);
+  BOOST_TEST(retarded < 0.2 * at_once);
+  BOOST_TEST(at_once > 5.);
+}
+
 BOOST_AUTO_TEST_CASE(the_count_is_that_of_the_eigenvalues)
 {
   const double low = 60., high = 5000.;

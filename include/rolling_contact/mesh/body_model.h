@@ -1,6 +1,8 @@
 #ifndef rolling_contact_mesh_body_model_h
 #define rolling_contact_mesh_body_model_h
 
+#include <rolling_contact/base/constants.h>
+
 #include <array>
 #include <tuple>
 #include <utility>
@@ -127,6 +129,14 @@ namespace RollingContact
     bool has_sponge() const
     {
       return sponge_length > 0. && sponge_rate > 0.;
+    }
+
+    /**
+     * Retardation time of the material in time, C = tau K. Units: s.
+     */
+    double retardation() const
+    {
+      return stiffness_damping + loss_factor / (2 * pi * loss_frequency);
     }
 
     bool operator==(const BodyDamping &other) const

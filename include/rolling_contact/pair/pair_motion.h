@@ -35,9 +35,9 @@ namespace RollingContact
    */
   struct ReducedState
   {
-    std::vector<double> eta, rate; ///< of the modes
-    std::vector<double> forces, forces_before;
-    double              last_step = 0.; ///< 0: none has been taken
+    std::vector<double> eta, rate;             ///< of the modes
+    std::vector<double> forces, forces_before; ///< g of ReducedPair
+    double              last_step = 0.;        ///< 0: none has been taken
 
     /** From the middle of the step before to that of the last one, s. */
     double distance = 0.;

@@ -3,24 +3,26 @@
 
 #include <rolling_contact/algebra/dense_matrix.h>
 #include <rolling_contact/stability/linear_contact.h>
+#include <rolling_contact/stability/reduced_pair.h>
 
 namespace RollingContact
 {
   /**
    * How a contact answers motions U of the patch, as complex stiffness:
    *
-   *   G(s) = -U^T forces [(N_u + s N_v) W_res forces + N_r + s N_s]^-1
-   *              (N_u + s N_v) U,
+   *   G(s) = -U^T forces [(N_u + s N_v) W_res / (1 + tau s) forces
+   *              + N_r + s N_s]^-1 (N_u + s N_v) U,
    *
-   * the generalised forces of unit motions that go as exp(s t). Smooth in s but
-   * for its poles, the eigenvalues of the contact with bodies that stand still.
-   * Units: 1/s, N/m if U has none.
+   * with what the modes of a pair leave out, W_res and tau: the generalised
+   * forces of unit motions that go as exp(s t). Smooth in s but for its poles,
+   * the eigenvalues of the contact with bodies that stand still. Units: 1/s,
+   * N/m if U has none.
    */
   class ContactResponse
   {
   public:
     ContactResponse(const LinearContact &contact,
-                    const DenseMatrix   &W_res,
+                    const ReducedPair   &pair,
                     const DenseMatrix   &U);
 
     /**
@@ -40,6 +42,7 @@ namespace RollingContact
     void scale_rows();
 
     DenseMatrix   statics, viscosity, motion, velocity;
+    double        retardation;
     ComplexMatrix reaction;
   };
 } // namespace RollingContact

@@ -71,6 +71,12 @@ namespace RollingContact
       return N_r.rows();
     }
 
+    /** The first of the unknowns, tractions and pressures. */
+    unsigned int n_tractions() const
+    {
+      return (n_tangential + 1) * touching.size();
+    }
+
     unsigned int n_slip() const;
 
     unsigned int n_border() const

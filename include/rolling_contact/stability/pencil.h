@@ -55,15 +55,20 @@ namespace RollingContact
 
   /**
    * The first-order equations A x = (s / w) E x of a pair and a linearised
-   * contact, x = (eta, eta' / w, contact / scale), of order 2 m + n_x:
+   * contact, x = (eta, eta' / w, y / scale), of order 2 m + n_x, where
+   * (1 + tau s) y are tractions and pressures of the contact, y itself what
+   * else it has:
    *
    *   A = [        0          I                        0                    ]
    *       [ -K_m / w^2   -C_m / w        Phi^T forces scale / w^2           ]
    *       [   N_u Phi     N_v Phi w   (N_u W_res forces + N_r) scale        ]
-   *   E = diag(I, I, -(N_v W_res forces + N_s) scale w),
+   *   E = [ I   0                     0                                     ]
+   *       [ 0   I       -tau Phi^T forces scale / w                         ]
+   *       [ 0   0   -(N_v W_res forces + N_s + tau N_r') scale w            ],
    *
-   * rows of the contact divided by their largest entries; w is a fifth of the
-   * highest frequency and scale the pressure that moves the modes as they move.
+   * N_r' the columns of tractions and pressures of N_r. Rows of the contact are
+   * divided by their largest entries; w is a fifth of the highest frequency and
+   * scale the pressure that moves the modes as they move.
    */
   class StabilityPencil
   {
@@ -100,9 +105,11 @@ namespace RollingContact
 
     void add_contact(const ReducedPair &pair, const LinearContact &contact);
 
-    std::size_t n_modes = 0;
-    double      rate    = 1.; ///< w, 1/s
-    double      scale   = 1.; ///< Pa
+    std::size_t n_modes     = 0;
+    std::size_t n_tractions = 0;
+    double      retardation = 0.; ///< s
+    double      rate        = 1.; ///< w, 1/s
+    double      scale       = 1.; ///< Pa
     DenseMatrix A, E;
   };
 

@@ -10,9 +10,11 @@ namespace RollingContact
    * both bodies together, and the static compliance of all that the modes leave
    * out (MacNeal's residual flexibility, a massless interface):
    *
-   *   eta'' + C_m eta' + K_m eta = Phi^T f,      u = Phi eta + W_res f,
+   *   eta'' + C_m eta' + K_m eta = Phi^T f,      u = Phi eta + W_res g,
+   *   g + tau g' = f,
    *
-   * u the motion of the wheel relative to the rail at the N nodes of contact, f
+   * with the retardation time tau of the material under the contact; u the
+   * motion of the wheel relative to the rail at the N nodes of contact, f
    * the nodal forces on the wheel, both (T + 1) N values in the order of
    * ContactOperators::W(), tangential components first, in the frame of the
    * pair. The columns of Phi that belong to the rail carry the minus sign of
@@ -26,6 +28,8 @@ namespace RollingContact
     DenseMatrix Phi;   ///< (T + 1) N x m, 1/sqrt(kg)
     DenseMatrix W_res; ///< (T + 1) N square, symmetric, m/N
 
+    double retardation = 0.; ///< tau, s
+
     unsigned int n_wheel_modes = 0; ///< the first columns of Phi
 
     unsigned int n_modes() const
@@ -35,10 +39,10 @@ namespace RollingContact
   };
 
   /**
-   * Throws InputError unless the sizes of @p pair fit each other and W_res is
-   * symmetric with no eigenvalue below -1e-10 of its largest one. Modes and
-   * compliance that come from different matrices fail here: then W_res would
-   * push where it should give way.
+   * Throws InputError unless the sizes of @p pair fit each other, tau >= 0 and
+   * W_res is symmetric with no eigenvalue below -1e-10 of its largest one.
+   * Modes and compliance that come from different matrices fail here: then
+   * W_res would push where it should give way.
    */
   void check(const ReducedPair &pair);
 

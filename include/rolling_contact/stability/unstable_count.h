@@ -51,15 +51,13 @@ namespace RollingContact
    * U,
    *
    *   H(s) = L^T (s^2 + s C_m + K_m)^-1 L,
-   *   G(s) = -U^T forces [(N_u + s N_v) W_res forces + N_r + s N_s]^-1
-   *              (N_u + s N_v) U
-   *
-   * the eigenvalues are the zeros of det(I - H G), whose poles are those of H
-   * and G: zeros = turns + poles in the contour. H comes from its poles and
-   * residues, once for a pair; G from a rational fit of some 130 values, for
-   * each contact. The contour is divided where the phase of the determinant
-   * steps by more than 0.8 or its logarithm by more than 1; it begins with
-   * points clustered about each lightly damped mode.
+   * and G(s) the ContactResponse, the eigenvalues are the zeros of
+   * det(I - H G), whose poles are those of H and G: zeros = turns + poles in
+   * the contour. H comes from its poles and residues, once for a pair; G from a
+   * rational fit of some 130 values, for each contact. The contour is divided
+   * where the phase of the determinant steps by more than 0.8 or its logarithm
+   * by more than 1; it begins with points clustered about each lightly damped
+   * mode.
    */
   class UnstableCounter
   {
@@ -94,9 +92,9 @@ namespace RollingContact
     using MatrixFunction =
       std::function<ComplexMatrix(const std::complex<double>)>;
 
-    void find_motions(const ReducedPair &pair);
+    void find_motions();
 
-    void find_poles(const ReducedPair &pair);
+    void find_poles();
 
     void set_contour();
 
@@ -115,7 +113,8 @@ namespace RollingContact
     bool inside(const std::complex<double> s) const;
 
     CountOptions               options;
-    DenseMatrix                K_m, C_m, W_res, U, L;
+    ReducedPair                pair;
+    DenseMatrix                U, L;
     ComplexValues              poles;
     ComplexMatrix              left, right; ///< residues of H
     bool                       poles_hold = true;

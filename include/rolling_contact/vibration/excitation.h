@@ -44,7 +44,8 @@ namespace RollingContact
 
   private:
     std::complex<double> s;
-    ComplexVector        modal, forces; ///< m kg^(1/2), N
+    ComplexVector        modal;  ///< m kg^(1/2)
+    ComplexVector        forces; ///< g of ReducedPair, N
     std::complex<double> friction_share = 0.;
   };
 

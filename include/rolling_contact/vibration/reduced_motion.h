@@ -16,8 +16,9 @@ namespace RollingContact
    *
    *   v_m   = v_n + h/2 (load + g a_m + Phi^T f_m - C_m v_m - K_m eta_m),
    *   eta_m = eta_n + h/2 v_m,    eta_(n+1) = eta_n + h v_m,
-   *   u_m   = Phi eta_m + W_res f_m,
-   *   u'_m  = Phi v_m + W_res (3/2 f_m - 2 f_(m-1) + 1/2 f_(m-2)) / h:
+   *   u_m   = Phi eta_m + W_res g_m,      u'_m = Phi v_m + W_res g'_m,
+   *   g'_m  = (3/2 g_m - 2 g_(m-1) + 1/2 g_(m-2)) / h,     g_m + tau g'_m =
+   * f_m,
    *
    * where a_m is the acceleration of the hub that the wheel moves with and g
    * what it loads the modes by. The nodes have no mass, so that none of them
@@ -29,7 +30,8 @@ namespace RollingContact
    * The contact laws take one matrix, with which u_m = free + W f and u'_m =
    * free + 3/2 W f / h,
    *
-   *   W = W_res + h^2/3 sym(G),   G = Phi (1 + h/2 C_m + h^2/4 K_m)^-1 Phi^T.
+   *   W = W_res / (1 + 3/2 tau / h) + h^2/3 sym(G),
+   *   G = Phi (1 + h/2 C_m + h^2/4 K_m)^-1 Phi^T.
    *
    * That gives the velocity exactly and the displacement but for h^2/12 G f,
    * for which, and for the skew part of G, the forces are extrapolated from the
@@ -156,6 +158,12 @@ namespace RollingContact
 
     Past past(const bool smooth) const;
 
+    /** What part of a force the residual compliance follows within a step. */
+    double follows() const
+    {
+      return 1 / (1 + velocity_factor * pair.retardation / h);
+    }
+
     /**
      * Energy stored in the residual compliance, in the measure that BDF2
      * conserves. Units: J.
@@ -175,7 +183,7 @@ namespace RollingContact
     std::vector<double> rest_load, hub_inertia;
     std::vector<double> load; ///< of the step that has begun
     std::vector<double> K_eta;
-    std::vector<double> residual, residual_before; ///< W_res f, m
+    std::vector<double> residual, residual_before; ///< W_res g, m
     std::vector<double> free_rate, free_u, free_v, velocity;
     StepEnergy          step_energy;
   };

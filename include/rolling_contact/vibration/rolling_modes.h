@@ -74,6 +74,13 @@ namespace RollingContact
     }
 
   private:
+    /**
+     * Of the residual compliance, which is that of the material under the
+     * contact: the mean of both bodies by the compliances of their half-spaces,
+     * (1 - nu^2) / E. Units: s.
+     */
+    double retardation() const;
+
     /** Motions of the contact nodes of a body, by columns, as the relative
      * motion. */
     DenseMatrix at_contact(const Side side, const DenseMatrix &motions) const;
