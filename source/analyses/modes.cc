@@ -71,9 +71,7 @@ namespace RollingContact
             continue;
           shown.push_back(
             {significant(body.modes.frequencies[j], 4) + " Hz" +
-               (character.nodal_diameters
-                  ? ", n = " + std::to_string(*character.nodal_diameters)
-                  : ""),
+               (character.nodal_diameters ? ", " + character.name() : ""),
              body.body->field(column_of(shapes, j))});
         }
       plot_mode_sections(*body.body,
@@ -115,7 +113,7 @@ namespace RollingContact
     context.log.message(table.screen_table({"body",
                                             "mode",
                                             "frequency_Hz",
-                                            "nodal_diameters",
+                                            "name",
                                             "axial_share",
                                             "radial_share",
                                             "damping_ratio"}));
@@ -144,6 +142,7 @@ namespace RollingContact
         table.set_if(character.nodal_diameters.has_value(),
                      "diameter_share",
                      character.diameter_share);
+        table.set("name", character.name());
         table.set("axial_share", character.axial_share);
         table.set("radial_share", character.radial_share);
         table.set("circumferential_share", character.circumferential_share);

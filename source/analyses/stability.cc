@@ -122,6 +122,22 @@ namespace RollingContact
                  "of the creepage or stiffer supports change that."));
     }
 
+    /** Warns of a stick zone whose leading edge cannot move. */
+    void warn_of_fixed_edges(const LinearContact   &contact,
+                             const SlipOperatorKind kind,
+                             Log                   &log)
+    {
+      const std::size_t n       = contact.touching.size(),
+                        n_stick = n - contact.n_slip();
+      if (contact.n_tangential > 0 && n_stick > 0 &&
+          kind != SlipOperatorKind::calibrated)
+        log.warning("Part of the patch sticks, " + std::to_string(n_stick) +
+                    " of " + std::to_string(n) +
+                    " nodes. Its leading edge moves with the load, which "
+                    "Contact/Slip operator = " +
+                    name_of(kind) + " does not know; take calibrated.");
+    }
+
     /** Counts the unstable vibrations a second time; a part of the verdict if
      * they are as many. */
     std::string counted_again(const Situation            &scene,
@@ -217,13 +233,16 @@ namespace RollingContact
                                             "growth_1/s",
                                             "corrected_growth_1/s",
                                             "damping_needed",
-                                            "wheel_mode",
+                                            "wheel_mode_name",
                                             "unstable"}));
     warn_of_contact(vibrations,
                     steady.problem.loads.friction_law != nullptr &&
                       scene.inputs->friction_response() !=
                         FrictionResponse::constant,
                     context.log);
+    warn_of_fixed_edges(vibrations.contact(),
+                        scene.contact.slip_operator,
+                        context.log);
     if (vibrations.contact().n_border() > 0)
       context.log.detail(
         std::to_string(vibrations.contact().n_border()) +

@@ -49,7 +49,8 @@ namespace RollingContact
       const std::string name = name_of(side);
       if (bodies.n_modes(side) == 0)
         {
-          for (const char *what : {"_mode", "_mode_Hz", "_mode_share"})
+          for (const char *what :
+               {"_mode", "_mode_Hz", "_mode_share", "_mode_name"})
             table.leave_empty(name + what);
           return;
         }
@@ -57,6 +58,8 @@ namespace RollingContact
       table.set(name + "_mode", mode + 1);
       table.set(name + "_mode_Hz", bodies.body(side)->modes.frequencies[mode]);
       table.set(name + "_mode_share", share);
+      table.set(name + "_mode_name",
+                bodies.body(side)->characters[mode].name());
     }
   } // namespace
 

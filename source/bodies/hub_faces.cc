@@ -11,8 +11,6 @@ namespace RollingContact
 
   namespace
   {
-    const unsigned int most_parts = 64; ///< of a face along an edge
-
     /** d at / d s and the like of a straight-sided face at (s, t). */
     template <int dim, typename Face>
     FacePoint<dim> face_point(const Face &face, const double s, const double t)
@@ -35,24 +33,31 @@ namespace RollingContact
       return point;
     }
 
-    /** How many parts keep steps along x below @p step, along s and t. */
+    /** How far the edges of a face along one of its directions go along x. */
     template <int dim, typename Face>
-    std::array<unsigned int, 2> parts_of(const Face &face, const double step)
+    double reach_along_x(const Face &face, const unsigned int direction)
     {
-      std::array<unsigned int, 2> parts{{1, 1}};
-      for (unsigned int d = 0; d + 1 < dim; ++d)
-        for (const unsigned int v : face->vertex_indices())
-          if (!((v >> d) & 1))
-            {
-              const double length =
-                std::abs(face->vertex(v + (1 << d))[0] - face->vertex(v)[0]);
-              parts[d] =
-                std::clamp<unsigned int>(std::ceil(std::min(length / step,
-                                                            1. * most_parts)),
-                                         parts[d],
-                                         most_parts);
-            }
-      return parts;
+      double reach = 0.;
+      for (const unsigned int v : face->vertex_indices())
+        if (!((v >> direction) & 1))
+          reach = std::max(reach,
+                           std::abs(face->vertex(v + (1 << direction))[0] -
+                                    face->vertex(v)[0]));
+      return reach;
+    }
+
+    /** Part of the way from x_0 to x_1 that is between two values. */
+    std::array<double, 2> part_between(const double x_0,
+                                       const double x_1,
+                                       const double from,
+                                       const double to)
+    {
+      const double rounding = 1e-12;
+      if (std::abs(x_1 - x_0) <=
+          rounding * std::max(std::abs(x_0), std::abs(x_1)))
+        return {{0., from <= x_0 && x_0 <= to ? 1. : 0.}};
+      const double a = (from - x_0) / (x_1 - x_0), b = (to - x_0) / (x_1 - x_0);
+      return {{std::max(0., std::min(a, b)), std::min(1., std::max(a, b))}};
     }
   } // namespace
 
@@ -71,22 +76,33 @@ namespace RollingContact
 
   template <int dim>
   void integrate(const typename DoFHandler<dim>::active_face_iterator &face,
-                 const double                                          step,
+                 const double                                          from,
+                 const double                                          to,
                  const std::function<void(const FacePoint<dim> &)>    &action)
   {
-    const auto   parts = parts_of<dim>(face, step);
-    const double gauss = std::sqrt(1. / 12);
-    const auto   place = [&](const unsigned int k, const unsigned int n) {
-      return (k / 2 + 0.5 + (k % 2 ? gauss : -gauss)) / n;
-    };
-    for (unsigned int i = 0; i < 2 * parts[0]; ++i)
-      for (unsigned int j = 0; j < (dim == 2 ? 1 : 2 * parts[1]); ++j)
-        {
-          FacePoint<dim> point =
-            face_point<dim>(face, place(i, parts[0]), place(j, parts[1]));
-          point.area /= 2 * parts[0] * (dim == 2 ? 1. : 2. * parts[1]);
-          action(point);
-        }
+    const double gauss[2] = {0.5 - std::sqrt(1. / 12),
+                             0.5 + std::sqrt(1. / 12)};
+    const double along[2] = {reach_along_x<dim>(face, 0),
+                             dim == 3 ? reach_along_x<dim>(face, 1) : 0.};
+    // the direction that goes along x is cut exactly, the other in parts
+    const unsigned int cut     = along[1] > along[0] ? 1 : 0,
+                       n_parts = along[1 - cut] > 1e-9 * along[cut] ? 16 : 1;
+    for (unsigned int j = 0; j < (dim == 2 ? 1 : 2 * n_parts); ++j)
+      {
+        const double across   = (j / 2 + gauss[j % 2]) / n_parts;
+        const auto   point_at = [&](const double place) {
+          return cut == 0 ? face_point<dim>(face, place, across)
+                            : face_point<dim>(face, across, place);
+        };
+        const auto [a, b] =
+          part_between(point_at(0.).at[0], point_at(1.).at[0], from, to);
+        for (unsigned int i = 0; a < b && i < 2; ++i)
+          {
+            FacePoint<dim> point = point_at(a + (b - a) * gauss[i]);
+            point.area *= (b - a) / 2 / (dim == 2 ? 1. : 2. * n_parts);
+            action(point);
+          }
+      }
   }
 
   namespace
@@ -172,8 +188,10 @@ namespace RollingContact
                 hub_faces(const DoFHandler<3> &);
   template void integrate<2>(const DoFHandler<2>::active_face_iterator &,
                              const double,
+                             const double,
                              const std::function<void(const FacePoint<2> &)> &);
   template void integrate<3>(const DoFHandler<3>::active_face_iterator &,
+                             const double,
                              const double,
                              const std::function<void(const FacePoint<3> &)> &);
   template Tensor<2, 2> hub_axes(const DoFHandler<2> &);

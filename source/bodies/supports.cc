@@ -12,12 +12,6 @@ namespace RollingContact
 {
   using namespace dealii;
 
-  namespace
-  {
-    /** Points of integration over the length of a pad, at least. */
-    const unsigned int points_of_pad = 32;
-  } // namespace
-
   template <int dim>
   Supports<dim>::Supports(const DoFHandler<dim> &dofs,
                           const Hub              hub,
@@ -34,55 +28,99 @@ namespace RollingContact
       find_hub(dofs);
   }
 
+  namespace
+  {
+    template <typename Face>
+    std::pair<double, double> range_along_x(const Face &face)
+    {
+      double from = face->vertex(0)[0], to = from;
+      for (const unsigned int v : face->vertex_indices())
+        {
+          from = std::min(from, face->vertex(v)[0]);
+          to   = std::max(to, face->vertex(v)[0]);
+        }
+      return {from, to};
+    }
+
+    /** Add what a pad between two values of x has of a face. */
+    template <int dim, typename Face>
+    void add_face(const Face                  &face,
+                  const double                 from,
+                  const double                 to,
+                  typename Supports<dim>::Pad &pad)
+    {
+      const unsigned int              n = face->n_vertices();
+      typename Supports<dim>::PadFace part{{},
+                                           std::vector<double>(n, 0.),
+                                           FullMatrix<double>(n, n)};
+      double                          area = 0.;
+      integrate<dim>(face, from, to, [&](const FacePoint<dim> &point) {
+        area += point.area;
+        for (unsigned int v = 0; v < n; ++v)
+          {
+            part.shares[v] += point.shape[v] * point.area;
+            for (unsigned int w = 0; w < n; ++w)
+              part.products(v, w) +=
+                point.shape[v] * point.shape[w] * point.area;
+          }
+      });
+      for (unsigned int v = 0; v < n; ++v)
+        part.nodes.push_back(face->vertex_dof_index(v, 0));
+      if (area > 0.)
+        pad.faces.push_back(std::move(part));
+    }
+  } // namespace
+
   template <int dim>
   void Supports<dim>::find_pads(const DoFHandler<dim> &dofs)
   {
     double first = std::numeric_limits<double>::infinity(), last = -first;
     for (const auto &face : hub_faces(dofs))
       {
-        for (const unsigned int v : face->vertex_indices())
-          {
-            first = std::min(first, face->vertex(v)[0]);
-            last  = std::max(last, face->vertex(v)[0]);
-          }
+        const auto [from, to] = range_along_x(face);
+        first                 = std::min(first, from);
+        last                  = std::max(last, to);
       }
-    const double spacing = foundation.pad_spacing,
-                 reach   = foundation.pad_length / 2;
-    const auto pad_at    = [&](const double x) {
-      return spacing > 0. ? std::lround((x - foundation.pad_offset) / spacing)
-                             : 0l;
-    };
-    const auto middle = [&](const long pad) {
-      return spacing > 0. ? foundation.pad_offset + pad * spacing
-                          : (first + last) / 2;
-    };
-    const double step = spacing > 0. ? 2 * foundation.pad_length / points_of_pad
-                                     : std::numeric_limits<double>::infinity();
-    std::map<long, std::map<Dof, double>> areas;
+    const double spacing    = foundation.pad_spacing,
+                 everywhere = std::numeric_limits<double>::max(),
+                 reach      = foundation.pad_length / 2,
+                 offset     = foundation.pad_offset;
+    std::map<long, Pad> pads;
     for (const auto &face : hub_faces(dofs))
-      {
-        integrate<dim>(face, step, [&](const FacePoint<dim> &point) {
-          const long pad = pad_at(point.at[0]);
-          if (spacing > 0. && std::abs(point.at[0] - middle(pad)) > reach)
-            return;
-          for (unsigned int v = 0; v < point.shape.size(); ++v)
-            areas[pad][face->vertex_dof_index(v, 0)] +=
-              point.shape[v] * point.area;
-        });
-      }
-    const double rounding = 1e-9 * (last - first);
-    for (const auto &[pad, nodes] : areas)
-      if (spacing == 0. || (middle(pad) - reach > first - rounding &&
-                            middle(pad) + reach < last + rounding))
+      if (spacing > 0.)
         {
-          springs.push_back(
-            {middle(pad), spacing > 0. ? spacing : last - first, {}});
-          double area = 0.;
-          for (const auto &node : nodes)
-            area += node.second;
-          for (const auto &node : nodes)
-            springs.back().shares.emplace_back(node.first, node.second / area);
+          const auto [from, to] = range_along_x(face);
+          for (long k = std::lround((from - offset) / spacing);
+               k <= std::lround((to - offset) / spacing);
+               ++k)
+            add_face<dim>(face,
+                          offset + k * spacing - reach,
+                          offset + k * spacing + reach,
+                          pads[k]);
         }
+      else
+        add_face<dim>(face, -everywhere, everywhere, pads[0]);
+    const double rounding = 1e-9 * (last - first);
+    for (auto &[k, pad] : pads)
+      {
+        pad.x      = spacing > 0. ? offset + k * spacing : (first + last) / 2;
+        pad.length = spacing > 0. ? spacing : last - first;
+        const bool is_cut = spacing > 0. && (pad.x - reach < first - rounding ||
+                                             pad.x + reach > last + rounding);
+        if (is_cut || pad.faces.empty())
+          continue;
+        double area = 0.;
+        for (const PadFace &face : pad.faces)
+          for (const double share : face.shares)
+            area += share;
+        for (PadFace &face : pad.faces)
+          {
+            for (double &share : face.shares)
+              share /= area;
+            face.products /= area;
+          }
+        springs.push_back(std::move(pad));
+      }
     if (springs.empty())
       throw InputError(
         "Pad spacing = " + significant(spacing, 4) +
@@ -105,7 +143,8 @@ namespace RollingContact
         for (const unsigned int v : face->vertex_indices())
           nodes[face->vertex_dof_index(v, 0)] = face->vertex(v);
         integrate<dim>(face,
-                       std::numeric_limits<double>::infinity(),
+                       -std::numeric_limits<double>::max(),
+                       std::numeric_limits<double>::max(),
                        [&](const FacePoint<dim> &point) {
                          centre += point.area * point.at;
                          area += point.area;
@@ -190,18 +229,48 @@ namespace RollingContact
     for (unsigned int i = 0; i < n_extra(); ++i)
       for (unsigned int j = i - i % block; j < i - i % block + block; ++j)
         pattern.add(first_extra + i, first_extra + j);
-    std::vector<Dof> ends(2 * dim);
+    std::vector<Dof> ends;
     for (std::size_t p = 0; p < springs.size(); ++p)
-      for (const auto &share : springs[p].shares)
+      for (const PadFace &face : springs[p].faces)
         {
-          for (unsigned int c = 0; c < dim; ++c)
-            {
-              ends[c]       = share.first + c;
-              ends[dim + c] = first_extra + p * dim + c;
-            }
+          ends = ends_of(face, p);
           constraints.add_entries_local_to_global(ends, pattern, false);
         }
   }
+
+  template <int dim>
+  auto Supports<dim>::ends_of(const PadFace &face, const std::size_t pad) const
+    -> std::vector<Dof>
+  {
+    std::vector<Dof> ends;
+    for (const Dof node : face.nodes)
+      for (unsigned int c = 0; c < dim; ++c)
+        ends.push_back(node + c);
+    for (unsigned int c = 0; foundation.has_sleepers() && c < dim; ++c)
+      ends.push_back(first_extra + pad * dim + c);
+    return ends;
+  }
+
+  namespace
+  {
+    /**
+     * What the ends of springs, nodes and the sleeper behind them, have of the
+     * stiffness: integrals of (N_i - 1_sleeper) (N_j - 1_sleeper).
+     */
+    template <typename Face>
+    FullMatrix<double> parts_of_ends(const Face &face, const bool has_sleeper)
+    {
+      const unsigned int n = face.nodes.size(), size = has_sleeper ? n + 1 : n;
+      FullMatrix<double> parts(size, size);
+      parts.fill(face.products);
+      for (unsigned int v = 0; size > n && v < n; ++v)
+        {
+          parts(v, n) = parts(n, v) = -face.shares[v];
+          parts(n, n) += face.shares[v];
+        }
+      return parts;
+    }
+  } // namespace
 
   template <int dim>
   void
@@ -212,26 +281,25 @@ namespace RollingContact
   {
     const Tensor<2, dim> layer   = along_axes(foundation.stiffness),
                          ballast = along_axes(foundation.ballast_stiffness);
-    const unsigned int n         = foundation.has_sleepers() ? 2 * dim : dim;
-    FullMatrix<double> spring(n, n);
-    std::vector<Dof>   ends(n);
     for (std::size_t p = 0; p < springs.size(); ++p)
       {
-        for (unsigned int i = dim; i < n; ++i)
-          for (unsigned int j = dim; j < n; ++j)
-            K.add(first_extra + p * dim + i - dim,
-                  first_extra + p * dim + j - dim,
-                  of_ballast * springs[p].length * ballast[i - dim][j - dim]);
-        for (const auto &[node, share] : springs[p].shares)
+        const double length = springs[p].length;
+        for (unsigned int i = 0; foundation.has_sleepers() && i < dim; ++i)
+          for (unsigned int j = 0; j < dim; ++j)
+            K.add(first_extra + p * dim + i,
+                  first_extra + p * dim + j,
+                  of_ballast * length * ballast[i][j]);
+        for (const PadFace &face : springs[p].faces)
           {
-            const double part = of_foundation * share * springs[p].length;
-            for (unsigned int i = 0; i < n; ++i)
-              {
-                ends[i] = i < dim ? node + i : first_extra + p * dim + i - dim;
-                for (unsigned int j = 0; j < n; ++j)
-                  spring(i, j) = (i / dim == j / dim ? part : -part) *
-                                 layer[i % dim][j % dim];
-              }
+            const std::vector<Dof>   ends = ends_of(face, p);
+            const FullMatrix<double> parts =
+              parts_of_ends(face, foundation.has_sleepers());
+            FullMatrix<double> spring(ends.size(), ends.size());
+            for (unsigned int i = 0; i < ends.size(); ++i)
+              for (unsigned int j = 0; j < ends.size(); ++j)
+                spring(i, j) = of_foundation * length *
+                               parts(i / dim, j / dim) *
+                               layer[i % dim][j % dim];
             constraints.distribute_local_to_global(spring, ends, K);
           }
       }

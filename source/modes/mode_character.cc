@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <map>
 
 namespace RollingContact
 {
   namespace
   {
-    using Vector = std::array<double, 3>;
+    using Vector  = std::array<double, 3>;
+    using Complex = std::complex<double>;
 
     const unsigned int most_rings = 64, most_diameters = 24;
 
@@ -46,6 +49,16 @@ namespace RollingContact
       return rings;
     }
 
+    Vector cylindrical(const NodeRing::Node &at,
+                       const DenseMatrix    &shapes,
+                       const std::size_t     mode)
+    {
+      const Vector u = motion(*at.node, shapes, mode);
+      return {{product(u, at.place.along),
+               product(u, at.place.outwards),
+               product(u, at.place.around)}};
+    }
+
     /** Energy of each order of the Fourier series round the axle. */
     std::vector<double> energy_of_orders(const std::vector<NodeRing> &rings,
                                          const DenseMatrix           &shapes,
@@ -62,19 +75,15 @@ namespace RollingContact
           std::vector<Vector> cosine(n_orders + 1, Vector{}), sine = cosine;
           for (const NodeRing::Node &at : ring.nodes)
             {
-              const Vector u = motion(*at.node, shapes, mode);
-              const Vector cylindrical{
-                {at.weight * product(u, at.place.along),
-                 at.weight * product(u, at.place.outwards),
-                 at.weight * product(u, at.place.around)}};
+              const Vector u = cylindrical(at, shapes, mode);
               for (unsigned int n = 0; n <= n_orders; ++n)
                 {
                   const double c = std::cos(n * at.place.angle),
                                s = std::sin(n * at.place.angle);
                   for (unsigned int d = 0; d < 3; ++d)
                     {
-                      cosine[n][d] += c * cylindrical[d];
-                      sine[n][d] += s * cylindrical[d];
+                      cosine[n][d] += c * at.weight * u[d];
+                      sine[n][d] += s * at.weight * u[d];
                     }
                 }
             }
@@ -84,6 +93,39 @@ namespace RollingContact
               (product(cosine[n], cosine[n]) + product(sine[n], sine[n]));
         }
       return energy;
+    }
+
+    /** Changes of sign, from the hub to the tread, of the axial motion with so
+     * many nodal diameters, small ones left out. */
+    unsigned int circles_of(const std::vector<NodeRing> &rings,
+                            const DenseMatrix           &shapes,
+                            const std::size_t            mode,
+                            const unsigned int           diameters)
+    {
+      const double              small = 0.05; // of the largest
+      std::map<double, Complex> amplitudes;   // by radius
+      Complex                   largest = 0.;
+      for (const NodeRing &ring : rings)
+        {
+          Complex sum = 0.;
+          for (const NodeRing::Node &at : ring.nodes)
+            sum += at.weight * cylindrical(at, shapes, mode)[0] *
+                   std::polar(1., diameters * at.place.angle);
+          amplitudes[ring.nodes.front().place.radius] += sum;
+          if (std::abs(sum) > std::abs(largest))
+            largest = sum;
+        }
+      unsigned int circles = 0;
+      double       before  = 0.;
+      for (const auto &[radius, amplitude] : amplitudes)
+        {
+          const double now = (amplitude * std::conj(largest)).real();
+          if (std::abs(now) < small * std::norm(largest))
+            continue;
+          circles += now * before < 0.;
+          before = now;
+        }
+      return circles;
     }
 
     void find_shares(const BodyPlaces          &places,
@@ -149,6 +191,19 @@ namespace RollingContact
     }
   } // namespace
 
+  std::string ModeCharacter::name() const
+  {
+    if (!nodal_diameters)
+      return "";
+    const double largest =
+      std::max({axial_share, radial_share, circumferential_share});
+    return (largest == axial_share
+              ? std::to_string(nodal_circles.value_or(0)) + "L"
+            : largest == radial_share ? "R"
+                                      : "C") +
+           std::to_string(*nodal_diameters);
+  }
+
   std::vector<ModeCharacter> mode_characters(const BodyPlaces          &places,
                                              const std::optional<Axle> &axle,
                                              const StructuralModes     &modes)
@@ -169,6 +224,8 @@ namespace RollingContact
           sum += part;
         characters[j].nodal_diameters = most - energy.begin();
         characters[j].diameter_share  = sum > 0. ? *most / sum : 0.;
+        characters[j].nodal_circles =
+          circles_of(rings, modes.shapes, j, *characters[j].nodal_diameters);
       }
     find_pairs(modes, characters);
     return characters;

@@ -26,11 +26,10 @@ namespace RollingContact
       throw InputError(why + "Contact/Speed is empty; give the rolling speed V "
                              "in m/s, which the slip's rate is compared with.");
     if (contact.friction_coefficient > 0. &&
-        contact.slip_operator != SlipOperatorKind::upwind_2 &&
-        contact.slip_operator != SlipOperatorKind::upwind_1)
-      throw InputError(why + "Contact/Slip operator must be `upwind 2` or "
-                             "`upwind 1`: the linearised laws hold without an "
-                             "edge law.");
+        contact.slip_operator == SlipOperatorKind::galerkin)
+      throw InputError(why + "Contact/Slip operator must be `calibrated`, "
+                             "`upwind 2` or `upwind 1`: that of `galerkin` has "
+                             "no rows to linearise.");
     if (contact.friction_memory_length > 0.)
       throw InputError(why + "Contact/Friction memory length = " +
                        text_of(contact.friction_memory_length) +

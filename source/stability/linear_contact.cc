@@ -15,18 +15,15 @@ namespace RollingContact
 
   namespace
   {
-    void check_operators(const ContactProblem &problem,
-                         const ContactState   &state)
+    void check_operators(const ContactProblem &problem)
     {
       const ContactOperators &operators = problem.operators;
       const SlipOperatorKind  kind      = operators.slip_operator().kind();
-      if (problem.n_tangential() > 0 &&
-          (kind == SlipOperatorKind::galerkin ||
-           (kind == SlipOperatorKind::calibrated && state.edge_law)))
-        throw InputError(
-          "Contact/Slip operator = " + name_of(kind) +
-          ": the stability of a state needs `upwind 2` or "
-          "`upwind 1`, with which the state must be found, too.");
+      if (problem.n_tangential() > 0 && kind == SlipOperatorKind::galerkin)
+        throw InputError("Contact/Slip operator = " + name_of(kind) +
+                         ": the stability of a state needs `calibrated`, "
+                         "`upwind 2` or `upwind 1`, with which the state must "
+                         "be found, too.");
       if (operators.time_scaling().rate != 0. ||
           operators.time_scaling().convection != 1. ||
           !problem.loads.slip_share.empty())
@@ -84,12 +81,21 @@ namespace RollingContact
       void add_memory();
 
       /**
-       * Add @p factor times dv_c of node @p i to a row.
+       * Add @p factor times dv_c of node @p i to a row, with what the edge law
+       * makes of tractions and pressures at a leading edge, its extrapolation
+       * as it is in the state.
        */
       void add_sliding(const std::size_t  row,
                        const unsigned int c,
                        const unsigned int i,
                        const double       factor);
+
+      void find_edges_by_pressure();
+
+      void add_edge_row(const std::size_t  row,
+                        const unsigned int c,
+                        const unsigned int i,
+                        const double       factor);
 
       double sliding_speed(const unsigned int i) const
       {
@@ -113,7 +119,9 @@ namespace RollingContact
       const bool                  falls, remembers;
       const std::size_t           N, T;
       std::size_t                 n_touching = 0;
-      LinearContact               contact;
+      std::vector<std::size_t>    place; ///< of nodes among the touching ones
+      std::vector<NodalField> edges_by_pressure; ///< of touching nodes, 1/Pa
+      LinearContact           contact;
     };
 
     Linearisation::Linearisation(const ContactProblem       &problem,
@@ -153,6 +161,9 @@ namespace RollingContact
       if (n_touching == 0)
         throw InputError("The bodies do not touch: there is no state whose "
                          "stability could be asked for.");
+      place.assign(N, n_touching);
+      for (std::size_t k = 0; k < n_touching; ++k)
+        place[contact.touching[k]] = k;
     }
 
     void Linearisation::find_slip()
@@ -178,9 +189,6 @@ namespace RollingContact
 
     void Linearisation::add_forces()
     {
-      std::vector<std::size_t> place(N, n_touching);
-      for (std::size_t k = 0; k < n_touching; ++k)
-        place[contact.touching[k]] = k;
       for (std::size_t c = 0; c <= T; ++c)
         for (unsigned int i = 0; i < N; ++i)
           for (const auto &entry : operators.H()[i])
@@ -206,6 +214,69 @@ namespace RollingContact
           factor * options.speed * flow * entry.second;
       for (const auto &entry : tangential.rows.B2[i])
         contact.N_v(row, c * N + entry.first) += factor * entry.second;
+      if (!tangential.rows.edge_rows.empty())
+        add_edge_row(row, c, i, factor * options.speed);
+    }
+
+    void Linearisation::add_edge_row(const std::size_t  row,
+                                     const unsigned int c,
+                                     const unsigned int i,
+                                     const double       factor)
+    {
+      const auto &weights = tangential.rows.edge_rows[c][i];
+      for (const auto &[node, weight] : weights)
+        contact.N_r(row, c * n_touching + place[node]) += factor * weight;
+      if (weights.empty())
+        return;
+      if (operators.coupling().exists)
+        {
+          for (std::size_t k = 0; k < n_touching; ++k)
+            contact.N_r(row, T * n_touching + k) +=
+              factor * edges_by_pressure[k](c, i);
+          return;
+        }
+      // kappa [q_1 - p_1 (a g_2 - b g_3 + c)]: the weights but the first are
+      // p_1 / p_k times constants, the constant is p_1 times one
+      double of_first = tangential.rows.edge_constants(c, i);
+      for (const auto &[node, weight] : weights)
+        {
+          const double part = weight * state.traction(c, node);
+          if (node == i)
+            continue;
+          of_first += part;
+          contact.N_r(row, T * n_touching + place[node]) -=
+            factor * part / state.pressure[node];
+        }
+      contact.N_r(row, T * n_touching + place[i]) +=
+        factor * of_first / state.pressure[i];
+    }
+
+    /**
+     * What pressures that pull along the surface change of the edge law, by
+     * differences: its pressures and tractions answer all of them.
+     */
+    void Linearisation::find_edges_by_pressure()
+    {
+      const double step =
+        1e-6 * *std::max_element(state.pressure.begin(), state.pressure.end());
+      const auto law = [&](const unsigned int node, const double change) {
+        std::vector<double> pressure = state.pressure;
+        pressure[node] += change;
+        const SlipRows rows =
+          slip_rows(problem, pressure, state.scheme, state.edge_law);
+        NodalField value = rows.edge_constants;
+        for (unsigned int c = 0; c < T; ++c)
+          for (unsigned int i = 0; i < N; ++i)
+            value(c, i) += apply(rows.edge_rows[c][i], state.traction, c);
+        return value;
+      };
+      for (const unsigned int node : contact.touching)
+        {
+          NodalField change = law(node, step);
+          change.add(-1., law(node, -step));
+          change *= 1 / (2 * step);
+          edges_by_pressure.push_back(std::move(change));
+        }
     }
 
     void Linearisation::add_slip_rows(const unsigned int k)
@@ -255,30 +326,28 @@ namespace RollingContact
     void Linearisation::add_memory()
     {
       const std::vector<double> &pressure = state.pressure;
-      std::vector<double>        weights(N, 0.);
-      double                     sum = 0., mean = 0.;
-      for (const unsigned int i : contact.touching)
-        for (const auto &entry : operators.H_column(i))
-          {
-            weights[i] += entry.second * pressure[i];
-            sum += entry.second * pressure[i];
-          }
+      const std::vector<double> &areas    = operators.areas();
+      double                     load = 0., mean = 0.;
       for (const unsigned int i : contact.touching)
         {
-          weights[i] /= sum;
-          mean += weights[i] * sliding_speed(i);
+          load += areas[i] * pressure[i];
+          mean += areas[i] * pressure[i] * sliding_speed(i);
         }
+      mean /= load;
       const std::size_t row   = (T + 1) * n_touching;
       const double      slope = problem.loads.friction_law->slope(mean);
       contact.N_r(row, row)   = 1.;
       contact.N_s(row, row)   = options.memory;
       for (std::size_t k = 0; k < n_touching; ++k)
         {
-          const unsigned int i = contact.touching[k];
+          const unsigned int i     = contact.touching[k];
+          const double       share = slope * areas[i] / load;
+          contact.N_r(row, T * n_touching + k) =
+            share * (sliding_speed(i) - mean);
           if (!contact.slips[k] || tangential.bound[i] <= 0.)
             continue;
           for (std::size_t c = 0; c < T; ++c)
-            add_sliding(row, c, i, slope * weights[i] * direction(c, i));
+            add_sliding(row, c, i, share * pressure[i] * direction(c, i));
         }
     }
 
@@ -288,6 +357,8 @@ namespace RollingContact
       contact.n_tangential = T;
       find_touching();
       find_slip();
+      if (!tangential.rows.edge_rows.empty() && operators.coupling().exists)
+        find_edges_by_pressure();
       const std::size_t n = (T + 1) * n_touching + (remembers ? 1 : 0);
       contact.N_u = contact.N_v = DenseMatrix::Zero(n, (T + 1) * N);
       contact.N_r = contact.N_s = DenseMatrix::Zero(n, n);
@@ -309,7 +380,7 @@ namespace RollingContact
                                const ContactState         &state,
                                const LinearContactOptions &options)
   {
-    check_operators(problem, state);
+    check_operators(problem);
     check_options(problem, options);
     return Linearisation(problem, state, options).build();
   }

@@ -83,6 +83,9 @@ namespace RollingContact
               !align_for(steady));
     }
 
+    /** Tell if the patch has fewer elements than were asked for. */
+    void warn_of_few(const SteadyState<dim> &steady) const;
+
     const PairSpec     &scene;
     const StateDemands &demands;
     Log                &log;
@@ -104,7 +107,8 @@ namespace RollingContact
     bool align_for(const SteadyState<dim> &steady);
 
     double       offset; ///< in elements
-    bool         is_enlarged = false, is_resized = false, is_aligned;
+    bool         is_enlarged = false, is_aligned;
+    unsigned int n_resized   = 0;
     unsigned int enlargement = 0; ///< of the zone, in elements
   };
 
@@ -130,30 +134,50 @@ namespace RollingContact
   template <int dim>
   bool FittedMesh<dim>::resize_for(const SteadyState<dim> &steady)
   {
-    const Resultants &result = steady.result;
-    const double load = steady.problem.operators.load(steady.state.pressure),
-                 mismatch = patch.boxes.empty()
-                              ? result.half_width_x / patch.half_width_x
+    const unsigned int most_times = 4;
+    const Resultants  &result     = steady.result;
+    const double load = steady.problem.operators.load(steady.state.pressure);
+    if (n_resized == most_times || result.n_touching == 0 || !(load > 0.))
+      return false;
+    // what few nodes tell of a patch is less than what their load does
+    const bool by_load = !patch.boxes.empty() ||
+                         2 * result.half_width_x < 4 * grading.element_size_x;
+    PatchEstimate found = patch;
+    if (by_load)
+      found = estimate_patch(scene, load);
+    else
+      {
+        found.half_width_x = result.half_width_x;
+        if (dim == 3)
+          found.half_width_y = result.half_width_y;
+      }
+    const double mismatch = patch.boxes.empty()
+                              ? found.half_width_x / patch.half_width_x
                               : std::cbrt(load / patch.normal_force);
-    // lines of one touching node have no length
-    if (is_resized || result.n_touching <= 5 || !(mismatch > 0.) ||
-        (mismatch >= 0.8 && mismatch <= 1.2))
+    if (!(mismatch > 0.) || (mismatch >= 0.8 && mismatch <= 1.2))
       return false;
     log.message("The patch is " + significant(mismatch, 3) +
                 " times as long as estimated: the mesh is made again for "
                 "it.");
-    if (!patch.boxes.empty())
-      patch = estimate_patch(scene, load);
-    else
-      {
-        patch.half_width_x = result.half_width_x;
-        if (dim == 3)
-          patch.half_width_y = result.half_width_y;
-      }
+    patch = found;
     grade();
-    is_resized = true;
+    ++n_resized;
     is_aligned = !scene.mesh.aligned();
     return true;
+  }
+
+  template <int dim>
+  void FittedMesh<dim>::warn_of_few(const SteadyState<dim> &steady) const
+  {
+    const unsigned int asked = scene.mesh.elements_across_patch;
+    const double made = 2 * steady.result.half_width_x / grading.element_size_x;
+    if (steady.solver.converged && steady.result.n_touching > 0 &&
+        made < 0.8 * asked)
+      log.warning("Mesh/Elements across patch = " + std::to_string(asked) +
+                  ": " + significant(made, 2) +
+                  " are across the patch, which is shorter than estimated; "
+                  "take more of them, or give Contact/Normal load in place of "
+                  "an approach.");
   }
 
   template <int dim>
@@ -233,6 +257,7 @@ namespace RollingContact
           },
           [&](const unsigned int) { return !mesh.fits(steady); }))
       throw_unenclosed("");
+    mesh.warn_of_few(steady);
     if (steady.solver.converged)
       steady.wall_s = watch.seconds();
     return steady;

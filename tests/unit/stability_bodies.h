@@ -120,6 +120,17 @@ namespace StabilityBodies
                     ->solve(problem, state)
                     .converged;
     }
+
+    /** From the state that there is, with its edges and cubics. */
+    void solve_holding_scheme()
+    {
+      SolverControls controls;
+      controls.tolerance = 1e-12;
+      state.holds_scheme = true;
+      converged          = make_contact_solver("automatic", controls)
+                    ->solve(problem, state)
+                    .converged;
+    }
   };
 
   /**
@@ -177,7 +188,6 @@ namespace StabilityBodies
     pair.Phi            = DenseMatrix::Zero((T + 1) * N, n_modes);
     pair.W_res          = half_space(grid, 80e9, 0.3);
     pair.n_wheel_modes  = n_modes / 2;
-    pair.retardation    = 1e-6 * (seed % 3);
     for (unsigned int k = 0; k < n_modes; ++k)
       {
         const double omega =

@@ -283,6 +283,28 @@ BOOST_AUTO_TEST_CASE(a_wrong_estimate_is_mended)
                              run.steady.state.pressure));
 }
 
+/** A foundation takes most of the approach: the elements asked for are those of
+ * the patch, not of an approach that the bodies alone would have. */
+BOOST_AUTO_TEST_CASE(a_compliant_support_leaves_the_elements_across_the_patch)
+{
+  for (const double stiffness : {1e9, 1e8})
+    {
+      const Run    run([&](SceneParameters &scene) {
+        scene.rail.shape                      = "block";
+        scene.rail.radius                     = 0.;
+        scene.rail.hub                        = Hub::elastic;
+        scene.rail.model.foundation.stiffness = {{stiffness, 0., stiffness}};
+        scene.contact.approach                = 2e-4;
+        scene.mesh.elements_across_patch      = 16;
+      });
+      const double made =
+        2 * run.steady.result.half_width_x / run.steady.grading.element_size_x;
+      BOOST_TEST_MESSAGE("elements " << made);
+      BOOST_TEST(made > 0.8 * 16);
+      BOOST_TEST(made < 1.25 * 16);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(an_aligned_mesh_puts_the_edge_upstream_of_a_node)
 {
   const Run run([](SceneParameters &scene) {

@@ -13,6 +13,7 @@
 
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/bodies/direct_body.h>
+#include <rolling_contact/modes/body_places.h>
 #include <rolling_contact/program/analysis_table.h>
 #include <rolling_contact/scene/body_parameters.h>
 #include <rolling_contact/scene/known_entries.h>
@@ -332,6 +333,60 @@ BOOST_AUTO_TEST_CASE(pads_and_ballast_are_springs_in_series)
       BOOST_TEST(std::abs(product(moved, K, moved) /
                             (length * pads * ballast / (pads + ballast)) -
                           1) < 1e-9);
+    }
+}
+
+/** Pads stiffen what tilts as they lie, wherever the nodes of coarse cells are:
+ * a field z = x - x_0 stretches the springs of a pad by its own second moment.
+ */
+BOOST_AUTO_TEST_CASE(pads_lie_where_they_are_on_coarse_cells)
+{
+  Grading<3> coarse = grading<3>();
+  coarse.growth     = 10.;
+  for (const double offset : {0., 0.013, 0.05, 0.11})
+    {
+      BodyModel model              = on_layer();
+      model.foundation.pad_spacing = 0.4;
+      model.foundation.pad_length  = 0.11;
+      model.foundation.pad_offset  = offset;
+      BodyModel twice              = model;
+      for (double &k : twice.foundation.stiffness)
+        k *= 2;
+      const auto make = [&](const BodyModel &of) {
+        return DirectBody<3>(
+          block(Hub::elastic), steel, width, coarse, true, of);
+      };
+      const auto body = make(model), stiffer = make(twice);
+      const auto field_of = [&](const auto &value) {
+        std::vector<double> field(body.n_unknowns(), 0.);
+        for (const auto &node : BodyPlaces(body).nodes)
+          field[node.unknowns[2]] = value(node.point);
+        return field;
+      };
+      const auto one = field_of([](const auto &) { return 1.; }),
+                 x   = field_of([](const auto &at) { return at[0]; }),
+                 y   = field_of([](const auto &at) { return at[1]; });
+      const auto K = body.stiffness(), K_2 = stiffer.stiffness();
+      const auto of_pads = [&](const auto &a, const auto &b) {
+        return product(a, K_2, b) - product(a, K, b);
+      };
+      // springs of the pads that lie wholly under the body
+      double force = 0., moment = 0., tilting = 0.;
+      for (int k = -2; k <= 2; ++k)
+        {
+          const double middle = offset + 0.4 * k, per_pad = 5e8 * 0.4;
+          if (std::abs(middle) + 0.055 > length / 2)
+            continue;
+          force += per_pad;
+          moment += per_pad * middle;
+          tilting += per_pad * (middle * middle + 0.11 * 0.11 / 12);
+        }
+      BOOST_TEST(of_pads(one, one) == force,
+                 boost::test_tools::tolerance(1e-9));
+      BOOST_TEST(std::abs(of_pads(one, x) - moment) < 1e-8 * force * length);
+      BOOST_TEST(of_pads(x, x) == tilting, boost::test_tools::tolerance(1e-7));
+      BOOST_TEST(of_pads(y, y) == force * width * width / 12,
+                 boost::test_tools::tolerance(1e-7));
     }
 }
 

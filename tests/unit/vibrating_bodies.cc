@@ -234,6 +234,35 @@ BOOST_AUTO_TEST_CASE(a_free_ring_bends_in_its_plane)
     }
 }
 
+/** The modes of a plate with so many diameters have one circle more each, as
+ * long as they bend it; those that stretch it are radial or circumferential. */
+BOOST_AUTO_TEST_CASE(modes_have_the_names_of_their_circles)
+{
+  const Vibrating plate(section("Wheel", "annular_plate.msh", 0.46, 48), 1500.);
+  std::map<unsigned int, unsigned int> circles;
+  unsigned int                         n_named = 0;
+  for (std::size_t j = 0; j < plate.modes.size(); ++j)
+    {
+      const ModeCharacter &character = plate.characters[j];
+      const unsigned int   n         = *character.nodal_diameters;
+      if (character.partner && *character.partner < j)
+        continue;
+      if (character.axial_share < 0.5)
+        {
+          BOOST_TEST(
+            (character.name()[0] == 'R' || character.name()[0] == 'C'));
+          continue;
+        }
+      const std::string name =
+        std::to_string(circles[n]) + "L" + std::to_string(n);
+      BOOST_TEST(character.name() == name);
+      ++circles[n];
+      ++n_named;
+    }
+  BOOST_TEST(n_named > 8u);
+  BOOST_TEST(circles[0] >= 2u);
+}
+
 /** The second of a pair does not move the contact point, so that shapes do not
  * depend on the random start. */
 BOOST_AUTO_TEST_CASE(pairs_are_turned_to_the_contact)

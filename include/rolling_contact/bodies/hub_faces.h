@@ -29,13 +29,15 @@ namespace RollingContact
   hub_faces(const dealii::DoFHandler<dim> &dofs);
 
   /**
-   * Integrate over a face by Gauss's two points in each of its parts, which are
-   * no longer along x than @p step, up to 64 of them in a row. Units: m.
+   * Integrate over the part of a face between two values of x by Gauss's
+   * points, two along each direction: exact for products of shape functions
+   * where one pair of edges goes along x and the other across. Units: m.
    */
   template <int dim>
   void
   integrate(const typename dealii::DoFHandler<dim>::active_face_iterator &face,
-            const double                                                  step,
+            const double                                                  from,
+            const double                                                  to,
             const std::function<void(const FacePoint<dim> &)> &action);
 
   /**

@@ -4,6 +4,7 @@
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/sparse_matrix.h>
 
 #include <rolling_contact/mesh/body_model.h>
@@ -30,14 +31,25 @@ namespace RollingContact
     using Dof = dealii::types::global_dof_index;
 
     /**
-     * Springs from nodes of the hub boundary to the ground or to a sleeper.
+     * What springs are spread over evenly, of one face of the hub boundary:
+     * the integrals of the shape functions of its nodes and of their products,
+     * over the area of all faces of a pad.
+     */
+    struct PadFace
+    {
+      std::vector<Dof>           nodes; ///< their first degrees of freedom
+      std::vector<double>        shares;
+      dealii::FullMatrix<double> products;
+    };
+
+    /**
+     * Springs from the hub boundary to the ground or to a sleeper.
      */
     struct Pad
     {
-      double x      = 0.; ///< of its middle, m
-      double length = 0.; ///< along x that it stands for, m
-      /** First degree of freedom of a node, its part of the stiffness. */
-      std::vector<std::pair<Dof, double>> shares;
+      double               x      = 0.; ///< of its middle, m
+      double               length = 0.; ///< along x that it stands for, m
+      std::vector<PadFace> faces;
     };
 
     Supports() = default;
@@ -118,6 +130,9 @@ namespace RollingContact
      */
     dealii::Tensor<2, dim>
     along_axes(const std::array<double, 3> &values) const;
+
+    /** Degrees of freedom of the nodes of a face, and of the sleeper. */
+    std::vector<Dof> ends_of(const PadFace &face, const std::size_t pad) const;
 
     void find_pads(const dealii::DoFHandler<dim> &dofs);
 

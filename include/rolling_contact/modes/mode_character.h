@@ -7,6 +7,7 @@
 #include <rolling_contact/modes/structural_modes.h>
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace RollingContact
@@ -23,6 +24,10 @@ namespace RollingContact
     std::optional<unsigned int> nodal_diameters;
     double                      diameter_share = 0.; ///< energy of that order
 
+    /** How often the axial motion of that order changes its sign from the hub
+     * to the tread; none where there are no nodal diameters. */
+    std::optional<unsigned int> nodal_circles;
+
     double axial_share           = 0.;
     double radial_share          = 0.;
     double circumferential_share = 0.;
@@ -32,6 +37,13 @@ namespace RollingContact
     std::optional<std::size_t> partner;
     /** Difference of the frequencies of the pair over their mean. */
     double split = 0.;
+
+    /**
+     * The name in the literature of wheels, by the motion with most of the
+     * energy and by the nodal diameters: 0L3 axial with no nodal circle, R2
+     * radial, C1 circumferential; empty for a body without an axle.
+     */
+    std::string name() const;
   };
 
   /**

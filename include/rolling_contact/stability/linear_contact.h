@@ -37,17 +37,23 @@ namespace RollingContact
    *   touching:    u_n = 0
    *   slip:        dq + mu t dp + D dv = 0,   t = v / |v|,
    *                D = p [mu / |v| (I - t t^T) + dmu/d|v| t t^T]
-   *   stick:       dv = 0,      dv = |V| flow B1 u_t + B2 u_t'.
+   *   stick:       dv = 0,      dv = |V| flow B1 u_t + B2 u_t',
    *
-   * v is the sliding velocity of the wheel over the rail. Open nodes carry
-   * nothing and take part in B1. With patch_mean mu = mu_s m with one m for all
-   * nodes that follows the mean speed of the steady state's weights:
+   * and at a leading edge dv has |V| times what the edge law takes of tractions
+   * and pressures (slip_rows()), with the scheme of the state: so the edge of
+   * a stick zone moves with the pressure. v is the sliding velocity of the
+   * wheel over the rail. Open nodes carry nothing and take part in B1. With
+   * patch_mean mu = mu_s m with one m for all nodes that follows the mean
+   * sliding speed, weighted by the load A_i p_i of each node:
    *
-   *   tau m' = 1 - drop(sum w_i |v_i|) - m,      w = H^T p / sum,
+   *   tau m' = 1 - drop(mean) - m,      mean = sum A_i p_i |v_i| / sum A_i p_i,
    *
    * so that p mu_s t dm is added to slip, and the last row is
-   * dm + tau dm' + drop'(mean) sum w_i t_i . dv_i = 0. Nodes that stick have no
-   * part in it.
+   * dm + tau dm' + drop'(mean) d(mean) = 0,
+   *
+   *   d(mean) = sum A_i [p_i t_i . dv_i + (|v_i| - mean) dp_i] / sum A_i p_i,
+   *
+   * without dv of nodes that stick.
    */
   struct LinearContact
   {
@@ -87,10 +93,9 @@ namespace RollingContact
 
   /**
    * The linearised contact of a steady @p state that solves @p problem. Throws
-   * InputError where the slip operator has an edge law in the state or is
-   * Galerkin's, in a time step, without speed, without touching nodes, with
-   * friction that remembers a sliding distance, or with a memory of no
-   * duration.
+   * InputError where the slip operator is Galerkin's, in a time step, without
+   * speed, without touching nodes, with friction that remembers a sliding
+   * distance, or with a memory of no duration.
    */
   LinearContact linear_contact(const ContactProblem       &problem,
                                const ContactState         &state,
