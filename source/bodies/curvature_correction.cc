@@ -247,7 +247,7 @@ namespace RollingContact
         {
           const double x = i * loads.size[0], y = j * loads.size[1];
           if (std::hypot(x, y) < fading.inner)
-            sum += shape.surface_height(x, y) * loads.size[0] * loads.size[1] *
+            sum += shape.height_as_made(x, y) * loads.size[0] * loads.size[1] *
                    work(loads.at(i, j), material);
         }
     const dealii::QGauss<1> along(rings);
@@ -260,7 +260,7 @@ namespace RollingContact
                        area  = along.weight(k) * width * 2 *
                               dealii::numbers::PI * r / points_along_ring,
                        x = r * std::cos(angle), y = r * std::sin(angle);
-          sum += shape.surface_height(x, y) * area *
+          sum += shape.height_as_made(x, y) * area *
                  faded_work({{x, y}}, fading, material);
         }
     return (sum + sum.transpose()) / 2;

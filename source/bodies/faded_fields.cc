@@ -210,7 +210,7 @@ namespace RollingContact
       const auto      fields   = moment_fields(at, material);
       // h dx dy, and derivatives along x and y only
       const double weight =
-        -shape.surface_height(at[0], at[1]) * on_face.normal_vector(point)[2];
+        -shape.height_as_made(at[0], at[1]) * on_face.normal_vector(point)[2];
       Pairs loads(n, 12);
       for (std::size_t k = 0; k < n; ++k)
         {

@@ -134,7 +134,7 @@ namespace RollingContact
                        ": the hub must be another part of the boundary.");
   }
 
-  double SectionFileShape::surface_height(const double x, const double y) const
+  double SectionFileShape::height_as_made(const double x, const double y) const
   {
     if (parameters.mesh && !parameters.profile)
       for (const FileMesh::Face &edge : parameters.mesh->contact_faces)
@@ -148,7 +148,7 @@ namespace RollingContact
             return (1 - t) * p[2] + t * q[2] -
                    crown_depth(parameters.radius, x);
         }
-    return BodyShape::surface_height(x, y);
+    return surface_height(x, y);
   }
 
   double SectionFileShape::thickness_below() const

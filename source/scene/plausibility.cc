@@ -175,8 +175,8 @@ namespace RollingContact
           "Contact/Approach = " + significant(*scene.contact.approach, 6) +
           " m and " + body.section +
           "/Hub = elastic: the foundation takes most of an approach, and the "
-          "mesh is made for a patch without; Contact/Normal load makes it for "
-          "the patch that there is.");
+          "mesh is made again for the patch that is left; Contact/Normal load "
+          "spares that.");
     }
 
     void Doubts::check_approach()

@@ -28,6 +28,10 @@ namespace RollingContact
      */
     const double aligned_distance = 0.38;
 
+    /// so many touching nodes tell less of a patch than their load, and nothing
+    /// where no more elements than these are wanted across it
+    const unsigned int few_nodes = 5, few_elements = 6;
+
     /**
      * Offset that leaves the found leading edge aligned_distance elements
      * upstream of a node.
@@ -134,14 +138,18 @@ namespace RollingContact
   template <int dim>
   bool FittedMesh<dim>::resize_for(const SteadyState<dim> &steady)
   {
-    const unsigned int most_times = 4;
+    // a zone that had to grow, and its elements with it, is made anew once
+    const unsigned int most_times = is_enlarged ? 1 : 4;
     const Resultants  &result     = steady.result;
     const double load = steady.problem.operators.load(steady.state.pressure);
-    if (n_resized == most_times || result.n_touching == 0 || !(load > 0.))
+    // of few elements a few nodes are no measure of the patch
+    const bool too_few = result.n_touching <= few_nodes &&
+                         scene.mesh.elements_across_patch < few_elements;
+    if (too_few || n_resized >= most_times || result.n_touching == 0 ||
+        !(load > 0.))
       return false;
     // what few nodes tell of a patch is less than what their load does
-    const bool by_load = !patch.boxes.empty() ||
-                         2 * result.half_width_x < 4 * grading.element_size_x;
+    const bool by_load = !patch.boxes.empty() || result.n_touching <= few_nodes;
     PatchEstimate found = patch;
     if (by_load)
       found = estimate_patch(scene, load);

@@ -128,7 +128,7 @@ BOOST_AUTO_TEST_CASE(a_vibration_that_grows_in_full_slip)
   BOOST_TEST(eigen.contact.n_slip() == eigen.contact.touching.size());
   const auto found     = exponents(recording, 22);
   unsigned   n_growing = 0;
-  for (const CorrectedMode &mode : eigen.vibrations(1650., 2100.))
+  for (const CorrectedMode &mode : eigen.vibrations(1700., 2100.))
     {
       const bool grows = mode.growth() > 0.;
       n_growing += grows;

@@ -56,6 +56,15 @@ namespace RollingContact
     virtual double surface_height(const double x, const double y) const;
 
     /**
+     * Height of the surface that the body is made with, which is another one
+     * where a file leaves the profiles, as beside a crown.
+     */
+    virtual double height_as_made(const double x, const double y) const
+    {
+      return surface_height(x, y);
+    }
+
+    /**
      * Thickness of material under the contact point.
      */
     virtual double thickness_below() const = 0;

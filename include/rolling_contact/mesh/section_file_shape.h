@@ -24,7 +24,7 @@ namespace RollingContact
     /**
      * Along the running surface of the section, revolved or extruded.
      */
-    double surface_height(const double x, const double y) const override;
+    double height_as_made(const double x, const double y) const override;
 
     double thickness_below() const override;
 
