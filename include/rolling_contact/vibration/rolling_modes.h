@@ -75,9 +75,9 @@ namespace RollingContact
 
   private:
     /**
-     * Of the residual compliance, which is that of the material under the
-     * contact: the mean of both bodies by the compliances of their half-spaces,
-     * (1 - nu^2) / E. Units: s.
+     * Retardation time of the residual compliance, which is the material's under
+     * the contact: the mean of both bodies by the compliances of their
+     * half-spaces, (1 - nu^2) / E. Units: s.
      */
     double retardation() const;
 
