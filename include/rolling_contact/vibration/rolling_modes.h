@@ -75,8 +75,8 @@ namespace RollingContact
 
   private:
     /**
-     * Retardation time of the residual compliance, which is the material's under
-     * the contact: the mean of both bodies by the compliances of their
+     * Retardation time of the residual compliance, which is the material's
+     * under the contact: the mean of both bodies by the compliances of their
      * half-spaces, (1 - nu^2) / E. Units: s.
      */
     double retardation() const;
