@@ -17,13 +17,9 @@ namespace RollingContact
   {
     const char modes_file[] = "modes.csv";
 
-    /** "mostly axial" and the like: what a mode moves along. */
-    std::string family(const ModeCharacter &character)
-    {
-      if (character.axial_share > 0.5)
-        return "axial";
-      return character.radial_share > 0.5 ? "radial" : "circumferential";
-    }
+    const std::map<char, std::string> families{{'L', "axial"},
+                                               {'R', "radial"},
+                                               {'C', "circumferential"}};
 
     /**
      * Eigenfrequencies over the nodal diameters, by the direction in which most
@@ -34,20 +30,20 @@ namespace RollingContact
                         const std::vector<ModeCharacter> &characters,
                         RunContext                       &context)
     {
-      std::map<std::string, std::array<std::vector<double>, 2>> families;
+      std::map<std::string, std::array<std::vector<double>, 2>> found;
       for (std::size_t j = 0; j < modes.size(); ++j)
         if (characters[j].nodal_diameters)
           {
-            auto &[n, f] = families[family(characters[j])];
+            auto &[n, f] = found[families.at(characters[j].family())];
             n.push_back(*characters[j].nodal_diameters);
             f.push_back(modes.frequencies[j] / 1000);
           }
-      if (families.empty())
+      if (found.empty())
         return;
       Figure figure("Modes of the " + section,
                     "nodal diameters",
                     "frequency (kHz)");
-      for (const auto &[name, points] : families)
+      for (const auto &[name, points] : found)
         figure.add_curve("mostly " + name,
                          points[0],
                          points[1],

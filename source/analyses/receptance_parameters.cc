@@ -79,8 +79,8 @@ namespace RollingContact
       "separated by commas.";
     entries.add("Load radius", load_radius, "m").at_least(0.).help =
       "A force is spread over the part of the body within this distance of "
-      "its place, and a motion is the mean over that part. A force on a point would give a receptance "
-      "that grows with every refinement of the mesh.";
+      "its place, and a motion is the mean over that part. A force on a point "
+      "would give a receptance that grows with every refinement of the mesh.";
     entries.list("Check frequencies", check_frequencies, "", "Hz").help =
       "Where the equations of the whole body are solved as well, with a "
       "complex factor, to know the error of the modes: " +

@@ -222,19 +222,7 @@ namespace RollingContact
         }
       add(on_face, point, loads);
     }
-  } // namespace
 
-  FadedFields::FadedFields(const DirectBody<3> &body,
-                           const BodyShape     &shape,
-                           const FadingRegion  &fading)
-  {
-    const Loads loads(body, shape, fading);
-    F = as_unknowns(body, loads.F);
-    Q = (loads.Q + loads.Q.transpose()) / 2;
-  }
-
-  namespace
-  {
     /// of the inner radius, within which fields are those at this distance
     const double spread = 0.25;
 
@@ -259,6 +247,15 @@ namespace RollingContact
       return faded;
     }
   } // namespace
+
+  FadedFields::FadedFields(const DirectBody<3> &body,
+                           const BodyShape     &shape,
+                           const FadingRegion  &fading)
+  {
+    const Loads loads(body, shape, fading);
+    F = as_unknowns(body, loads.F);
+    Q = (loads.Q + loads.Q.transpose()) / 2;
+  }
 
   FadedInertia::FadedInertia(const DirectBody<3> &body,
                              const FadingRegion  &fading)

@@ -135,7 +135,7 @@ namespace RollingContact
 
   void SplitBody::analyse()
   {
-    if (S.size() > 0)
+    if (S_of_mesh.size() > 0)
       return;
     DirectBody<3> larger(
       shape, material, 1., grading_of(*shape, fading, coarser), true, model);
@@ -144,7 +144,6 @@ namespace RollingContact
     change =
       (S_of_mesh - moments_of(larger, FadedFields(larger, *shape, fading))) /
       (coarser * coarser - 1);
-    S = S_of_mesh + change;
     if (vibrates)
       {
         fields  = std::move(of_mesh);
@@ -173,7 +172,7 @@ namespace RollingContact
         .compliance(positions, components);
     const DenseMatrix Phi = shapes_of_moments(positions, components),
                       added =
-                        S +
+                        S_of_mesh + change +
                         curvature_correction(*shape,
                                              material,
                                              NodeGrid(positions).half_widths,
@@ -194,7 +193,7 @@ namespace RollingContact
                                              material,
                                              NodeGrid(positions).half_widths,
                                              fading);
-    DenseMatrix highest = S;
+    DenseMatrix highest = S_of_mesh + change;
     const auto &all     = force_moments();
     for (std::size_t k = 0; k < all.size(); ++k)
       for (std::size_t l = 0; l < all.size(); ++l)

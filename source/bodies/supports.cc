@@ -69,6 +69,24 @@ namespace RollingContact
       if (area > 0.)
         pad.faces.push_back(std::move(part));
     }
+
+    /**
+     * What the ends of springs, nodes and the sleeper behind them, have of the
+     * stiffness: integrals of (N_i - 1_sleeper) (N_j - 1_sleeper).
+     */
+    template <typename Face>
+    FullMatrix<double> parts_of_ends(const Face &face, const bool has_sleeper)
+    {
+      const unsigned int n = face.nodes.size(), size = has_sleeper ? n + 1 : n;
+      FullMatrix<double> parts(size, size);
+      parts.fill(face.products);
+      for (unsigned int v = 0; size > n && v < n; ++v)
+        {
+          parts(v, n) = parts(n, v) = -face.shares[v];
+          parts(n, n) += face.shares[v];
+        }
+      return parts;
+    }
   } // namespace
 
   template <int dim>
@@ -229,13 +247,11 @@ namespace RollingContact
     for (unsigned int i = 0; i < n_extra(); ++i)
       for (unsigned int j = i - i % block; j < i - i % block + block; ++j)
         pattern.add(first_extra + i, first_extra + j);
-    std::vector<Dof> ends;
     for (std::size_t p = 0; p < springs.size(); ++p)
       for (const PadFace &face : springs[p].faces)
-        {
-          ends = ends_of(face, p);
-          constraints.add_entries_local_to_global(ends, pattern, false);
-        }
+        constraints.add_entries_local_to_global(ends_of(face, p),
+                                                pattern,
+                                                false);
   }
 
   template <int dim>
@@ -250,27 +266,6 @@ namespace RollingContact
       ends.push_back(first_extra + pad * dim + c);
     return ends;
   }
-
-  namespace
-  {
-    /**
-     * What the ends of springs, nodes and the sleeper behind them, have of the
-     * stiffness: integrals of (N_i - 1_sleeper) (N_j - 1_sleeper).
-     */
-    template <typename Face>
-    FullMatrix<double> parts_of_ends(const Face &face, const bool has_sleeper)
-    {
-      const unsigned int n = face.nodes.size(), size = has_sleeper ? n + 1 : n;
-      FullMatrix<double> parts(size, size);
-      parts.fill(face.products);
-      for (unsigned int v = 0; size > n && v < n; ++v)
-        {
-          parts(v, n) = parts(n, v) = -face.shares[v];
-          parts(n, n) += face.shares[v];
-        }
-      return parts;
-    }
-  } // namespace
 
   template <int dim>
   void

@@ -12,12 +12,9 @@ namespace RollingContact
 
   namespace
   {
+    /** Where a mean is taken, and the weight. */
     template <int dim>
-    struct Sample
-    {
-      Point<dim> point;
-      double     weight;
-    };
+    using Sample = std::pair<Point<dim>, double>;
 
     /** The middles of small cubes within a radius of a point. */
     template <int dim>
@@ -76,17 +73,16 @@ namespace RollingContact
           const BoundingBox<dim> box = cell->bounding_box();
           if (box.get_neighbor_type(ball) == NeighborType::not_neighbors)
             continue;
-          for (Sample<dim> &sample : samples)
+          for (auto &[at, weight] : samples)
             {
               Point<dim> unit;
-              if (sample.weight == 0. || !box.point_inside(sample.point) ||
-                  !is_inside<dim>(cell, sample.point, unit))
+              if (weight == 0. || !box.point_inside(at) ||
+                  !is_inside<dim>(cell, at, unit))
                 continue;
               for (const unsigned int v : cell->vertex_indices())
                 weights[cell->vertex_dof_index(v, 0)] +=
-                  sample.weight *
-                  GeometryInfo<dim>::d_linear_shape_function(unit, v);
-              sample.weight = 0.; // found, cells share their faces
+                  weight * GeometryInfo<dim>::d_linear_shape_function(unit, v);
+              weight = 0.; // found, cells share their faces
             }
         }
       const double sum = weights.l1_norm();

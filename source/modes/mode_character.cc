@@ -49,14 +49,16 @@ namespace RollingContact
       return rings;
     }
 
-    Vector cylindrical(const NodeRing::Node &at,
-                       const DenseMatrix    &shapes,
-                       const std::size_t     mode)
+    /** Along the axle, away from it and around it, by the weight of the node.
+     */
+    Vector weighted(const NodeRing::Node &at,
+                    const DenseMatrix    &shapes,
+                    const std::size_t     mode)
     {
       const Vector u = motion(*at.node, shapes, mode);
-      return {{product(u, at.place.along),
-               product(u, at.place.outwards),
-               product(u, at.place.around)}};
+      return {{at.weight * product(u, at.place.along),
+               at.weight * product(u, at.place.outwards),
+               at.weight * product(u, at.place.around)}};
     }
 
     /** Energy of each order of the Fourier series round the axle. */
@@ -75,15 +77,15 @@ namespace RollingContact
           std::vector<Vector> cosine(n_orders + 1, Vector{}), sine = cosine;
           for (const NodeRing::Node &at : ring.nodes)
             {
-              const Vector u = cylindrical(at, shapes, mode);
+              const Vector u = weighted(at, shapes, mode);
               for (unsigned int n = 0; n <= n_orders; ++n)
                 {
                   const double c = std::cos(n * at.place.angle),
                                s = std::sin(n * at.place.angle);
                   for (unsigned int d = 0; d < 3; ++d)
                     {
-                      cosine[n][d] += c * at.weight * u[d];
-                      sine[n][d] += s * at.weight * u[d];
+                      cosine[n][d] += c * u[d];
+                      sine[n][d] += s * u[d];
                     }
                 }
             }
@@ -109,7 +111,7 @@ namespace RollingContact
         {
           Complex sum = 0.;
           for (const NodeRing::Node &at : ring.nodes)
-            sum += at.weight * cylindrical(at, shapes, mode)[0] *
+            sum += weighted(at, shapes, mode)[0] *
                    std::polar(1., diameters * at.place.angle);
           amplitudes[ring.nodes.front().place.radius] += sum;
           if (std::abs(sum) > std::abs(largest))
@@ -191,16 +193,18 @@ namespace RollingContact
     }
   } // namespace
 
+  char ModeCharacter::family() const
+  {
+    const double largest =
+      std::max({axial_share, radial_share, circumferential_share});
+    return largest == axial_share ? 'L' : largest == radial_share ? 'R' : 'C';
+  }
+
   std::string ModeCharacter::name() const
   {
     if (!nodal_diameters)
       return "";
-    const double largest =
-      std::max({axial_share, radial_share, circumferential_share});
-    return (largest == axial_share
-              ? std::to_string(nodal_circles.value_or(0)) + "L"
-            : largest == radial_share ? "R"
-                                      : "C") +
+    return (family() == 'L' ? std::to_string(*nodal_circles) : "") + family() +
            std::to_string(*nodal_diameters);
   }
 

@@ -167,16 +167,6 @@ namespace RollingContact
               "N/m^2",
               "rails lie on 1e7 to 1e9 N/m^2, of a metre of length",
               "");
-      const bool starts_at_rest =
-        scene.marches() && scene.time.inertia &&
-        scene.time.initial_state == InitialState::rest;
-      if (scene.contact.approach && !starts_at_rest)
-        sentences.push_back(
-          "Contact/Approach = " + significant(*scene.contact.approach, 6) +
-          " m and " + body.section +
-          "/Hub = elastic: the foundation takes most of an approach, and the "
-          "mesh is made again for the patch that is left; Contact/Normal load "
-          "spares that.");
     }
 
     void Doubts::check_approach()

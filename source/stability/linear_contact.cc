@@ -342,7 +342,7 @@ namespace RollingContact
         {
           const unsigned int i     = contact.touching[k];
           const double       share = slope * areas[i] / load;
-          contact.N_r(row, T * n_touching + k) =
+          contact.N_r(row, T * n_touching + k) +=
             share * (sliding_speed(i) - mean);
           if (!contact.slips[k] || tangential.bound[i] <= 0.)
             continue;

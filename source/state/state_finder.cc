@@ -28,8 +28,8 @@ namespace RollingContact
      */
     const double aligned_distance = 0.38;
 
-    /// so many touching nodes tell less of a patch than their load, and nothing
-    /// where no more elements than these are wanted across it
+    /// so many touching nodes tell less of a patch than their load does; where
+    /// fewer elements than these are wanted across it they tell nothing
     const unsigned int few_nodes = 5, few_elements = 6;
 
     /**
@@ -111,7 +111,8 @@ namespace RollingContact
     bool align_for(const SteadyState<dim> &steady);
 
     double       offset; ///< in elements
-    bool         is_enlarged = false, is_aligned;
+    bool         is_aligned;
+    bool         is_grown    = false; ///< by more than the zone's elements
     unsigned int n_resized   = 0;
     unsigned int enlargement = 0; ///< of the zone, in elements
   };
@@ -121,15 +122,20 @@ namespace RollingContact
   {
     if (!zone_too_small(steady))
       return false;
-    // a zone a little too small needs no larger elements
-    if (is_enlarged && patch.boxes.empty())
+    const unsigned int asked = scene.mesh.elements_across_patch,
+                       first =
+                         patch.boxes.empty() ? std::max(1u, asked / 8) : 1,
+                       next = enlargement == 0 ? first : 2 * enlargement;
+    // a zone that is a little too small needs no larger elements
+    if (patch.boxes.empty() && next > std::max(first, asked / 2))
       {
         patch.half_width_x *= 1.5;
         patch.half_width_y *= 1.5;
+        is_grown   = true;
         is_aligned = !scene.mesh.aligned(); // for the new elements
       }
-    enlargement = is_enlarged && !patch.boxes.empty() ? 2 * enlargement : 1;
-    is_enlarged = true;
+    else
+      enlargement = next;
     grade();
     say_enlarged(grading, log);
     return true;
@@ -138,8 +144,7 @@ namespace RollingContact
   template <int dim>
   bool FittedMesh<dim>::resize_for(const SteadyState<dim> &steady)
   {
-    // a zone that had to grow, and its elements with it, is made anew once
-    const unsigned int most_times = is_enlarged ? 1 : 4;
+    const unsigned int most_times = is_grown ? 1 : 4;
     const Resultants  &result     = steady.result;
     const double load = steady.problem.operators.load(steady.state.pressure);
     // of few elements a few nodes are no measure of the patch
@@ -184,8 +189,10 @@ namespace RollingContact
       log.warning("Mesh/Elements across patch = " + std::to_string(asked) +
                   ": " + significant(made, 2) +
                   " are across the patch, which is shorter than estimated; "
-                  "take more of them, or give Contact/Normal load in place of "
-                  "an approach.");
+                  "take more of them" +
+                  (scene.contact.approach
+                     ? ", or give Contact/Normal load in place of an approach."
+                     : "."));
   }
 
   template <int dim>

@@ -22,12 +22,21 @@ namespace RollingContact
   {}
 
   template <int dim>
+  void ChainSolver<dim>::restart()
+  {
+    steady.state                   = base.state;
+    steady.solver                  = base.solver;
+    steady.problem.loads.forces    = base.problem.loads.forces;
+    steady.problem.loads.creepages = base.problem.loads.creepages;
+  }
+
+  template <int dim>
   bool ChainSolver<dim>::solve_state(const Situation &scene)
   {
     solve_on_kept_bodies(scene, steady);
     if (!steady.solver.converged && is_continued)
       {
-        steady.state = base.state;
+        restart();
         solve_on_kept_bodies(scene, steady);
       }
     // a state that is none is nothing to start from
@@ -48,7 +57,7 @@ namespace RollingContact
         Situation scene = entries.situation();
         take_economical_solver(scene);
         if (!is_continued)
-          steady.state = base.state;
+          restart();
         const bool enclosed = solve_state(scene);
         if (enclosed || keep_all)
           add_row(state, scene, enclosed, chain);

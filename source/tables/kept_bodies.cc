@@ -26,6 +26,10 @@ namespace RollingContact
         steady.pair = std::make_shared<RollingPair<dim>>(scene, *steady.pair);
         steady.pair->set_surfaces(steady.problem);
       }
+    // creepages of a search that found nothing are no place to begin at
+    if (!steady.solver.converged)
+      steady.problem.loads.forces = AskedForces();
+    steady.solver.converged = false; // where it throws
     steady.pair->set_loads(scene.contact, steady.problem);
     solve_contact(scene, demands_of_kept_bodies(), steady);
     steady.result = resultants(steady.problem, steady.state);

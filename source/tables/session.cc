@@ -172,12 +172,9 @@ namespace RollingContact
       SteadyState<dim> &steady = kept.front().steady;
       const auto        start  = [&]() {
         steady.state = initial_state(steady.problem, wanted.patch);
-        // creepages of a search that found nothing are no place to begin at
-        steady.problem.loads.forces = AskedForces();
       };
       if (!steady.solver.converged)
         start();
-      steady.solver.converged = false; // where it throws
       solve_on_kept_bodies(scene, steady);
       if (!steady.solver.converged)
         {

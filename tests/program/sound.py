@@ -25,6 +25,10 @@ def near(what, value, expected, tolerance):
         print(f"{what}: {value:.9g}, expected {expected:.9g} to {tolerance:.2g}")
 
 
+def rounding(text):  # half of the last of nine digits
+    return 0.5 * 10.0 ** (math.floor(math.log10(abs(float(text)))) - 8)
+
+
 def power(level):
     return 1e-12 * 10 ** (float(level) / 10) if level else 0.0
 
@@ -45,13 +49,15 @@ bands = rows("sound.csv")
 modes = rows("sound_modes.csv")
 history = rows("modal_velocities.csv")
 
-# bodies and their sum
+# bodies and their sum, to half of the last digit of each number
 total = power(result["sound_power_dB_re_1pW"])
-# nine digits of levels above 100 dB are 1.2e-7 of a power each
-near("wheel and rail", power(result["sound_power_wheel_dB_re_1pW"])
-     + power(result["sound_power_rail_dB_re_1pW"]), total, 2.5e-7 * total)
-near("pressure of the power", float(result["sound_pressure_Pa"]) ** 2,
-     density * speed * total / (2 * math.pi * distance**2), 1.5e-7 * float(result["sound_pressure_Pa"]) ** 2)
+parts = [result[f"sound_power_{body}_dB_re_1pW"] for body in ("wheel", "rail")]
+near("wheel and rail", sum(power(level) for level in parts), total,
+     sum(power(level) * rounding(level) * math.log(10) / 10 for level in [*parts, result["sound_power_dB_re_1pW"]]))
+pressure = result["sound_pressure_Pa"]
+near("pressure of the power", float(pressure) ** 2, density * speed * total / (2 * math.pi * distance**2),
+     float(pressure) ** 2 * (rounding(result["sound_power_dB_re_1pW"]) * math.log(10) / 10
+                             + 2 * rounding(pressure) / float(pressure)))
 # what reaches the place is weighted alike
 near("weighted pressure", float(result["sound_pressure_dBA_re_20uPa"])
      - float(result["sound_power_dBA_re_1pW"]),

@@ -100,9 +100,9 @@ BOOST_AUTO_TEST_CASE(vibrations_are_those_of_finite_elements)
       // the one that grows does as the contact is stiff
       const bool grows = s.real() > 0.;
       BOOST_TEST(std::abs(nearest.real() / s.real() - 1) <
-                 (grows ? 0.15 : 0.03));
+                 (grows ? 0.07 : 0.025));
       BOOST_TEST(std::abs(nearest.imag() / s.imag() - 1) <
-                 (grows ? 0.03 : 0.003));
+                 (grows ? 0.01 : 0.003));
     }
 }
 

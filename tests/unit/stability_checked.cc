@@ -167,7 +167,7 @@ BOOST_AUTO_TEST_CASE(a_retarded_compliance_damps_as_the_modes_left_out)
   reduced.retardation   = 0.;
   const double at_once  = largest_error();
   BOOST_TEST_MESSAGE("error " << retarded << " 1/s, at once " << at_once);
-  BOOST_TEST(retarded < 0.2 * at_once);
+  BOOST_TEST(retarded < 0.1 * at_once);
   BOOST_TEST(at_once > 5.);
 }
 

@@ -274,56 +274,74 @@ BOOST_AUTO_TEST_CASE(the_slope_of_falling_friction_is_that_of_the_solver)
     }
 }
 
+namespace
+{
+  void check_mean_sliding_speed(const RollingState &rolling)
+  {
+    const std::shared_ptr<const FrictionLaw> law =
+      make_friction_law("exponential", 0.7, 0.3);
+    const auto contact = [&]() {
+      RollingState falls               = rolling;
+      falls.problem.loads.friction_law = law;
+      falls.problem.loads.speed        = speed;
+      return linear_contact(falls.problem,
+                            falls.state,
+                            at_speed(FrictionResponse::patch_mean));
+    }();
+    const std::size_t N = contact.n_nodes, T = contact.n_tangential,
+                      n = contact.n_tractions(), row = n;
+    std::mt19937                     generator(5);
+    std::normal_distribution<double> normal;
+    std::vector<double> motion((T + 1) * N), none(motion.size(), 0.);
+    // smooth, as the edge law looks at how smooth the bodies are
+    const auto  &at = rolling.problem.operators.positions();
+    const double a = normal(generator), b = normal(generator);
+    for (std::size_t i = 0; i < motion.size(); ++i)
+      motion[i] =
+        1e-10 * (a * std::cos(400 * at[i % N][0] + i / N) +
+                 b * std::sin(300 * at[i % N][0] - 200 * at[i % N][1]));
+    const RollingState above = moved_rolling(rolling, motion, none, 1.),
+                       below = moved_rolling(rolling, motion, none, -1.);
+    const auto mean          = [&](const RollingState &state) {
+      ContactProblem problem = state.problem;
+      problem.loads.speed    = speed;
+      return mean_sliding_speed(problem, state.state);
+    };
+    Eigen::VectorXd dx = Eigen::VectorXd::Zero(contact.n_unknowns());
+    for (std::size_t c = 0; c <= T; ++c)
+      for (std::size_t k = 0; k < contact.touching.size(); ++k)
+        {
+          const unsigned int i      = contact.touching[k];
+          const auto         change = [&](const RollingState &state) {
+            return c < T ? state.state.traction(c, i) : state.state.pressure[i];
+          };
+          dx[c * contact.touching.size() + k] =
+            (change(above) - change(below)) / 2;
+        }
+    const Eigen::VectorXd u =
+      rolling.problem.operators.W() * (contact.forces * dx) + as_vector(motion);
+    const double slope = law->slope(mean(rolling)),
+                 found =
+                   contact.N_u.row(row).dot(u) + contact.N_r.row(row).dot(dx),
+                 expected = slope * (mean(above) - mean(below)) / 2;
+    BOOST_TEST(found == expected, boost::test_tools::tolerance(1e-5));
+    // of which the pressures are a part
+    const double of_pressures = contact.N_r.row(row).dot(dx);
+    BOOST_TEST(std::abs(of_pressures) > 1e-2 * std::abs(expected));
+  }
+} // namespace
+
 /** The mean sliding speed that friction follows changes with the slip and with
- * the pressures that it is weighted by, as in time. */
+ * the pressures that it is weighted by, as in time, and at edges with what the
+ * edge law makes of both. */
 BOOST_AUTO_TEST_CASE(the_mean_sliding_speed_is_that_of_the_time_law)
 {
-  RollingState rolling = half_space_state({7, 5}, {0.01, -0.02, 3.});
-  const std::shared_ptr<const FrictionLaw> law =
-    make_friction_law("exponential", 0.7, 0.3);
-  const auto contact = [&]() {
-    RollingState falls               = rolling;
-    falls.problem.loads.friction_law = law;
-    falls.problem.loads.speed        = speed;
-    return linear_contact(falls.problem,
-                          falls.state,
-                          at_speed(FrictionResponse::patch_mean));
-  }();
-  const std::size_t N = contact.n_nodes, T = contact.n_tangential,
-                    n = contact.n_tractions(), row = n;
-  std::mt19937                     generator(5);
-  std::normal_distribution<double> normal;
-  std::vector<double>              motion((T + 1) * N), none(motion.size(), 0.);
-  for (double &value : motion)
-    value = 1e-9 * normal(generator);
-  const RollingState above = moved_rolling(rolling, motion, none, 1.),
-                     below = moved_rolling(rolling, motion, none, -1.);
-  const auto mean          = [&](const RollingState &state) {
-    ContactProblem problem = state.problem;
-    problem.loads.speed    = speed;
-    return mean_sliding_speed(problem, state.state);
-  };
-  Eigen::VectorXd dx = Eigen::VectorXd::Zero(contact.n_unknowns());
-  for (std::size_t c = 0; c <= T; ++c)
-    for (std::size_t k = 0; k < contact.touching.size(); ++k)
-      {
-        const unsigned int i      = contact.touching[k];
-        const auto         change = [&](const RollingState &state) {
-          return c < T ? state.state.traction(c, i) : state.state.pressure[i];
-        };
-        dx[c * contact.touching.size() + k] =
-          (change(above) - change(below)) / 2;
-      }
-  const Eigen::VectorXd u =
-    rolling.problem.operators.W() * (contact.forces * dx) + as_vector(motion);
-  const double slope = law->slope(mean(rolling)),
-               found =
-                 contact.N_u.row(row).dot(u) + contact.N_r.row(row).dot(dx),
-               expected = slope * (mean(above) - mean(below)) / 2;
-  BOOST_TEST(found == expected, boost::test_tools::tolerance(1e-5));
-  // of which the pressures are a part
-  const double of_pressures = contact.N_r.row(row).dot(dx);
-  BOOST_TEST(std::abs(of_pressures) > 1e-2 * std::abs(expected));
+  for (const auto kind :
+       {SlipOperatorKind::upwind_2, SlipOperatorKind::calibrated})
+    for (const Creepages &creepages :
+         {Creepages{0.01, -0.02, 3.}, Creepages{4e-4, -6e-4, 0.3}})
+      check_mean_sliding_speed(
+        half_space_state({15, 9, 0.5e-3}, creepages, kind));
 }
 
 BOOST_AUTO_TEST_CASE(what_has_no_stability_is_refused)

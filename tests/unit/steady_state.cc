@@ -302,7 +302,21 @@ BOOST_AUTO_TEST_CASE(a_compliant_support_leaves_the_elements_across_the_patch)
       BOOST_TEST_MESSAGE("elements " << made);
       BOOST_TEST(made > 0.8 * 16);
       BOOST_TEST(made < 1.25 * 16);
+      BOOST_TEST(run.said.str().find("are across the patch") ==
+                 std::string::npos);
     }
+  // what few nodes tell of few elements is no reason for another mesh
+  const Run few([&](SceneParameters &scene) {
+    scene.rail.shape                      = "block";
+    scene.rail.radius                     = 0.;
+    scene.rail.hub                        = Hub::elastic;
+    scene.rail.model.foundation.stiffness = {{1e8, 0., 1e8}};
+    scene.contact.approach                = 2e-4;
+    scene.mesh.elements_across_patch      = 5;
+  });
+  BOOST_TEST(few.said.str().find("Mesh/Elements across patch = 5:") !=
+             std::string::npos);
+  BOOST_TEST(few.said.str().find("Contact/Normal load") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(an_aligned_mesh_puts_the_edge_upstream_of_a_node)

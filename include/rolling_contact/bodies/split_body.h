@@ -115,8 +115,9 @@ namespace RollingContact
     const std::shared_ptr<const BodyShape> shape;
     const FadingRegion                     fading;
     const bool                             vibrates;
-    DenseMatrix  S_of_mesh, S, change; ///< without curvature
-    FadedFields  fields;               ///< if it vibrates, as inertia
+    /** S without curvature, as the mesh has it, and what others add to it. */
+    DenseMatrix  S_of_mesh, change;
+    FadedFields  fields; ///< if it vibrates, as inertia
     FadedInertia inertia;
   };
 } // namespace RollingContact

@@ -119,11 +119,6 @@ namespace RollingContact
      */
     std::vector<Entry> masses() const;
 
-    const std::vector<Pad> &pads() const
-    {
-      return springs;
-    }
-
   private:
     /**
      * Sum of a value of each axis times the square of its direction.

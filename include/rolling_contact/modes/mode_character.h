@@ -39,9 +39,15 @@ namespace RollingContact
     double split = 0.;
 
     /**
-     * The name in the literature of wheels, by the motion with most of the
-     * energy and by the nodal diameters: 0L3 axial with no nodal circle, R2
-     * radial, C1 circumferential; empty for a body without an axle.
+     * The motion with most of the energy: L along the axle, R away from it, C
+     * around it.
+     */
+    char family() const;
+
+    /**
+     * The name in the literature of wheels, by family and nodal diameters: 0L3
+     * axial with no nodal circle, R2 radial, C1 circumferential; empty for a
+     * body without an axle.
      */
     std::string name() const;
   };

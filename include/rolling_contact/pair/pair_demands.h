@@ -25,14 +25,14 @@ namespace RollingContact
     /** Surfaces that move are left out of the gap: each step of time brings
      * its own. */
     bool surfaces_in_time = false;
+    /** Where split bodies are kept for other meshes; none: they are not. */
+    std::shared_ptr<SplitBodies> split_bodies;
+
     /** Displacements of whole bodies will be asked for. */
     bool whole_bodies() const
     {
       return displacements || modes;
     }
-
-    /** Where split bodies are kept for other meshes; none: they are not. */
-    std::shared_ptr<SplitBodies> split_bodies;
   };
 } // namespace RollingContact
 

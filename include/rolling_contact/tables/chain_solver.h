@@ -52,6 +52,9 @@ namespace RollingContact
                SolvedChain                    &chain);
 
   private:
+    /** Begin where the bodies were made, with the creepages found there. */
+    void restart();
+
     /**
      * True if the state is enclosed in the zone.
      */
