@@ -50,14 +50,25 @@ namespace RollingContact
                    const ContactState           &state,
                    Resultants                   &result)
     {
-      const ContactProblem &problem = tangential.contact;
+      const ContactProblem   &problem   = tangential.contact;
+      const ContactOperators &operators = problem.operators;
+      double                  load      = 0.;
       for (unsigned int i = 0; i < problem.n_nodes(); ++i)
         if (states[i] != NodeState::open)
           {
             ++result.n_touching;
             result.max_pressure =
               std::max(result.max_pressure, state.pressure[i]);
+            const double force = operators.areas()[i] * state.pressure[i];
+            load += force;
+            result.centre_x += force * operators.positions()[i][0];
+            result.centre_y += force * operators.positions()[i][1];
           }
+      if (load > 0.)
+        {
+          result.centre_x /= load;
+          result.centre_y /= load;
+        }
       const PatchEdges edges =
         recovered_edges(problem.operators, state.pressure);
       result.edge_begin_x = edges.begin_x;

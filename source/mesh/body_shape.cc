@@ -108,6 +108,11 @@ namespace RollingContact
     return {};
   }
 
+  std::optional<SectionMesh> BodyShape::section_about_axle() const
+  {
+    return {};
+  }
+
   std::optional<Axle> BodyShape::axle() const
   {
     return std::nullopt;

@@ -12,6 +12,8 @@ namespace RollingContact
 
     constexpr double largest_coarse_rim = 0.4; ///< cell over radius
 
+    constexpr double section_cell = 0.025; ///< longest of the section: m
+
     /**
      * Chart of a disc: x around its rim, w stretched between rim and hub.
      */
@@ -99,6 +101,55 @@ namespace RollingContact
   std::optional<Axle> DiscShape::axle() const
   {
     return Axle{{{0., 0., -parameters.radius}}, {{0., 1., 0.}}};
+  }
+
+  std::optional<SectionMesh> DiscShape::section_about_axle() const
+  {
+    if (!(parameters.width > 0.))
+      return {}; // in the plane
+    const double inner = parameters.hub_radius,
+                 outer =
+                   parameters.radius -
+                   crown_depth(parameters.lateral_radius, parameters.width / 2);
+    const auto y = equal_parts(-parameters.width / 2,
+                               parameters.width / 2,
+                               fewest_parts(parameters.width, section_cell)),
+               r = equal_parts(inner,
+                               outer,
+                               fewest_parts(outer - inner, section_cell));
+    SectionMesh section;
+    for (std::size_t i = 0; i + 1 < y.size(); ++i)
+      for (std::size_t j = 0; j + 1 < r.size(); ++j)
+        {
+          // the rim is a curve, all other lines of the section are straight
+          const auto at = [&](const double across, const std::size_t row) {
+            const double height =
+              row + 1 < r.size()
+                ? r[row]
+                : parameters.radius -
+                    crown_depth(parameters.lateral_radius, across);
+            return SectionPoint{{across, height, height}};
+          };
+          const std::array<SectionPoint, 4> corners{{at(y[i], j),
+                                                     at(y[i + 1], j),
+                                                     at(y[i], j + 1),
+                                                     at(y[i + 1], j + 1)}};
+          const unsigned int                quad = section.add(corners);
+          if (j == 0)
+            section.set_boundary(quad,
+                                 corners[0],
+                                 corners[1],
+                                 SectionBoundary::hub);
+          if (j + 2 == r.size())
+            section.set_curve(quad,
+                              corners[2],
+                              corners[3],
+                              [at, begin = y[i], end = y[i + 1], j](
+                                const double t) {
+                                return at((1 - t) * begin + t * end, j + 1);
+                              });
+        }
+    return section;
   }
 
   double DiscShape::reach_x() const

@@ -163,6 +163,14 @@ namespace RollingContact
     return Axle{{{0., 0., -parameters.radius}}, {{0., 1., 0.}}};
   }
 
+  std::optional<SectionMesh> SectionFileShape::section_about_axle() const
+  {
+    if (!is_revolved())
+      return {};
+    const bool is_left = parameters.profile && parameters.profile->is_left;
+    return is_left ? section().mirrored() : section();
+  }
+
   double SectionFileShape::reach_x() const
   {
     return is_revolved() ? usable_rim * parameters.radius

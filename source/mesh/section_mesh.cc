@@ -162,6 +162,33 @@ namespace RollingContact
     return result;
   }
 
+  SectionMesh SectionMesh::mirrored() const
+  {
+    const auto image = [](const SectionPoint &point) {
+      return SectionPoint{{-point[0], point[1], point[2]}};
+    };
+    SectionMesh result;
+    for (unsigned int quad = 0; quad < cells.size(); ++quad)
+      {
+        std::array<SectionPoint, 4> corners;
+        for (unsigned int v = 0; v < 4; ++v)
+          corners[v] = image(points[cells[quad].corners[v]]);
+        result.add(corners);
+        for (unsigned int edge = 0; edge < 4; ++edge)
+          {
+            const auto ends  = ends_of_edge(quad, edge);
+            const auto begin = image(points[ends[0]]),
+                       end   = image(points[ends[1]]);
+            result.set_boundary(quad, begin, end, cells[quad].boundary[edge]);
+            if (const Curve &curve = cells[quad].curves[edge])
+              result.set_curve(quad, begin, end, [=](const double t) {
+                return image(curve(t));
+              });
+          }
+      }
+    return result;
+  }
+
   double SectionMesh::least_quality(const unsigned int parts) const
   {
     double least = 1.;

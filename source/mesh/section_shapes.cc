@@ -81,20 +81,22 @@ namespace RollingContact
   SectionShape::equal_cells(const double along, const double across) const
   {
     CoarseCells slices;
-    slices.equal = true;
-    slices.size  = std::min(along, largest_coarse_size());
+    slices.equal                   = true;
+    slices.size                    = std::min(along, largest_coarse_size());
+    const auto [placement, ends_x] = sweep(slices);
+    return std::make_shared<const SweptMesh>(
+      unfolded_section(across).divided(across), placement, ends_x, slices.size);
+  }
+
+  SectionMesh SectionShape::unfolded_section(const double across) const
+  {
     for (const double size : section_cells)
       {
         CoarseCells under_surface;
         under_surface.size    = std::min(size, across);
         const SectionMesh all = section(under_surface, under_surface.size);
-        if (!(all.least_quality(quality_parts) > least_quality))
-          continue;
-        const auto [placement, ends_x] = sweep(slices);
-        return std::make_shared<const SweptMesh>(all.divided(across),
-                                                 placement,
-                                                 ends_x,
-                                                 slices.size);
+        if (all.least_quality(quality_parts) > least_quality)
+          return all;
       }
     throw InputError("Profiles/Body sections = true: the profiles' sections "
                      "cannot be meshed, cells would be folded: take profiles "
@@ -199,6 +201,12 @@ namespace RollingContact
                other   = placed.to_body(0., {{way, 0., 1.}});
     return Axle{
       point, {{other[0] - point[0], other[1] - point[1], other[2] - point[2]}}};
+  }
+
+  std::optional<SectionMesh> WheelShape::section_about_axle() const
+  {
+    const SectionMesh all = unfolded_section(section_cells.front());
+    return placed.is_left ? all.mirrored() : all;
   }
 
   double WheelShape::reach_x() const

@@ -89,16 +89,6 @@ namespace RollingContact
       return most;
     }
 
-    /** L^T K^-1 L less what the modes give. */
-    DenseMatrix residual_of(const AbsorberPlaces  &places,
-                            const StructuralModes &modes,
-                            const double           shift)
-    {
-      DenseMatrix scaled = places.motions;
-      for (Eigen::Index j = 0; j < scaled.cols(); ++j)
-        scaled.col(j) /= std::sqrt(modes.eigenvalue(j) + shift);
-      return places.compliance - scaled * scaled.transpose();
-    }
   } // namespace
 
   AbsorberPlaces absorber_places(const std::vector<AbsorberRing>  &rings,
@@ -149,7 +139,11 @@ namespace RollingContact
     factor.solve(places.deflected);
     places.compliance = places.loads.transpose() * places.deflected;
     places.motions    = places.loads.transpose() * modes.shapes;
-    places.residual   = residual_of(places, modes, shift);
+    places.statics    = modes.statics(places.motions,
+                                   places.loads.transpose() * modes.at_rest,
+                                   shift);
+    places.residual =
+      places.compliance - places.statics * places.statics.transpose();
     return places;
   }
 } // namespace RollingContact

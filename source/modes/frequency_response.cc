@@ -47,9 +47,15 @@ namespace RollingContact
       }
     DenseMatrix y = b;
     factor.solve(y);
-    y -= modes.shapes *
-         (as_vector(lambda).array() + shift).inverse().matrix().asDiagonal() *
-         phi;
+    const DenseMatrix  at_rest = modes.at_rest.transpose() * b;
+    const Eigen::Index n_rest  = at_rest.rows();
+    y -= modes.at_rest * at_rest +
+         modes.shapes.rightCols(m - n_rest) *
+           (as_vector(lambda).tail(m - n_rest).array() + shift)
+             .inverse()
+             .matrix()
+             .asDiagonal() *
+           phi.bottomRows(m - n_rest);
     stiff   = projected(structure.K, y);
     heavy   = projected(structure.M, y);
     lost    = projected(structure.H, y);

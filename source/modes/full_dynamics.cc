@@ -64,9 +64,11 @@ namespace RollingContact
     modal_damping =
       4 * pi *
       as_vector(damping_ratios).cwiseProduct(as_vector(modes.frequencies));
-    inverse_eigenvalues.resize(modes.size());
-    for (std::size_t j = 0; j < modes.size(); ++j)
-      inverse_eigenvalues[j] = 1 / modes.eigenvalue(j);
+  }
+
+  Complex FullDynamics::part_beyond(const Complex s) const
+  {
+    return 1. / (1. + s * retardation_beyond.value_or(0.));
   }
 
   FullDynamics::AtOneRate FullDynamics::at(const Complex s) const
@@ -83,10 +85,11 @@ namespace RollingContact
     const ComplexMatrix P        = attached->motions.cast<Complex>();
     ComplexMatrix       of_modes = P.transpose();
     now.modes.solve(of_modes);
-    of_modes -= inverse_eigenvalues.asDiagonal() * P.transpose();
+    const DenseMatrix beyond =
+      attached->compliance - attached->statics * attached->statics.transpose();
     now.stiffness = attached->stiffness(s);
     ComplexMatrix system =
-      now.stiffness * (P * of_modes + attached->compliance);
+      now.stiffness * (P * of_modes + part_beyond(s) * beyond);
     system.diagonal().array() += 1.;
     now.woodbury.emplace(std::move(system));
     if (now.woodbury->singular())
@@ -153,14 +156,40 @@ namespace RollingContact
     return result + times(structure.M, product(modes.shapes, of_modes));
   }
 
-  void FullDynamics::add_modes(const Rates   &rates,
-                               ComplexMatrix  Q,
-                               ComplexMatrix &X) const
+  void FullDynamics::add_modes(const Rates         &rates,
+                               ComplexMatrix        Q,
+                               const ComplexMatrix &at_rest,
+                               ComplexMatrix       &X) const
   {
-    const ComplexMatrix at_rest = inverse_eigenvalues.asDiagonal() * Q;
+    const Eigen::Index n_rest = modes.at_rest.cols();
+    ComplexMatrix      taken  = at_rest; // amplitudes of Phi in R R^T B
+    for (std::size_t j = n_rest; j < modes.size(); ++j)
+      taken.row(j) /= std::sqrt(modes.eigenvalue(j));
+    if (n_rest > 0)
+      {
+        X -= product(modes.at_rest, taken.topRows(n_rest));
+        taken.topRows(n_rest).setZero();
+      }
     for (std::size_t k = 0; k < rates.size(); ++k)
-      rates[k]->modes.solve(Q.col(k));
-    X += product(modes.shapes, Q - at_rest);
+      {
+        rates[k]->modes.solve(Q.col(k));
+        const Complex follows = part_beyond(rates[k]->s);
+        X.col(k) *= follows;
+        taken.col(k) *= follows;
+      }
+    X += product(modes.shapes, Q - taken);
+  }
+
+  ComplexMatrix FullDynamics::statics_of(const ComplexMatrix &B,
+                                         const ComplexMatrix &Q) const
+  {
+    const Eigen::Index n_rest = modes.at_rest.cols();
+    ComplexMatrix      result = Q;
+    if (n_rest > 0)
+      result.topRows(n_rest) = product(modes.at_rest.transpose(), B);
+    for (std::size_t j = n_rest; j < modes.size(); ++j)
+      result.row(j) /= std::sqrt(modes.eigenvalue(j));
+    return result;
   }
 
   ComplexMatrix FullDynamics::precondition(const Rates         &rates,
@@ -168,8 +197,9 @@ namespace RollingContact
   {
     DenseMatrix columns = parts(B);
     factor.solve(columns);
-    ComplexMatrix result = joined(columns);
-    add_modes(rates, product(modes.shapes.transpose(), B), result);
+    ComplexMatrix       result = joined(columns);
+    const ComplexMatrix Q      = product(modes.shapes.transpose(), B);
+    add_modes(rates, Q, statics_of(B, Q), result);
     if (!attached)
       return result;
     // less P^-1 L (1 + Z L^T P^-1 L)^-1 Z L^T of that
@@ -179,9 +209,12 @@ namespace RollingContact
         forces.col(k) = rates[k]->stiffness * forces.col(k);
         rates[k]->woodbury->solve(forces.col(k));
       }
-    result += product(attached->deflected, forces);
-    add_modes(rates, product(attached->motions.transpose(), forces), result);
-    return result;
+    ComplexMatrix more = product(attached->deflected, forces);
+    add_modes(rates,
+              product(attached->motions.transpose(), forces),
+              product(attached->statics.transpose(), forces),
+              more);
+    return result + more;
   }
 
   namespace
@@ -228,10 +261,34 @@ namespace RollingContact
   } // namespace
 
   std::vector<ComplexVector>
+  FullDynamics::by_modes(const ComplexValues              &s,
+                         const std::vector<ComplexVector> &b) const
+  {
+    std::vector<AtOneRate> all_rates;
+    Rates                  rates;
+    ComplexMatrix          B(structure.K.size(), b.size());
+    all_rates.reserve(s.size());
+    for (std::size_t k = 0; k < s.size(); ++k)
+      {
+        all_rates.push_back(at(s[k]));
+        rates.push_back(&all_rates.back());
+        B.col(k) = b[k];
+      }
+    const ComplexMatrix        X = precondition(rates, B);
+    std::vector<ComplexVector> solutions;
+    for (Eigen::Index k = 0; k < X.cols(); ++k)
+      solutions.push_back(X.col(k));
+    iterations += b.size();
+    return solutions;
+  }
+
+  std::vector<ComplexVector>
   FullDynamics::solve(const ComplexValues              &s,
                       const std::vector<ComplexVector> &b,
                       const double                      tolerance) const
   {
+    if (retardation_beyond)
+      return by_modes(s, b);
     std::vector<AtOneRate> all_rates;
     std::vector<Iterate>   iterates;
     for (std::size_t k = 0; k < s.size(); ++k)

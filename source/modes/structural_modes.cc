@@ -1,3 +1,5 @@
+#include <Eigen/Cholesky>
+
 #include <rolling_contact/algebra/block_lanczos.h>
 #include <rolling_contact/algebra/indefinite_factor.h>
 #include <rolling_contact/base/constants.h>
@@ -155,6 +157,7 @@ namespace RollingContact
                                 parts[b[0]].values[b[1]];
                        });
       modes.shapes = DenseMatrix::Zero(n_unknowns, order.size());
+      modes.at_rest.resize(n_unknowns, 0);
       for (std::size_t j = 0; j < order.size(); ++j)
         {
           const auto [p, k] = order[j];
@@ -168,6 +171,35 @@ namespace RollingContact
   double StructuralModes::eigenvalue(const std::size_t j) const
   {
     return eigenvalue_of(frequencies[j]);
+  }
+
+  DenseMatrix StructuralModes::statics(const DenseMatrix &motions,
+                                       const DenseMatrix &motions_at_rest,
+                                       const double       shift) const
+  {
+    DenseMatrix result                      = motions;
+    result.leftCols(motions_at_rest.cols()) = motions_at_rest;
+    for (Eigen::Index j = motions_at_rest.cols(); j < motions.cols(); ++j)
+      result.col(j) /= std::sqrt(eigenvalue(j) + shift);
+    return result;
+  }
+
+  void StructuralModes::find_at_rest(const SymmetricSparseMatrix &K,
+                                     const SymmetricSparseMatrix &M,
+                                     const Factorisation         &factor,
+                                     const double                 shift,
+                                     const double                 highest)
+  {
+    const auto n =
+      std::upper_bound(frequencies.begin(), frequencies.end(), highest) -
+      frequencies.begin();
+    at_rest = times(M, DenseMatrix(shapes.leftCols(n)));
+    factor.solve(at_rest);
+    DenseMatrix energy = projected(K, at_rest);
+    if (shift > 0.)
+      energy += shift * projected(M, at_rest);
+    const Eigen::LLT<DenseMatrix> root(energy);
+    root.matrixU().solveInPlace<Eigen::OnTheRight>(at_rest);
   }
 
   double shift_of_free_body(const double cut_off)

@@ -1,7 +1,7 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
+#include <rolling_contact/mesh/profile_patch.h>
 #include <rolling_contact/pair/patch_estimate.h>
-#include <rolling_contact/pair/profile_patch.h>
 #include <rolling_contact/references/hertz_ellipse.h>
 #include <rolling_contact/references/hertz_line.h>
 #include <rolling_contact/references/line_contact_approach.h>

@@ -40,6 +40,8 @@ namespace RollingContact
       set("max_pressure_Pa", result.max_pressure);
       set("contact_area_m2", areas.contact);
       set("stick_area_m2", areas.stick);
+      set("centre_x_m", result.centre_x);
+      set("centre_y_m", result.centre_y);
       set("half_width_x_m", result.half_width_x);
       set("half_width_y_m", result.half_width_y);
       set("nodes_in_contact", result.n_touching);

@@ -218,6 +218,27 @@ namespace RollingContact
   }
 
   template <int dim>
+  void StateReview<dim>::warn_of_slope(
+    const std::vector<std::pair<double, double>> &load) const
+  {
+    double total = 0., slope = 0.;
+    for (const auto &[y, force] : load)
+      {
+        total += force;
+        slope += force * scene.frame->rail_angle(y);
+      }
+    const double large = 0.01; // rad
+    if (total > 0. && std::abs(slope) > large * total)
+      context.log.warning(
+        "Under load the patch is where the rail slopes by " +
+        significant(std::abs(slope / total), 2) +
+        " rad against the plane of contact, which is that of the first "
+        "contact: by so much of the load is the lateral force off in the axes "
+        "of the track, and the coupling of both in vibrations. "
+        "Profiles/Contact surface = loaded plane takes the plane at the patch.");
+  }
+
+  template <int dim>
   void
   StateReview<dim>::warn_of_turning_normal(const SteadyState<dim> &last) const
   {
@@ -230,6 +251,8 @@ namespace RollingContact
                           last.state.pressure[i]);
     const double turn = scene.frame->turn_of_normal(load), large = 0.26,
                  degree = std::acos(-1.) / 180;
+    if (scene.frame->kind() == Profiles::SurfaceKind::plane)
+      warn_of_slope(load);
     if (turn > large)
       context.log.warning(
         "The rail's normal turns by " + significant(turn / degree, 3) +

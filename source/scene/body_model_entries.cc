@@ -19,6 +19,10 @@ namespace RollingContact
                                                   {"elastic", Hub::elastic},
                                                   {"mass", Hub::mass}};
 
+    const std::vector<NamedValue<ModeModel>> named_mode_models{
+      {"mesh", ModeModel::mesh},
+      {"harmonic", ModeModel::harmonic}};
+
     const std::array<std::string, 3> axes{{"x", "y", "z"}};
 
     bool hangs_on_axle(const BodyParameters &body)
@@ -167,6 +171,36 @@ namespace RollingContact
              },
              "only bodies with inertia are damped, Analysis = transient with "
              "Time/Inertia = true, and those of analyses of modes"}};
+  }
+
+  void BodyParameters::declare_modes(Entries &entries)
+  {
+    if (section != "Wheel")
+      return;
+    entries.choice("Model", modes, named_mode_models)
+      .read_by(scenes_in_3d())
+      .read_by(analyses_of_modes())
+      .help =
+      "Where the modes of a wheel come from: `mesh`, its elements in three "
+      "dimensions, or `harmonic`, cubic elements of its section and Fourier "
+      "series about the axle, which are exact to 0.1 % and need no fine mesh; "
+      "for wheels of revolution (disc, section, true sections of profiles) "
+      "whose hub is clamped or free.";
+  }
+
+  void BodyParameters::check_modes(const BodyShape   *body_shape,
+                                   const unsigned int dimension) const
+  {
+    if (rigid || modes != ModeModel::harmonic || dimension == 2)
+      return;
+    const std::string entry = section + "/Model = harmonic: ";
+    if (hub != Hub::clamped && hub != Hub::free)
+      throw InputError(entry + "its hub must be clamped or free, and Hub = " +
+                       name_of(hub) + "; take Model = mesh.");
+    if (body_shape != nullptr && !body_shape->section_about_axle())
+      throw InputError(entry +
+                       "this body is none of revolution; take Shape = disc, "
+                       "or section with a Radius above 0, or Model = mesh.");
   }
 
   void BodyParameters::declare_damping(Entries &entries)

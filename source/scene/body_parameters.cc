@@ -39,6 +39,7 @@ namespace RollingContact
     declare_material(entries);
     declare_hub(entries);
     declare_foundation(entries);
+    declare_modes(entries);
     declare_damping(entries);
     declare_dampers(entries);
   }
@@ -178,6 +179,7 @@ namespace RollingContact
     const BodyShape *known = is_read ? &body_shape : nullptr;
     body_shape.check(dimension, rigid);
     check_model(known);
+    check_modes(known, dimension);
     check_dampers(known, dimension);
     if (!rigid)
       check_material(dimension);

@@ -90,11 +90,13 @@ namespace RollingContact
               surface_kind,
               std::vector<NamedValue<Profiles::SurfaceKind>>{
                 {"plane", Profiles::SurfaceKind::plane},
+                {"loaded plane", Profiles::SurfaceKind::loaded_plane},
                 {"curved", Profiles::SurfaceKind::curved}})
       .read_by(wheelsets_in_a_place)
       .help =
       "`plane`: pressure acts along the normal of the first contact; "
-      "`curved`: along the rail's normal at each node, on the length of its "
+      "`loaded plane`: along the mean normal of the patch under load, by "
+      "half-spaces; `curved`: along the rail's normal at each node, on the length of its "
       "section, so that conformal contacts, and tread and flange at once, "
       "have an answer.";
     entries.add("Smoothing length", smoothing_length, "m")
@@ -271,7 +273,9 @@ namespace RollingContact
       pair,
       Profiles::WheelsetPosition{shift, resting, yaw},
       is_left,
-      surface_kind);
+      surface_kind == Profiles::SurfaceKind::curved
+        ? surface_kind
+        : Profiles::SurfaceKind::plane);
   }
 
   bool ProfileParameters::have_frame_of(const ProfileParameters &other) const

@@ -45,7 +45,12 @@ namespace RollingContact
   {
     const Entry &row = entries.find(entry);
     row.read(value);
-    if (row.renews == Renews::bodies || row.renews == Renews::place)
+    // the plane of contact is where its load makes the patch
+    const bool moves_plane =
+      row.renews == Renews::patch &&
+      given.profiles.surface_kind == Profiles::SurfaceKind::loaded_plane;
+    if (row.renews == Renews::bodies || row.renews == Renews::place ||
+        moves_plane)
       {
         const auto as_number = number(value);
         (row.renews == Renews::bodies ? of_bodies : of_place)[entry] =

@@ -1,3 +1,4 @@
+#include <rolling_contact/mesh/profile_patch.h>
 #include <rolling_contact/mesh/ring_places.h>
 #include <rolling_contact/scene/situation.h>
 #include <rolling_contact/scene/travelled_distance.h>
@@ -93,11 +94,20 @@ namespace RollingContact
   {
     if (!profiles.in_use() || !inputs->analysis.has_bodies)
       return;
-    const bool is_same = earlier && earlier->frame &&
+    const bool is_at_patch =
+                 profiles.surface_kind == Profiles::SurfaceKind::loaded_plane,
+               is_same = earlier && earlier->frame &&
                          earlier->wheel.radius == wheel.radius &&
-                         profiles.have_frame_of(earlier->profiles);
-    frame = is_same ? earlier->frame
-                    : profiles.find_frame(wheel.radius, inputs->prm_folder);
+                         profiles.have_frame_of(earlier->profiles) &&
+                         (!is_at_patch || pressed() == earlier->pressed());
+    if (is_same)
+      frame = earlier->frame;
+    else
+      {
+        frame = profiles.find_frame(wheel.radius, inputs->prm_folder);
+        if (is_at_patch)
+          frame = frame_at_patch(frame, pressed());
+      }
     const bool is_same_profile =
       is_same && earlier->profiles.web_bow == profiles.web_bow;
     for (const Side side : both_sides)
@@ -111,6 +121,18 @@ namespace RollingContact
           body.profile = side == Side::wheel ? profiles.placed_wheel(frame)
                                              : profiles.placed_rail(frame);
       }
+  }
+
+  PressedHalfSpaces Situation::pressed() const
+  {
+    const auto material = [](const BodySpec &body) {
+      return body.rigid ? std::optional<Material>() : body.material;
+    };
+    const ContactParameters &asked = inputs->contact;
+    return {material(wheel),
+            material(rail),
+            asked.normal_load ? asked.normal_load : asked.vertical_load,
+            asked.approach.value_or(0.)};
   }
 
   void Situation::check_bodies() const

@@ -184,8 +184,9 @@ namespace RollingContact
   {
     const unsigned int asked = scene.mesh.elements_across_patch;
     const double made = 2 * steady.result.half_width_x / grading.element_size_x;
-    if (steady.solver.converged && steady.result.n_touching > 0 &&
-        made < 0.8 * asked)
+    // on profiles the line that was measured may not be the longest
+    if (patch.boxes.empty() && steady.solver.converged &&
+        steady.result.n_touching > 0 && made < 0.8 * asked)
       log.warning("Mesh/Elements across patch = " + std::to_string(asked) +
                   ": " + significant(made, 2) +
                   " are across the patch, which is shorter than estimated; "

@@ -1,3 +1,5 @@
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/text.h>
 #include <rolling_contact/surfaces/contact_frame.h>
 
 #include <algorithm>
@@ -27,11 +29,24 @@ namespace RollingContact::Profiles
                              const WheelsetPosition            &position,
                              const bool                         is_left,
                              const SurfaceKind                  kind)
+    : ContactFrame(profiles,
+                   is_left ? mirrored(position) : position,
+                   is_left ? -1. : 1.,
+                   kind,
+                   profiles->first_contact(is_left ? mirrored(position)
+                                                   : position))
+  {}
+
+  ContactFrame::ContactFrame(std::shared_ptr<const WheelOnRail> profiles,
+                             const WheelsetPosition            &position,
+                             const double                       sign,
+                             const SurfaceKind                  kind,
+                             const RigidContact                &contact)
     : profiles(std::move(profiles))
-    , position(is_left ? mirrored(position) : position)
-    , sign(is_left ? -1. : 1.)
+    , position(position)
+    , sign(sign)
     , surface_kind(kind)
-    , contact(this->profiles->first_contact(this->position))
+    , contact(contact)
     , rail(this->profiles->rail_profile()
              .shifted(-contact.y, -contact.z)
              .turned(-contact.angle))
@@ -39,6 +54,23 @@ namespace RollingContact::Profiles
     , wheel_at(this->profiles->wheel_profile())
     , rail_origin(rail_at(0.))
   {}
+
+  std::shared_ptr<const ContactFrame>
+  ContactFrame::at_patch(const double s, const double turn) const
+  {
+    const auto arc_length = wheel_arc_length(s);
+    if (!arc_length)
+      throw InputError(
+        "Profiles/Contact surface = loaded plane: the wheel does "
+        "not reach to the middle of the patch, " +
+        millimetres(s) +
+        " from the first contact; take another Profiles/Lateral "
+        "shift or less load.");
+    RigidContact origin = profiles->at(position, *arc_length, contact.height);
+    origin.angle        = contact.angle + sign * turn;
+    return std::shared_ptr<const ContactFrame>(
+      new ContactFrame(profiles, position, sign, surface_kind, origin));
+  }
 
   double ContactFrame::angle() const
   {

@@ -119,12 +119,18 @@ namespace RollingContact::Profiles
           if (here.second < found.second)
             found = here;
         }
-    const double     s           = found.first;
-    const CurvePoint wheel_point = wheel.at(s);
-    const Point      touching    = silhouette(position, s);
+    return at(position, found.first, found.second);
+  }
+
+  RigidContact WheelOnRail::at(const WheelsetPosition &position,
+                               const double            arc_length,
+                               const double            height) const
+  {
+    const CurvePoint wheel_point = wheel.at(arc_length);
+    const Point      touching    = silhouette(position, arc_length);
     const double     rail_s      = rail_at(touching.y);
     const CurvePoint rail_point  = rail.at(rail_s);
-    return {found.second,
+    return {height,
             touching.x,
             rail_point.y,
             rail_point.z,
@@ -132,7 +138,7 @@ namespace RollingContact::Profiles
             rail_point.y - rail.at(rail_top).y,
             rail_point.angle,
             radius + wheel_point.z,
-            -wheel.curvature(s),
+            -wheel.curvature(arc_length),
             rail.curvature(rail_s)};
   }
 

@@ -131,21 +131,28 @@ namespace RollingContact
         hanging[side].deflected,
         hanging[side].compliance,
         hanging[side].motions,
+        hanging[side].statics,
         [this, side, conditions](const std::complex<double> s) {
           return absorber_stiffness(hanging[side],
                                     conditions.absorbers,
                                     rate(side, conditions),
                                     s);
         }});
-    return std::make_unique<FullDynamics>(
-      TurningStructure{
-        body.K, body.M, parts[side].C, parts[side].S, rate(side, conditions)},
-      *body.factor,
-      body.modes,
-      damping_ratios(side, conditions),
-      K_m,
-      C_m,
-      std::move(attached));
+    auto result =
+      std::make_unique<FullDynamics>(TurningStructure{body.K,
+                                                      body.M,
+                                                      parts[side].C,
+                                                      parts[side].S,
+                                                      rate(side, conditions)},
+                                     *body.factor,
+                                     body.modes,
+                                     damping_ratios(side, conditions),
+                                     K_m,
+                                     C_m,
+                                     std::move(attached));
+    if (body.harmonics)
+      result->take_modes(body.parameters.model.damping.retardation());
+    return result;
   }
 
   template class ModalBodies<2>;

@@ -48,10 +48,13 @@ namespace RollingContact
           eigenvalues.push_back(modes.eigenvalue(j));
         Phi[side] =
           at_contact(side, contacts[side]->of_modes(modes.shapes, eigenvalues));
-        DenseMatrix soft = Phi[side]; // Phi Lambda^-1
-        for (std::size_t j = 0; j < m; ++j)
-          soft.col(j) /= eigenvalues[j];
-        W_res -= soft * Phi[side].transpose();
+        const std::vector<double> first(eigenvalues.begin(),
+                                        eigenvalues.begin() +
+                                          modes.at_rest.cols());
+        const DenseMatrix         statics = modes.statics(
+          Phi[side],
+          at_contact(side, contacts[side]->of_modes(modes.at_rest, first)));
+        W_res -= statics * statics.transpose();
         const AbsorberPlaces &places = modal.absorber_places(side);
         if (places.n_coordinates() > 0)
           cross[side] =
@@ -59,7 +62,7 @@ namespace RollingContact
                        contacts[side]->of_modes(
                          places.deflected,
                          std::vector<double>(places.deflected.cols(), 0.))) -
-            soft * places.motions.transpose();
+            statics * places.statics.transpose();
       }
     check(reduced(bodies.standing()));
   }

@@ -140,6 +140,11 @@ def check_fields(path, row):
     near(f"{path}: load", total(p), load, 1e-5)
     near(f"{path}: force x", total(t[0] for t in q), row["force_x_N"], 0, 1e-5 * load)
     near(f"{path}: force y", total(t[1] for t in q), row["force_y_N"], 0, 1e-5 * load)
+    if "centre_x_m" in row:
+        for axis, name in enumerate(("centre_x_m", "centre_y_m")):
+            if axis == 0 or row["half_width_y_m"] > 0:
+                near(f"{path}: {name}", total(x[axis] * pressed for x, pressed in
+                                              zip(field["points"], p)) / load, row[name], 1e-5, 1e-9)
     moment = total(x[0] * t[1] - x[1] * t[0] for x, t in zip(field["points"], q))
     if "spin_moment_Nm" in row and "half_width_y_m" in row and row["half_width_y_m"] > 0:
         near(f"{path}: moment", moment, row["spin_moment_Nm"], 1e-4, 1e-8 * load)

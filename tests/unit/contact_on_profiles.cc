@@ -6,7 +6,7 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/contact/patch_area.h>
 #include <rolling_contact/contact/patches.h>
-#include <rolling_contact/pair/profile_patch.h>
+#include <rolling_contact/mesh/profile_patch.h>
 #include <rolling_contact/references/half_space_pressure.h>
 #include <rolling_contact/references/hertz_ellipse.h>
 #include <rolling_contact/surfaces/nominal_profiles.h>

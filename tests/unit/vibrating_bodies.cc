@@ -2,6 +2,7 @@
 
 #include "../references/slender_bodies.h"
 #include "scratch_folder.h"
+#include "wheel_frequencies.h"
 
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/bodies/direct_body.h>
@@ -95,13 +96,10 @@ namespace
     std::vector<ModeCharacter> characters;
   };
 
-  /** Frequencies (Hz) by nodal diameters. */
-  using Reference = std::map<unsigned int, std::vector<double>>;
-
   /** Relative errors; those of the first family of each number apart. */
   struct Errors
   {
-    Errors(const Vibrating &found, const Reference &exact)
+    Errors(const Vibrating &found, const FrequenciesByDiameters &exact)
     {
       for (const auto &[n, frequencies] : exact)
         {
@@ -147,21 +145,10 @@ BOOST_AUTO_TEST_CASE(an_annular_plate_has_its_frequencies)
       BOOST_TEST(plate.characters[j].circumferential_share > 0.9);
 }
 
-/** 32 frequencies below 5.5 kHz against a Fourier expansion with elements of
- * fourth order, 16 752 unknowns for each number of nodal diameters. */
 BOOST_AUTO_TEST_CASE(a_wheel_has_its_frequencies)
 {
   const Vibrating wheel(section("Wheel", "wheel_2.msh", 0.46, 96), 5800.);
-  const Reference exact{{0,
-                         {214.32, 495.00, 1475.26, 2561.67, 3378.24, 5453.24}},
-                        {1, {141.82, 1152.06, 1661.20, 2821.33, 3424.96}},
-                        {2, {383.68, 1620.56, 2138.85, 3272.21, 4505.79}},
-                        {3, {1044.18, 2111.94, 2748.13, 3894.69}},
-                        {4, {1895.51, 2728.24, 3425.53, 4699.26}},
-                        {5, {2856.05, 3462.86, 4176.55}},
-                        {6, {3876.08, 4289.46, 5012.41}},
-                        {7, {4919.86, 5192.01}}};
-  const Errors    errors(wheel, exact);
+  const Errors    errors(wheel, frequencies_of_wheel_2());
   BOOST_TEST_MESSAGE("mean " << errors.mean << " largest " << errors.largest);
   BOOST_TEST(errors.count == 32u);
   BOOST_TEST(errors.mean < 0.012);

@@ -110,6 +110,7 @@ BOOST_AUTO_TEST_CASE(whole_bodies_have_their_dampers)
                      ring.places.deflected,
                      ring.places.compliance,
                      ring.places.motions,
+                     ring.places.statics,
                      [&](const Complex s) {
                        return absorber_stiffness(ring.places, rings, rate, s);
                      }});

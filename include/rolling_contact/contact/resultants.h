@@ -37,6 +37,7 @@ namespace RollingContact
     double       max_pressure         = 0.;
     unsigned int n_touching           = 0;
 
+    double centre_x = 0., centre_y = 0.;       ///< of the pressure
     double edge_begin_x = 0., edge_end_x = 0.; ///< of the patch
     double half_width_x = 0., half_width_y = 0.;
 

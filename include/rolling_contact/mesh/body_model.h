@@ -22,6 +22,16 @@ namespace RollingContact
   };
 
   /**
+   * How the modes of a body are found: from its mesh, or, of a body of
+   * revolution, from its section by Fourier series about the axle.
+   */
+  enum class ModeModel
+  {
+    mesh,
+    harmonic
+  };
+
+  /**
    * How the displacements of a body are found.
    */
   enum class BodySolver

@@ -1,6 +1,7 @@
 #ifndef rolling_contact_mesh_body_shape_h
 #define rolling_contact_mesh_body_shape_h
 
+#include <rolling_contact/mesh/section_mesh.h>
 #include <rolling_contact/mesh/shape_parameters.h>
 #include <rolling_contact/mesh/surface_chart.h>
 #include <rolling_contact/mesh/zone_box.h>
@@ -118,6 +119,13 @@ namespace RollingContact
      * The axis that the body is revolved about; nothing for other bodies.
      */
     virtual std::optional<Axle> axle() const;
+
+    /**
+     * The section of a body of revolution: along axle() from its point, and the
+     * distance from it, with curved edges and the hub; nothing for other
+     * bodies. Units: m.
+     */
+    virtual std::optional<SectionMesh> section_about_axle() const;
 
     /**
      * Largest coarse cell along x that still resolves the shape.

@@ -19,6 +19,8 @@ namespace RollingContact
 
     std::optional<Axle> axle() const override;
 
+    std::optional<SectionMesh> section_about_axle() const override;
+
     double reach_x() const override;
 
     double largest_half_width() const override;

@@ -30,6 +30,8 @@ namespace RollingContact
 
     std::optional<Axle> axle() const override;
 
+    std::optional<SectionMesh> section_about_axle() const override;
+
     double reach_x() const override;
 
     double reach_y() const override;

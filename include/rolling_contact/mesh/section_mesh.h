@@ -145,6 +145,9 @@ namespace RollingContact
      */
     SectionMesh divided(const double longest) const;
 
+    /** The mirror image, across turned round. */
+    SectionMesh mirrored() const;
+
   private:
     unsigned int vertex(const SectionPoint &point);
 

@@ -43,6 +43,12 @@ namespace RollingContact
     std::vector<double> dimensions() const override;
 
     /**
+     * The section with cells under its surface as long as @p across, or
+     * shorter where those would be folded. Throws InputError if all are.
+     */
+    SectionMesh unfolded_section(const double across) const;
+
+    /**
      * The section's coarse quadrilaterals, under the running surface at most so
      * deep.
      */
@@ -103,6 +109,8 @@ namespace RollingContact
     double thickness_below() const override;
 
     std::optional<Axle> axle() const override;
+
+    std::optional<SectionMesh> section_about_axle() const override;
 
     double reach_x() const override;
 

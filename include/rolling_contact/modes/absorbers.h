@@ -27,6 +27,7 @@ namespace RollingContact
     DenseMatrix               deflected;  ///< K^-1 L, unknowns x c, m/N
     DenseMatrix               compliance; ///< L^T K^-1 L, c x c, m/N
     DenseMatrix motions; ///< P = L^T Phi of the modes, c x m, 1/sqrt(kg)
+    DenseMatrix statics; ///< StructuralModes::statics() of them, c x m
 
     /** R = L^T K^-1 L - P Lambda^-1 P^T, what the modes leave out, c x c,
      * m/N. */

@@ -26,12 +26,13 @@ namespace RollingContact
 
   /**
    * What hangs on a few motions W = L^T x of a structure, which is left with
-   * the forces -L Z(s) W: L, K^-1 L, L^T K^-1 L, P = L^T Phi of the modes, and
-   * Z by s in 1/s. Units: 1, m/N, m/N, 1/sqrt(kg), N/m.
+   * the forces -L Z(s) W: L, K^-1 L, L^T K^-1 L, P = L^T Phi of the modes and
+   * their statics(), and Z by s in 1/s. Units: 1, m/N, m/N, 1/sqrt(kg),
+   * m/J^(1/2), N/m.
    */
   struct AttachedDynamics
   {
-    const DenseMatrix &loads, &deflected, &compliance, &motions;
+    const DenseMatrix &loads, &deflected, &compliance, &motions, &statics;
 
     std::function<ComplexMatrix(const std::complex<double>)> stiffness;
   };
@@ -69,6 +70,16 @@ namespace RollingContact
                  std::optional<AttachedDynamics> attached = {});
 
     /**
+     * Take P^-1 b for the answer from now on, in which what the modes leave out
+     * is a compliance that follows forces with this @p retardation (s): for
+     * modes that are not those of K and M but more exact.
+     */
+    void take_modes(const double retardation)
+    {
+      retardation_beyond = retardation;
+    }
+
+    /**
      * An x for each s and b, to a relative residual of @p tolerance, or, below
      * 1e-6, as far as rounding allows; side by side, so that factor and modes
      * are read once for all of them. Throws ConvergenceError if that is not
@@ -102,6 +113,17 @@ namespace RollingContact
 
     AtOneRate at(const std::complex<double> s) const;
 
+    /** What part of a force the compliance beyond the modes follows, 1 / (1 + s
+     * tau); 1 where whole bodies are solved. */
+    std::complex<double> part_beyond(const std::complex<double> s) const;
+
+    /** R^T B, with Q = Phi^T B. */
+    ComplexMatrix statics_of(const ComplexMatrix &B,
+                             const ComplexMatrix &Q) const;
+
+    std::vector<ComplexVector>
+    by_modes(const ComplexValues &s, const std::vector<ComplexVector> &b) const;
+
     /** D(s) X. */
     ComplexMatrix multiply(const Rates &rates, const ComplexMatrix &X) const;
 
@@ -109,8 +131,12 @@ namespace RollingContact
     ComplexMatrix precondition(const Rates         &rates,
                                const ComplexMatrix &B) const;
 
-    /** X += Phi [(s^2 + s C_m + K_m)^-1 - Lambda^-1] Q. */
-    void add_modes(const Rates &rates, ComplexMatrix Q, ComplexMatrix &X) const;
+    /** X <- (X - R @p at_rest) part_beyond + Phi (s^2 + s C_m + K_m)^-1 Q, R of
+     * StructuralModes::statics(), from Q = Phi^T B and at_rest = R^T B. */
+    void add_modes(const Rates         &rates,
+                   ComplexMatrix        Q,
+                   const ComplexMatrix &at_rest,
+                   ComplexMatrix       &X) const;
 
     /** Forces of what is attached on the structure, that X has to bear. */
     void add_attached(const Rates         &rates,
@@ -127,10 +153,12 @@ namespace RollingContact
     const Factorisation   &factor;
     const StructuralModes &modes;
     Eigen::VectorXd        modal_damping; ///< 2 zeta omega
-    Eigen::VectorXd        inverse_eigenvalues;
     DenseMatrix            K_m, C_m;
 
     std::optional<AttachedDynamics> attached;
+
+    /** Set where the modes are taken as they are. */
+    std::optional<double> retardation_beyond;
 
     mutable unsigned int iterations = 0;
   };

@@ -47,6 +47,13 @@ namespace RollingContact
     std::vector<double> frequencies; ///< f_j, ascending. Units: Hz
     DenseMatrix         shapes;      ///< phi_j by columns. Units: 1/kg^(1/2)
 
+    /**
+     * Where modes are more exact than those of K: fields of K for the first of
+     * them, with the compliance that K has in their place, see statics().
+     * Units: m/J^(1/2).
+     */
+    DenseMatrix at_rest;
+
     /** || K phi - lambda M phi || over lambda || M phi ||; of a rigid mode over
      * the lambda of the cut-off. */
     std::vector<double> residuals;
@@ -71,6 +78,23 @@ namespace RollingContact
 
     /** Eigenvalue (2 pi f_j)^2. Units: 1/s^2. */
     double eigenvalue(const std::size_t j) const;
+
+    /**
+     * L^T R of motions L^T x, R R^T being the part of (K + shift M)^-1 that the
+     * modes take: R = Phi (Lambda + shift)^(-1/2), but at_rest for the first of
+     * them. From L^T Phi and L^T at_rest. Units: m/J^(1/2), 1/s^2.
+     */
+    DenseMatrix statics(const DenseMatrix &motions,
+                        const DenseMatrix &motions_at_rest,
+                        const double       shift = 0.) const;
+
+    /** Replace at_rest by fields of K + shift M for the modes up to a frequency
+     * (Hz): one inverse iteration, orthonormal in K + shift M. */
+    void find_at_rest(const SymmetricSparseMatrix &K,
+                      const SymmetricSparseMatrix &M,
+                      const Factorisation         &factor,
+                      const double                 shift,
+                      const double                 highest);
   };
 
   /**

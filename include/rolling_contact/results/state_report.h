@@ -61,6 +61,10 @@ namespace RollingContact
   private:
     void warn_of_turning_normal(const SteadyState<dim> &last) const;
 
+    /** The load as pairs of the place across (m) and a force (N). */
+    void
+    warn_of_slope(const std::vector<std::pair<double, double>> &load) const;
+
     void note_slip_rows(const SteadyState<dim> &steady);
 
     const PairSpec          &scene;

@@ -76,6 +76,7 @@ namespace RollingContact
     SurfaceSource surface   = SurfaceSource::radii;
     Material      material  = {210e9, 0.3};
     BodyModel     model;
+    ModeModel     modes = ModeModel::mesh;
     DamperEntries dampers;
     double        thermal_conductivity = 50.;  ///< W/(m K)
     double        heat_capacity        = 460.; ///< J/(kg K)
@@ -116,6 +117,8 @@ namespace RollingContact
 
     void declare_damping(Entries &entries);
 
+    void declare_modes(Entries &entries);
+
     void declare_dampers(Entries &entries);
 
     void check_material(const unsigned int dimension) const;
@@ -134,6 +137,9 @@ namespace RollingContact
     void check_pads_on(const double reach) const;
 
     void check_damping(const BodyShape *body_shape) const;
+
+    void check_modes(const BodyShape   *body_shape,
+                     const unsigned int dimension) const;
 
     void check_dampers(const BodyShape   *body_shape,
                        const unsigned int dimension) const;

@@ -1,6 +1,7 @@
 #ifndef rolling_contact_scene_situation_h
 #define rolling_contact_scene_situation_h
 
+#include <rolling_contact/mesh/profile_patch.h>
 #include <rolling_contact/scene/pair_spec.h>
 #include <rolling_contact/scene/scene_parameters.h>
 
@@ -40,6 +41,9 @@ namespace RollingContact
     void take_frame(const Situation *earlier);
 
     void take_loads();
+
+    /** What presses the bodies where the frame of the contact depends on it. */
+    PressedHalfSpaces pressed() const;
   };
 } // namespace RollingContact
 

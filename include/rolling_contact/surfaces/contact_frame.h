@@ -14,11 +14,14 @@ namespace RollingContact::Profiles
 {
   /**
    * The surface on which contact is computed: the plane in which wheel and rail
-   * touch first, or the rail's own surface, curved across and straight along.
+   * touch first, the one at the middle of the patch under load, or the rail's
+   * own surface, curved across and straight along. The frame of a plane at the
+   * patch is one of kind `plane`.
    */
   enum class SurfaceKind
   {
     plane,
+    loaded_plane,
     curved
   };
 
@@ -35,9 +38,10 @@ namespace RollingContact::Profiles
   /**
    * The plane in which wheel and rail touch first, turned about x by the angle
    * of the contact, and what the profiles are there. Its origin is the first
-   * rigid contact; x is against the way the wheel rolls forwards, y along the
-   * profiles to the right of the vehicle, z out of the rail. A wheel on the
-   * left rail is the mirror image of one on the right: y changes its sign.
+   * rigid contact, or the middle of a patch, see at_patch(); x is against the
+   * way the wheel rolls forwards, y along the profiles to the right of the
+   * vehicle, z out of the rail. A wheel on the left rail is the mirror image of
+   * one on the right: y changes its sign.
    *
    * The coordinate s across the surface of contact is y in the plane, or on a
    * curved surface the length along the rail's section from the origin. Units:
@@ -57,7 +61,19 @@ namespace RollingContact::Profiles
                  const SurfaceKind                  kind = SurfaceKind::plane);
 
     /**
-     * The first contact, as that of a right-hand wheel.
+     * The frame of the same wheelset in the plane at the middle of a patch, at
+     * (0, @p s) of this one and turned against it by @p turn, downwards towards
+     * positive y. Gaps are 0 where the surfaces touch first, as here. Throws
+     * InputError if the wheel does not reach there. Units: m, rad.
+     */
+    std::shared_ptr<const ContactFrame> at_patch(const double s,
+                                                 const double turn) const;
+
+    ContactFrame(const ContactFrame &)            = delete;
+    ContactFrame &operator=(const ContactFrame &) = delete;
+
+    /**
+     * The origin, as that of a right-hand wheel.
      */
     const RigidContact &origin() const
     {
@@ -113,8 +129,8 @@ namespace RollingContact::Profiles
 
     /**
      * Distance of the rigid surfaces along the normal of the surface of contact
-     * at (@p x, @p s), 0 at the origin; nothing where one of them does not
-     * reach.
+     * at (@p x, @p s), 0 where they touch first; nothing where one of them does
+     * not reach.
      */
     std::optional<double> gap(const double x, const double s) const;
 
@@ -208,6 +224,13 @@ namespace RollingContact::Profiles
 
   private:
     using Vector = std::array<double, 3>;
+
+    /** With this origin of a right-hand wheel, at this @p position of it. */
+    ContactFrame(std::shared_ptr<const WheelOnRail> profiles,
+                 const WheelsetPosition            &position,
+                 const double                       sign,
+                 const SurfaceKind                  kind,
+                 const RigidContact                &contact);
 
     /** From axes of the track to those of the wheelset. */
     Vector to_wheelset(const Vector &vector) const;

@@ -68,6 +68,14 @@ namespace RollingContact::Profiles
     RigidContact first_contact(const WheelsetPosition &position) const;
 
     /**
+     * What is at a place of the wheel's profile (arc length) and on the rail
+     * below it when the wheelset is at the height at which it touches first.
+     */
+    RigidContact at(const WheelsetPosition &position,
+                    const double            arc_length,
+                    const double            height) const;
+
+    /**
      * The gap between the silhouette at a place on the wheel's profile (arc
      * length) and the rail, for a wheelset of height 0; nothing beside the
      * rail.

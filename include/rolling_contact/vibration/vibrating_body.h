@@ -4,6 +4,7 @@
 #include <rolling_contact/bodies/direct_body.h>
 #include <rolling_contact/modes/absorbers.h>
 #include <rolling_contact/modes/body_places.h>
+#include <rolling_contact/modes/harmonic_modes.h>
 #include <rolling_contact/modes/mode_character.h>
 #include <rolling_contact/modes/structural_modes.h>
 #include <rolling_contact/run/run_context.h>
@@ -12,6 +13,8 @@
 #include <rolling_contact/scene/pair_spec.h>
 
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace RollingContact
@@ -59,14 +62,18 @@ namespace RollingContact
      */
     AbsorberPlaces absorbers(const double highest, RunContext &context) const;
 
-    const Side                 side;
-    const BodySpec             parameters;
-    const DirectBody<dim>     *body;
-    BodyPlaces                 places;
-    SymmetricSparseMatrix      K, M, H, C;
-    double                     shift; ///< 1/s^2
-    const Factorisation       *factor;
-    StructuralModes            modes;
+    const Side             side;
+    const BodySpec         parameters;
+    const DirectBody<dim> *body;
+    BodyPlaces             places;
+    SymmetricSparseMatrix  K, M, H, C;
+    double                 shift; ///< 1/s^2
+    const Factorisation   *factor;
+    StructuralModes        modes;
+
+    /** Set where the modes are those of the section, see harmonic_modes(). */
+    std::optional<HarmonicAccuracy> harmonics;
+
     std::vector<ModeCharacter> characters;
 
   private:
@@ -84,7 +91,12 @@ namespace RollingContact
                     const double           cut_off,
                     RunContext            &context);
 
+    void find_modes_of_section(const ModeControls &controls);
+
     void report_modes(const ModesParameters &wanted, RunContext &context) const;
+
+    /** What the modes were found in. */
+    std::string searched() const;
 
     std::vector<double> damping_of_single_modes() const;
 

@@ -1,9 +1,11 @@
-#ifndef rolling_contact_pair_profile_patch_h
-#define rolling_contact_pair_profile_patch_h
+#ifndef rolling_contact_mesh_profile_patch_h
+#define rolling_contact_mesh_profile_patch_h
 
+#include <rolling_contact/mesh/material.h>
 #include <rolling_contact/mesh/zone_box.h>
 #include <rolling_contact/surfaces/contact_frame.h>
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -27,7 +29,32 @@ namespace RollingContact
     double approach     = 0.;
     /** By how much the rail's normal turns over 90 % of the load. */
     double turn_of_normal = 0.;
+    /** Means over the load of the heaviest patch: where it is across, and the
+     * rail's slope against the plane there, which is also that of the wheel. */
+    double middle = 0., slope = 0.;
   };
+
+  /**
+   * Half-spaces that are pressed onto each other by a load or, if there is
+   * none, with an approach; a rigid one has no material. Units: N, m.
+   */
+  struct PressedHalfSpaces
+  {
+    bool operator==(const PressedHalfSpaces &other) const;
+
+    std::optional<Material> wheel, rail;
+    std::optional<double>   load;
+    double                  approach = 0.;
+  };
+
+  /**
+   * Frame in the plane at the patch of profile_patch(), found in two rounds
+   * from that of the @p first contact: the plane against which the mean slope
+   * over the load is 0. The first if nothing presses or both are rigid.
+   */
+  std::shared_ptr<const Profiles::ContactFrame>
+  frame_at_patch(std::shared_ptr<const Profiles::ContactFrame> first,
+                 const PressedHalfSpaces                      &bodies);
 
   /**
    * Patch between half-spaces with the contact modulus E* (Pa) on a coarse

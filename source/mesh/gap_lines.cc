@@ -1,4 +1,4 @@
-#include <rolling_contact/pair/gap_lines.h>
+#include <rolling_contact/mesh/gap_lines.h>
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
-#ifndef rolling_contact_pair_gap_lines_h
-#define rolling_contact_pair_gap_lines_h
+#ifndef rolling_contact_mesh_gap_lines_h
+#define rolling_contact_mesh_gap_lines_h
 
 #include <rolling_contact/mesh/zone_box.h>
 #include <rolling_contact/surfaces/contact_frame.h>

@@ -1,11 +1,13 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/pair/gap_lines.h>
-#include <rolling_contact/pair/profile_patch.h>
+#include <rolling_contact/mesh/gap_lines.h>
+#include <rolling_contact/mesh/profile_patch.h>
+#include <rolling_contact/references/contact_modulus.h>
 #include <rolling_contact/references/half_space_pressure.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace RollingContact
@@ -185,6 +187,15 @@ namespace RollingContact
       return boxes;
     }
 
+    double load_of(const Rows                                   &rows,
+                   const std::vector<std::pair<double, double>> &load)
+    {
+      double sum = 0.;
+      for (std::size_t j = rows.begin; j < rows.end; ++j)
+        sum += load[j].second;
+      return sum;
+    }
+
     /**
      * Whether rows carry enough to be resolved.
      */
@@ -192,14 +203,7 @@ namespace RollingContact
                  const std::vector<std::pair<double, double>> &load)
     {
       const double least = 0.1; // of the load
-      double       total = 0., here = 0.;
-      for (std::size_t j = 0; j < load.size(); ++j)
-        {
-          total += load[j].second;
-          if (j >= rows.begin && j < rows.end)
-            here += load[j].second;
-        }
-      return here >= least * total;
+      return load_of(rows, load) >= least * load_of({0, load.size()}, load);
     }
 
     /**
@@ -227,6 +231,21 @@ namespace RollingContact
         {
           patch.shortest_x  = least(patch.shortest_x, half_length);
           patch.narrowest_y = least(patch.narrowest_y, half_width);
+        }
+    }
+    void add_means(const Profiles::ContactFrame                 &frame,
+                   const std::vector<std::pair<double, double>> &load,
+                   ProfilePatch                                 &patch)
+    {
+      Rows heaviest{0, 0};
+      for (const Rows &rows : touching_rows(load))
+        if (load_of(rows, load) > load_of(heaviest, load))
+          heaviest = rows;
+      for (std::size_t j = heaviest.begin; j < heaviest.end; ++j)
+        {
+          const double share = load[j].second / load_of(heaviest, load);
+          patch.middle += share * load[j].first;
+          patch.slope += share * frame.rail_angle(load[j].first);
         }
     }
   } // namespace
@@ -261,6 +280,43 @@ namespace RollingContact
               "less load or longer profiles.");
       }
     patch.turn_of_normal = frame.turn_of_normal(load_of_rows);
+    add_means(frame, load_of_rows, patch);
     return patch;
+  }
+
+  bool PressedHalfSpaces::operator==(const PressedHalfSpaces &other) const
+  {
+    return wheel == other.wheel && rail == other.rail && load == other.load &&
+           approach == other.approach;
+  }
+
+  std::shared_ptr<const Profiles::ContactFrame>
+  frame_at_patch(std::shared_ptr<const Profiles::ContactFrame> first,
+                 const PressedHalfSpaces                      &bodies)
+  {
+    auto frame = std::move(first);
+    if (!(bodies.load.value_or(bodies.approach) > 0.) ||
+        !(bodies.wheel || bodies.rail))
+      return frame;
+    const auto modulus = [](const std::optional<Material> &material) {
+      return material ? material->young_modulus
+                      : std::numeric_limits<double>::infinity();
+    };
+    const auto ratio = [](const std::optional<Material> &material) {
+      return material ? material->poisson_ratio : 0.;
+    };
+    for (unsigned int round = 0; round < 2; ++round)
+      {
+        const ProfilePatch patch =
+          profile_patch(*frame,
+                        References::contact_modulus(modulus(bodies.wheel),
+                                                    ratio(bodies.wheel),
+                                                    modulus(bodies.rail),
+                                                    ratio(bodies.rail)),
+                        bodies.load,
+                        bodies.approach);
+        frame = frame->at_patch(patch.middle, patch.slope);
+      }
+    return frame;
   }
 } // namespace RollingContact
