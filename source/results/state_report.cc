@@ -232,10 +232,14 @@ namespace RollingContact
       context.log.warning(
         "Under load the patch is where the rail slopes by " +
         significant(std::abs(slope / total), 2) +
-        " rad against the plane of contact, which is that of the first "
-        "contact: by so much of the load is the lateral force off in the axes "
-        "of the track, and the coupling of both in vibrations. "
-        "Profiles/Contact surface = loaded plane takes the plane at the patch.");
+        " rad against the plane of contact: by so much of the load is the "
+        "lateral force off in the axes of the track, and the coupling of both "
+        "in vibrations. " +
+        (scene.profiles.surface_kind == Profiles::SurfaceKind::plane
+           ? "Profiles/Contact surface = loaded plane takes the plane at the "
+             "patch of half-spaces."
+           : "The bodies bend, so that the patch is elsewhere than that of "
+             "half-spaces, whose plane it is."));
   }
 
   template <int dim>
