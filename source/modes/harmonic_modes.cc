@@ -110,44 +110,51 @@ namespace RollingContact
       return result;
     }
 
-    /** Amplitudes of a mode of the section at the circles of a body's nodes,
-     * each of which is looked up once. */
+    /** Amplitudes of all modes at the circles of a body's nodes, each of which
+     * is looked up once: U_y, U_r, U_t by columns of modes. */
     class Circles
     {
     public:
-      Circles(const HarmonicSection &section, const double radius)
+      Circles(const HarmonicSection              &section,
+              const std::vector<StructuralModes> &of_section,
+              const std::vector<OneMode>         &modes,
+              const double                        radius)
         : section(section)
+        , of_section(of_section)
+        , modes(modes)
         , unit(same_circle * radius)
       {}
 
-      const HarmonicSection::Interpolation &at(const CylindricalPlace &place)
+      const DenseMatrix &at(const CylindricalPlace &place)
       {
-        const std::array<long, 2> key{
-          {std::lround(place.axial / unit), std::lround(place.radius / unit)}};
-        const auto found = known.find(key);
-        if (found != known.end())
-          return found->second;
-        return known.emplace(key, section.at(place.axial, place.radius))
-          .first->second;
+        const auto [found, is_new] = known.try_emplace(
+          {std::lround(place.axial / unit), std::lround(place.radius / unit)});
+        if (is_new)
+          found->second = amplitudes(section.at(place.axial, place.radius));
+        return found->second;
       }
 
     private:
-      const HarmonicSection                                        &section;
-      const double                                                  unit;
-      std::map<std::array<long, 2>, HarmonicSection::Interpolation> known;
-    };
+      DenseMatrix amplitudes(const HarmonicSection::Interpolation &at) const
+      {
+        DenseMatrix U = DenseMatrix::Zero(3, modes.size());
+        for (std::size_t j = 0; j < modes.size(); ++j)
+          for (std::size_t k = 0; k < at.weights.size(); ++k)
+            for (unsigned int d = 0; d < 3; ++d)
+              if (at.unknowns[k][d] >= 0)
+                U(d, j) +=
+                  at.weights[k] *
+                  of_section[modes[j].diameters].shapes(at.unknowns[k][d],
+                                                        modes[j].number);
+        return U;
+      }
 
-    std::array<double, 3> amplitudes(const HarmonicSection::Interpolation &at,
-                                     const DenseMatrix &shapes,
-                                     const unsigned int mode)
-    {
-      std::array<double, 3> U{};
-      for (std::size_t k = 0; k < at.weights.size(); ++k)
-        for (unsigned int d = 0; d < 3; ++d)
-          if (at.unknowns[k][d] >= 0)
-            U[d] += at.weights[k] * shapes(at.unknowns[k][d], mode);
-      return U;
-    }
+      const HarmonicSection                       &section;
+      const std::vector<StructuralModes>          &of_section;
+      const std::vector<OneMode>                  &modes;
+      const double                                 unit;
+      std::map<std::pair<long, long>, DenseMatrix> known;
+    };
 
     DenseMatrix shapes_at(const BodyPlaces                   &places,
                           const Axle                         &axle,
@@ -164,26 +171,25 @@ namespace RollingContact
         [&](const double so_far, const BodyPlaces::Node &node) {
           return std::max(so_far, CylindricalPlace(axle, node.point).radius);
         });
-      Circles circles(section, largest);
+      Circles circles(section, of_section, modes, largest);
       for (const BodyPlaces::Node &node : places.nodes)
         {
           const CylindricalPlace place(axle, node.point);
-          const auto            &at = circles.at(place);
+          const DenseMatrix     &U = circles.at(place);
           for (std::size_t j = 0; j < modes.size(); ++j)
             {
               const OneMode &mode = modes[j];
-              const auto     U =
-                amplitudes(at, of_section[mode.diameters].shapes, mode.number);
-              const double angle =
+              const double   angle =
                 mode.diameters * place.angle - mode.quarters * pi / 2;
               // without diameters all three are constant round the axle
               const double c = std::cos(angle),
                            s = mode.diameters == 0 ? 1. : std::sin(angle);
               for (unsigned int d = 0; d < 3; ++d)
                 if (node.unknowns[d] >= 0)
-                  shapes(node.unknowns[d], j) = c * U[0] * place.along[d] +
-                                                c * U[1] * place.outwards[d] +
-                                                s * U[2] * place.around[d];
+                  shapes(node.unknowns[d], j) =
+                    c * U(0, j) * place.along[d] +
+                    c * U(1, j) * place.outwards[d] +
+                    s * U(2, j) * place.around[d];
             }
         }
       return shapes;

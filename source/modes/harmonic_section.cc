@@ -18,6 +18,9 @@ namespace RollingContact
 
   namespace
   {
+    /// of a cell: what facets may leave of a curved edge
+    const double beside = 0.1;
+
     /** Strain of one shape function and one amplitude: yy, rr, tt, yr, rt, yt.
      */
     using Strain = std::array<double, 6>;
@@ -132,7 +135,9 @@ namespace RollingContact
                          update_quadrature_points);
     const double    round = n == 0 ? 2 * pi : pi; // int cos^2 d theta
     std::vector<std::array<Strain, 3>> strain(n_nodes), force(n_nodes);
-    FullMatrix<double>                 K_cell(3 * n_nodes), M_cell(n_nodes);
+    std::vector<std::vector<std::pair<types::global_dof_index, double>>> parts(
+      n_nodes);
+    FullMatrix<double> K_cell(3 * n_nodes), M_cell(n_nodes);
     for (const auto &cell : elements->dofs.active_cell_iterators())
       {
         values.reinit(cell);
@@ -163,10 +168,12 @@ namespace RollingContact
                         weight * product(strain[i][a], force[j][b]);
                 }
           }
+        for (unsigned int i = 0; i < n_nodes; ++i)
+          parts[i] = elements->parts_of(nodes[i]);
         const auto add_entries = [&](const unsigned int i,
                                      const unsigned int j) {
-          for (const auto &[node_i, weight_i] : elements->parts_of(nodes[i]))
-            for (const auto &[node_j, weight_j] : elements->parts_of(nodes[j]))
+          for (const auto &[node_i, weight_i] : parts[i])
+            for (const auto &[node_j, weight_j] : parts[j])
               for (unsigned int a = 0; a < 3; ++a)
                 for (unsigned int b = 0; b < 3; ++b)
                   {
@@ -217,7 +224,8 @@ namespace RollingContact
             holder   = cell;
           }
       }
-    AssertThrow(holder.state() == IteratorState::valid,
+    AssertThrow(holder.state() == IteratorState::valid &&
+                  farthest < beside * holder->diameter(),
                 ExcMessage("A node of the body is beside its section."));
     Interpolation                        result;
     std::vector<types::global_dof_index> nodes(elements->element.dofs_per_cell);
