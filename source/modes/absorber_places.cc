@@ -137,13 +137,12 @@ namespace RollingContact
       }
     places.deflected = places.loads;
     factor.solve(places.deflected);
-    places.compliance = places.loads.transpose() * places.deflected;
-    places.motions    = places.loads.transpose() * modes.shapes;
-    places.statics    = modes.statics(places.motions,
+    places.motions  = places.loads.transpose() * modes.shapes;
+    places.statics  = modes.statics(places.motions,
                                    places.loads.transpose() * modes.at_rest,
                                    shift);
-    places.residual =
-      places.compliance - places.statics * places.statics.transpose();
+    places.residual = places.loads.transpose() * places.deflected -
+                      places.statics * places.statics.transpose();
     return places;
   }
 } // namespace RollingContact

@@ -85,11 +85,9 @@ namespace RollingContact
     const ComplexMatrix P        = attached->motions.cast<Complex>();
     ComplexMatrix       of_modes = P.transpose();
     now.modes.solve(of_modes);
-    const DenseMatrix beyond =
-      attached->compliance - attached->statics * attached->statics.transpose();
     now.stiffness = attached->stiffness(s);
     ComplexMatrix system =
-      now.stiffness * (P * of_modes + part_beyond(s) * beyond);
+      now.stiffness * (P * of_modes + part_beyond(s) * attached->residual);
     system.diagonal().array() += 1.;
     now.woodbury.emplace(std::move(system));
     if (now.woodbury->singular())
@@ -180,26 +178,17 @@ namespace RollingContact
     X += product(modes.shapes, Q - taken);
   }
 
-  ComplexMatrix FullDynamics::statics_of(const ComplexMatrix &B,
-                                         const ComplexMatrix &Q) const
-  {
-    const Eigen::Index n_rest = modes.at_rest.cols();
-    ComplexMatrix      result = Q;
-    if (n_rest > 0)
-      result.topRows(n_rest) = product(modes.at_rest.transpose(), B);
-    for (std::size_t j = n_rest; j < modes.size(); ++j)
-      result.row(j) /= std::sqrt(modes.eigenvalue(j));
-    return result;
-  }
-
   ComplexMatrix FullDynamics::precondition(const Rates         &rates,
                                            const ComplexMatrix &B) const
   {
-    DenseMatrix columns = parts(B);
+    DenseMatrix       columns = parts(B);
+    const DenseMatrix Q       = modes.shapes.transpose() * columns,
+                      at_rest =
+                        modes.statics(Q.transpose(),
+                                      columns.transpose() * modes.at_rest);
     factor.solve(columns);
-    ComplexMatrix       result = joined(columns);
-    const ComplexMatrix Q      = product(modes.shapes.transpose(), B);
-    add_modes(rates, Q, statics_of(B, Q), result);
+    ComplexMatrix result = joined(columns);
+    add_modes(rates, joined(Q), joined(at_rest.transpose()), result);
     if (!attached)
       return result;
     // less P^-1 L (1 + Z L^T P^-1 L)^-1 Z L^T of that

@@ -129,7 +129,7 @@ namespace RollingContact
       attached.emplace(AttachedDynamics{
         hanging[side].loads,
         hanging[side].deflected,
-        hanging[side].compliance,
+        hanging[side].residual,
         hanging[side].motions,
         hanging[side].statics,
         [this, side, conditions](const std::complex<double> s) {

@@ -108,7 +108,7 @@ BOOST_AUTO_TEST_CASE(whole_bodies_have_their_dampers)
     modal.C_m,
     AttachedDynamics{ring.places.loads,
                      ring.places.deflected,
-                     ring.places.compliance,
+                     ring.places.residual,
                      ring.places.motions,
                      ring.places.statics,
                      [&](const Complex s) {

@@ -22,10 +22,9 @@ namespace RollingContact
    */
   struct AbsorberPlaces
   {
-    std::vector<unsigned int> diameters;  ///< D of each ring
-    DenseMatrix               loads;      ///< L, unknowns x c, 1
-    DenseMatrix               deflected;  ///< K^-1 L, unknowns x c, m/N
-    DenseMatrix               compliance; ///< L^T K^-1 L, c x c, m/N
+    std::vector<unsigned int> diameters; ///< D of each ring
+    DenseMatrix               loads;     ///< L, unknowns x c, 1
+    DenseMatrix               deflected; ///< K^-1 L, unknowns x c, m/N
     DenseMatrix motions; ///< P = L^T Phi of the modes, c x m, 1/sqrt(kg)
     DenseMatrix statics; ///< StructuralModes::statics() of them, c x m
 

@@ -26,13 +26,13 @@ namespace RollingContact
 
   /**
    * What hangs on a few motions W = L^T x of a structure, which is left with
-   * the forces -L Z(s) W: L, K^-1 L, L^T K^-1 L, P = L^T Phi of the modes and
-   * their statics(), and Z by s in 1/s. Units: 1, m/N, m/N, 1/sqrt(kg),
-   * m/J^(1/2), N/m.
+   * the forces -L Z(s) W: L, K^-1 L, what the modes leave out of L^T K^-1 L,
+   * P = L^T Phi of the modes and their statics(), see AbsorberPlaces, and Z by
+   * s in 1/s. Units: 1, m/N, m/N, 1/sqrt(kg), m/J^(1/2), N/m.
    */
   struct AttachedDynamics
   {
-    const DenseMatrix &loads, &deflected, &compliance, &motions, &statics;
+    const DenseMatrix &loads, &deflected, &residual, &motions, &statics;
 
     std::function<ComplexMatrix(const std::complex<double>)> stiffness;
   };
@@ -116,10 +116,6 @@ namespace RollingContact
     /** What part of a force the compliance beyond the modes follows, 1 / (1 + s
      * tau); 1 where whole bodies are solved. */
     std::complex<double> part_beyond(const std::complex<double> s) const;
-
-    /** R^T B, with Q = Phi^T B. */
-    ComplexMatrix statics_of(const ComplexMatrix &B,
-                             const ComplexMatrix &Q) const;
 
     std::vector<ComplexVector>
     by_modes(const ComplexValues &s, const std::vector<ComplexVector> &b) const;
