@@ -253,9 +253,10 @@ namespace RollingContact
       const TimeParameters &time = scene.time;
       time.check_cycles(
         time.steps(time.histories(scene.contact, scene.prm_folder).speed), why);
-      if (scene.contact.slip_operator != SlipOperatorKind::upwind_2)
-        throw InputError(why + "Contact/Slip operator must be `upwind 2`, for "
-                               "which vibrations that grow are found.");
+      if (scene.contact.slip_operator == SlipOperatorKind::galerkin)
+        throw InputError(why + "Contact/Slip operator must be `calibrated`, "
+                               "`upwind 2` or `upwind 1`, for which vibrations "
+                               "that grow are found.");
       if (time.bodies != BodiesInTime::reduced)
         throw InputError(why + "bodies are reduced once for all runs; take "
                                "Time/Bodies = reduced.");

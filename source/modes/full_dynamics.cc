@@ -97,6 +97,18 @@ namespace RollingContact
     return now;
   }
 
+  void FullDynamics::add_losses(const Rates         &rates,
+                                const ComplexMatrix &X,
+                                ComplexMatrix       &result) const
+  {
+    if (structure.H.size() == 0)
+      return;
+    const ComplexMatrix losses = times(structure.H, X);
+    for (std::size_t k = 0; k < rates.size(); ++k)
+      if (const Complex s = rates[k]->s; s.imag() != 0.)
+        result.col(k) += s / std::abs(s.imag()) * losses.col(k);
+  }
+
   void FullDynamics::add_attached(const Rates         &rates,
                                   const ComplexMatrix &X,
                                   ComplexMatrix       &result) const
@@ -142,6 +154,7 @@ namespace RollingContact
         result.col(k) += s * s * inertia.col(k);
         velocities.col(k) *= s;
       }
+    add_losses(rates, X, result);
     add_attached(rates, X, result);
     add_flow(rates, X, velocities, result);
     if (structure.C.size() > 0)

@@ -39,4 +39,22 @@ namespace RollingContact
       }
     return ratios;
   }
+
+  DenseMatrix modal_damping_matrix(const StructuralModes       &modes,
+                                   const SymmetricSparseMatrix &H,
+                                   const SymmetricSparseMatrix &C)
+  {
+    const std::size_t m      = modes.size();
+    DenseMatrix       result = DenseMatrix::Zero(m, m);
+    if (C.size() > 0)
+      result += projected(C, modes.shapes);
+    if (H.size() == 0)
+      return result;
+    Eigen::VectorXd shares = Eigen::VectorXd::Zero(m);
+    for (std::size_t j = 0; j < m; ++j)
+      if (modes.frequencies[j] > rigid_share * modes.cut_off)
+        shares[j] = std::pow(modes.eigenvalue(j), -0.25);
+    return result + shares.asDiagonal() * projected(H, modes.shapes) *
+                      shares.asDiagonal();
+  }
 } // namespace RollingContact

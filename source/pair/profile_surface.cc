@@ -1,5 +1,7 @@
 #include <rolling_contact/pair/profile_surface.h>
 
+#include <algorithm>
+
 namespace RollingContact
 {
   namespace
@@ -13,6 +15,37 @@ namespace RollingContact
     }
   } // namespace
 
+  namespace
+  {
+    /**
+     * The rail's part in how surfaces that differ come to lie on each other: of
+     * like materials a half, of a rigid wheel all.
+     */
+    double share_of_rail(const PairSpec &scene)
+    {
+      const auto compliance = [](const BodySpec &body) {
+        const double nu = body.material.poisson_ratio;
+        return body.rigid ? 0. : (1 - nu * nu) / body.material.young_modulus;
+      };
+      const double rail = compliance(scene.rail);
+      return rail / (compliance(scene.wheel) + rail);
+    }
+
+    /**
+     * By how much the wheel's surface is steeper than the rail's at (0, s),
+     * upwards towards positive y; 0 where one of them ends. Units: rad.
+     */
+    double slope_of_gap(const Profiles::ContactFrame &frame, const double s)
+    {
+      const double step = 1e-5, largest = 0.1;
+      const auto   before = frame.gap(0., s - step),
+                 after    = frame.gap(0., s + step);
+      return before && after
+               ? std::clamp((*after - *before) / (2 * step), -largest, largest)
+               : 0.;
+    }
+  } // namespace
+
   SurfaceFrames surface_frames(const PairSpec                    &scene,
                                const ContactOperators::Positions &at)
   {
@@ -20,13 +53,14 @@ namespace RollingContact
     if (!is_curved(scene))
       return frames;
     const Profiles::ContactFrame &frame = *scene.frame;
+    const double                  share = share_of_rail(scene);
     frames.load_angle                   = scene.load_angle();
     for (const auto &[x, s] : at)
       {
         const auto [y, z, angle] = frame.covers(s)
                                      ? frame.surface(s)
                                      : Profiles::SurfacePoint{s, 0., 0.};
-        frames.nodes.push_back({y, z, angle});
+        frames.nodes.push_back({y, z, angle - share * slope_of_gap(frame, s)});
       }
     return frames;
   }

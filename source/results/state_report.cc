@@ -235,11 +235,11 @@ namespace RollingContact
         " rad against the plane of contact: by so much of the load is the "
         "lateral force off in the axes of the track, and the coupling of both "
         "in vibrations. " +
-        (scene.profiles.surface_kind == Profiles::SurfaceKind::plane
-           ? "Profiles/Contact surface = loaded plane takes the plane at the "
-             "patch of half-spaces."
-           : "The bodies bend, so that the patch is elsewhere than that of "
-             "half-spaces, whose plane it is."));
+        (scene.follows_profiles()
+           ? "Bodies that bend and move across take the patch with them on "
+             "Profiles/Contact surface = curved."
+           : "Profiles/Contact surface = loaded plane takes the plane at the "
+             "patch of half-spaces."));
   }
 
   template <int dim>

@@ -220,6 +220,13 @@ namespace RollingContact
                   return !scene.analysis.has_lone_bodies();
                 },
                 "in the frequency domain loss factors need none"})
+      .read_by(
+        {[is_wheel = section == "Wheel"](const SceneParameters &scene) {
+           const BodyParameters &body = is_wheel ? scene.wheel : scene.rail;
+           return body.model.damping.loss_factor != 0. || !finds_modes(scene);
+         },
+         "each mode has the loss factors of its supports at its own "
+         "frequency"})
       .read_by(reader(
         [](const BodyParameters &body) {
           const Foundation &foundation = body.model.foundation;
@@ -229,8 +236,10 @@ namespace RollingContact
         },
         "all loss factors are 0"))
       .help =
-      "In time loss factors are viscous, C = eta K / (2 pi f), as large as at "
-      "this frequency f.";
+      "With Time/Bodies = full loss factors are viscous, C = eta K / (2 pi f), "
+      "as large as at this frequency f, and so is always the Loss factor of "
+      "what lies under the contact and is not in the modes. Modes lose at "
+      "their own frequencies.";
     entries.add("Rayleigh mass", damping.mass_damping, "1/s")
       .at_least(0.)
       .read_by(damped)

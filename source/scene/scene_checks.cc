@@ -203,9 +203,13 @@ namespace RollingContact
         "Contact/Vertical load = " + text_of(*contact.vertical_load) +
         ": in time the load is along the normal; give "
         "Contact/Normal load.");
-    if (profiles.surface_kind == Profiles::SurfaceKind::curved && marches())
-      throw InputError("Profiles/Contact surface = curved: in time the surface "
-                       "of contact is plane; take Contact surface = plane.");
+    if (profiles.surface_kind == Profiles::SurfaceKind::curved && marches() &&
+        (contact.normal_load || !time.normal_load.empty()) &&
+        !time.hold_approach)
+      throw InputError(
+        "Profiles/Contact surface = curved: friction carries a part of the "
+        "load there, which in time is not followed; give Contact/Approach, or "
+        "hold that of the load (Time/Hold approach = true).");
     profiles.check(wheel.radius, prm_folder);
   }
 

@@ -10,10 +10,6 @@ namespace RollingContact
     if (scene.surfaces.in_use() || !scene.surfaces.friction_share.empty())
       throw InputError(why + "surfaces that pass (section Surfaces) have no "
                              "steady state; leave them empty.");
-    if (scene.profiles.in_use() &&
-        scene.profiles.surface_kind == Profiles::SurfaceKind::curved)
-      throw InputError(why + "Profiles/Contact surface = curved is not among "
-                             "what is linearised; take plane.");
   }
 
   void check_linearised_state(const SceneParameters &scene)

@@ -13,13 +13,15 @@ namespace RollingContact
   namespace
   {
     /**
-     * The edge law needs the static compliance, which a run with inertia has
-     * at most to start from.
+     * The edge law needs the compliance of the surface at rest, which nodes
+     * with mass do not have within a step; bodies by their modes have.
      */
     SlipOperatorKind operator_in_time(const Situation &scene)
     {
       const SlipOperatorKind kind = scene.contact.slip_operator;
-      return scene.inputs->time.inertia && kind == SlipOperatorKind::calibrated
+      return scene.inputs->time.inertia &&
+                 !scene.inputs->has_reduced_bodies() &&
+                 kind == SlipOperatorKind::calibrated
                ? SlipOperatorKind::upwind_2
                : kind;
     }
@@ -280,14 +282,16 @@ namespace RollingContact
     contact                     = bodies.base;
     DenseMatrix W               = contact.problem.operators.W();
     initial.modes               = bodies.modes;
-    initial.motion              = std::make_unique<ReducedRolling<dim>>(
+    auto reduced                = std::make_unique<ReducedRolling<dim>>(
       bodies.modes,
       *contact.pair,
       W,
       RollingConditions(scene, scene.inputs->stability));
-    ContactParameters in_time = scene.contact;
-    in_time.slip_operator     = operator_in_time(scene);
-    contact.problem = contact.pair->contact_problem(in_time, std::move(W));
+    // steps hold still at what is at rest for the modes
+    W              = reduced->compliance_at_rest(std::move(W));
+    initial.motion = std::move(reduced);
+    contact.problem =
+      contact.pair->contact_problem(scene.contact, std::move(W));
     start_steadily(
       scene, demands_in_time(PairDemands()), histories, context, initial);
     initial.undisturbed.motion = *initial.motion->reduced_state();
@@ -315,8 +319,9 @@ namespace RollingContact
     const SlipOperatorKind slip_operator = operator_in_time(scene);
     if (slip_operator != scene.contact.slip_operator &&
         scene.contact.friction_coefficient > 0.)
-      context.log.message("With inertia B1 is `upwind 2`: the edge law of "
-                          "`calibrated` needs the static compliance.");
+      context.log.message("With the inertia of all unknowns B1 is `upwind 2`: "
+                          "the edge law of `calibrated` needs nodes without "
+                          "mass.");
     StateDemands in_time = demands_in_time(demands);
     if (scene.inputs->time.inertia) // the motion starts from them
       in_time.pair.displacements = true;

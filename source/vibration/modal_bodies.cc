@@ -1,6 +1,7 @@
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
+#include <rolling_contact/modes/modal_damping.h>
 #include <rolling_contact/modes/rotation.h>
 #include <rolling_contact/stability/reduced_pair.h>
 #include <rolling_contact/vibration/modal_bodies.h>
@@ -36,10 +37,7 @@ namespace RollingContact
         const VibratingBody<dim> &body  = *bodies[side];
         const DenseMatrix        &modes = body.modes.shapes;
         Part                     &part  = parts[side];
-        part.C                          = direct->damping_in_time();
-        part.C_m                        = part.C.size() > 0
-                                            ? projected(part.C, modes)
-                                            : DenseMatrix::Zero(n_modes(side), n_modes(side));
+        part.C_m        = modal_damping_matrix(body.modes, body.H, body.C);
         hanging[side]   = body.absorbers(wanted.maximum_frequency, context);
         const auto axle = body.parameters.body_shape()->axle();
         if constexpr (dim == 3)
@@ -138,18 +136,15 @@ namespace RollingContact
                                     rate(side, conditions),
                                     s);
         }});
-    auto result =
-      std::make_unique<FullDynamics>(TurningStructure{body.K,
-                                                      body.M,
-                                                      parts[side].C,
-                                                      parts[side].S,
-                                                      rate(side, conditions)},
-                                     *body.factor,
-                                     body.modes,
-                                     damping_ratios(side, conditions),
-                                     K_m,
-                                     C_m,
-                                     std::move(attached));
+    auto result = std::make_unique<FullDynamics>(
+      TurningStructure{
+        body.K, body.M, body.C, body.H, parts[side].S, rate(side, conditions)},
+      *body.factor,
+      body.modes,
+      damping_ratios(side, conditions),
+      K_m,
+      C_m,
+      std::move(attached));
     if (body.harmonics)
       result->take_modes(body.parameters.model.damping.retardation());
     return result;

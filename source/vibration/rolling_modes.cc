@@ -55,6 +55,7 @@ namespace RollingContact
           Phi[side],
           at_contact(side, contacts[side]->of_modes(modes.at_rest, first)));
         W_res -= statics * statics.transpose();
+        replaced[side]               = statics.leftCols(modes.at_rest.cols());
         const AbsorberPlaces &places = modal.absorber_places(side);
         if (places.n_coordinates() > 0)
           cross[side] =
@@ -162,6 +163,17 @@ namespace RollingContact
             all.push_back(z);
       }
     return all;
+  }
+
+  template <int dim>
+  DenseMatrix RollingModes<dim>::compliance_at_rest(DenseMatrix W) const
+  {
+    for (const Side side : both_sides)
+      for (Eigen::Index j = 0; j < replaced[side].cols(); ++j)
+        W += Phi[side].col(j) * Phi[side].col(j).transpose() /
+               modal.body(side)->modes.eigenvalue(j) -
+             replaced[side].col(j) * replaced[side].col(j).transpose();
+    return W;
   }
 
   template <int dim>

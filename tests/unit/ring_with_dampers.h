@@ -115,7 +115,7 @@ namespace RingWithDampers
     Axle                     axle;
     DirectBody<3>            body;
     BodyPlaces               at;
-    SymmetricSparseMatrix    K, M, C;
+    SymmetricSparseMatrix    K, M, C, H; ///< no losses H unless given
     SkewSparseMatrix         S;
     Factorisation            factor;
     StructuralModes          modes;
@@ -143,11 +143,13 @@ namespace RingWithDampers
     for (std::size_t j = 0; j < n; ++j)
       for (std::size_t i = 0; i < n; ++i)
         flow(i, j) /= M(i, i);
-    const DenseMatrix S_flow = S * flow, C_flow = C * flow;
-    ComplexMatrix     D = ComplexMatrix::Zero(n + c, n + c);
+    const DenseMatrix S_flow = S * flow, C_flow = C * flow,
+                      H = ring.H.size() > 0 ? dense(ring.H) : 0. * K;
+    const Complex loss  = s / std::abs(s.imag());
+    ComplexMatrix D     = ComplexMatrix::Zero(n + c, n + c);
     for (std::size_t j = 0; j < n; ++j)
       for (std::size_t i = 0; i < n; ++i)
-        D(i, j) = K(i, j) + s * C(i, j) + s * s * M(i, j) +
+        D(i, j) = K(i, j) + loss * H(i, j) + s * C(i, j) + s * s * M(i, j) +
                   2. * s * rate * S(i, j) + rate * rate * S_flow(i, j) +
                   rate * C_flow(i, j);
     std::size_t first = 0;

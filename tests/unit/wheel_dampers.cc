@@ -92,15 +92,16 @@ BOOST_AUTO_TEST_CASE(circles_of_nodes_are_found_in_rounded_coordinates)
     }
 }
 
-BOOST_AUTO_TEST_CASE(whole_bodies_have_their_dampers)
+BOOST_AUTO_TEST_CASE(whole_bodies_have_their_dampers_and_losses)
 {
-  const Ring                ring(9e3);
-  const double              rate  = 50.;
+  Ring ring(9e3);
+  ring.H                         = linear_combination(0.03, ring.K, 0., ring.M);
+  const double              rate = 50.;
   const ReducedPair         modal = ring.reduced(rate);
   const std::vector<double> no_ratios(ring.modes.size(), 0.);
   const auto                rings = ring.parameters.absorbers();
   const FullDynamics        full(
-    TurningStructure{ring.K, ring.M, ring.C, ring.S, rate},
+    TurningStructure{ring.K, ring.M, ring.C, ring.H, ring.S, rate},
     ring.factor,
     ring.modes,
     no_ratios,

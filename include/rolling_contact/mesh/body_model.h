@@ -113,7 +113,8 @@ namespace RollingContact
   /**
    * Damping of a body: hysteretic by loss factors, K (1 + i eta), viscous by
    * Rayleigh, C = mass_damping M + stiffness_damping K, and by absorbing ends;
-   * ratios of its modes. In time a loss factor is viscous at one frequency.
+   * ratios of its modes. Of full bodies in time a loss factor is viscous at one
+   * frequency.
    */
   struct BodyDamping
   {

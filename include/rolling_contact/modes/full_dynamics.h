@@ -14,12 +14,12 @@ namespace RollingContact
 {
   /**
    * The matrices of a whole body that may turn about its axle at a rate Omega
-   * while it is looked at from where it does not. C and S may be empty. Units:
-   * N/m, kg, N s/m, kg, rad/s.
+   * while it is looked at from where it does not. C, the loss stiffness H and S
+   * may be empty. Units: N/m, kg, N s/m, N/m, kg, rad/s.
    */
   struct TurningStructure
   {
-    const SymmetricSparseMatrix &K, &M, &C;
+    const SymmetricSparseMatrix &K, &M, &C, &H;
     const SkewSparseMatrix      &S;
     double                       rate = 0.;
   };
@@ -41,12 +41,13 @@ namespace RollingContact
    * Vibration that goes as exp(s t), of all unknowns of a body:
    *
    *   D(s) x = b,
-   *   D = K + s C' + s^2 M + 2 s Omega S + Omega^2 S M_l^-1 S
+   *   D = K + s/|Im s| H + s C' + s^2 M + 2 s Omega S + Omega^2 S M_l^-1 S
    *         + Omega C' M_l^-1 S + L Z(s) L^T,
    *
-   * L Z L^T of what is attached, C' = C + M Phi diag(2 zeta_j omega_j) Phi^T M
-   * with the damping ratios of the modes, M_l the diagonal of M. Solved with
-   * the real factor of K and the modes alone: x <- x + P^-1 (b - D x),
+   * without H where s is real; L Z L^T of what is attached, C' = C + M Phi
+   * diag(2 zeta_j omega_j) Phi^T M with the damping ratios of the modes, M_l
+   * the diagonal of M. Solved with the real factor of K and the modes alone: x
+   * <- x + P^-1 (b - D x),
    *
    *   P^-1 b = Phi [(s^2 + s C_m + K_m)^-1 - Lambda^-1] Phi^T b + K^-1 b,
    *
@@ -133,6 +134,11 @@ namespace RollingContact
                    ComplexMatrix        Q,
                    const ComplexMatrix &at_rest,
                    ComplexMatrix       &X) const;
+
+    /** Forces of the loss stiffness. */
+    void add_losses(const Rates         &rates,
+                    const ComplexMatrix &X,
+                    ComplexMatrix       &result) const;
 
     /** Forces of what is attached on the structure, that X has to bear. */
     void add_attached(const Rates         &rates,

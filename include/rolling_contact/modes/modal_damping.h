@@ -17,6 +17,17 @@ namespace RollingContact
                                     const std::vector<double>   &given,
                                     const SymmetricSparseMatrix &H,
                                     const SymmetricSparseMatrix &C);
+
+  /**
+   * Damping matrix of the modes,
+   *   C_ij = phi_i^T C phi_j + phi_i^T H phi_j / sqrt(omega_i omega_j),
+   * that of viscous damping C and, of loss stiffness H, the viscous one in
+   * which each mode loses at its own frequency what H takes from it; without
+   * losses of rigid modes. Units: 1/s.
+   */
+  DenseMatrix modal_damping_matrix(const StructuralModes       &modes,
+                                   const SymmetricSparseMatrix &H,
+                                   const SymmetricSparseMatrix &C);
 } // namespace RollingContact
 
 #endif

@@ -8,8 +8,11 @@ namespace RollingContact
 {
   /**
    * Where nodes at these places (x, s) of the surface of contact are, and their
-   * normals; beyond the end of the rail as if it went on in its plane. Without
-   * nodes where that surface is plane, and for bodies without profiles.
+   * normals, between those of the rail and of the wheel that faces it as the
+   * softness of both divides them: the surfaces come to lie on each other
+   * there, and a body that moves across finds the other at that slope. Beyond
+   * the end of the rail it goes on in its plane. Without nodes where the
+   * surface of contact is plane, and for bodies without profiles.
    */
   SurfaceFrames surface_frames(const PairSpec                    &scene,
                                const ContactOperators::Positions &at);

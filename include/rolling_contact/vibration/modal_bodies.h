@@ -105,15 +105,13 @@ namespace RollingContact
 
   private:
     /**
-     * Damping and gyroscopic matrices of one body as it stands, without
-     * rotation.
+     * Damping matrix of the modes of one body as it stands, without damping
+     * ratios, and the gyroscopic matrices of one that may turn.
      */
     struct Part
     {
-      SymmetricSparseMatrix C;
-      SkewSparseMatrix      S;
-      DenseMatrix           C_m, S_m; ///< without damping ratios; S_m: if it
-                                      ///< may turn
+      DenseMatrix      C_m, S_m;
+      SkewSparseMatrix S;
     };
 
     std::vector<double>

@@ -24,6 +24,12 @@ namespace RollingContact
                    const DenseMatrix                &W,
                    const RollingConditions          &conditions);
 
+    /** RollingModes::compliance_at_rest() of these bodies. */
+    DenseMatrix compliance_at_rest(DenseMatrix W) const
+    {
+      return bodies.compliance_at_rest(std::move(W));
+    }
+
     void set_time_step(const double h) override;
 
     bool compliance_depends_on_step() const override;

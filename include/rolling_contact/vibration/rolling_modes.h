@@ -44,6 +44,13 @@ namespace RollingContact
                       const RollingConditions   &conditions) const;
 
     /**
+     * The static compliance of the reduced bodies: that of their mesh, @p W,
+     * but for modes that others than those of the mesh take the place of, see
+     * StructuralModes::statics(). Units: m/N.
+     */
+    DenseMatrix compliance_at_rest(DenseMatrix W) const;
+
+    /**
      * Load on all coordinates when the wheel's hub accelerates by 1 m/s^2
      * towards the rail and displacements are those relative to it: -Phi^T M e_z
      * of the wheel, 0 of the rail. Units: kg^(1/2).
@@ -90,8 +97,9 @@ namespace RollingContact
 
     PerSide<std::unique_ptr<ContactVibration>> contacts;
     PerSide<DenseMatrix>                       Phi; ///< of the modes of a body
-    PerSide<DenseMatrix> cross; ///< between contact and absorbers, residual
-    DenseMatrix          W_res; ///< without absorbers
+    PerSide<DenseMatrix> replaced; ///< statics of the first of these modes
+    PerSide<DenseMatrix> cross;    ///< between contact and absorbers, residual
+    DenseMatrix          W_res;    ///< without absorbers
   };
 
   /**
