@@ -96,10 +96,11 @@ namespace RollingContact
   void Figure::add_map(const std::string         &label,
                        const std::vector<double> &x,
                        const std::vector<double> &y,
-                       const std::vector<double> &values)
+                       const std::vector<double> &values,
+                       const MapColours           colours)
   {
     require(x.size() * y.size() == values.size(), label);
-    maps.push_back({printable(label), x, y, values});
+    maps.push_back({printable(label), x, y, values, colours});
   }
 
   void Figure::add_panel(const Figure &panel)

@@ -41,10 +41,17 @@ set linetype 6 linecolor "#56B4E9" linewidth 1.8 pointtype 5
 set linetype 7 linecolor "#5E3C99" linewidth 1.8 pointtype 9
 set linetype 8 linecolor "#8C510A" linewidth 1.8 pointtype 13
 set linetype cycle 8
-set palette defined (0 "#440154", 1 "#472D7B", 2 "#3B528B", 3 "#2C728E", \
-  4 "#21918C", 5 "#28AE80", 6 "#5EC962", 7 "#ADDC30", 8 "#FDE725")
 )";
 
+    const std::vector<std::string> map_colours{"#440154",
+                                               "#472D7B",
+                                               "#3B528B",
+                                               "#2C728E",
+                                               "#21918C",
+                                               "#28AE80",
+                                               "#5EC962",
+                                               "#ADDC30",
+                                               "#FDE725"};
     const std::vector<std::string> band_colours{"#E3EBF4",
                                                 "#F6ECDC",
                                                 "#E4F1E7"};
@@ -56,6 +63,32 @@ set palette defined (0 "#440154", 1 "#472D7B", 2 "#3B528B", 3 "#2C728E", \
                      panel_height = 150., panel_step = 170., left_edge = 96.,
                      right_edge = 618., x_axis_height = 56.;
     constexpr unsigned int many_points = 80;
+
+    /** Viridis over [0, largest], with plain grey below if that is wanted. */
+    std::string palette(const double largest, const std::string &below)
+    {
+      std::string colours;
+      for (std::size_t k = 0; k < map_colours.size(); ++k)
+        colours += fmt::format("{}{} \"{}\"",
+                               k == 0 ? "" : ", ",
+                               largest * k / (map_colours.size() - 1),
+                               map_colours[k]);
+      return "set palette defined (" + below + colours + ")\n";
+    }
+
+    std::string palette_from_zero(const std::vector<double> &values)
+    {
+      double largest = 0.;
+      for (const double value : values)
+        if (std::isfinite(value))
+          largest = std::max(largest, value);
+      if (largest == 0.)
+        return "set palette defined (0 \"#DDDDDD\", 1 \"#DDDDDD\")\n";
+      const double plain = largest / 12;
+      return fmt::format("set cbrange [{}:{}]\n", -plain, largest) +
+             palette(largest,
+                     fmt::format("{} \"#DDDDDD\", 0 \"#DDDDDD\", ", -plain));
+    }
 
     /** For gnuplot, which substitutes nothing between single quotes. */
     std::string quoted(const std::string &text)
@@ -134,6 +167,9 @@ set palette defined (0 "#440154", 1 "#472D7B", 2 "#3B528B", 3 "#2C728E", \
                               significant(map.x.back(), 9),
                               significant(map.y.front(), 9),
                               significant(map.y.back(), 9));
+        text += map.colours == MapColours::from_zero
+                  ? palette_from_zero(map.values)
+                  : palette(1., "");
         text += "set cblabel " + quoted(map.label) + " noenhanced offset 1,0\n";
         add(fmt::format("'{}.dat' index {} with pm3d notitle", name, block++));
       }

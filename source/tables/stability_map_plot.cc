@@ -90,6 +90,52 @@ namespace RollingContact
       return corners;
     }
 
+    /** The line on which values between those at (x[i], y[j]) are 0, in pieces
+     * with a gap behind each. */
+    struct ZeroLine
+    {
+      ZeroLine(const std::vector<double> &x,
+               const std::vector<double> &y,
+               const std::vector<double> &values)
+      {
+        for (std::size_t j = 0; j + 1 < y.size(); ++j)
+          for (std::size_t i = 0; i + 1 < x.size(); ++i)
+            {
+              const auto corner = [&](const std::size_t k) {
+                const std::size_t right = k == 1 || k == 2, up = k >= 2;
+                return Corner{x[i + right],
+                              y[j + up],
+                              values[(j + up) * x.size() + i + right]};
+              };
+              std::vector<Corner> ends;
+              for (std::size_t k = 0; k < 4; ++k)
+                if (const Corner a = corner(k), b = corner((k + 1) % 4);
+                    (a.value > 0.) != (b.value > 0.) &&
+                    std::isfinite(a.value - b.value))
+                  {
+                    const double t = a.value / (a.value - b.value);
+                    ends.push_back(
+                      {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), 0.});
+                  }
+              for (std::size_t k = 0; k + 1 < ends.size(); k += 2)
+                for (const Corner &at :
+                     {ends[k], ends[k + 1], Corner{nan, nan, 0.}})
+                  {
+                    this->x.push_back(at.x);
+                    this->y.push_back(at.y);
+                  }
+            }
+      }
+
+      std::vector<double> x, y;
+
+    private:
+      struct Corner
+      {
+        double x, y, value;
+      };
+    };
+
     void plot_map(const TablePlan &plan, RunContext &context)
     {
       const DrawnAxis     x(plan, 0), y(plan, 1);
@@ -111,7 +157,8 @@ namespace RollingContact
       const auto draw = [&](const std::string         &title,
                             const std::string         &label,
                             const std::vector<double> &values,
-                            const std::string         &name) {
+                            const std::string         &name,
+                            const MapColours           colours) {
         if (std::none_of(values.begin(), values.end(), [](const double v) {
               return std::isfinite(v);
             }))
@@ -120,22 +167,32 @@ namespace RollingContact
         figure.add_map(label,
                        edges_of(x.values),
                        edges_of(y.values),
-                       at_corners(values, n_x, n_y));
+                       at_corners(values, n_x, n_y),
+                       colours);
+        if (const ZeroLine zero(x.values, y.values, growth);
+            colours == MapColours::from_zero && !zero.x.empty())
+          figure.add_curve("", zero.x, zero.y, CurveStyle::reference);
         figure.draw(context, name);
       };
       draw("Growth of the vibration that grows fastest",
            std::any_of(growth.begin(),
                        growth.end(),
                        [](const double v) { return v > 0.; })
-             ? "1/s"
+             ? "1/s; grey: none grows"
              : "1/s; none grows",
            growth,
-           "stability_map");
+           "stability_map",
+           MapColours::from_zero);
       draw("Frequency of the vibration that grows fastest",
            "kHz; white: none grows",
            frequency,
-           "stability_map_frequency");
-      draw("Vibrations that grow", "number", count, "stability_map_count");
+           "stability_map_frequency",
+           MapColours::from_least);
+      draw("Vibrations that grow",
+           "number",
+           count,
+           "stability_map_count",
+           MapColours::from_least);
     }
 
     void plot_locus(const TablePlan &plan, RunContext &context)

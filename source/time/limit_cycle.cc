@@ -50,10 +50,12 @@ namespace RollingContact
       {
         ++n;
         result.stick_time += sticking[t] > 0.;
+        result.sticking += sticking[t];
         result.open_time += !(load[t] > 0.);
         n_touching += touching[t] > 0.;
         result.stick_node += touching[t] > 0. ? sticking[t] / touching[t] : 0.;
       }
+    result.sticking /= std::max(1., result.stick_time);
     result.stick_time /= n;
     result.open_time /= n;
     result.stick_node /= std::max<std::size_t>(1, n_touching);
@@ -154,6 +156,15 @@ namespace RollingContact
         significant(100 * share.stick_node, 3) +
         " % of those that touch; no contact " +
         significant(100 * share.open_time, 3) + " % of the time");
+    if (share.sticking > 0.)
+      context.report.errors.push_back(
+        {"amplitude of the cycle",
+         1 / share.sticking,
+         "itself",
+         "one of the " + significant(share.sticking, 2) +
+           " nodes that stick while some do, which limits it",
+         true,
+         ""});
     const auto energy = energies();
     context.report.set_finding(
       "work",

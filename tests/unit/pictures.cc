@@ -465,7 +465,7 @@ BOOST_FIXTURE_TEST_CASE(map_of_vibrations, DrawingRun)
     return std::pair(std::round(load - 5.),
                      std::round(cant / degree - 0.05 / degree));
   };
-  const auto map   = corners("stability_map", "1/s"),
+  const auto map   = corners("stability_map", "1/s; grey: none grows"),
              count = corners("stability_map_count", "number"),
              kHz = corners("stability_map_frequency", "kHz; white: none grows");
   for (std::size_t state = 0; state < 6; ++state)
@@ -476,6 +476,16 @@ BOOST_FIXTURE_TEST_CASE(map_of_vibrations, DrawingRun)
       if (growth[state] > 0.)
         BOOST_TEST(kHz.at(at) == state + 1.);
     }
+  // the line of no growth, between the values by rule of three
+  const std::string data = read(files.folder / "stability_map.dat");
+  for (const std::string piece : {"\n12\t0\n20\t2.54647909\n",
+                                  "\n12.8571429\t5.72957795\n10\t1.90985932\n",
+                                  "\n12.8571429\t5.72957795\n20\t8.33393157\n"})
+    BOOST_TEST(contains(data, piece), piece);
+  // colours from 0 to the largest
+  BOOST_TEST(contains(script("stability_map"), "set cbrange [-0.5:6]"));
+  BOOST_TEST(contains(script("stability_map"), "0 \"#DDDDDD\", 0 \"#440154\""));
+  BOOST_TEST(!contains(script("stability_map_count"), "set cbrange"));
 }
 
 /** The amplitude of a cycle is the larger of those along x and y, in m/s, over

@@ -20,6 +20,13 @@ namespace RollingContact
     thick
   };
 
+  enum class MapColours
+  {
+    from_least,
+    /** Colours begin at 0, all below is plain. */
+    from_zero
+  };
+
   enum class AxisScale
   {
     linear,
@@ -71,7 +78,8 @@ namespace RollingContact
     void add_map(const std::string         &label,
                  const std::vector<double> &x,
                  const std::vector<double> &y,
-                 const std::vector<double> &values);
+                 const std::vector<double> &values,
+                 const MapColours           colours = MapColours::from_least);
 
     /**
      * Puts the curves and bands of another figure, whose title is not shown,
@@ -126,6 +134,7 @@ namespace RollingContact
       std::vector<double> x;
       std::vector<double> y;
       std::vector<double> values;
+      MapColours          colours;
     };
 
     std::string                 block_data() const;

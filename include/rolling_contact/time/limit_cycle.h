@@ -77,6 +77,7 @@ namespace RollingContact
       double stick_time = 0.; ///< in which any node sticks
       double stick_node = 0.; ///< of the nodes that touch
       double open_time  = 0.; ///< without contact
+      double sticking   = 0.; ///< nodes that stick while some do
     };
 
     Shares shares() const;
