@@ -5,6 +5,7 @@ the summary, the curves of cycle.svg and the record of the patch, from history.c
 sweep FOLDER CYCLE: rows of Analysis = limit cycle up and down; the first is the run in CYCLE."""
 import cmath
 import csv
+import json
 import math
 import re
 import sys
@@ -68,6 +69,11 @@ def check_cycle(folder):
     near("stick", sum(stick) / len(stick), result["cycle_stick_time_share"], 0, 1e-3)
     parts = [s / c for s, c in zip(last["nodes_sticking"], last["nodes_in_contact"]) if c > 0]
     near("sticking nodes", sum(parts) / len(parts), result["cycle_stick_node_share"], 0, 1e-3)
+    with open(f"{folder}/run.json", encoding="utf-8") as file:
+        errors = [error["value"] for error in json.load(file)["errors"]
+                  if error["quantity"] == "amplitude of the cycle"]
+    near("statements of the amplitude's error", len(errors), 1, 0)
+    near("error of the amplitude", errors[0], sum(stick) / sum(last["nodes_sticking"]), 1e-3)
     near("open", sum(not f > 0 for f in last["normal_force_N"]) / len(times),
          result["cycle_open_time_share"], 0, 1e-3)
 
