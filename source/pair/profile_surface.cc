@@ -13,10 +13,7 @@ namespace RollingContact
       return scene.frame &&
              scene.frame->kind() == Profiles::SurfaceKind::curved;
     }
-  } // namespace
 
-  namespace
-  {
     /**
      * The rail's part in how surfaces that differ come to lie on each other: of
      * like materials a half, of a rigid wheel all.
@@ -28,7 +25,7 @@ namespace RollingContact
         return body.rigid ? 0. : (1 - nu * nu) / body.material.young_modulus;
       };
       const double rail = compliance(scene.rail);
-      return rail / (compliance(scene.wheel) + rail);
+      return rail > 0. ? rail / (compliance(scene.wheel) + rail) : 0.;
     }
 
     /**

@@ -159,10 +159,10 @@ namespace RollingContact
     if (share.sticking > 0.)
       context.report.errors.push_back(
         {"amplitude of the cycle",
-         1 / share.sticking,
+         1.5 / share.sticking, // either border of the zone may be off
          "itself",
-         "one of the " + significant(share.sticking, 2) +
-           " nodes that stick while some do, which limits it",
+         "a node and a half of the " + significant(share.sticking, 2) +
+           " that stick while some do, which limit it",
          true,
          ""});
     const auto energy = energies();
