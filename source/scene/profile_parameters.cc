@@ -96,8 +96,8 @@ namespace RollingContact
       .help =
       "`plane`: pressure acts along the normal of the first contact; "
       "`loaded plane`: along the mean normal of the patch under load, by "
-      "half-spaces; `curved`: along the rail's normal at each node, on the "
-      "length of its section, so that conformal contacts, tread and flange at "
+      "half-spaces; `curved`: along a normal of each node, between those of "
+      "rail and wheel, on the length of the rail's section, so that conformal contacts, tread and flange at "
       "once, and bodies that move across under a lateral force have an "
       "answer.";
     entries.add("Smoothing length", smoothing_length, "m")

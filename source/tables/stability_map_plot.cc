@@ -169,9 +169,9 @@ namespace RollingContact
                        edges_of(y.values),
                        at_corners(values, n_x, n_y),
                        colours);
-        if (const ZeroLine zero(x.values, y.values, growth);
-            colours == MapColours::from_zero && !zero.x.empty())
-          figure.add_curve("", zero.x, zero.y, CurveStyle::reference);
+        if (colours == MapColours::from_zero)
+          if (const ZeroLine zero(x.values, y.values, values); !zero.x.empty())
+            figure.add_curve("", zero.x, zero.y, CurveStyle::reference);
         figure.draw(context, name);
       };
       draw("Growth of the vibration that grows fastest",
