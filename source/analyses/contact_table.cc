@@ -66,7 +66,7 @@ namespace RollingContact
   ContactTable::Row ContactTable::find(const double shift) const
   {
     const double yaw  = scene.profiles.yaw;
-    const double roll = Profiles::resting_roll(side, shift, yaw);
+    const double roll = Profiles::resting_roll(side, side, shift, yaw);
     return {shift,
             roll,
             side.first_contact({shift, roll, yaw}),

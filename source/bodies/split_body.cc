@@ -121,26 +121,28 @@ namespace RollingContact
                        const Material                         &material,
                        const FadingRegion                     &fading,
                        const BodyModel                        &model,
-                       const bool                              vibrates)
+                       const bool                              vibrates,
+                       const bool                              is_half_space)
     : DirectBody<3>(shape,
                     material,
                     1.,
-                    grading_of(*shape, fading, 1.),
+                    grading_of(*shape, fading, is_half_space ? coarser : 1.),
                     vibrates,
                     model)
     , shape(shape)
     , fading(fading)
     , vibrates(vibrates)
+    , is_half_space(is_half_space)
   {}
 
   void SplitBody::analyse()
   {
-    if (S_of_mesh.size() > 0)
+    if (S_of_mesh.size() > 0 || is_half_space)
       return;
-    DirectBody<3> larger(
-      shape, material, 1., grading_of(*shape, fading, coarser), true, model);
     FadedFields of_mesh(*this, *shape, fading);
     S_of_mesh = moments_of(*this, of_mesh);
+    DirectBody<3> larger(
+      shape, material, 1., grading_of(*shape, fading, coarser), true, model);
     change =
       (S_of_mesh - moments_of(larger, FadedFields(larger, *shape, fading))) /
       (coarser * coarser - 1);
@@ -170,6 +172,8 @@ namespace RollingContact
     DenseMatrix W =
       HalfSpaceInfluence(material, NodeGrid(positions).element_size)
         .compliance(positions, components);
+    if (is_half_space)
+      return W;
     const DenseMatrix Phi = shapes_of_moments(positions, components),
                       added =
                         S_of_mesh + change +
@@ -186,6 +190,8 @@ namespace RollingContact
     const std::vector<unsigned int>        &components,
     const std::vector<std::vector<double>> &forces) const
   {
+    if (is_half_space)
+      return {DenseMatrix::Zero(forces.size(), forces.size())};
     const auto        positions = positions_of(nodes);
     const DenseMatrix moments   = moments_of(positions, components, forces),
                       of_curvature =

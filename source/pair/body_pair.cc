@@ -235,8 +235,11 @@ namespace RollingContact
       const BodySpec &parameters = scene.body(side);
       if constexpr (dim == 3)
         if (is_split())
-          bodies[side] =
-            split_bodies->body_of(parameters, grading, demands.modes);
+          bodies[side] = split_bodies->body_of(parameters,
+                                               grading,
+                                               demands.modes,
+                                               scene.mesh.compliance ==
+                                                 Compliance::half_spaces);
       if (!bodies[side] && direct)
         bodies[side] =
           std::make_shared<DirectBody<dim>>(parameters.body_shape(),

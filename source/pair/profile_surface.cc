@@ -67,21 +67,52 @@ namespace RollingContact
     return scene.frame->gap(at[0], at[1]).value_or(beyond_surface);
   }
 
-  NodalField slip_of_profiles(const PairSpec                    &scene,
-                              const ContactOperators::Positions &at,
-                              const unsigned int                 n_tangential)
+  namespace
   {
-    if (n_tangential == 0 ||
-        (!scene.profiles.gives_creepages() && !is_curved(scene)))
+    /**
+     * The rigid slip of a wheelset that moves, less that of its creepages.
+     */
+    NodalField slip_of_motion(const PairSpec         &scene,
+                              const ContactOperators &operators)
+    {
+      const Profiles::ContactFrame         &frame = *scene.frame;
+      const Profiles::GeneralisedVelocities u = frame.velocities(*scene.motion);
+      NodalField slip = rigid_slip(operators, frame.creepages(*scene.motion));
+      slip *= -1.;
+      for (unsigned int i = 0; i < operators.n_nodes(); ++i)
+        {
+          const auto [x, s] = operators.positions()[i];
+          const auto place =
+            frame.place_in_track(x,
+                                 s,
+                                 operators.frames().is_plane()
+                                   ? 0.
+                                   : operators.frames().nodes[i].angle);
+          slip(0, i) += Profiles::dot(place.along, u);
+          if (operators.n_tangential() > 1)
+            slip(1, i) += Profiles::dot(place.across, u);
+        }
+      return slip;
+    }
+  } // namespace
+
+  NodalField slip_of_profiles(const PairSpec         &scene,
+                              const ContactOperators &operators)
+  {
+    const unsigned int n_tangential = operators.n_tangential();
+    if (n_tangential == 0 || (!scene.motion && !is_curved(scene)))
       return {};
-    const Profiles::ContactFrame &frame = *scene.frame;
-    const double                  flow  = scene.contact.flow();
-    NodalField                    slip(at.size(), n_tangential);
+    if (scene.motion)
+      return slip_of_motion(scene, operators);
+    const ContactOperators::Positions &at    = operators.positions();
+    const Profiles::ContactFrame      &frame = *scene.frame;
+    const double                       flow  = scene.contact.flow();
+    NodalField                         slip(at.size(), n_tangential);
     for (unsigned int i = 0; i < at.size(); ++i)
       {
         const auto &[x, s] = at[i];
         slip(0, i)         = flow * frame.slip_beyond_spin(s);
-        if (is_curved(scene) && frame.covers(s))
+        if (n_tangential > 1 && frame.covers(s))
           slip(1, i) = flow * frame.slip_of_rolling(x, s);
       }
     return slip;

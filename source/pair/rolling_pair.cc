@@ -305,8 +305,7 @@ namespace RollingContact
                           (demands.surfaces_in_time || !surfaces.in_use()
                              ? 0.
                              : surfaces.height(at[i][0], at[i][1], 0.)));
-    loads.slip_of_profile =
-      slip_of_profiles(scene, at, components.size() > 1 ? dim - 1 : 0);
+    loads.slip_of_profile = slip_of_profiles(scene, problem.operators);
   }
 
   template <int dim>

@@ -155,7 +155,7 @@ namespace RollingContact
       if (scene.contact.contact_matrices != ContactMatrices::lumped)
         return "Contact/Contact matrices are not lumped";
       for (const BodySpec *body : {&scene.wheel, &scene.rail})
-        if (!body->rigid)
+        if (!body->rigid && scene.mesh.compliance != Compliance::half_spaces)
           if (const std::string reason =
                 reason_of_body(*body, farthest_node(grading));
               !reason.empty())
@@ -184,18 +184,20 @@ namespace RollingContact
 
   std::shared_ptr<SplitBody> SplitBodies::body_of(const BodySpec   &body,
                                                   const Grading<3> &grading,
-                                                  const bool        vibrates)
+                                                  const bool        vibrates,
+                                                  const bool is_half_space)
   {
     const auto         shape  = body.body_shape();
     const FadingRegion fading = fading_region(*shape, farthest_node(grading));
     const std::lock_guard<std::mutex> lock(alone);
     for (const auto &known : bodies)
-      if (known->is_one_of(*shape, body.material, fading, body.model, vibrates))
+      if (known->is_one_of(
+            *shape, body.material, fading, body.model, vibrates, is_half_space))
         return known;
     if (bodies.size() == most_kept)
       bodies.erase(bodies.begin());
     bodies.push_back(std::make_shared<SplitBody>(
-      shape, body.material, fading, body.model, vibrates));
+      shape, body.material, fading, body.model, vibrates, is_half_space));
     return bodies.back();
   }
 

@@ -12,6 +12,7 @@
 #include <rolling_contact/program/analysis_table.h>
 #include <rolling_contact/tables/stability_map.h>
 #include <rolling_contact/tables/table.h>
+#include <rolling_contact/wheelset/wheelset_analysis.h>
 
 namespace RollingContact
 {
@@ -28,7 +29,8 @@ namespace RollingContact
                                                  receptance_kind(),
                                                  stability_kind(),
                                                  stability_map_kind(),
-                                                 limit_cycle_kind()};
+                                                 limit_cycle_kind(),
+                                                 wheelset_kind()};
     return kinds;
   }
 

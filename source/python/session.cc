@@ -155,6 +155,10 @@ namespace RollingContact::Bindings
              "friction_force",
              &Resultants::friction_force,
              "mu N, the most that friction can carry. Unit: N.");
+      define(state,
+             "creep_work",
+             &Resultants::creep_work,
+             "Work of friction on the rigid slip per metre rolled. Unit: J/m.");
       state.def_property_readonly(
         "contact_area",
         [](const State &self) { return self.found.areas.contact; },
@@ -193,6 +197,51 @@ namespace RollingContact::Bindings
           "Units: 1, 1, 1/m.");
     }
 
+    /** Forces in the axes of the track; None without profiles. */
+    template <typename Give>
+    void define_in_track(py::class_<State> &state,
+                         const char        *name,
+                         const Give         give,
+                         const char        *help)
+    {
+      state.def_property_readonly(
+        name,
+        [give](const State &self) -> py::object {
+          const auto &forces = self.found.track_forces;
+          return forces ? py::object(py::cast(give(*forces)))
+                        : py::object(py::none());
+        },
+        help);
+    }
+
+    void define_track_forces(py::class_<State> &state)
+    {
+      using Vector = std::array<double, 3>;
+      define_in_track(
+        state,
+        "force_track",
+        [](const TrackForces &found) {
+          return Vector{{found.force_x, found.force_y, found.force_z}};
+        },
+        "Force on the wheel forwards, to the right and down, None without "
+        "profiles. Unit: N.");
+      define_in_track(
+        state,
+        "moment_track",
+        [](const TrackForces &found) {
+          return std::array<double, 2>{{found.moment_x, found.moment_z}};
+        },
+        "Its moments about the direction of travel and about the vertical, "
+        "right-handed about forwards and down through the middle of the track "
+        "at the top of the rails. Unit: N m.");
+      define_in_track(
+        state,
+        "axle_torque",
+        [](const TrackForces &found) { return found.axle_torque; },
+        "Torque of friction about the axle, right-handed about the axis to "
+        "the right. Unit: N m.");
+    }
+
     void define_members(py::class_<State> &state)
     {
       const auto add = [&](const char *name, auto member, const char *help) {
@@ -227,6 +276,7 @@ namespace RollingContact::Bindings
                               "those on the wheel. SI units.");
       define_resultants(state);
       define_forces_and_creepages(state);
+      define_track_forces(state);
       define_members(state);
       define_fields_of(state);
       state.def("__repr__", [](const State &self) {

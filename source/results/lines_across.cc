@@ -71,14 +71,15 @@ namespace RollingContact
 
   void write_lines_across(const PairSpec       &scene,
                           const SteadyState<3> &steady,
-                          RunContext           &context)
+                          RunContext           &context,
+                          const std::string    &file)
   {
     const Profiles::ContactFrame *frame = scene.frame.get();
     if (!frame || !steady.solver.converged || steady.result.n_touching == 0)
       return;
     const Profiles::ProfileCurve &wheel =
       frame->wheel_on_rail().wheel_profile();
-    ResultsTable table(context.folder, "across.csv");
+    ResultsTable table(context.folder, file);
     for (const LineAcross &line : lines_across(steady))
       {
         if (line.n_touching == 0)

@@ -1,5 +1,6 @@
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/contact/patches.h>
+#include <rolling_contact/pair/track_forces.h>
 #include <rolling_contact/results/profile_columns.h>
 
 #include <cmath>
@@ -63,11 +64,14 @@ namespace RollingContact
     table.set("contact_angle_rad", frame->angle());
     table.set("contact_y_track_m", frame->track_y());
     table.set("contact_y_wheel_m", frame->origin().y_wheel);
-    const auto [across, upwards] =
-      frame->in_track(steady.result.force_y, steady.result.normal_force);
-    table.set("force_track_x_N", -steady.result.force_x);
-    table.set("force_track_y_N", across);
-    table.set("force_track_z_N", upwards);
+    const TrackForces forces =
+      track_forces(scene, steady.problem, steady.state);
+    table.set("force_track_x_N", forces.force_x);
+    table.set("force_track_y_N", forces.force_y);
+    table.set("force_track_z_N", -forces.force_z);
+    table.set("moment_track_x_Nm", forces.moment_x);
+    table.set("moment_track_z_Nm", forces.moment_z);
+    table.set("axle_torque_Nm", forces.axle_torque);
     const std::vector<ContactPatch> patches =
       contact_patches(steady.pair->trace(), steady.problem, steady.state);
     table.set("patches", patches.size());
@@ -100,13 +104,13 @@ namespace RollingContact
               " mm2 at y = " + millimetres(patches[k].centre_y, 3);
     report.set_finding("patch", text);
     note_heat(steady, patches, report);
-    const auto [across, upwards] =
-      frame->in_track(steady.result.force_y, steady.result.normal_force);
+    const TrackForces forces =
+      track_forces(scene, steady.problem, steady.state);
     report.set_finding("track",
                        "forces on the wheel, forwards " +
-                         significant(-steady.result.force_x, 6) +
-                         " N, to the right " + significant(across, 6) +
-                         " N, upwards " + significant(upwards, 6) + " N");
+                         significant(forces.force_x, 6) + " N, to the right " +
+                         significant(forces.force_y, 6) + " N, upwards " +
+                         significant(-forces.force_z, 6) + " N");
   }
 
   template void

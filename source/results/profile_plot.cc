@@ -178,7 +178,8 @@ namespace RollingContact
 
   void plot_profiles(const PairSpec       &scene,
                      const SteadyState<3> &steady,
-                     RunContext           &context)
+                     RunContext           &context,
+                     const std::string    &name)
   {
     if (!scene.frame || !steady.solver.converged ||
         steady.result.n_touching == 0)
@@ -187,6 +188,6 @@ namespace RollingContact
     add_lines_of_nodes(steady,
                        scene.frame->kind() == Profiles::SurfaceKind::plane,
                        figure);
-    figure.draw(context, "profiles");
+    figure.draw(context, name);
   }
 } // namespace RollingContact

@@ -21,6 +21,9 @@ namespace RollingContact
       {asks<ProfileParameters>(
          [](const auto &profiles) { return !profiles.gives_creepages(); }),
        "Profiles/Creepages = from kinematics gives them"},
+      {asks<AnalysisTraits>(
+         [](const auto &analysis) { return !analysis.finds_place; }),
+       "those of a wheelset are found"},
       {asks<AnalysisTraits, MeshParameters>(
          [](const auto &analysis, const auto &mesh) { // levels refine for them
            return !analysis.own_creepages || mesh.adaptive_levels > 0;
@@ -204,7 +207,7 @@ namespace RollingContact
         " needs the speed in m/s over which mu falls, above 0.");
   }
 
-  void ContactParameters::check_load() const
+  void ContactParameters::check_load(const bool needs_load) const
   {
     std::vector<std::string> given;
     for (const auto &[entry, value] :
@@ -216,7 +219,7 @@ namespace RollingContact
     if (given.size() > 1)
       throw InputError(given[0] + " and " + given[1] +
                        ": give one of them and leave the other empty.");
-    if (given.empty())
+    if (given.empty() && needs_load)
       throw InputError("Contact/Normal load and Contact/Approach are both "
                        "empty: give the load in N or the approach in m.");
     for (const auto &[entry, load] :
@@ -294,10 +297,11 @@ namespace RollingContact
     }
   } // namespace
 
-  void ContactParameters::check(const unsigned int dimension) const
+  void ContactParameters::check(const unsigned int dimension,
+                                const bool         needs_load) const
   {
     const Roughness understood(roughness);
-    check_load();
+    check_load(needs_load);
     check_friction_law();
     if (rolling_speed() == 0.)
       throw InputError("Contact/Speed = 0: rolling needs a direction, give a "

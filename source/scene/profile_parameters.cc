@@ -27,6 +27,10 @@ namespace RollingContact
         [](const auto &analysis) { return analysis.has_bodies; }),
       "a contact table has both sides, its own shifts, no creepages and no "
       "bodies"};
+    const Reader places_that_are_given{
+      asks<AnalysisTraits>(
+        [](const auto &analysis) { return !analysis.finds_place; }),
+      "place and motion of a wheelset are found, see section Wheelset"};
     const Reader profile_files{
       asks<ProfileParameters>(
         [](const auto &profiles) { return profiles.has_files(); }),
@@ -136,7 +140,10 @@ namespace RollingContact
       .help =
       "Distance of the backs of the flanges; the tape circles are 0.07 m from "
       "them.";
-    entries.add("Yaw", yaw, "rad").renewing(Renews::place).help =
+    entries.add("Yaw", yaw, "rad")
+      .renewing(Renews::place)
+      .read_by(places_that_are_given)
+      .help =
       "Turn of the wheelset about the vertical, right-handed about z down.";
     entries
       .choice("Body sections",
@@ -168,15 +175,18 @@ namespace RollingContact
               is_left,
               std::vector<NamedValue<bool>>{{"right", false}, {"left", true}})
       .read_by(wheelsets_in_a_place)
+      .read_by(places_that_are_given)
       .help = "Which wheel of the wheelset the bodies are.";
     entries.add("Lateral shift", shift, "m")
       .read_by(wheelsets_in_a_place)
+      .read_by(places_that_are_given)
       .renewing(Renews::place)
       .help =
       "Of the wheelset to the right, but in a contact table, which has its "
       "own.";
     entries.add_automatic("Roll", roll, "rad")
       .read_by(wheelsets_in_a_place)
+      .read_by(places_that_are_given)
       .renewing(Renews::place)
       .help =
       "Turn of the wheelset about the direction of travel, right-handed; "
@@ -188,6 +198,7 @@ namespace RollingContact
                 {"given", CreepageSource::given},
                 {"from kinematics", CreepageSource::kinematics}})
       .read_by(wheelsets_in_a_place)
+      .read_by(places_that_are_given)
       .help =
       "`given`: those of section Contact, or of an analysis with its own; "
       "`from kinematics`: what a wheelset in this place that moves along the "
@@ -204,6 +215,21 @@ namespace RollingContact
       .help =
       "Angular velocity of the axle for creepages from kinematics, negative "
       "when it rolls forwards; `automatic`: no longitudinal creepage.";
+    const Reader motion{asks<AnalysisTraits, ProfileParameters>(
+                          [](const auto &analysis, const auto &profiles) {
+                            return analysis.has_bodies &&
+                                   profiles.gives_creepages();
+                          }),
+                        "Profiles/Creepages = from kinematics reads it"};
+    entries.add("Curve radius", curve_radius, "m")
+      .renewing(Renews::loads)
+      .read_by(motion)
+      .help = "Of the track's middle, positive where the curve is to the "
+              "right; empty: straight track.";
+    entries.add("Lateral velocity", lateral_velocity, "m/s")
+      .renewing(Renews::loads)
+      .read_by(motion)
+      .help = "Of the wheelset, to the right over the track.";
   }
 
   double ProfileParameters::slope_of_inclination() const
@@ -243,6 +269,7 @@ namespace RollingContact
     check_range("File unit", file_unit, 1e-6, 1., "m");
     check_range("Smoothing length", smoothing_length, 0., 0.05, "m");
     check_range("Web bow", web_bow, -0.04, 0.04, "m");
+    check_curve_radius("Profiles/Curve radius", curve_radius.value_or(1e9));
     check_range("Lateral shift", shift, -0.05, 0.05, "m");
     check_range("Roll", roll.value_or(0.), -0.2, 0.2, "rad");
     for (std::size_t k = 1; k < shifts.size(); ++k)
@@ -262,6 +289,15 @@ namespace RollingContact
     rail(prm_folder);
   }
 
+  void check_curve_radius(const std::string &entry, const double radius)
+  {
+    if (!(std::abs(radius) >= 10.))
+      throw InputError(entry + " = " + text_of(radius) +
+                       ": give metres, at least 10 to either side, positive "
+                       "where the curve is to the right; leave it empty for "
+                       "straight track.");
+  }
+
   std::shared_ptr<const Profiles::ContactFrame>
   ProfileParameters::find_frame(const double                 wheel_radius,
                                 const std::filesystem::path &prm_folder) const
@@ -269,7 +305,7 @@ namespace RollingContact
     const auto pair = std::make_shared<const Profiles::WheelOnRail>(
       wheel(prm_folder), rail(prm_folder), wheel_radius, tape_circle());
     const double resting =
-      roll ? *roll : Profiles::resting_roll(*pair, shift, yaw);
+      roll ? *roll : Profiles::resting_roll(*pair, *pair, shift, yaw);
     return std::make_shared<const Profiles::ContactFrame>(
       pair,
       Profiles::WheelsetPosition{shift, resting, yaw},

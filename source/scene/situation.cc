@@ -31,6 +31,15 @@ namespace RollingContact
     , surfaces(inputs.surfaces)
   {}
 
+  void PairSpec::take_frame_loads()
+  {
+    if (motion)
+      contact.creepages = frame->creepages(*motion);
+    if (frame && contact.vertical_load)
+      contact.normal_load =
+        *contact.vertical_load / std::cos(frame->angle() - load_angle());
+  }
+
   double PairSpec::load_angle() const
   {
     return contact.vertical_load &&
@@ -149,13 +158,12 @@ namespace RollingContact
 
   void Situation::take_loads()
   {
-    contact.creepages =
-      frame && profiles.gives_creepages()
-        ? frame->creepages(contact.rolling_speed(), profiles.pitch_rate)
-        : contact.asked_creepages();
-    if (frame && contact.vertical_load)
-      contact.normal_load =
-        *contact.vertical_load / std::cos(frame->angle() - load_angle());
+    motion.reset();
+    if (frame && profiles.gives_creepages())
+      motion = profiles.motion(contact.rolling_speed());
+    take_frame_loads();
+    if (!motion)
+      contact.creepages = contact.asked_creepages();
   }
 
   namespace

@@ -94,17 +94,15 @@ namespace RollingContact::Profiles
   std::optional<ContactFrame::WheelPoint>
   ContactFrame::wheel_point(const double x, const CurvePoint &point) const
   {
-    const double c = std::cos(contact.angle), s = std::sin(contact.angle),
-                 c_n          = std::cos(contact.angle + point.angle),
+    const double c_n          = std::cos(contact.angle + point.angle),
                  s_n          = std::sin(contact.angle + point.angle),
                  wheel_radius = profiles->wheel_radius();
     // the normal into the rail, and the point from the middle of the axle
-    const Vector normal = to_wheelset({{0., -s_n, c_n}}),
-                 from   = to_wheelset(
-                   {{contact.x - x,
-                       contact.y + point.y * c - point.z * s - position.shift,
-                       contact.z + point.y * s + point.z * c - contact.height +
-                         wheel_radius}});
+    const Vector at     = in_track_of_right(x, point),
+                 normal = to_wheelset({{0., -s_n, c_n}}),
+                 from   = to_wheelset({{at[0],
+                                        at[1] - position.shift,
+                                        at[2] - contact.height + wheel_radius}});
     WheelPoint found{0., 0., 0.};
     for (unsigned int round = 0; round < 30; ++round)
       {
@@ -256,19 +254,65 @@ namespace RollingContact::Profiles
            -turns.velocity[0];
   }
 
-  Creepages
-  ContactFrame::creepages(const double                 speed,
-                          const std::optional<double> &pitch_rate) const
+  GeneralisedVelocities
+  ContactFrame::velocities(const WheelsetMotion &motion) const
   {
-    const Turning turns = turning();
-    const double  rate  = pitch_rate.value_or(-speed / turns.velocity[0]);
+    const double scale   = 1 / std::abs(motion.speed),
+                 turn    = motion.speed * motion.curvature * scale,
+                 along   = motion.speed * scale,
+                 rolling = -(along - turn * track_y()) / turning().velocity[0];
+    return {{along,
+             motion.to_the_side * scale,
+             turn,
+             motion.pitch_rate ? *motion.pitch_rate * scale : rolling}};
+  }
+
+  Creepages ContactFrame::creepages(const WheelsetMotion &motion) const
+  {
+    const auto [along, sideways, turn, rate] = velocities(motion);
+    const Turning turns                      = turning();
     const double  c = std::cos(contact.angle), s = std::sin(contact.angle);
-    const double  forwards = speed + rate * turns.velocity[0],
-                 across =
-                   rate * (c * turns.velocity[1] + s * turns.velocity[2]),
-                 about = rate * (-s * turns.axle[1] + c * turns.axle[2]);
-    const double scale = 1 / std::abs(speed);
-    return {-forwards * scale, sign * across * scale, -sign * about * scale};
+    const double forwards = along - turn * track_y() + rate * turns.velocity[0],
+                 across   = c * (sign * (sideways + turn * contact.x) +
+                               rate * turns.velocity[1]) +
+                          s * rate * turns.velocity[2],
+                 about = rate * (-s * turns.axle[1] + c * turns.axle[2]) +
+                         sign * turn * c;
+    return {-forwards, sign * across, -sign * about};
+  }
+
+  ContactFrame::Vector
+  ContactFrame::in_track_of_right(const double x, const CurvePoint &point) const
+  {
+    const double c = std::cos(contact.angle), s = std::sin(contact.angle);
+    return {{contact.x - x,
+             contact.y + point.y * c - point.z * s,
+             contact.z + point.y * s + point.z * c}};
+  }
+
+  PlaceInTrack ContactFrame::place_in_track(const double x,
+                                            const double s,
+                                            const double angle) const
+  {
+    const CurvePoint surface =
+      covers(s) ? surface_point(s) : CurvePoint{sign * s, 0., 0.};
+    const auto   wheel = wheel_point(x, surface);
+    const double depth = wheel ? wheel->depth : 0.,
+                 face  = contact.angle + surface.angle,
+                 slope = contact.angle + sign * angle;
+    Vector at          = in_track_of_right(x, surface);
+    at[1] -= depth * std::sin(face);
+    at[2] += depth * std::cos(face);
+    const Vector turn =
+      cross(turning().axle,
+            {{at[0],
+              at[1] - position.shift,
+              at[2] - contact.height + profiles->wheel_radius()}});
+    const double c = std::cos(slope), sine = std::sin(slope);
+    return {{{at[0], sign * at[1], at[2]}},
+            sign * slope,
+            {{-1., 0., sign * at[1], -turn[0]}},
+            {{0., c, c * at[0], sign * (c * turn[1] + sine * turn[2])}}};
   }
 
   std::array<double, 2> ContactFrame::in_track(const double force_y,

@@ -166,15 +166,17 @@ namespace RollingContact::Profiles
     return {-position.shift, -position.roll, -position.yaw};
   }
 
-  double
-  resting_roll(const WheelOnRail &side, const double shift, const double yaw)
+  double resting_roll(const WheelOnRail &right,
+                      const WheelOnRail &left,
+                      const double       shift,
+                      const double       yaw)
   {
     const auto difference = [&](const double roll) {
       const WheelsetPosition position{shift, roll, yaw};
-      return side.first_contact(position).height -
-             side.first_contact(mirrored(position)).height;
+      return right.first_contact(position).height -
+             left.first_contact(mirrored(position)).height;
     };
-    if (shift == 0. && yaw == 0.)
+    if (&right == &left && shift == 0. && yaw == 0.)
       return 0.;
     if (difference(-largest_roll) * difference(largest_roll) > 0.)
       throw InputError("Profiles, lateral shift of " + significant(shift, 6) +

@@ -21,9 +21,12 @@ namespace RollingContact
   void solve_on_kept_bodies(const PairSpec &scene, SteadyState<dim> &steady)
   {
     const Stopwatch watch;
-    if (steady.pair->frame() != scene.frame && !scene.follows_profiles())
+    PairSpec        placed = scene;
+    if (scene.follows_profiles())
+      placed.frame = steady.pair->frame();
+    if (!steady.pair->is_placed_as(placed))
       {
-        steady.pair = std::make_shared<RollingPair<dim>>(scene, *steady.pair);
+        steady.pair = std::make_shared<RollingPair<dim>>(placed, *steady.pair);
         steady.pair->set_surfaces(steady.problem);
       }
     // creepages of a search that found nothing are no place to begin at

@@ -5,16 +5,12 @@
 #include <rolling_contact/base/stopwatch.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/input/prm_text.h>
+#include <rolling_contact/results/error_bounds.h>
 #include <rolling_contact/scene/scene_entries.h>
 #include <rolling_contact/state/estimate_errors.h>
-#include <rolling_contact/state/state_finder.h>
-#include <rolling_contact/tables/kept_bodies.h>
-#include <rolling_contact/tables/quiet_context.h>
+#include <rolling_contact/tables/kept_states.h>
 #include <rolling_contact/tables/session.h>
 
-#include <algorithm>
-#include <cmath>
-#include <list>
 #include <stdexcept>
 
 namespace RollingContact
@@ -34,17 +30,16 @@ namespace RollingContact
     /** Solve a scene whose bodies touch. */
     virtual void solve(const Situation &scene, const std::string &bodies) = 0;
 
+    virtual unsigned int n_made() const = 0;
+
     SceneEntries          entries;
     SessionState          found;
     const ContactProblem *problem = nullptr;
     const ContactState   *state   = nullptr;
-    unsigned int          n_made  = 0;
   };
 
   namespace
   {
-    const std::size_t most_kept = 4;
-
     void refuse_what_is_for_one_state(const Situation &scene)
     {
       if (scene.mesh.target_error || scene.mesh.adaptive_levels > 0)
@@ -62,184 +57,47 @@ namespace RollingContact
              std::ostream    *log,
              const Verbosity  verbosity)
         : Implementation(scene)
-        , context(log, verbosity)
+        , states(log, verbosity)
       {}
 
-      void solve(const Situation &scene, const std::string &bodies) override;
+      void solve(const Situation &scene, const std::string &bodies) override
+      {
+        problem = nullptr;
+        report(scene, states.solve(scene, bodies));
+      }
+
+      unsigned int n_made() const override
+      {
+        return states.n_made;
+      }
 
     private:
-      /** A state, and what its bodies are good for. */
-      struct Kept
-      {
-        std::string           bodies;
-        std::array<double, 2> element_size; ///< wanted, m
-        std::vector<ZoneBox>  patches;      ///< where profiles touch
-        SteadyState<dim>      steady;
+      void report(const Situation &scene, SteadyState<dim> &steady);
 
-        /** By how much wanted elements are larger or smaller, in logarithms. */
-        double misfit(const WantedMesh &wanted) const;
-
-        bool reaches(const WantedMesh &wanted) const;
-      };
-
-      /** Whether one serves; it is the first then. */
-      bool find(const std::string &bodies, const WantedMesh &wanted);
-
-      /** Solve on the first of those that are kept. */
-      void solve_kept(const Situation &scene, const WantedMesh &wanted);
-
-      void make(const Situation            &scene,
-                const std::string          &bodies,
-                const WantedMesh           &wanted,
-                const std::vector<ZoneBox> &other_patches,
-                const std::string          &why);
-
-      void report(const Situation &scene);
-
-      QuietContext                       context;
-      const std::shared_ptr<SplitBodies> split_bodies =
-        std::make_shared<SplitBodies>();
-      std::list<Kept> kept; ///< the one that was used last first
+      KeptStates<dim> states;
     };
 
     template <int dim>
-    double Bodies<dim>::Kept::misfit(const WantedMesh &wanted) const
+    void Bodies<dim>::report(const Situation &scene, SteadyState<dim> &steady)
     {
-      double largest = 0.;
-      for (unsigned int d = 0; d < dim - 1; ++d)
-        largest = std::max(largest,
-                           std::abs(std::log(wanted.element_size[d] /
-                                             element_size[d])));
-      return largest;
-    }
-
-    template <int dim>
-    bool Bodies<dim>::Kept::reaches(const WantedMesh &wanted) const
-    {
-      const auto  &boxes     = wanted.patch.boxes;
-      const double step      = steady.grading.element_size_x / 2;
-      const auto   is_inside = [&](const ZoneBox &box) {
-        return covers(steady.grading.zone_boxes, box, step) ||
-               covers(patches, box, step);
-      };
-      return std::all_of(boxes.begin(), boxes.end(), is_inside);
-    }
-
-    template <int dim>
-    bool Bodies<dim>::find(const std::string &bodies, const WantedMesh &wanted)
-    {
-      const double largest = -std::log(smallest_patch) * (1 + 1e-9);
-      auto         nearest = kept.end();
-      for (auto it = kept.begin(); it != kept.end(); ++it)
-        if (it->bodies == bodies && it->misfit(wanted) <= largest &&
-            (nearest == kept.end() ||
-             it->misfit(wanted) < nearest->misfit(wanted)))
-          nearest = it;
-      if (nearest == kept.end())
-        return false;
-      kept.splice(kept.begin(), kept, nearest);
-      return true;
-    }
-
-    template <int dim>
-    void Bodies<dim>::make(const Situation            &scene,
-                           const std::string          &bodies,
-                           const WantedMesh           &wanted,
-                           const std::vector<ZoneBox> &other_patches,
-                           const std::string          &why)
-    {
-      if (kept.size() == most_kept)
-        kept.pop_back();
-      ++n_made;
-      found.new_bodies          = why;
-      StateDemands demands      = demands_of_kept_bodies();
-      demands.pair.split_bodies = split_bodies;
-      demands.other_patches     = other_patches;
-      SteadyState<dim> steady =
-        solve_steady_state<dim>(scene, demands, context.run);
-      steady.pair->release_statics();
-      kept.push_front(
-        {bodies, wanted.element_size, wanted.patch.boxes, std::move(steady)});
-      kept.front().patches.insert(kept.front().patches.end(),
-                                  other_patches.begin(),
-                                  other_patches.end());
-    }
-
-    template <int dim>
-    void Bodies<dim>::solve_kept(const Situation  &scene,
-                                 const WantedMesh &wanted)
-    {
-      SteadyState<dim> &steady = kept.front().steady;
-      const auto        start  = [&]() {
-        steady.state = initial_state(steady.problem, wanted.patch);
-      };
-      if (!steady.solver.converged)
-        start();
-      solve_on_kept_bodies(scene, steady);
-      if (!steady.solver.converged)
-        {
-          start();
-          solve_on_kept_bodies(scene, steady);
-        }
-    }
-
-    template <int dim>
-    void Bodies<dim>::solve(const Situation &scene, const std::string &bodies)
-    {
-      const WantedMesh wanted = wanted_mesh(scene);
-      problem                 = nullptr;
-      if (!find(bodies, wanted))
-        make(scene,
-             bodies,
-             wanted,
-             {},
-             kept.empty()
-               ? "the first state"
-               : "no bodies that are kept are made for " + bodies +
-                   " and a patch of " +
-                   significant(wanted.patch.half_width_x, 3) +
-                   " m half-width, " +
-                   significant(wanted.patch.half_width_y, 3) + " m across");
-      else
-        {
-          std::string why = "the patch is elsewhere than in the zone of nodes";
-          if (kept.front().reaches(wanted))
-            {
-              solve_kept(scene, wanted);
-              const SteadyState<dim> &steady = kept.front().steady;
-              why = steady.solver.converged && zone_too_small(steady)
-                      ? "the patch reaches the border of the candidate zone"
-                      : "";
-            }
-          if (!why.empty())
-            {
-              const std::vector<ZoneBox> patches = kept.front().patches;
-              kept.pop_front();
-              make(scene, bodies, wanted, patches, why);
-            }
-        }
-      report(scene);
-    }
-
-    template <int dim>
-    void Bodies<dim>::report(const Situation &scene)
-    {
-      SteadyState<dim> &steady = kept.front().steady;
       estimate_errors(scene, steady);
-      problem         = &steady.problem;
-      state           = &steady.state;
-      found.converged = steady.solver.converged;
-      found.reason    = steady.solver.reason;
-      found.solver    = steady.solver;
-      found.approach  = steady.state.approach;
-      found.creepages = steady.problem.loads.creepages;
-      found.forces    = steady.result;
-      found.areas     = patch_areas(steady.problem, steady.state);
+      problem          = &steady.problem;
+      state            = &steady.state;
+      found.new_bodies = states.why_new;
+      found.converged  = steady.solver.converged;
+      found.reason     = steady.solver.reason;
+      found.solver     = steady.solver;
+      found.approach   = steady.state.approach;
+      found.creepages  = steady.problem.loads.creepages;
+      found.forces     = steady.result;
+      found.areas      = patch_areas(steady.problem, steady.state);
       found.elements_across =
         2 * steady.result.half_width_x / steady.grading.element_size_x;
+      if (scene.frame)
+        found.track_forces = track_forces(scene, steady.problem, steady.state);
       if (found.converged)
         found.bounds = error_bounds(scene, steady);
-      context.run.log.message(
+      states.context.run.log.message(
         "T = (" + significant(found.forces.force_x, 6) + ", " +
         significant(found.forces.force_y, 6) +
         ") N, N = " + significant(found.forces.normal_force, 6) + " N" +
@@ -318,6 +176,6 @@ namespace RollingContact
 
   unsigned int Session::n_bodies_made() const
   {
-    return implementation->n_made;
+    return implementation->n_made();
   }
 } // namespace RollingContact

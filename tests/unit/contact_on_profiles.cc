@@ -155,8 +155,8 @@ BOOST_AUTO_TEST_CASE(the_left_side_is_the_mirror_image_of_the_right)
       BOOST_TEST(left_rail.slip_of_rolling(2 * mm, -s) ==
                  -right_rail.slip_of_rolling(2 * mm, s));
     }
-  const Creepages of_left  = left.creepages(20., {}),
-                  of_right = right.creepages(20., {});
+  const Creepages of_left  = left.creepages({20., {}}),
+                  of_right = right.creepages({20., {}});
   BOOST_TEST(of_left.y == -of_right.y);
   BOOST_TEST(of_left.spin == -of_right.spin);
   const auto force = left.in_track(-100., 1000.),
@@ -208,7 +208,7 @@ BOOST_AUTO_TEST_CASE(a_spin_on_the_flange_is_that_of_its_own_plane)
     (tread.surface(s = (from + to) / 2).angle < turn ? from : to) = s;
   const double x    = 2 * mm,
                spin = -std::sin(flange.angle()) / tread.origin().rolling_radius,
-               of_tread = tread.creepages(20., {}).spin;
+               of_tread = tread.creepages({20., {}}).spin;
   BOOST_TEST(of_tread * x * std::cos(turn) + tread.slip_of_rolling(x, s) ==
                spin * x,
              boost::test_tools::tolerance(1e-6));
@@ -230,7 +230,7 @@ BOOST_AUTO_TEST_CASE(creepages_are_those_of_contact)
   for (const auto &[shift, yaw, roll, pitch, x, y, spin] : cases)
     {
       const ContactFrame frame(profiles, {shift * mm, roll, yaw}, false);
-      const Creepages    found = frame.creepages(2., pitch);
+      const Creepages    found = frame.creepages({2., pitch});
       const double       mean  = 1 + found.x / 2; // over V, of both speeds
       BOOST_TEST(std::abs(found.x / mean - x) < 2.5e-4);
       BOOST_TEST(std::abs(found.y / mean + y) < 2.8e-4);
@@ -241,10 +241,11 @@ BOOST_AUTO_TEST_CASE(creepages_are_those_of_contact)
                    boost::test_tools::tolerance(9e-3));
     }
   const ContactFrame frame(profiles, {3 * mm, 0., 0.}, false);
-  BOOST_TEST(std::abs(frame.creepages(2., {}).x) < 1e-15);
+  BOOST_TEST(std::abs(frame.creepages({2., {}}).x) < 1e-15);
   // backwards, the axle turns the other way and so does the spin
-  BOOST_TEST(frame.creepages(-2., {}).spin == -frame.creepages(2., {}).spin);
-  BOOST_TEST(frame.spin_of_cone() == frame.creepages(2., {}).spin,
+  BOOST_TEST(frame.creepages({-2., {}}).spin ==
+             -frame.creepages({2., {}}).spin);
+  BOOST_TEST(frame.spin_of_cone() == frame.creepages({2., {}}).spin,
              boost::test_tools::tolerance(1e-9));
 }
 

@@ -176,12 +176,11 @@ BOOST_AUTO_TEST_CASE(at_the_first_contact_the_surfaces_are_tangent)
     for (const double yaw : {0., 0.01, -0.02})
       BOOST_TEST_CONTEXT("shift " << shift << " mm, yaw " << yaw)
       {
-        const WheelsetPosition position{mm * shift,
-                                        resting_roll(side, mm * shift, yaw),
-                                        yaw};
-        const RigidContact     found  = side.first_contact(position);
-        double                 least  = 1.;
-        const double           length = side.wheel_profile().length();
+        const WheelsetPosition position{
+          mm * shift, resting_roll(side, side, mm * shift, yaw), yaw};
+        const RigidContact found  = side.first_contact(position);
+        double             least  = 1.;
+        const double       length = side.wheel_profile().length();
         for (unsigned int k = 0; k <= 20000; ++k)
           if (const auto gap = side.gap(position, length * k / 20000))
             least = std::min(least, *gap - found.height);

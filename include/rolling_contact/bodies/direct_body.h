@@ -73,7 +73,8 @@ namespace RollingContact
 
     void release_factor() override
     {
-      factor->release();
+      if (factor)
+        factor->release();
     }
 
     /**

@@ -28,13 +28,15 @@ namespace RollingContact
   public:
     /**
      * The body knows of a patch no more than the nodes whose compliance is
-     * asked for, so that it serves all patches.
+     * asked for, so that it serves all patches. @p is_half_space: nothing is
+     * added to the half-space.
      */
     SplitBody(const std::shared_ptr<const BodyShape> &shape,
               const Material                         &material,
               const FadingRegion                     &fading,
               const BodyModel                        &model,
-              const bool                              vibrates);
+              const bool                              vibrates,
+              const bool                              is_half_space = false);
 
     /**
      * Whether it is a body of this kind.
@@ -43,11 +45,12 @@ namespace RollingContact
                    const Material     &other_material,
                    const FadingRegion &other_fading,
                    const BodyModel    &other_model,
-                   const bool          other_vibrates) const
+                   const bool          other_vibrates,
+                   const bool          is_other_half_space) const
     {
       return shape->is_same_as(other_shape) && material == other_material &&
              fading.inner == other_fading.inner && model == other_model &&
-             vibrates == other_vibrates;
+             vibrates == other_vibrates && is_half_space == is_other_half_space;
     }
 
     /**
@@ -114,7 +117,7 @@ namespace RollingContact
 
     const std::shared_ptr<const BodyShape> shape;
     const FadingRegion                     fading;
-    const bool                             vibrates;
+    const bool                             vibrates, is_half_space;
     /** S without curvature, as the mesh has it, and what others add to it. */
     DenseMatrix  S_of_mesh, change;
     FadedFields  fields; ///< if it vibrates, as inertia

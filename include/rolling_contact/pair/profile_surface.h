@@ -26,11 +26,12 @@ namespace RollingContact
 
   /**
    * Rigid slip of the profiles beyond that of creepages, T components at each
-   * node; empty if there is none. Units: 1.
+   * node: what is left of the motion of the wheelset where that is known, of
+   * given creepages what the curved surface has beyond them. Empty if there is
+   * none. Units: 1.
    */
-  NodalField slip_of_profiles(const PairSpec                    &scene,
-                              const ContactOperators::Positions &at,
-                              const unsigned int                 n_tangential);
+  NodalField slip_of_profiles(const PairSpec         &scene,
+                              const ContactOperators &operators);
 } // namespace RollingContact
 
 #endif

@@ -135,6 +135,15 @@ namespace RollingContact
     }
 
     /**
+     * Whether the profiles of another scene touch in the same frame and move
+     * alike, so that set_surfaces() would change nothing.
+     */
+    bool is_placed_as(const PairSpec &other) const
+    {
+      return scene.frame == other.frame && scene.motion == other.motion;
+    }
+
+    /**
      * Give a problem of this pair the load or approach, the creepages and the
      * friction of @p contact, as a new problem would have them. What operators
      * and gap are made of must be as it was: slip operator, contact matrices,

@@ -40,7 +40,8 @@ namespace RollingContact
   public:
     std::shared_ptr<SplitBody> body_of(const BodySpec   &body,
                                        const Grading<3> &grading,
-                                       const bool        vibrates);
+                                       const bool        vibrates,
+                                       const bool        is_half_space);
 
   private:
     std::mutex                              alone;

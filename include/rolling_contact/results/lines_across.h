@@ -30,14 +30,15 @@ namespace RollingContact
   std::vector<LineAcross> lines_across(const SteadyState<3> &steady);
 
   /**
-   * Write across.csv of a state on profiles: a row for each line of nodes along
-   * x that touches, with its places on the profiles, peak pressure, load and
-   * heat of friction, as models of wear take them. Nothing if the bodies have
-   * other surfaces, do not touch, or the state did not converge.
+   * Write the CSV @p file of a state on profiles: a row for each line of nodes
+   * along x that touches, with its places on the profiles, peak pressure, load
+   * and heat of friction, as models of wear take them. Nothing if the bodies
+   * have other surfaces, do not touch, or the state did not converge.
    */
   void write_lines_across(const PairSpec       &scene,
                           const SteadyState<3> &steady,
-                          RunContext           &context);
+                          RunContext           &context,
+                          const std::string    &file = "across.csv");
 } // namespace RollingContact
 
 #endif

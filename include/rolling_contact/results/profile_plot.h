@@ -8,14 +8,15 @@
 namespace RollingContact
 {
   /**
-   * Write profiles.svg of a state on profiles: both sections in the track with
-   * the first contact, the plane of contact, its normal and the patches, and
-   * below them the largest pressure and the heat of friction of each line of
-   * nodes along x. Nothing if the bodies have other surfaces.
+   * Write a picture, NAME.svg, of a state on profiles: both sections in the
+   * track with the first contact, the plane of contact, its normal and the
+   * patches, and below them the largest pressure and the heat of friction of
+   * each line of nodes along x. Nothing if the bodies have other surfaces.
    */
   void plot_profiles(const PairSpec       &scene,
                      const SteadyState<3> &steady,
-                     RunContext           &context);
+                     RunContext           &context,
+                     const std::string    &name = "profiles");
 } // namespace RollingContact
 
 #endif

@@ -21,9 +21,10 @@ namespace RollingContact
     void declare(Entries &entries);
 
     /**
-     * Rules across entries. Throws InputError.
+     * Rules across entries. Throws InputError. @p needs_load: whether a load or
+     * an approach is to be given.
      */
-    void check(const unsigned int dimension) const;
+    void check(const unsigned int dimension, const bool needs_load) const;
 
     /**
      * The law by which mu falls; nullptr if it is constant.
@@ -84,7 +85,7 @@ namespace RollingContact
 
     void declare_rolling(Entries &entries);
 
-    void check_load() const;
+    void check_load(const bool needs_load) const;
 
     void check_friction_law() const;
 

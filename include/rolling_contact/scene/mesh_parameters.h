@@ -32,7 +32,10 @@ namespace RollingContact
   {
     automatic,
     finite_elements,
-    split ///< a half-space, and what the body adds: see SplitBody
+    split, ///< a half-space, and what the body adds: see SplitBody
+    /** Half-spaces alone wherever nodes can be on them, for states on the way
+     * to others. */
+    half_spaces
   };
 
   /**

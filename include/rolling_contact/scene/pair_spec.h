@@ -44,6 +44,12 @@ namespace RollingContact
     double load_angle() const;
 
     /**
+     * Find the creepages of the motion, and the normal load that a vertical one
+     * has without friction, in the frame of the contact.
+     */
+    void take_frame_loads();
+
+    /**
      * Whether the undeformed gap is that of the radii of wheel and rail, so
      * that closed forms have something to say.
      */
@@ -87,6 +93,9 @@ namespace RollingContact
 
     /** Frame of the contact on profiles; none where the bodies have shapes. */
     std::shared_ptr<const Profiles::ContactFrame> frame;
+
+    /** How the wheelset moves, where creepages follow from that. */
+    std::optional<Profiles::WheelsetMotion> motion;
   };
 } // namespace RollingContact
 

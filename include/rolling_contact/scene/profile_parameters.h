@@ -47,6 +47,17 @@ namespace RollingContact
     }
 
     /**
+     * How the wheelset moves along the track with this speed (m/s).
+     */
+    Profiles::WheelsetMotion motion(const double speed) const
+    {
+      return {speed,
+              pitch_rate,
+              curve_radius ? 1 / *curve_radius : 0.,
+              lateral_velocity};
+    }
+
+    /**
      * Find the frame of the contact, from files in @p prm_folder. Throws
      * InputError if the wheel is not above the rail.
      */
@@ -135,7 +146,9 @@ namespace RollingContact
     double                shift        = 0.;
     std::optional<double> roll; ///< none: both wheels touch
     CreepageSource        creepage_source = CreepageSource::given;
-    std::optional<double> pitch_rate; ///< none: no longitudinal creepage
+    std::optional<double> pitch_rate;   ///< none: no longitudinal creepage
+    std::optional<double> curve_radius; ///< of the track; none: straight
+    double                lateral_velocity = 0.;
 
     std::vector<double> shifts;
     double              conicity_amplitude = 3e-3;
@@ -149,6 +162,11 @@ namespace RollingContact
 
     double slope_of_inclination() const;
   };
+
+  /**
+   * Throws InputError if the radius of a curve is none: below 10 m. Units: m.
+   */
+  void check_curve_radius(const std::string &entry, const double radius);
 } // namespace RollingContact
 
 #endif

@@ -3,6 +3,7 @@
 
 #include <rolling_contact/base/creepages.h>
 #include <rolling_contact/surfaces/contact_search.h>
+#include <rolling_contact/surfaces/wheelset_motion.h>
 
 #include <array>
 #include <memory>
@@ -185,13 +186,27 @@ namespace RollingContact::Profiles
     double spin_of_cone() const;
 
     /**
-     * Rigid slip of the wheel over the rail at the origin, over the magnitude
-     * of the speed V (m/s) of the wheelset, whose axle turns by @p pitch_rate
-     * (rad/s, -V/r when it rolls freely), or so that there is no longitudinal
-     * creepage if that is not given.
+     * What a motion is over |V|; the axle turns so that there is no
+     * longitudinal creepage at the origin if it does not say how.
      */
-    Creepages creepages(const double                 speed,
-                        const std::optional<double> &pitch_rate) const;
+    GeneralisedVelocities velocities(const WheelsetMotion &motion) const;
+
+    /**
+     * The point of the wheel over (@p x, @p s), in the surface of contact
+     * beyond the wheel, and what the wheelset's motion does there, along a
+     * tangent that is turned by @p angle against the plane, downwards towards
+     * positive y. With u the generalised velocities the wheel moves over the
+     * rail, which turns below it, with
+     *
+     *   (u0 - u2 Y, u1 + u2 X, 0) + u3 axle x (P - centre).
+     */
+    PlaceInTrack
+    place_in_track(const double x, const double s, const double angle) const;
+
+    /**
+     * Rigid slip of the wheel over the rail at the origin, over |V|.
+     */
+    Creepages creepages(const WheelsetMotion &motion) const;
 
     /**
      * A force in this frame in the axes of the track: across, to the right,
@@ -254,6 +269,9 @@ namespace RollingContact::Profiles
     {
       double depth, radius, arc_length;
     };
+
+    /** A place of the frame in the track, of a right-hand wheel. */
+    Vector in_track_of_right(const double x, const CurvePoint &point) const;
 
     /**
      * The wheel's surface over (@p x, @p point) as those of a right-hand wheel;

@@ -149,11 +149,14 @@ namespace RollingContact::Profiles
   WheelsetPosition mirrored(const WheelsetPosition &position);
 
   /**
-   * The roll at which both sides touch at one height. Throws InputError if
-   * there is none within 0.05 rad. Units: m, rad.
+   * The roll at which both sides touch at one height, the left one given as a
+   * right-hand one. Throws InputError if there is none within 0.05 rad. Units:
+   * m, rad.
    */
-  double
-  resting_roll(const WheelOnRail &side, const double shift, const double yaw);
+  double resting_roll(const WheelOnRail &right,
+                      const WheelOnRail &left,
+                      const double       shift,
+                      const double       yaw);
 } // namespace RollingContact::Profiles
 
 #endif

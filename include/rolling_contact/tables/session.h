@@ -2,12 +2,14 @@
 #define rolling_contact_tables_session_h
 
 #include <rolling_contact/contact/patch_area.h>
+#include <rolling_contact/pair/track_forces.h>
 #include <rolling_contact/results/error_bounds.h>
 #include <rolling_contact/run/log.h>
 #include <rolling_contact/scene/situation.h>
 
 #include <iosfwd>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace RollingContact
@@ -17,18 +19,20 @@ namespace RollingContact
    */
   struct SessionState
   {
-    bool         touches   = false; ///< else all is zero
-    bool         converged = false;
-    std::string  reason; ///< why it did not converge
-    Resultants   forces;
-    PatchAreas   areas;
-    double       approach = 0.; ///< m
-    Creepages    creepages;
-    ErrorBounds  bounds;
-    SolverReport solver;
-    double       elements_across = 0.; ///< the patch that was found, along x
-    std::string  new_bodies; ///< why bodies were made; empty if they were kept
-    double       seconds = 0.; ///< wall time, with bodies
+    bool        touches   = false; ///< else all is zero
+    bool        converged = false;
+    std::string reason; ///< why it did not converge
+    Resultants  forces;
+    PatchAreas  areas;
+    double      approach = 0.; ///< m
+    Creepages   creepages;
+    /** Of bodies with profiles, in the axes of the track. */
+    std::optional<TrackForces> track_forces;
+    ErrorBounds                bounds;
+    SolverReport               solver;
+    double      elements_across = 0.; ///< the patch that was found, along x
+    std::string new_bodies;   ///< why bodies were made; empty if they were kept
+    double      seconds = 0.; ///< wall time, with bodies
   };
 
   /**

@@ -1,0 +1,149 @@
+#ifndef rolling_contact_wheelset_equilibrium_h
+#define rolling_contact_wheelset_equilibrium_h
+
+#include <Eigen/Dense>
+
+#include <rolling_contact/wheelset/wheel_pair.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace RollingContact
+{
+  /**
+   * A wheelset in a case of curve and suspension, not necessarily in balance.
+   */
+  struct WheelsetState
+  {
+    CurveCase     acting; ///< the lateral force found where the shift is given
+    WheelsetPlace place;
+    double        yaw_moment = 0.; ///< of the suspension, N m
+    BothWheels    wheels;
+
+    /**
+     * What is left of the balances over the axle load, moments per metre: of
+     * the lateral forces, of the moments about the vertical through the middle
+     * of the wheelset, and of the torques about the axle.
+     */
+    Eigen::Vector3d residual = Eigen::Vector3d::Constant(1.);
+
+    double largest_residual() const
+    {
+      return residual.lpNorm<Eigen::Infinity>();
+    }
+
+    WheelsetState mirrored() const;
+  };
+
+  /**
+   * The equilibrium of a wheelset: shift, yaw and angular velocity of the axle
+   * (or, where shift or yaw are given, the lateral force and the yaw moment)
+   * for which
+   *
+   *   sum F_y + H = 0,
+   *   sum M_z + K (alpha - yaw) = 0 about the middle of the wheelset,
+   *   sum M_axle - T = 0,
+   *
+   * under wheel loads from statics, Q = W/2 +- (r0 H / (2 e) + load transfer).
+   * Newton's method with derivatives by differences and Broyden's updates;
+   * where it fails, on flanges above all, the shift is bracketed with the other
+   * two balanced at each shift.
+   */
+  class Equilibrium
+  {
+  public:
+    Equilibrium(WheelPair &pair, const WheelsetParameters &wheelset);
+
+    /**
+     * The balance of a case from a start near it. What is found is in now() if
+     * it is there, see holds(); false else, now() as it was.
+     */
+    bool solve(const CurveCase &acting, const WheelsetState &start);
+
+    /**
+     * By bracketing the shift from that of the start, up to @p farthest (m)
+     * away.
+     */
+    bool bracket(const CurveCase     &acting,
+                 const WheelsetState &start,
+                 const double         farthest);
+
+    /**
+     * Make the residual of now() as small as it gets with edges of stick zones
+     * that are held.
+     */
+    void polish();
+
+    const WheelsetState &now() const
+    {
+      return state;
+    }
+
+    /** Derivatives of scaled unknowns, as far as they are known. */
+    using Derivatives = std::optional<Eigen::Matrix3d>;
+
+    const Derivatives &derivatives() const
+    {
+      return jacobian;
+    }
+
+    void begin_with(const WheelsetState &other,
+                    const Derivatives   &derivatives = {})
+    {
+      state    = other;
+      jacobian = derivatives;
+    }
+
+    /** d residual / d (shift, yaw, excess), rows and columns as these. */
+    Eigen::Matrix3d derivative();
+
+    /** Why the last solve failed. */
+    std::string reason;
+
+    /** Largest residual of an equilibrium. */
+    static constexpr double tolerance = 1e-5;
+
+    unsigned int n_steps = 0; ///< of Newton's method
+
+  private:
+    /** Which of the three balances and unknowns take part. */
+    using Active = std::vector<unsigned int>;
+
+    using Unknowns = Eigen::Vector3d;
+
+    Unknowns unknowns_of(const WheelsetState &state) const;
+
+    /** Nothing if a wheel has no state there. */
+    std::optional<WheelsetState> evaluate(const CurveCase &acting,
+                                          const Unknowns  &x);
+
+    bool differences(const CurveCase     &acting,
+                     const Active        &active,
+                     const WheelsetState &at);
+
+    /** Newton's method on the active ones. */
+    std::optional<WheelsetState> newton(const CurveCase     &acting,
+                                        const Active        &active,
+                                        const WheelsetState &start,
+                                        const double         least,
+                                        const unsigned int   most_steps);
+
+  public:
+    /**
+     * Yaw and spin speed balanced at a shift (m); nothing if they are not.
+     */
+    std::optional<WheelsetState> at_shift(const CurveCase     &acting,
+                                          const double         shift,
+                                          const WheelsetState &start);
+
+  private:
+    WheelPair                &pair;
+    const WheelsetParameters &wheelset;
+    const Eigen::Vector3d     scales, limits;
+    WheelsetState             state;
+    Derivatives               jacobian;
+  };
+} // namespace RollingContact
+
+#endif

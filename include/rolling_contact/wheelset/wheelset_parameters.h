@@ -1,0 +1,71 @@
+#ifndef rolling_contact_wheelset_wheelset_parameters_h
+#define rolling_contact_wheelset_wheelset_parameters_h
+
+#include <rolling_contact/scene/profile_parameters.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace RollingContact
+{
+  class Entries;
+
+  /**
+   * What acts on a wheelset in a curve besides the rails, per unit of its
+   * length: curvature, positive to the right (1/m), force of suspension and
+   * cant to the right (N), yaw of the frame against the radial direction (rad),
+   * and torque that drives it forwards (N m).
+   */
+  struct CurveCase
+  {
+    double curvature = 0., lateral_force = 0., frame_yaw = 0., axle_torque = 0.;
+
+    /** The one in the mirror: a curve to the other side. */
+    CurveCase mirrored() const
+    {
+      return {-curvature, -lateral_force, -frame_yaw, axle_torque};
+    }
+
+    /** A part of the way from one to another. */
+    static CurveCase
+    between(const CurveCase &from, const CurveCase &to, const double share);
+  };
+
+  /**
+   * Section `Wheelset`. Units: N, m, N m/rad, rad, N m.
+   */
+  struct WheelsetParameters
+  {
+    void declare(Entries &entries);
+
+    /**
+     * Throws InputError if a value is out of its range or two contradict each
+     * other.
+     */
+    void check() const;
+
+    /** As of a wheelset in a mirror, but for the profiles of the sides. */
+    WheelsetParameters mirrored() const;
+
+    /** In the order in which they are given; a straight track without. */
+    std::vector<CurveCase> cases() const;
+
+    std::vector<double>   curve_radii;             ///< positive to the right
+    double                axle_load       = 120e3; ///< of both wheels
+    double                lateral_force   = 0.;    ///< to the right
+    double                cant_deficiency = 0.;
+    double                load_transfer   = 0.; ///< from the left to the right
+    double                yaw_stiffness   = 0.;
+    double                frame_yaw       = 0.;
+    double                ahead_of_frame  = 0.; ///< of the frame's middle
+    double                axle_torque     = 0.;
+    std::optional<double> shift, yaw;      ///< given in place of forces
+    bool                  searches = true; ///< for another equilibrium
+
+    std::string           left_wheel_profile, left_rail_profile;
+    std::optional<double> left_wheel_radius;
+  };
+} // namespace RollingContact
+
+#endif

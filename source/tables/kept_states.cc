@@ -1,0 +1,194 @@
+#include <rolling_contact/base/text.h>
+#include <rolling_contact/state/state_finder.h>
+#include <rolling_contact/tables/kept_states.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace RollingContact
+{
+  namespace
+  {
+    const std::size_t most_kept = 4;
+  } // namespace
+
+  template <int dim>
+  double KeptStates<dim>::Kept::misfit(const WantedMesh &wanted) const
+  {
+    double largest = 0.;
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      largest =
+        std::max(largest,
+                 std::abs(std::log(wanted.element_size[d] / element_size[d])));
+    return largest;
+  }
+
+  template <int dim>
+  bool KeptStates<dim>::Kept::reaches(const WantedMesh &wanted) const
+  {
+    const auto  &boxes     = wanted.patch.boxes;
+    const double step      = steady.grading.element_size_x / 2;
+    const auto   is_inside = [&](const ZoneBox &box) {
+      return covers(steady.grading.zone_boxes, box, step) ||
+             covers(patches, box, step);
+    };
+    return std::all_of(boxes.begin(), boxes.end(), is_inside);
+  }
+
+  template <int dim>
+  bool KeptStates<dim>::Kept::take(const unsigned int next)
+  {
+    if (next == kind)
+      return true;
+    if (steady.solver.converged)
+      others[kind] = steady.state;
+    kind             = next;
+    const auto found = others.find(next);
+    if (found == others.end())
+      return false;
+    steady.state            = found->second;
+    steady.solver.converged = true; // as a start
+    return true;
+  }
+
+  template <int dim>
+  bool KeptStates<dim>::find(const std::string &bodies,
+                             const WantedMesh  &wanted)
+  {
+    const double largest = -std::log(smallest) * (1 + 1e-9);
+    auto         nearest = kept.end();
+    for (auto it = kept.begin(); it != kept.end(); ++it)
+      if (it->bodies == bodies && it->misfit(wanted) <= largest &&
+          (nearest == kept.end() ||
+           it->misfit(wanted) < nearest->misfit(wanted)))
+        nearest = it;
+    if (nearest == kept.end())
+      return false;
+    kept.splice(kept.begin(), kept, nearest);
+    return true;
+  }
+
+  template <int dim>
+  void KeptStates<dim>::make(const PairSpec             &scene,
+                             const std::string          &bodies,
+                             const WantedMesh           &wanted,
+                             const std::vector<ZoneBox> &other_patches,
+                             const std::string          &why)
+  {
+    if (kept.size() == most_kept)
+      kept.pop_back();
+    ++n_made;
+    why_new                   = why;
+    StateDemands demands      = demands_of_kept_bodies();
+    demands.pair.split_bodies = split_bodies;
+    demands.other_patches     = other_patches;
+    SteadyState<dim> steady =
+      solve_steady_state<dim>(scene, demands, context.run);
+    steady.pair->release_statics();
+    kept.push_front(
+      {bodies, wanted.element_size, wanted.patch.boxes, std::move(steady), 0});
+    kept.front().patches.insert(kept.front().patches.end(),
+                                other_patches.begin(),
+                                other_patches.end());
+  }
+
+  template <int dim>
+  void KeptStates<dim>::solve_kept(const PairSpec    &scene,
+                                   const WantedMesh  &wanted,
+                                   const unsigned int kind)
+  {
+    const bool        is_new = !kept.front().take(kind);
+    SteadyState<dim> &steady = kept.front().steady;
+    const auto        start  = [&]() {
+      steady.state = initial_state(steady.problem, wanted.patch);
+    };
+    if (is_new || !steady.solver.converged)
+      start();
+    steady.state.holds_scheme = holds_edges;
+    solve_on_kept_bodies(scene, steady);
+    steady.state.holds_scheme = false;
+    if (!steady.solver.converged)
+      {
+        start();
+        solve_on_kept_bodies(scene, steady);
+      }
+  }
+
+  template <int dim>
+  bool KeptStates<dim>::solve_on_last(const PairSpec    &scene,
+                                      const std::string &bodies,
+                                      const unsigned int kind)
+  {
+    auto last = kept.end();
+    for (auto it = kept.begin(); it != kept.end(); ++it)
+      if (it->bodies == bodies && it->used.count(kind) > 0 &&
+          (last == kept.end() || it->used.at(kind) > last->used.at(kind)))
+        last = it;
+    if (last == kept.end() || !last->take(kind))
+      return false;
+    kept.splice(kept.begin(), kept, last);
+    SteadyState<dim> &steady  = last->steady;
+    steady.state.holds_scheme = holds_edges;
+    solve_on_kept_bodies(scene, steady);
+    steady.state.holds_scheme = false;
+    const double made         = 2 * steady.result.half_width_x /
+                        steady.grading.element_size_x,
+                 asked = scene.mesh.elements_across_patch;
+    return steady.solver.converged && !zone_too_small(steady) &&
+           made >= smallest * asked && made <= asked / smallest;
+  }
+
+  template <int dim>
+  SteadyState<dim> &KeptStates<dim>::solve(const PairSpec    &scene,
+                                           const std::string &bodies,
+                                           const unsigned int kind)
+  {
+    why_new.clear();
+    ++n_solved;
+    if (tries_last && solve_on_last(scene, bodies, kind))
+      {
+        kept.front().used[kind] = n_solved;
+        return kept.front().steady;
+      }
+    const WantedMesh wanted = wanted_mesh(scene);
+    if (!find(bodies, wanted))
+      make(scene,
+           bodies,
+           wanted,
+           {},
+           kept.empty()
+             ? "the first state"
+             : "no bodies that are kept are made for " + bodies +
+                 " and a patch of " +
+                 significant(wanted.patch.half_width_x, 3) + " m half-width, " +
+                 significant(wanted.patch.half_width_y, 3) + " m across");
+    else
+      {
+        std::string why = "the patch is elsewhere than in the zone of nodes";
+        if (kept.front().reaches(wanted))
+          {
+            solve_kept(scene, wanted, kind);
+            const SteadyState<dim> &steady = kept.front().steady;
+            why = steady.solver.converged && zone_too_small(steady)
+                    ? "the patch reaches the border of the candidate zone"
+                    : "";
+          }
+        if (!why.empty())
+          {
+            // half-spaces cost less than nodes where others touched
+            const std::vector<ZoneBox> patches =
+              scene.mesh.compliance == Compliance::half_spaces
+                ? std::vector<ZoneBox>()
+                : kept.front().patches;
+            kept.pop_front();
+            make(scene, bodies, wanted, patches, why);
+          }
+      }
+    kept.front().kind       = kind;
+    kept.front().used[kind] = n_solved;
+    return kept.front().steady;
+  }
+
+  template class KeptStates<2>;
+  template class KeptStates<3>;
+} // namespace RollingContact

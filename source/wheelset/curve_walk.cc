@@ -1,0 +1,110 @@
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/text.h>
+#include <rolling_contact/wheelset/curve_walk.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace RollingContact
+{
+  namespace
+  {
+    const double       growth = 1.6, shrinking = 3.;
+    const double       smallest_share = 1e-3; ///< of the way
+    const double       far_away       = 4e-3; ///< m, of a bracketed shift
+    const unsigned int most_failures  = 12;
+
+    std::string name_of(const CurveCase &acting)
+    {
+      return acting.curvature == 0.
+               ? "straight track"
+               : "R = " + significant(1 / acting.curvature, 4) + " m";
+    }
+  } // namespace
+
+  void CurveWalk::begin()
+  {
+    if (!equilibrium.solve({}, WheelsetState()) &&
+        !equilibrium.bracket({}, WheelsetState(), 2 * far_away))
+      throw ConvergenceError("Wheelset on straight track without forces: " +
+                             equilibrium.reason + ".");
+    last = {{CurveCase(), equilibrium.now()}};
+  }
+
+  WheelsetState CurveWalk::predicted(const CurveCase &acting) const
+  {
+    WheelsetState start = last.back().state;
+    if (last.size() < 2)
+      return start;
+    const Point &one = last[0], &two = last[1];
+    const auto   way = [](const CurveCase &from, const CurveCase &to) {
+      return to.curvature - from.curvature;
+    };
+    const double before = way(one.acting, two.acting),
+                 next   = way(two.acting, acting);
+    if (before == 0.)
+      return start;
+    const double share = std::clamp(next / before, 0., 2.);
+    const auto   go_on =
+      [&](double &value, const double from, const double most) {
+        value += std::clamp(share * (value - from), -most, most);
+      };
+    go_on(start.place.shift, one.state.place.shift, 5e-4);
+    go_on(start.place.yaw, one.state.place.yaw, 2e-3);
+    go_on(start.place.excess, one.state.place.excess, 1e-3);
+    return start;
+  }
+
+  bool CurveWalk::step_to(const CurveCase &acting)
+  {
+    if (!equilibrium.solve(acting, predicted(acting)))
+      return false;
+    last.push_back({acting, equilibrium.now()});
+    if (last.size() > 2)
+      last.erase(last.begin());
+    return true;
+  }
+
+  void CurveWalk::go_to(const CurveCase &target)
+  {
+    const CurveCase from = last.back().acting;
+    const double    way  = std::abs(target.curvature - from.curvature);
+    double          step = way > 0. ? std::min(1., curvature_step / way) : 1.;
+    unsigned int    n_failures = 0;
+    for (double share = 0.; share < 1.;)
+      {
+        const double    next   = std::min(1., share + step);
+        const CurveCase acting = CurveCase::between(from, target, next);
+        bool            done   = step_to(acting);
+        if (!done && (step < 30 * smallest_share || n_failures >= 3))
+          {
+            done = equilibrium.bracket(acting, last.back().state, far_away);
+            if (done)
+              last = {{acting, equilibrium.now()}};
+          }
+        if (done)
+          {
+            share = next;
+            step *= growth;
+            n_failures = 0;
+            continue;
+          }
+        step /= shrinking;
+        if (++n_failures > most_failures || step < smallest_share)
+          throw ConvergenceError(
+            "Wheelset, " + name_of(target) +
+            ": no equilibrium was found beyond " +
+            name_of(CurveCase::between(from, target, share)) +
+            " on the way from straight track, where its shift is " +
+            millimetres(last.back().state.place.shift, 4) + " and its yaw " +
+            significant(1e3 * last.back().state.place.yaw, 4) +
+            " mrad: " + equilibrium.reason +
+            ". A free wheelset in a narrow curve has none; give "
+            "Wheelset/Yaw stiffness.");
+        // what was found last, and derivatives there
+        equilibrium.begin_with(last.back().state);
+      }
+    if (way > 0.)
+      curvature_step = std::max(curvature_step, std::min(step, 1.) * way);
+  }
+} // namespace RollingContact

@@ -1,0 +1,324 @@
+#include <boost/math/tools/roots.hpp>
+
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/interrupt.h>
+#include <rolling_contact/base/text.h>
+#include <rolling_contact/wheelset/equilibrium.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace RollingContact
+{
+  namespace
+  {
+    /// one of a scaled unknown, and the most that a step takes of it
+    const double shift_scale = 1e-3, yaw_scale = 1e-3, excess_scale = 1e-4;
+    const Eigen::Vector3d largest_steps(0.3, 1., 5.);
+
+    /// scaled, for derivatives by differences
+    const Eigen::Vector3d differences_of(0.02, 0.02, 0.2);
+
+    /// where a force or moment is the unknown: over the axle load
+    const double force_scale = 1e-2;
+
+    const std::vector<unsigned int> all{0, 1, 2}, without_shift{1, 2};
+  } // namespace
+
+  WheelsetState WheelsetState::mirrored() const
+  {
+    WheelsetState other = *this;
+    other.acting        = acting.mirrored();
+    other.place         = place.mirrored();
+    other.yaw_moment    = -yaw_moment;
+    other.wheels        = {{wheels[1].mirrored(), wheels[0].mirrored()}};
+    other.residual      = {-residual[0], -residual[1], residual[2]};
+    return other;
+  }
+
+  Equilibrium::Equilibrium(WheelPair &pair, const WheelsetParameters &wheelset)
+    : pair(pair)
+    , wheelset(wheelset)
+    , scales(wheelset.shift ? force_scale * wheelset.axle_load : shift_scale,
+             wheelset.yaw ? force_scale * wheelset.axle_load : yaw_scale,
+             excess_scale)
+    , limits(wheelset.shift ? 10. : largest_steps[0],
+             wheelset.yaw ? 10. : largest_steps[1],
+             largest_steps[2])
+  {}
+
+  Equilibrium::Unknowns Equilibrium::unknowns_of(const WheelsetState &at) const
+  {
+    return Unknowns(wheelset.shift ? at.acting.lateral_force : at.place.shift,
+                    wheelset.yaw ? at.yaw_moment : at.place.yaw,
+                    at.place.excess)
+      .cwiseQuotient(scales);
+  }
+
+  std::optional<WheelsetState> Equilibrium::evaluate(const CurveCase &acting,
+                                                     const Unknowns  &x)
+  {
+    throw_if_interrupted();
+    const double  W = wheelset.axle_load;
+    WheelsetState at;
+    at.acting = acting;
+    if (wheelset.shift)
+      at.acting.lateral_force = scales[0] * x[0];
+    at.place = {wheelset.shift.value_or(scales[0] * x[0]),
+                wheelset.yaw.value_or(scales[1] * x[1]),
+                scales[2] * x[2]};
+    at.yaw_moment =
+      wheelset.yaw ? scales[1] * x[1]
+                   : wheelset.yaw_stiffness * (acting.frame_yaw - at.place.yaw);
+    const double H       = at.acting.lateral_force,
+                 carried = pair.radius() * H / (2 * pair.half_base()) +
+                           wheelset.load_transfer;
+    const std::array<double, 2> loads{{W / 2 + carried, W / 2 - carried}};
+    if (std::min(loads[0], loads[1]) < 1e-3 * W)
+      {
+        reason = "the lateral force of " + significant(H, 4) +
+                 " N lifts a wheel off its rail";
+        return {};
+      }
+    try
+      {
+        at.wheels = pair.solve(at.place, acting.curvature, loads);
+      }
+    catch (const InputError &error)
+      {
+        reason = error.what();
+        return {};
+      }
+    catch (const ConvergenceError &error)
+      {
+        reason = error.what();
+        return {};
+      }
+    const TrackForces &right = at.wheels[0].forces, &left = at.wheels[1].forces;
+    at.residual = {right.force_y + left.force_y + H,
+                   right.moment_z + left.moment_z +
+                     at.place.shift * (right.force_x + left.force_x) +
+                     at.yaw_moment,
+                   right.axle_torque + left.axle_torque - acting.axle_torque};
+    at.residual /= W;
+    return at;
+  }
+
+  bool Equilibrium::differences(const CurveCase     &acting,
+                                const Active        &active,
+                                const WheelsetState &at)
+  {
+    const Unknowns x = unknowns_of(at);
+    if (!jacobian)
+      jacobian = Eigen::Matrix3d::Identity();
+    // towards the middle of the track, away from flanges
+    for (const unsigned int j : active)
+      {
+        const double h =
+          j == 0 && x[0] > 0. ? -differences_of[j] : differences_of[j];
+        Unknowns moved = x;
+        moved[j] += h;
+        const auto there = evaluate(acting, moved);
+        if (!there)
+          return false;
+        jacobian->col(j) = (there->residual - at.residual) / h;
+      }
+    return true;
+  }
+
+  std::optional<WheelsetState>
+  Equilibrium::newton(const CurveCase     &acting,
+                      const Active        &active,
+                      const WheelsetState &start,
+                      const double         least,
+                      const unsigned int   most_steps)
+  {
+    const unsigned int n    = active.size();
+    const auto         part = [&](const Eigen::VectorXd &whole) {
+      Eigen::VectorXd result(n);
+      for (unsigned int i = 0; i < n; ++i)
+        result[i] = whole[active[i]];
+      return result;
+    };
+    auto at = evaluate(acting, unknowns_of(start));
+    if (!at)
+      return {};
+    bool is_new = false;
+    for (unsigned int k = 0; k < most_steps; ++k)
+      {
+        Eigen::VectorXd f = part(at->residual);
+        if (f.lpNorm<Eigen::Infinity>() <= least)
+          return at;
+        if (!jacobian)
+          {
+            if (!differences(acting, active, *at))
+              return {};
+            is_new = true;
+          }
+        Eigen::MatrixXd J(n, n);
+        for (unsigned int i = 0; i < n; ++i)
+          for (unsigned int j = 0; j < n; ++j)
+            J(i, j) = (*jacobian)(active[i], active[j]);
+        Eigen::VectorXd step = -J.fullPivLu().solve(f);
+        if (!step.allFinite())
+          return {};
+        double share = 1.;
+        for (unsigned int i = 0; i < n; ++i)
+          share =
+            std::min(share,
+                     limits[active[i]] / std::max(std::abs(step[i]), 1e-300));
+        bool is_closer = false;
+        for (unsigned int halved = 0; halved < 4 && !is_closer;
+             ++halved, share /= 2)
+          {
+            ++n_steps;
+            const Unknowns x = unknowns_of(*at);
+            Unknowns       d = Unknowns::Zero();
+            for (unsigned int i = 0; i < n; ++i)
+              d[active[i]] = share * step[i];
+            const auto trial = evaluate(acting, x + d);
+            if (!trial)
+              continue;
+            const Eigen::Vector3d change = trial->residual - at->residual;
+            *jacobian +=
+              (change - *jacobian * d) * d.transpose() / d.squaredNorm();
+            is_closer =
+              part(trial->residual).norm() < (1 - 0.1 * share) * f.norm();
+            if (is_closer)
+              at = trial;
+            else if (!is_new)
+              break;
+          }
+        if (is_closer)
+          {
+            is_new = false;
+            continue;
+          }
+        if (is_new)
+          {
+            reason = "the balances do not come closer than " +
+                     significant(f.lpNorm<Eigen::Infinity>(), 2) +
+                     " of the axle load";
+            return {};
+          }
+        jacobian.reset();
+      }
+    if (part(at->residual).lpNorm<Eigen::Infinity>() <= least)
+      return at;
+    reason = "the balances are not closed after " + std::to_string(most_steps) +
+             " steps";
+    return {};
+  }
+
+  bool Equilibrium::solve(const CurveCase &acting, const WheelsetState &start)
+  {
+    const auto found = newton(acting, all, start, tolerance, 15);
+    if (found)
+      state = *found;
+    else
+      jacobian.reset();
+    return found.has_value();
+  }
+
+  std::optional<WheelsetState> Equilibrium::at_shift(const CurveCase &acting,
+                                                     const double     shift,
+                                                     const WheelsetState &start)
+  {
+    WheelsetState from = start;
+    from.place.shift   = shift;
+    return newton(acting, without_shift, from, 0.3 * tolerance, 12);
+  }
+
+  bool Equilibrium::bracket(const CurveCase     &acting,
+                            const WheelsetState &start,
+                            const double         farthest)
+  {
+    if (wheelset.shift || wheelset.yaw)
+      return false;
+    jacobian.reset();
+    auto inner = at_shift(acting, start.place.shift, start);
+    if (!inner)
+      return false;
+    // a wheelset that is pushed to the right goes there
+    const double direction = inner->residual[0] > 0. ? 1. : -1.;
+    double       step      = 5e-5;
+    auto         outer     = inner;
+    while (outer->residual[0] * direction > 0.)
+      {
+        if (std::abs(outer->place.shift - start.place.shift) > farthest)
+          return false;
+        auto next =
+          at_shift(acting, outer->place.shift + direction * step, *outer);
+        if (!next)
+          {
+            step /= 4;
+            if (step < 1e-6)
+              return false;
+            continue;
+          }
+        inner = outer;
+        outer = next;
+        step  = std::min(1.5 * step, 4e-4);
+      }
+    WheelsetState best =
+      std::abs(inner->residual[0]) < std::abs(outer->residual[0]) ? *inner
+                                                                  : *outer;
+    bool       lost = false;
+    const auto left = [&](const double shift) {
+      const auto found = at_shift(acting, shift, best);
+      if (!found)
+        {
+          lost = true;
+          return 0.;
+        }
+      if (std::abs(found->residual[0]) < std::abs(best.residual[0]))
+        best = *found;
+      return std::abs(found->residual[0]) < 0.5 * tolerance
+               ? 0.
+               : found->residual[0];
+    };
+    std::uintmax_t rounds = 40;
+    boost::math::tools::toms748_solve(
+      left,
+      std::min(inner->place.shift, outer->place.shift),
+      std::max(inner->place.shift, outer->place.shift),
+      direction > 0. ? inner->residual[0] : outer->residual[0],
+      direction > 0. ? outer->residual[0] : inner->residual[0],
+      [](const double a, const double b) { return std::abs(a - b) < 1e-11; },
+      rounds);
+    jacobian.reset();
+    if (lost || best.largest_residual() > tolerance)
+      {
+        if (!lost)
+          reason = "the lateral forces jump by " +
+                   significant(best.largest_residual(), 2) +
+                   " of the axle load at a shift of " +
+                   millimetres(best.place.shift, 6);
+        return false;
+      }
+    state = best;
+    return true;
+  }
+
+  void Equilibrium::polish()
+  {
+    pair.hold_edges(true);
+    for (unsigned int k = 0; k < 2; ++k)
+      if (const auto found = newton(state.acting, all, state, 1e-8, 12))
+        {
+          state = *found;
+          break;
+        }
+    pair.hold_edges(false);
+  }
+
+  Eigen::Matrix3d Equilibrium::derivative()
+  {
+    if (!jacobian)
+      differences(state.acting, all, state);
+    Eigen::Matrix3d result = *jacobian;
+    for (unsigned int j = 0; j < 3; ++j)
+      result.col(j) /= scales[j];
+    return result;
+  }
+} // namespace RollingContact

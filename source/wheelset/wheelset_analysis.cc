@@ -1,0 +1,239 @@
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/text.h>
+#include <rolling_contact/results/bodies_report.h>
+#include <rolling_contact/results/interface_fields.h>
+#include <rolling_contact/results/lines_across.h>
+#include <rolling_contact/results/profile_plot.h>
+#include <rolling_contact/scene/scene_parameters.h>
+#include <rolling_contact/state/estimate_errors.h>
+#include <rolling_contact/wheelset/wheelset_analysis.h>
+
+#include <cmath>
+
+namespace RollingContact
+{
+  namespace
+  {
+    /// m, between shifts at which other equilibria are looked for
+    const double search_step = 5e-4, search_range = 8e-3;
+
+    bool goes_to_the_left(const WheelsetParameters &wheelset)
+    {
+      const CurveCase first = wheelset.cases().front();
+      return first.curvature < 0. ||
+             (first.curvature == 0. && first.lateral_force < 0.);
+    }
+  } // namespace
+
+  WheelsetAnalysis::WheelsetAnalysis(const Situation &scene,
+                                     RunContext      &context)
+    : scene(scene)
+    , context(context)
+    , is_mirrored(goes_to_the_left(scene.inputs->own<WheelsetParameters>()))
+    , wheelset(is_mirrored ? scene.inputs->own<WheelsetParameters>().mirrored()
+                           : scene.inputs->own<WheelsetParameters>())
+    , rough(scene, wheelset, true)
+    , fine(scene, wheelset, false)
+    , rough_balance(rough, wheelset)
+    , fine_balance(fine, wheelset)
+    , report(scene, scene.inputs->own<WheelsetParameters>(), context)
+  {
+    if (is_mirrored)
+      for (WheelPair *pair : {&rough, &fine})
+        pair->swap_sides();
+  }
+
+  void WheelsetAnalysis::run()
+  {
+    PhaseTimer::Scope            phase(context.timer, Phase::contact_solve);
+    CurveWalk                    walk(rough_balance);
+    const std::vector<CurveCase> cases = wheelset.cases();
+    walk.begin();
+    for (std::size_t k = 0; k < cases.size(); ++k)
+      {
+        walk.go_to(cases[k]);
+        FoundEquilibrium found = refined(rough_balance.now());
+        if (k + 1 == cases.size() && wheelset.searches && !wheelset.shift &&
+            !wheelset.yaw)
+          search_another(found);
+        finish(found);
+        report.add(found);
+        write_fields(found, k, cases.size());
+        if (k == 0)
+          describe_bodies(found.steady[0], context);
+      }
+    report.finish();
+  }
+
+  FoundEquilibrium WheelsetAnalysis::refined(const WheelsetState &walked)
+  {
+    fine_balance.begin_with(walked, rough_balance.derivatives());
+    if (!fine_balance.solve(walked.acting, walked) &&
+        !fine_balance.bracket(walked.acting, walked, 1e-3))
+      throw ConvergenceError(
+        "Wheelset: the equilibrium at a shift of " +
+        millimetres(walked.place.shift, 5) +
+        " is lost on meshes of its own patches: " + fine_balance.reason + '.');
+    fine_balance.polish();
+    FoundEquilibrium found;
+    found.state      = fine_balance.now();
+    found.derivative = fine_balance.derivative();
+    return found;
+  }
+
+  void WheelsetAnalysis::search_another(FoundEquilibrium &found)
+  {
+    const WheelsetState here = rough_balance.now();
+    for (const double direction : {-1., 1.})
+      {
+        WheelsetState last = here;
+        for (double away = search_step; away <= search_range;
+             away += search_step)
+          {
+            const double shift = here.place.shift + direction * away;
+            const auto next = rough_balance.at_shift(here.acting, shift, last);
+            if (!next)
+              break;
+            // beside a stable equilibrium forces lead back to it
+            const bool passed =
+              away > search_step && next->residual[0] * last.residual[0] < 0.;
+            if (passed && rough_balance.bracket(here.acting, last, 1e-3))
+              {
+                found.another = rough_balance.now();
+                rough_balance.begin_with(here);
+                return;
+              }
+            last = *next;
+          }
+      }
+    rough_balance.begin_with(here);
+  }
+
+  void WheelsetAnalysis::finish(FoundEquilibrium &found)
+  {
+    found.n_steps = rough_balance.n_steps + fine_balance.n_steps;
+    if (is_mirrored)
+      {
+        found.state = found.state.mirrored();
+        if (found.another)
+          found.another = found.another->mirrored();
+        const Eigen::Vector3d signs(-1., -1., 1.);
+        found.derivative =
+          signs.asDiagonal() * found.derivative * signs.asDiagonal();
+        fine.swap_sides();
+      }
+    const WheelsetState &state = found.state;
+    found.roll                 = fine.roll(state.place);
+    for (unsigned int wheel = 0; wheel < 2; ++wheel)
+      {
+        found.scenes[wheel].emplace(fine.scene_of(wheel,
+                                                  state.place,
+                                                  state.acting.curvature,
+                                                  state.wheels[wheel].load));
+        SteadyState<3> &steady =
+          fine.state_in_track(wheel, *found.scenes[wheel]);
+        estimate_errors(*found.scenes[wheel], steady);
+        found.steady[wheel] = steady;
+      }
+    if (is_mirrored)
+      fine.swap_sides();
+    found.find_bounds(wheelset.axle_load, fine.half_base(), fine.radius());
+    context.log.detail(
+      "Equilibrium: " + std::to_string(rough.n_states) + " states on " +
+      std::to_string(rough.n_bodies()) + " sets of rough bodies, " +
+      std::to_string(fine.n_states) + " on " + std::to_string(fine.n_bodies()) +
+      " sets of those of the scene.");
+    found.n_states = rough.n_states + fine.n_states;
+    found.n_bodies = rough.n_bodies() + fine.n_bodies();
+  }
+
+  void WheelsetAnalysis::write_fields(const FoundEquilibrium &found,
+                                      const std::size_t       number,
+                                      const std::size_t       of)
+  {
+    const std::string names[] = {"right", "left"};
+    for (unsigned int wheel = 0; wheel < 2; ++wheel)
+      {
+        const std::string name =
+          names[wheel] + (of > 1 ? '_' + std::to_string(number + 1) : "");
+        const PairSpec       &of_wheel = *found.scenes[wheel];
+        const SteadyState<3> &steady   = found.steady[wheel];
+        if (scene.inputs->output.interface_fields)
+          write_interface(of_wheel,
+                          steady,
+                          context.folder,
+                          "interface_" + name + ".vtu");
+        write_lines_across(of_wheel,
+                           steady,
+                           context,
+                           "across_" + name + ".csv");
+        if (scene.inputs->output.plot)
+          plot_profiles(of_wheel, steady, context, "profiles_" + name);
+      }
+  }
+
+  namespace
+  {
+    void check_wheelset(const SceneParameters &scene)
+    {
+      const auto refuse = [](const std::string &text) {
+        throw InputError("Analysis = wheelset: " + text);
+      };
+      if (scene.dimension != 3)
+        refuse("its wheels touch their rails on profiles; set Dimension = 3.");
+      const ProfileParameters &profiles = scene.profiles;
+      if (!profiles.in_use())
+        refuse("it has no profiles; give Profiles/Wheel profile and Rail "
+               "profile.");
+      if (profiles.surface_kind != Profiles::SurfaceKind::curved)
+        refuse("a wheel may touch on tread and flange at once; set "
+               "Profiles/Contact surface = curved.");
+      if (profiles.has_true_sections() || scene.wheel.is_from_file() ||
+          scene.rail.is_from_file())
+        refuse("its many states are solved on bodies that do not know where "
+               "they touch; take Profiles/Body sections = plain, a disc and a "
+               "block.");
+      const ContactParameters &contact = scene.contact;
+      if (contact.normal_load || contact.vertical_load || contact.approach)
+        refuse("the loads of the wheels follow from Wheelset/Axle load; leave "
+               "Contact/Normal load, Vertical load and Approach empty.");
+      if (contact.friction_coefficient == 0.)
+        refuse("Contact/Friction coefficient = 0: without friction nothing "
+               "steers a wheelset; give one above 0.");
+      if (contact.rolling_speed() < 0.)
+        refuse("it rolls forwards; give a positive Contact/Speed, and the "
+               "curve to the other side.");
+      if (contact.forces.x || contact.forces.y || contact.forces.moment)
+        refuse("creepages are those of its motion; leave the forces of section "
+               "Contact empty.");
+      if (scene.surfaces.in_use())
+        refuse("surfaces that pass (section Surfaces) have no steady state; "
+               "leave them empty.");
+      if (scene.mesh.target_error || scene.mesh.adaptive_levels > 0)
+        refuse("its states share bodies; leave Mesh/Target error empty and "
+               "Adaptive levels at 0, and give Elements across patch.");
+    }
+
+    std::unique_ptr<Analysis> make_wheelset(const Situation &scene,
+                                            RunContext      &context)
+    {
+      return std::make_unique<WheelsetAnalysis>(scene, context);
+    }
+  } // namespace
+
+  AnalysisKind wheelset_kind()
+  {
+    AnalysisKind kind;
+    kind.name = "wheelset";
+    kind.help =
+      "where a wheelset runs in balance, on straight track and in curves, see "
+      "section Wheelset";
+    kind.in_2d = kind.in_3d = &make_wheelset;
+    kind.sections           = {"Wheelset"};
+    kind.own_section.emplace(WheelsetParameters());
+    kind.on_ranks    = false;
+    kind.finds_place = true;
+    kind.rules       = {&check_wheelset};
+    return kind;
+  }
+} // namespace RollingContact

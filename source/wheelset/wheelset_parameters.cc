@@ -1,0 +1,161 @@
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/number_text.h>
+#include <rolling_contact/input/number_list.h>
+#include <rolling_contact/scene/entries.h>
+#include <rolling_contact/wheelset/wheelset_parameters.h>
+
+#include <cmath>
+
+namespace RollingContact
+{
+  namespace
+  {
+    const double distance_of_rails = 1.5; // m, that cants are measured over
+
+    void refuse(const std::string &entry,
+                const double       value,
+                const std::string &what)
+    {
+      throw InputError("Wheelset/" + entry + " = " + text_of(value) + ": " +
+                       what);
+    }
+
+    void refuse_with(const std::string &given, const std::string &other)
+    {
+      throw InputError("Wheelset/" + given + " and " + other +
+                       ": what is given in place of a balance leaves that "
+                       "without effect; give one of them.");
+    }
+  } // namespace
+
+  CurveCase CurveCase::between(const CurveCase &from,
+                               const CurveCase &to,
+                               const double     share)
+  {
+    const auto mean = [&](const double a, const double b) {
+      return share == 1. ? b : a + share * (b - a);
+    };
+    return {mean(from.curvature, to.curvature),
+            mean(from.lateral_force, to.lateral_force),
+            mean(from.frame_yaw, to.frame_yaw),
+            mean(from.axle_torque, to.axle_torque)};
+  }
+
+  void WheelsetParameters::declare(Entries &entries)
+  {
+    entries.section("Wheelset").read_by_analyses("wheelset");
+    entries.list("Curve radius", curve_radii, "", "m").help =
+      "Of the middle of the track, positive where the curve is to the right, "
+      "one after the other: " +
+      std::string(number_list_form) + "; empty: straight track.";
+    entries.add("Axle load", axle_load, "N").help =
+      "What both wheels carry together.";
+    entries.add("Cant deficiency", cant_deficiency, "m").help =
+      "By which the cant is too small for the speed, of rails 1.5 m apart; "
+      "negative: too much cant.";
+    entries.add("Lateral force", lateral_force, "N").help =
+      "Of the suspension on the wheelset, to the right, besides that of the "
+      "cant deficiency.";
+    entries.add("Load transfer", load_transfer, "N").help =
+      "Load that goes from the left wheel to the right one, besides that by "
+      "the lateral force at the height of the axle.";
+    entries.add("Yaw stiffness", yaw_stiffness, "N m/rad").at_least(0.).help =
+      "Of the suspension between wheelset and frame about the vertical; 0: a "
+      "free wheelset.";
+    entries.add("Frame yaw", frame_yaw, "rad").help =
+      "Of the frame against the radial direction, right-handed about z down.";
+    entries.add("Half wheelbase", ahead_of_frame, "m").help =
+      "How far the wheelset is ahead of the middle of its frame, negative for a "
+      "trailing one: in a curve the frame stands at -distance/R more.";
+    entries.add("Axle torque", axle_torque, "N m").help =
+      "That drives the wheelset forwards; negative: that brakes it.";
+    entries.add("Lateral shift", shift, "m").help =
+      "To the right, given in place of the lateral force, which is found.";
+    entries.add("Yaw", yaw, "rad").help =
+      "Against the radial direction, given in place of the suspension, whose "
+      "moment is found.";
+    entries.add("Search for others", searches).help =
+      "Look for other equilibria of the last curve, over all shifts at which "
+      "both wheels are on the rails.";
+    entries.add("Left wheel profile", left_wheel_profile).help =
+      "As Profiles/Wheel profile, drawn as that of a right-hand wheel; empty: "
+      "the same.";
+    entries.add("Left rail profile", left_rail_profile).help =
+      "As Profiles/Rail profile, drawn as that of a right-hand rail; empty: "
+      "the same.";
+    entries.add("Left wheel radius", left_wheel_radius, "m").help =
+      "At the tape circle; empty: Wheel/Radius.";
+  }
+
+  void WheelsetParameters::check() const
+  {
+    for (const double radius : curve_radii)
+      check_curve_radius("Wheelset/Curve radius", radius);
+    for (const double radius : curve_radii)
+      if (radius * curve_radii.front() < 0.)
+        refuse("Curve radius",
+               radius,
+               "curves of one run go to the same side; take another run for "
+               "the others.");
+    if (!(axle_load > 0.))
+      refuse("Axle load", axle_load, "give a load above 0, in N.");
+    if (!(std::abs(cant_deficiency) <= 0.5))
+      refuse("Cant deficiency", cant_deficiency, "give metres, up to 0.5.");
+    if (cant_deficiency != 0. && curve_radii.empty())
+      refuse("Cant deficiency",
+             cant_deficiency,
+             "it is that of a curve; give Wheelset/Curve radius, or a Lateral "
+             "force on straight track.");
+    if (!(std::abs(ahead_of_frame) <= 10.))
+      refuse("Half wheelbase", ahead_of_frame, "give metres, up to 10.");
+    if (!(std::abs(frame_yaw) <= 0.1))
+      refuse("Frame yaw", frame_yaw, "give rad, up to 0.1.");
+    if (shift && !(std::abs(*shift) <= 0.05))
+      refuse("Lateral shift", *shift, "give metres, up to 0.05.");
+    if (yaw && !(std::abs(*yaw) <= 0.1))
+      refuse("Yaw", *yaw, "give rad, up to 0.1.");
+    if (left_wheel_radius &&
+        !(*left_wheel_radius >= 0.05 && *left_wheel_radius <= 5.))
+      refuse("Left wheel radius", *left_wheel_radius, "give 0.05 to 5 m.");
+    if (shift && lateral_force != 0.)
+      refuse_with("Lateral shift", "Wheelset/Lateral force");
+    if (shift && cant_deficiency != 0.)
+      refuse_with("Lateral shift", "Wheelset/Cant deficiency");
+    if (yaw && yaw_stiffness > 0.)
+      refuse_with("Yaw", "Wheelset/Yaw stiffness");
+  }
+
+  WheelsetParameters WheelsetParameters::mirrored() const
+  {
+    WheelsetParameters other = *this;
+    for (double &radius : other.curve_radii)
+      radius = -radius;
+    other.lateral_force = -lateral_force;
+    other.load_transfer = -load_transfer;
+    other.frame_yaw     = -frame_yaw;
+    for (std::optional<double> *given : {&other.shift, &other.yaw})
+      if (*given)
+        **given = -**given;
+    return other;
+  }
+
+  std::vector<CurveCase> WheelsetParameters::cases() const
+  {
+    std::vector<double> curvatures;
+    for (const double radius : curve_radii)
+      curvatures.push_back(1 / radius);
+    if (curvatures.empty())
+      curvatures.push_back(0.);
+    std::vector<CurveCase> cases;
+    for (const double curvature : curvatures)
+      {
+        const double side = curvature > 0. ? 1. : curvature < 0. ? -1. : 0.;
+        cases.push_back({curvature,
+                         lateral_force - side * axle_load * cant_deficiency /
+                                           distance_of_rails,
+                         frame_yaw - ahead_of_frame * curvature,
+                         axle_torque});
+      }
+    return cases;
+  }
+} // namespace RollingContact
