@@ -296,7 +296,8 @@ namespace RollingContact::Profiles
   {
     const CurvePoint surface =
       covers(s) ? surface_point(s) : CurvePoint{sign * s, 0., 0.};
-    const auto   wheel = wheel_point(x, surface);
+    // the wheel goes along its round surface: its speed is that below the axle
+    const auto   wheel = wheel_point(0., surface);
     const double depth = wheel ? wheel->depth : 0.,
                  face  = contact.angle + surface.angle,
                  slope = contact.angle + sign * angle;

@@ -104,14 +104,29 @@ namespace RollingContact
     };
     if (is_new || !steady.solver.converged)
       start();
-    steady.state.holds_scheme = holds_edges;
-    solve_on_kept_bodies(scene, steady);
-    steady.state.holds_scheme = false;
+    solve_from_here(scene, steady);
     if (!steady.solver.converged)
       {
         start();
         solve_on_kept_bodies(scene, steady);
       }
+  }
+
+  template <int dim>
+  void KeptStates<dim>::solve_from_here(const PairSpec   &scene,
+                                        SteadyState<dim> &steady) const
+  {
+    const ContactState before = steady.state;
+    steady.state.holds_scheme = holds_edges;
+    solve_on_kept_bodies(scene, steady);
+    if (!steady.solver.converged && tries_last && !holds_edges)
+      {
+        // edges that jump with the load, as where friction carries a part
+        steady.state              = before;
+        steady.state.holds_scheme = true;
+        solve_on_kept_bodies(scene, steady);
+      }
+    steady.state.holds_scheme = false;
   }
 
   template <int dim>
@@ -127,11 +142,9 @@ namespace RollingContact
     if (last == kept.end() || !last->take(kind))
       return false;
     kept.splice(kept.begin(), kept, last);
-    SteadyState<dim> &steady  = last->steady;
-    steady.state.holds_scheme = holds_edges;
-    solve_on_kept_bodies(scene, steady);
-    steady.state.holds_scheme = false;
-    const double made         = 2 * steady.result.half_width_x /
+    SteadyState<dim> &steady = last->steady;
+    solve_from_here(scene, steady);
+    const double made = 2 * steady.result.half_width_x /
                         steady.grading.element_size_x,
                  asked = scene.mesh.elements_across_patch;
     return steady.solver.converged && !zone_too_small(steady) &&

@@ -99,8 +99,10 @@ namespace RollingContact
             millimetres(last.back().state.place.shift, 4) + " and its yaw " +
             significant(1e3 * last.back().state.place.yaw, 4) +
             " mrad: " + equilibrium.reason +
-            ". A free wheelset in a narrow curve has none; give "
-            "Wheelset/Yaw stiffness.");
+            (equilibrium.is_free()
+               ? ". A free wheelset has none in narrow curves; give "
+                 "Wheelset/Yaw stiffness."
+               : "."));
         // what was found last, and derivatives there
         equilibrium.begin_with(last.back().state);
       }

@@ -19,6 +19,10 @@ namespace RollingContact
     /// scaled, for derivatives by differences
     const Eigen::Vector3d differences_of(0.02, 0.02, 0.2);
 
+    /// of a step, and differences where those fail over the usual ones
+    const unsigned int most_halvings = 6;
+    const double       finer         = 0.05;
+
     /// where a force or moment is the unknown: over the axle load
     const double force_scale = 1e-2;
 
@@ -106,7 +110,8 @@ namespace RollingContact
 
   bool Equilibrium::differences(const CurveCase     &acting,
                                 const Active        &active,
-                                const WheelsetState &at)
+                                const WheelsetState &at,
+                                const double         size)
   {
     const Unknowns x = unknowns_of(at);
     if (!jacobian)
@@ -114,9 +119,9 @@ namespace RollingContact
     // towards the middle of the track, away from flanges
     for (const unsigned int j : active)
       {
-        const double h =
-          j == 0 && x[0] > 0. ? -differences_of[j] : differences_of[j];
-        Unknowns moved = x;
+        const double h     = j == 0 && x[0] > 0. ? -size * differences_of[j]
+                                                 : size * differences_of[j];
+        Unknowns     moved = x;
         moved[j] += h;
         const auto there = evaluate(acting, moved);
         if (!there)
@@ -143,7 +148,8 @@ namespace RollingContact
     auto at = evaluate(acting, unknowns_of(start));
     if (!at)
       return {};
-    bool is_new = false;
+    bool   is_new = false;
+    double size   = 1.; // of differences
     for (unsigned int k = 0; k < most_steps; ++k)
       {
         Eigen::VectorXd f = part(at->residual);
@@ -151,7 +157,7 @@ namespace RollingContact
           return at;
         if (!jacobian)
           {
-            if (!differences(acting, active, *at))
+            if (!differences(acting, active, *at, size))
               return {};
             is_new = true;
           }
@@ -168,7 +174,7 @@ namespace RollingContact
             std::min(share,
                      limits[active[i]] / std::max(std::abs(step[i]), 1e-300));
         bool is_closer = false;
-        for (unsigned int halved = 0; halved < 4 && !is_closer;
+        for (unsigned int halved = 0; halved < most_halvings && !is_closer;
              ++halved, share /= 2)
           {
             ++n_steps;
@@ -194,7 +200,9 @@ namespace RollingContact
             is_new = false;
             continue;
           }
-        if (is_new)
+        if (is_new && size == 1.)
+          size = finer; // beside a corner of the forces
+        else if (is_new)
           {
             reason = "the balances do not come closer than " +
                      significant(f.lpNorm<Eigen::Infinity>(), 2) +
@@ -210,9 +218,26 @@ namespace RollingContact
     return {};
   }
 
+  std::optional<WheelsetState>
+  Equilibrium::newton_or_held(const CurveCase     &acting,
+                              const Active        &active,
+                              const WheelsetState &start,
+                              const double         least)
+  {
+    auto found = newton(acting, active, start, least, 15);
+    if (found)
+      return found;
+    // forces jump where an edge does
+    jacobian.reset();
+    pair.hold_edges(true);
+    found = newton(acting, active, start, least, 15);
+    pair.hold_edges(false);
+    return found;
+  }
+
   bool Equilibrium::solve(const CurveCase &acting, const WheelsetState &start)
   {
-    const auto found = newton(acting, all, start, tolerance, 15);
+    const auto found = newton_or_held(acting, all, start, tolerance);
     if (found)
       state = *found;
     else
@@ -226,7 +251,7 @@ namespace RollingContact
   {
     WheelsetState from = start;
     from.place.shift   = shift;
-    return newton(acting, without_shift, from, 0.3 * tolerance, 12);
+    return newton_or_held(acting, without_shift, from, 0.3 * tolerance);
   }
 
   bool Equilibrium::bracket(const CurveCase     &acting,
@@ -315,7 +340,7 @@ namespace RollingContact
   Eigen::Matrix3d Equilibrium::derivative()
   {
     if (!jacobian)
-      differences(state.acting, all, state);
+      differences(state.acting, all, state, 1.);
     Eigen::Matrix3d result = *jacobian;
     for (unsigned int j = 0; j < 3; ++j)
       result.col(j) /= scales[j];

@@ -201,7 +201,10 @@ namespace RollingContact
       ", the axle turns by " +
       with_bound(1e3 * state.place.excess, bound(2, 1e3), "\u2030") +
       " more than V/r0";
-    context.report.set_finding(name, text);
+    context.report.set_finding(wheelset.cases().size() > 1
+                                 ? "no. " + std::to_string(all.size())
+                                 : "curve",
+                               name + ": " + text);
     context.log.message(name + ": " + text + "; residual " +
                         significant(state.largest_residual(), 2) +
                         " of the axle load, " + std::to_string(found.n_states) +
@@ -211,10 +214,10 @@ namespace RollingContact
       {
         const WheelState &wheel = state.wheels[k];
         context.report.set_finding(
-          std::string(sides[k]) + " wheel",
-          "load " + significant(1e-3 * wheel.load, 4) + " kN, to the right " +
-            significant(1e-3 * wheel.forces.force_y, 4) + " kN, T gamma " +
-            significant(wheel.creep_work, 4) + " N, " +
+          sides[k],
+          "wheel, load " + significant(1e-3 * wheel.load, 4) +
+            " kN, to the right " + significant(1e-3 * wheel.forces.force_y, 4) +
+            " kN, T gamma " + significant(wheel.creep_work, 4) + " N, " +
             significant(100 * wheel.tangential_force / wheel.friction_force,
                         3) +
             " % of friction, " + significant(1e-6 * wheel.max_pressure, 4) +

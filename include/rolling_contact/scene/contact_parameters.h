@@ -24,7 +24,8 @@ namespace RollingContact
      * Rules across entries. Throws InputError. @p needs_load: whether a load or
      * an approach is to be given.
      */
-    void check(const unsigned int dimension, const bool needs_load) const;
+    void check(const unsigned int dimension,
+               const bool         needs_load = true) const;
 
     /**
      * The law by which mu falls; nullptr if it is constant.

@@ -45,7 +45,8 @@ namespace RollingContact
                             const unsigned int kind = 0);
 
     /** States are tried on the bodies of the last one of their kind first,
-     * which they are judged by in place of the patch as estimated. */
+     * which they are judged by in place of the patch as estimated, and with the
+     * edges of that where they have none of their own. */
     bool tries_last = false;
 
     /** Edges of stick zones stay those of the state that is begun with. */
@@ -83,6 +84,9 @@ namespace RollingContact
       /** Go on with states of this kind, which there are. */
       bool take(const unsigned int kind);
     };
+
+    /** Solve from the state as it is. */
+    void solve_from_here(const PairSpec &scene, SteadyState<dim> &steady) const;
 
     /** Whether the state is there, on the bodies of the last of its kind. */
     bool solve_on_last(const PairSpec    &scene,

@@ -26,7 +26,7 @@ namespace RollingContact
     PatchAreas  areas;
     double      approach = 0.; ///< m
     Creepages   creepages;
-    /** Of bodies with profiles, in the axes of the track. */
+    /** Forces in the axes of the track, of bodies with profiles. */
     std::optional<TrackForces> track_forces;
     ErrorBounds                bounds;
     SolverReport               solver;

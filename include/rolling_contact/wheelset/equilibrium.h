@@ -98,6 +98,12 @@ namespace RollingContact
     /** d residual / d (shift, yaw, excess), rows and columns as these. */
     Eigen::Matrix3d derivative();
 
+    /** Nothing but friction turns it. */
+    bool is_free() const
+    {
+      return wheelset.yaw_stiffness == 0. && !wheelset.yaw;
+    }
+
     /** Why the last solve failed. */
     std::string reason;
 
@@ -120,7 +126,8 @@ namespace RollingContact
 
     bool differences(const CurveCase     &acting,
                      const Active        &active,
-                     const WheelsetState &at);
+                     const WheelsetState &at,
+                     const double         size);
 
     /** Newton's method on the active ones. */
     std::optional<WheelsetState> newton(const CurveCase     &acting,
@@ -128,6 +135,12 @@ namespace RollingContact
                                         const WheelsetState &start,
                                         const double         least,
                                         const unsigned int   most_steps);
+
+    /** With edges of stick zones held where that fails. */
+    std::optional<WheelsetState> newton_or_held(const CurveCase     &acting,
+                                                const Active        &active,
+                                                const WheelsetState &start,
+                                                const double         least);
 
   public:
     /**

@@ -60,7 +60,8 @@ namespace RollingContact
   {
   public:
     /**
-     * Of a @p scene whose profiles and bodies are those of the right-hand side.
+     * The wheels of a @p scene whose profiles and bodies are those of the
+     * right-hand side.
      * @p roughly: for states on the way to an equilibrium, with few elements on
      * half-spaces and coarse bodies. Throws InputError if a profile cannot be
      * read.

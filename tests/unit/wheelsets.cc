@@ -1,0 +1,343 @@
+#include "complaint.h"
+#include "scene_run.h"
+#include "scratch_folder.h"
+
+#include <rolling_contact/tables/session.h>
+#include <rolling_contact/wheelset/curve_walk.h>
+
+#include <array>
+#include <cmath>
+#include <random>
+
+using namespace RollingContact;
+
+/** Wheelsets on track: how they move, what their wheels do, where they run. */
+BOOST_AUTO_TEST_SUITE(wheelsets)
+
+namespace
+{
+  const double r0 = 0.46, mm = 1e-3;
+
+  /** S1002 on 60E1 over a disc and a block, on a curved surface. */
+  SceneParameters wheelset_scene()
+  {
+    SceneParameters scene;
+    scene.dimension                  = 3;
+    scene.mesh.elements_across_patch = 6;
+    scene.mesh.growth                = 0.8;
+    scene.wheel.radius               = r0;
+    scene.wheel.hub_radius           = 0.1;
+    scene.wheel.width                = 0.1;
+    scene.rail.shape                 = "block";
+    scene.rail.radius                = 0.;
+    scene.rail.block_length          = 0.3;
+    scene.rail.block_depth           = 0.15;
+    scene.rail.width                 = 0.1;
+    scene.profiles.wheel_profile     = "S1002";
+    scene.profiles.rail_profile      = "60E1";
+    scene.profiles.surface_kind      = Profiles::SurfaceKind::curved;
+    scene.contact.speed              = 20.;
+    return scene;
+  }
+
+  WheelsetParameters sprung()
+  {
+    WheelsetParameters wheelset;
+    wheelset.yaw_stiffness  = 10e6;
+    wheelset.ahead_of_frame = 0.9;
+    return wheelset;
+  }
+
+  /** On the way of an analysis, with half-spaces: quick. */
+  struct Walk
+  {
+    Walk(const SceneParameters &scene, const WheelsetParameters &wheelset)
+      : wheelset(wheelset)
+      , situation(scene)
+      , pair(situation, this->wheelset, true)
+      , balance(pair, this->wheelset)
+      , walk(balance)
+    {
+      walk.begin();
+    }
+
+    const WheelsetState &to(const CurveCase &target)
+    {
+      walk.go_to(target);
+      return balance.now();
+    }
+
+    const WheelsetParameters wheelset;
+    const Situation          situation;
+    WheelPair                pair;
+    Equilibrium              balance;
+    CurveWalk                walk;
+  };
+
+  /** Written to a file as a pair of columns in mm. */
+  void write_profile(const std::filesystem::path               &file,
+                     const double                               from,
+                     const double                               to,
+                     const std::function<double(const double)> &z)
+  {
+    std::ofstream stream(file);
+    stream.precision(12);
+    const int n = 400;
+    for (int k = 0; k <= n; ++k)
+      {
+        const double y = from + (to - from) * k / n;
+        stream << 1e3 * y << ' ' << 1e3 * z(y) << '\n';
+      }
+  }
+} // namespace
+
+/**
+ * The slip at the contact by the formulas for small yaw: along, 1 - kappa y +
+ * Omega r/V; across, y' and what the curve adds ahead of the middle, times
+ * cos(delta), and yaw Omega r / cos(delta), as a yawed flange touches ahead,
+ * where it comes down; spin, Omega sin(delta)/V - kappa cos(delta).
+ */
+BOOST_AUTO_TEST_CASE(a_curve_is_in_the_slip)
+{
+  SceneParameters scene       = wheelset_scene();
+  scene.contact.vertical_load = 60e3;
+  scene.profiles.creepage_source =
+    ProfileParameters::CreepageSource::kinematics;
+  const double V = 20., kappa = -0.02, aside = 0.04, rate = -43.6;
+  scene.profiles.shift            = 5 * mm;
+  scene.profiles.yaw              = 2e-3;
+  scene.profiles.pitch_rate       = rate;
+  scene.profiles.curve_radius     = 1 / kappa;
+  scene.profiles.lateral_velocity = aside;
+  for (const bool is_left : {false, true})
+    {
+      scene.profiles.is_left = is_left;
+      const Situation               here(scene);
+      const Profiles::ContactFrame &frame = *here.frame;
+      const double r = frame.origin().rolling_radius, delta = frame.angle(),
+                   yaw = scene.profiles.yaw, ahead = frame.origin().x;
+      const Creepages found = here.contact.creepages;
+      BOOST_TEST(
+        std::abs(found.x + 1 - kappa * frame.track_y() + rate * r / V) < 2e-5);
+      BOOST_TEST(std::abs(found.y -
+                          (aside / V + kappa * ahead) * std::cos(delta) -
+                          yaw * rate * r / V / std::cos(delta)) < 2e-5);
+      BOOST_TEST(std::abs(found.spin - rate / V * std::sin(delta) +
+                          kappa * std::cos(delta)) < 2e-3);
+      // at the origin the rows of the place say the same
+      const auto u     = frame.velocities(*here.motion);
+      const auto place = frame.place_in_track(0., 0., 0.);
+      BOOST_TEST(Profiles::dot(place.along, u) == found.x,
+                 boost::test_tools::tolerance(1e-6));
+      BOOST_TEST(Profiles::dot(place.across, u) == found.y,
+                 boost::test_tools::tolerance(1e-6));
+      BOOST_TEST(place.at[1] == frame.track_y(),
+                 boost::test_tools::tolerance(1e-9));
+    }
+}
+
+/**
+ * The work of the forces that hold a wheelset on its way is that of friction on
+ * the slip: forces are conjugate to the motion, for either wheel, on tread and
+ * flange.
+ */
+BOOST_AUTO_TEST_CASE(forces_do_the_work_of_friction)
+{
+  std::mt19937 random(7);
+  const auto   between = [&](const double from, const double to) {
+    return std::uniform_real_distribution<double>(from, to)(random);
+  };
+  for (const auto kind :
+       {Profiles::SurfaceKind::curved, Profiles::SurfaceKind::plane})
+    for (const bool is_left : {false, true})
+      {
+        SceneParameters scene       = wheelset_scene();
+        scene.profiles.surface_kind = kind;
+        scene.profiles.is_left      = is_left;
+        scene.profiles.creepage_source =
+          ProfileParameters::CreepageSource::kinematics;
+        scene.contact.vertical_load = 60e3;
+        scene.mesh.compliance       = Compliance::half_spaces;
+        Session session{Situation(scene)};
+        for (unsigned int k = 0; k < 6; ++k)
+          {
+            const double kappa  = between(-0.04, 0.04),
+                         excess = between(-5e-3, 5e-3);
+            session.set("Profiles/Lateral shift", between(-5.5 * mm, 5.5 * mm));
+            session.set("Profiles/Yaw", between(-0.01, 0.01));
+            session.set("Profiles/Curve radius", 1 / kappa);
+            session.set("Profiles/Pitch rate", -(1 + excess) * 20. / r0);
+            const SessionState found = session.solve();
+            BOOST_TEST_REQUIRE(found.track_forces.has_value());
+            const TrackForces &forces = *found.track_forces;
+            const double work = -forces.force_x - forces.moment_z * kappa +
+                                forces.axle_torque * (1 + excess) / r0;
+            BOOST_TEST(found.forces.creep_work > 1.);
+            BOOST_TEST(std::abs(work - found.forces.creep_work) <
+                       1e-9 * found.forces.friction_force);
+            // the load is what was asked for, and acts beside the middle
+            BOOST_TEST(forces.force_z == -60e3,
+                       boost::test_tools::tolerance(1e-6));
+            BOOST_TEST(forces.moment_x == (is_left ? 1. : -1.) * 60e3 * 0.755,
+                       boost::test_tools::tolerance(0.05));
+          }
+      }
+}
+
+/**
+ * A wheelset of cones runs in a curve where its radii differ as that asks, at
+ * -e r0 / (lambda R) with the conicity of cones on round rails: they roll as
+ * they shift (Wickens, Fundamentals of Rail Vehicle Dynamics).
+ */
+BOOST_AUTO_TEST_CASE(cones_steer_as_their_radii)
+{
+  const ScratchFolder scratch;
+  const double        slope = 1. / 20, crown = 0.3;
+  write_profile(scratch.scratch / "cone.txt",
+                -50 * mm,
+                50 * mm,
+                [&](const double y) { return -slope * y; });
+  write_profile(scratch.scratch / "crown.txt",
+                -36 * mm,
+                36 * mm,
+                [&](const double y) {
+                  const double side = std::max(0., -y - 30 * mm);
+                  return crown - std::sqrt(crown * crown - y * y) + 8 * side;
+                });
+  SceneParameters scene           = wheelset_scene();
+  scene.prm_folder                = scratch.scratch;
+  scene.profiles.wheel_profile    = "cone.txt";
+  scene.profiles.rail_profile     = "crown.txt";
+  scene.profiles.inclination      = "1/20";
+  scene.profiles.smoothing_length = 0.;
+  Walk         walk(scene, WheelsetParameters());
+  const double R     = 3000.;
+  const auto  &found = walk.to({1 / R, 0., 0., 0.});
+  BOOST_TEST(found.largest_residual() < Equilibrium::tolerance);
+  const double e = walk.pair.half_base(),
+               conicity =
+                 slope * (1 + crown * slope / e) / (1 - r0 * slope / e);
+  BOOST_TEST(found.place.shift == -e * r0 / (conicity * R),
+             boost::test_tools::tolerance(0.01));
+  // free to turn, it steers itself: next to no friction
+  BOOST_TEST(std::abs(found.place.yaw) < 2e-4);
+}
+
+BOOST_AUTO_TEST_CASE(a_mirror_shows_the_same_numbers)
+{
+  Walk        right(wheelset_scene(), sprung());
+  const auto &middle = right.balance.now();
+  BOOST_TEST(std::abs(middle.place.shift) < 1e-9);
+  BOOST_TEST(std::abs(middle.place.yaw) < 1e-9);
+  // to the left the sides are exchanged and solved as a curve to the right
+  const double    R = 600.;
+  const CurveCase acting{1 / R, 0., -0.9 / R, 0.};
+  const auto      here = right.to(acting);
+  BOOST_TEST(here.place.shift < -1 * mm);
+  const auto there = here.mirrored();
+  BOOST_TEST(there.place.shift == -here.place.shift);
+  BOOST_TEST(there.acting.curvature == -1 / R);
+  BOOST_TEST(there.wheels[0].forces.force_y == -here.wheels[1].forces.force_y);
+  BOOST_TEST(there.wheels[1].creep_work == here.wheels[0].creep_work);
+  // as solved to the left, without mirrors
+  WheelPair   pair(right.situation, right.wheelset, true);
+  Equilibrium left(pair, right.wheelset);
+  BOOST_TEST(left.solve(acting.mirrored(), there));
+  BOOST_TEST(left.now().place.shift == there.place.shift,
+             boost::test_tools::tolerance(3e-3));
+  BOOST_TEST(left.now().wheels[1].forces.force_x ==
+               there.wheels[1].forces.force_x,
+             boost::test_tools::tolerance(1e-2));
+}
+
+/**
+ * What the balances say, from the forces of the wheels: the suspension holds
+ * what the rails turn, statics share the axle load, a torque drives.
+ */
+BOOST_AUTO_TEST_CASE(forces_are_in_balance)
+{
+  WheelsetParameters wheelset = sprung();
+  wheelset.lateral_force      = 6e3;
+  wheelset.axle_torque        = 400.;
+  wheelset.load_transfer      = 2e3;
+  Walk         walk(wheelset_scene(), wheelset);
+  const double R     = 800.;
+  const auto   found = walk.to({1 / R, 6e3, -0.9 / R + 1e-4, 400.});
+  const auto  &right = found.wheels[0], &left = found.wheels[1];
+  const double W = wheelset.axle_load;
+  BOOST_TEST(std::abs(right.forces.force_y + left.forces.force_y + 6e3) <
+             2e-5 * W);
+  BOOST_TEST(std::abs(right.forces.axle_torque + left.forces.axle_torque -
+                      400.) < 2e-5 * W);
+  // 400 N m drive it forwards: rails push by 400/r0 beyond what it needs
+  BOOST_TEST(right.forces.force_x + left.forces.force_x > 0.8 * 400. / r0);
+  const double moment = 10e6 * (-0.9 / R + 1e-4 - found.place.yaw);
+  BOOST_TEST(moment == found.yaw_moment, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(
+    std::abs(right.forces.moment_z + left.forces.moment_z +
+             found.place.shift * (right.forces.force_x + left.forces.force_x) +
+             moment) < 2e-5 * W);
+  const double carried = r0 * 6e3 / (2 * walk.pair.half_base()) + 2e3;
+  BOOST_TEST(-right.forces.force_z == W / 2 + carried,
+             boost::test_tools::tolerance(1e-6));
+  BOOST_TEST(-left.forces.force_z == W / 2 - carried,
+             boost::test_tools::tolerance(1e-6));
+  // what is given in place of a balance is found again
+  WheelsetParameters given;
+  given.axle_torque   = 400.;
+  given.load_transfer = 2e3;
+  given.shift         = found.place.shift;
+  given.yaw           = found.place.yaw;
+  Walk       other(wheelset_scene(), given);
+  const auto again = other.to({1 / R, 0., 0., 400.});
+  // on other meshes of few elements
+  BOOST_TEST(again.acting.lateral_force == 6e3,
+             boost::test_tools::tolerance(0.1));
+  BOOST_TEST(again.yaw_moment == moment, boost::test_tools::tolerance(0.05));
+}
+
+BOOST_AUTO_TEST_CASE(sides_may_differ)
+{
+  // a left wheel that is smaller by 0.2 mm runs to the left on straight track,
+  // to where radii are the same
+  WheelsetParameters wheelset;
+  wheelset.left_wheel_radius = r0 - 0.2 * mm;
+  Walk        walk(wheelset_scene(), wheelset);
+  const auto &found = walk.balance.now();
+  BOOST_TEST(found.largest_residual() < Equilibrium::tolerance);
+  BOOST_TEST(found.place.shift < -0.2 * mm);
+  BOOST_TEST(std::abs(found.wheels[0].forces.force_x) < 20.);
+}
+
+BOOST_AUTO_TEST_CASE(wheelsets_that_cannot_be_are_refused)
+{
+  const auto complaint_of = [](const auto &change) {
+    WheelsetParameters wheelset;
+    change(wheelset);
+    return complaint([&]() { wheelset.check(); });
+  };
+  BOOST_TEST(complaint_of([](auto &w) {
+               w.curve_radii = {5.};
+             }).find("at least 10") != std::string::npos);
+  BOOST_TEST(complaint_of([](auto &w) {
+               w.curve_radii = {300., -300.};
+             }).find("same side") != std::string::npos);
+  BOOST_TEST(complaint_of([](auto &w) {
+               w.axle_load = 0.;
+             }).find("Axle load") != std::string::npos);
+  BOOST_TEST(complaint_of([](auto &w) {
+               w.shift         = 1e-3;
+               w.lateral_force = 1.;
+             }).find("Lateral force") != std::string::npos);
+  BOOST_TEST(complaint_of([](auto &w) {
+               w.cant_deficiency = 0.1;
+             }).find("curve") != std::string::npos);
+  // a cant deficiency pushes outwards
+  WheelsetParameters wheelset;
+  wheelset.curve_radii     = {-500.};
+  wheelset.cant_deficiency = 0.1;
+  BOOST_TEST(wheelset.cases().front().lateral_force == 120e3 * 0.1 / 1.5,
+             boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
