@@ -67,6 +67,9 @@ namespace RollingContact
 
   void CurveWalk::go_to(const CurveCase &target)
   {
+    if (!equilibrium.loads_under(target.lateral_force))
+      throw ConvergenceError("Wheelset, " + name_of(target) + ": " +
+                             equilibrium.reason + '.');
     const CurveCase from = last.back().acting;
     const double    way  = std::abs(target.curvature - from.curvature);
     double          step = way > 0. ? std::min(1., curvature_step / way) : 1.;

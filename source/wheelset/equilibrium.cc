@@ -23,6 +23,9 @@ namespace RollingContact
     const unsigned int most_halvings = 6;
     const double       finer         = 0.05;
 
+    /// of central differences: m, rad, 1, 1, 1/m
+    const double small_motions[] = {1e-5, 1e-5, 1e-5, 1e-5, 1.3e-5};
+
     /// where a force or moment is the unknown: over the axle load
     const double force_scale = 1e-2;
 
@@ -59,8 +62,24 @@ namespace RollingContact
       .cwiseQuotient(scales);
   }
 
+  std::optional<std::array<double, 2>>
+  Equilibrium::loads_under(const double force)
+  {
+    const double W       = wheelset.axle_load,
+                 carried = pair.radius() * force / (2 * pair.half_base()) +
+                           wheelset.load_transfer;
+    if (W / 2 - std::abs(carried) < 1e-3 * W)
+      {
+        reason = "the lateral force of " + significant(force, 4) +
+                 " N and the load transfer lift a wheel off its rail";
+        return {};
+      }
+    return std::array<double, 2>{{W / 2 + carried, W / 2 - carried}};
+  }
+
   std::optional<WheelsetState> Equilibrium::evaluate(const CurveCase &acting,
-                                                     const Unknowns  &x)
+                                                     const Unknowns  &x,
+                                                     const double     aside)
   {
     throw_if_interrupted();
     const double  W = wheelset.axle_load;
@@ -70,23 +89,18 @@ namespace RollingContact
       at.acting.lateral_force = scales[0] * x[0];
     at.place = {wheelset.shift.value_or(scales[0] * x[0]),
                 wheelset.yaw.value_or(scales[1] * x[1]),
-                scales[2] * x[2]};
+                scales[2] * x[2],
+                aside};
     at.yaw_moment =
       wheelset.yaw ? scales[1] * x[1]
                    : wheelset.yaw_stiffness * (acting.frame_yaw - at.place.yaw);
-    const double H       = at.acting.lateral_force,
-                 carried = pair.radius() * H / (2 * pair.half_base()) +
-                           wheelset.load_transfer;
-    const std::array<double, 2> loads{{W / 2 + carried, W / 2 - carried}};
-    if (std::min(loads[0], loads[1]) < 1e-3 * W)
-      {
-        reason = "the lateral force of " + significant(H, 4) +
-                 " N lifts a wheel off its rail";
-        return {};
-      }
+    const double H     = at.acting.lateral_force;
+    const auto   loads = loads_under(H);
+    if (!loads)
+      return {};
     try
       {
-        at.wheels = pair.solve(at.place, acting.curvature, loads);
+        at.wheels = pair.solve(at.place, acting.curvature, *loads);
       }
     catch (const InputError &error)
       {
@@ -335,6 +349,40 @@ namespace RollingContact
           break;
         }
     pair.hold_edges(false);
+  }
+
+  std::optional<Eigen::Matrix<double, 3, 5>> Equilibrium::motion_derivatives()
+  {
+    Eigen::Matrix<double, 3, 5> result;
+    const Unknowns              x = unknowns_of(state);
+    pair.hold_edges(true);
+    const auto column = [&](const unsigned int j, const double h) {
+      Eigen::Vector3d difference = Eigen::Vector3d::Zero();
+      for (const double sign : {1., -1.})
+        {
+          Unknowns  moved  = x;
+          CurveCase acting = state.acting;
+          if (j < 3)
+            moved[j] += sign * h / scales[j];
+          // the frame does not turn with the wheelset
+          if (j == 4)
+            acting.curvature += sign * h;
+          const auto there = evaluate(acting, moved, j == 3 ? sign * h : 0.);
+          if (!there)
+            return false;
+          difference = sign > 0.
+                         ? there->residual
+                         : Eigen::Vector3d(difference - there->residual);
+        }
+      result.col(j) = difference / (2 * h);
+      return true;
+    };
+    bool is_there = true;
+    for (unsigned int j = 0; j < 5; ++j)
+      is_there = is_there && column(j, small_motions[j]);
+    pair.hold_edges(false);
+    return is_there ? std::optional<Eigen::Matrix<double, 3, 5>>(result)
+                    : std::nullopt;
   }
 
   Eigen::Matrix3d Equilibrium::derivative()

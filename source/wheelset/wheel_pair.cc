@@ -144,7 +144,10 @@ namespace RollingContact
     scene.profiles.yaw     = position.yaw;
     scene.frame            = std::make_shared<const Profiles::ContactFrame>(
       one.profiles, position, is_left, Profiles::SurfaceKind::curved);
-    scene.motion = {speed, -(1 + place.excess) * speed / radius(), curvature};
+    scene.motion                = {speed,
+                                   -(1 + place.excess) * speed / radius(),
+                                   curvature,
+                                   place.aside * speed};
     scene.contact.vertical_load = load;
     scene.take_frame_loads();
     return scene;
@@ -194,7 +197,7 @@ namespace RollingContact
                                    : scene_as(sides[1],
                             false,
                             Profiles::mirrored(position),
-                            place,
+                            place.mirrored(),
                             -curvature,
                             load);
     const WheelState found = wheel_state(scene, checked(wheel, wheel, scene));
@@ -205,11 +208,11 @@ namespace RollingContact
                               const double                 curvature,
                               const std::array<double, 2> &loads)
   {
-    const double     now    = roll(place);
-    const WheelState right  = solve_one(0, place, now, curvature, loads[0]);
-    const bool is_symmetric = is_its_own_mirror_image() && place.shift == 0. &&
-                              place.yaw == 0. && now == 0. && curvature == 0. &&
-                              loads[0] == loads[1];
+    const double     now   = roll(place);
+    const WheelState right = solve_one(0, place, now, curvature, loads[0]);
+    const bool       is_symmetric =
+      is_its_own_mirror_image() && place.shift == 0. && place.yaw == 0. &&
+      place.aside == 0. && now == 0. && curvature == 0. && loads[0] == loads[1];
     return {{right,
              is_symmetric ? right.mirrored()
                           : solve_one(1, place, now, curvature, loads[1])}};

@@ -78,6 +78,18 @@ namespace RollingContact
     FoundEquilibrium found;
     found.state      = fine_balance.now();
     found.derivative = fine_balance.derivative();
+    if (wheelset.hunting.mass > 0.)
+      {
+        const auto derivatives = fine_balance.motion_derivatives();
+        if (!derivatives)
+          throw ConvergenceError("Wheelset/Mass: no states beside the "
+                                 "equilibrium were found: " +
+                                 fine_balance.reason + '.');
+        found.hunting.emplace(wheelset.hunting,
+                              *derivatives,
+                              wheelset.axle_load,
+                              fine.radius());
+      }
     return found;
   }
 

@@ -74,6 +74,25 @@ namespace RollingContact
     entries.add("Yaw", yaw, "rad").help =
       "Against the radial direction, given in place of the suspension, whose "
       "moment is found.";
+    entries.add("Mass", hunting.mass, "kg").at_least(0.).help =
+      "Of the wheelset, for the eigenvalues of its small motions about the "
+      "equilibrium and the speed from which it hunts; 0: they are not asked "
+      "for.";
+    entries.add("Yaw inertia", hunting.yaw_inertia, "kg m^2")
+      .at_least(0.)
+      .help = "Moment of inertia about the vertical.";
+    entries.add("Axle inertia", hunting.axle_inertia, "kg m^2")
+      .at_least(0.)
+      .help = "Moment of inertia about the axle.";
+    entries.add("Lateral stiffness", hunting.lateral_stiffness, "N/m")
+      .at_least(0.)
+      .help = "Of the suspension about the equilibrium, for hunting.";
+    entries.add("Lateral damping", hunting.lateral_damping, "N s/m")
+      .at_least(0.)
+      .help = "Of the suspension, for hunting.";
+    entries.add("Yaw damping", hunting.yaw_damping, "N m s/rad")
+      .at_least(0.)
+      .help = "Of the suspension, for hunting.";
     entries.add("Search for others", searches).help =
       "Look for other equilibria of the last curve, over all shifts at which "
       "both wheels are on the rails.";
@@ -114,6 +133,14 @@ namespace RollingContact
       refuse("Lateral shift", *shift, "give metres, up to 0.05.");
     if (yaw && !(std::abs(*yaw) <= 0.1))
       refuse("Yaw", *yaw, "give rad, up to 0.1.");
+    if (hunting.mass > 0. &&
+        !(hunting.yaw_inertia > 0. && hunting.axle_inertia > 0.))
+      refuse("Mass",
+             hunting.mass,
+             "a wheelset that hunts has moments of inertia; give Wheelset/Yaw "
+             "inertia and Axle inertia.");
+    if (hunting.mass > 0. && (shift || yaw))
+      refuse_with("Mass", "a given Lateral shift or Yaw");
     if (left_wheel_radius &&
         !(*left_wheel_radius >= 0.05 && *left_wheel_radius <= 5.))
       refuse("Left wheel radius", *left_wheel_radius, "give 0.05 to 5 m.");

@@ -18,6 +18,8 @@ namespace RollingContact
     /// from which a wheelset is told to be in danger
     const double least_load = 0.1, largest_yaw = 0.025;
 
+    const double fastest = 200.; ///< m/s, of hunting
+
     /// m and rad: below this radius a rail is not straight under a flange
     const double narrow_curve = 60., steep = 0.8;
 
@@ -113,10 +115,10 @@ namespace RollingContact
   void WheelsetReport::add(const FoundEquilibrium &found)
   {
     all.push_back(found.state);
+    note(found);
     add_row(found);
     for (unsigned int wheel = 0; wheel < 2; ++wheel)
       add_wheel(found, wheel);
-    note(found);
     warn(found);
   }
 
@@ -168,11 +170,46 @@ namespace RollingContact
     table.set_if(found.another.has_value(),
                  "another_yaw_rad",
                  found.another ? found.another->place.yaw : 0.);
+    add_hunting(found);
     table.set("steps", found.n_steps);
     table.set("states", found.n_states);
     table.set("sets_of_bodies", found.n_bodies);
     table.end_row();
     table.flush();
+  }
+
+  /**
+   * The least damped motion at the speed of the scene, and the speed from which
+   * one grows.
+   */
+  void WheelsetReport::add_hunting(const FoundEquilibrium &found)
+  {
+    if (!found.hunting)
+      return;
+    const double speed    = scene.contact.rolling_speed();
+    const auto   all      = found.hunting->eigenvalues(speed);
+    const auto   critical = found.hunting->critical_speed(fastest);
+    const double growth   = all.front().real(),
+                 frequency =
+                   std::abs(all.front().imag()) / (2 * std::acos(-1.));
+    table.set("hunting_growth_1/s", growth);
+    table.set("hunting_frequency_Hz", frequency);
+    table.set_if(frequency > 0.,
+                 "hunting_wavelength_m",
+                 frequency > 0. ? speed / frequency : 0.);
+    table.set_if(critical.has_value(),
+                 "critical_speed_m/s",
+                 critical.value_or(0.));
+    context.report.set_finding(
+      "hunts",
+      std::string(growth > 0. ? "grows by " : "decays by ") +
+        significant(std::abs(growth), 4) + " 1/s at " +
+        significant(frequency, 4) + " Hz and " + significant(speed, 4) +
+        " m/s; " +
+        (!critical        ? "no motion grows below " + significant(fastest, 3)
+         : *critical > 0. ? "from " + significant(*critical, 4)
+                          : "already from " + significant(fastest / 400, 2)) +
+        (!critical ? " m/s" : " m/s on one grows"));
   }
 
   void WheelsetReport::add_wheel(const FoundEquilibrium &found,

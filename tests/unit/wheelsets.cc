@@ -4,6 +4,7 @@
 
 #include <rolling_contact/tables/session.h>
 #include <rolling_contact/wheelset/curve_walk.h>
+#include <rolling_contact/wheelset/hunting.h>
 
 #include <array>
 #include <cmath>
@@ -88,6 +89,30 @@ namespace
         const double y = from + (to - from) * k / n;
         stream << 1e3 * y << ' ' << 1e3 * z(y) << '\n';
       }
+  }
+  /** Cones on rails with a round head. */
+  SceneParameters cone_scene(const ScratchFolder &scratch,
+                             const double         slope,
+                             const double         crown)
+  {
+    write_profile(scratch.scratch / "cone.txt",
+                  -50 * mm,
+                  50 * mm,
+                  [&](const double y) { return -slope * y; });
+    write_profile(scratch.scratch / "crown.txt",
+                  -36 * mm,
+                  36 * mm,
+                  [&](const double y) {
+                    const double side = std::max(0., -y - 30 * mm);
+                    return crown - std::sqrt(crown * crown - y * y) + 8 * side;
+                  });
+    SceneParameters scene           = wheelset_scene();
+    scene.prm_folder                = scratch.scratch;
+    scene.profiles.wheel_profile    = "cone.txt";
+    scene.profiles.rail_profile     = "crown.txt";
+    scene.profiles.inclination      = std::to_string(slope);
+    scene.profiles.smoothing_length = 0.;
+    return scene;
   }
 } // namespace
 
@@ -193,26 +218,10 @@ BOOST_AUTO_TEST_CASE(cones_steer_as_their_radii)
 {
   const ScratchFolder scratch;
   const double        slope = 1. / 20, crown = 0.3;
-  write_profile(scratch.scratch / "cone.txt",
-                -50 * mm,
-                50 * mm,
-                [&](const double y) { return -slope * y; });
-  write_profile(scratch.scratch / "crown.txt",
-                -36 * mm,
-                36 * mm,
-                [&](const double y) {
-                  const double side = std::max(0., -y - 30 * mm);
-                  return crown - std::sqrt(crown * crown - y * y) + 8 * side;
-                });
-  SceneParameters scene           = wheelset_scene();
-  scene.prm_folder                = scratch.scratch;
-  scene.profiles.wheel_profile    = "cone.txt";
-  scene.profiles.rail_profile     = "crown.txt";
-  scene.profiles.inclination      = "1/20";
-  scene.profiles.smoothing_length = 0.;
-  Walk         walk(scene, WheelsetParameters());
-  const double R     = 3000.;
-  const auto  &found = walk.to({1 / R, 0., 0., 0.});
+  SceneParameters     scene = cone_scene(scratch, slope, crown);
+  Walk                walk(scene, WheelsetParameters());
+  const double        R     = 3000.;
+  const auto         &found = walk.to({1 / R, 0., 0., 0.});
   BOOST_TEST(found.largest_residual() < Equilibrium::tolerance);
   const double e = walk.pair.half_base(),
                conicity =
@@ -294,6 +303,57 @@ BOOST_AUTO_TEST_CASE(forces_are_in_balance)
   BOOST_TEST(again.acting.lateral_force == 6e3,
              boost::test_tools::tolerance(0.1));
   BOOST_TEST(again.yaw_moment == moment, boost::test_tools::tolerance(0.05));
+}
+
+/**
+ * Cones on straight track: slow motions have the wavelength of Klingel, and the
+ * speed from which springs no longer hold the wheelset is that of two creep
+ * coefficients f, A e^2 + B = 0 and V^2 = 4 f^2 e^2 w^2 / (4 f^2 e lambda / r0
+ * - B^2 / e^2) with A = k - m w^2, B = K - I w^2.
+ */
+BOOST_AUTO_TEST_CASE(cones_hunt_as_klingel_and_wickens_say)
+{
+  const ScratchFolder scratch;
+  const double        slope = 1. / 40, crown = 0.3, W = 120e3;
+  SceneParameters     scene = cone_scene(scratch, slope, crown);
+  WheelsetParameters  wheelset;
+  wheelset.yaw_stiffness = 1e6;
+  wheelset.hunting       = {1500., 1000., 100., 1e6, 0., 0.};
+  Walk walk(scene, wheelset);
+  BOOST_TEST(std::abs(walk.balance.now().place.shift) < 1e-9);
+  const auto derivatives = walk.balance.motion_derivatives();
+  BOOST_TEST_REQUIRE(derivatives.has_value());
+  const auto  &G = *derivatives;
+  const double e = walk.pair.half_base(),
+               conicity =
+                 slope * (1 + crown * slope / e) / (1 - r0 * slope / e),
+               f = W * G(0, 1) / 2, pi = std::acos(-1.);
+  // yaw is lateral creepage the other way
+  BOOST_TEST(G(0, 3) == -G(0, 1), boost::test_tools::tolerance(0.02));
+  BOOST_TEST(f > 1e6);
+  // of a free one: a wavelength of 2 pi (e r0 / conicity)^(1/2)
+  Eigen::Matrix<double, 3, 5> free = G;
+  free(1, 1) += wheelset.yaw_stiffness / W;
+  const double  slow = 0.05;
+  const Hunting of_free({1500., 1000., 100., 0., 0., 0.}, free, W, r0);
+  double        frequency = 0.;
+  for (const auto &value : of_free.eigenvalues(slow))
+    frequency = std::max(frequency, value.imag() / (2 * pi));
+  BOOST_TEST(slow / frequency == 2 * pi * std::sqrt(e * r0 / conicity),
+             boost::test_tools::tolerance(0.05));
+  // nothing but friction holds it: it hunts from walking pace on
+  BOOST_TEST(of_free.critical_speed(200.).value_or(99.) < 5.);
+  // of the sprung one
+  const Hunting sprung(wheelset.hunting, G, W, r0);
+  const auto    critical = sprung.critical_speed(200.);
+  BOOST_TEST_REQUIRE(critical.has_value());
+  const double k = 1e6, K = 1e6, m = 1500., I = 1000.,
+               w2 = (k * e * e + K) / (m * e * e + I), B = K - I * w2,
+               V2 = 4 * f * f * e * e * w2 /
+                    (4 * f * f * e * conicity / r0 - B * B / (e * e));
+  BOOST_TEST(*critical == std::sqrt(V2), boost::test_tools::tolerance(0.1));
+  BOOST_TEST(sprung.eigenvalues(0.99 * *critical).front().real() < 0.);
+  BOOST_TEST(sprung.eigenvalues(1.01 * *critical).front().real() > 0.);
 }
 
 BOOST_AUTO_TEST_CASE(sides_may_differ)

@@ -98,6 +98,19 @@ namespace RollingContact
     /** d residual / d (shift, yaw, excess), rows and columns as these. */
     Eigen::Matrix3d derivative();
 
+    /**
+     * The residual by shift, yaw, excess, and velocity to the right and turn
+     * about the vertical over V, by central differences with edges of stick
+     * zones held. Empty if a state is not found. Units: 1/m, 1, 1, 1, m.
+     */
+    std::optional<Eigen::Matrix<double, 3, 5>> motion_derivatives();
+
+    /**
+     * The loads of both wheels under a lateral force (N); nothing, and the
+     * reason, if one is lifted off its rail.
+     */
+    std::optional<std::array<double, 2>> loads_under(const double force);
+
     /** Nothing but friction turns it. */
     bool is_free() const
     {
@@ -120,9 +133,10 @@ namespace RollingContact
 
     Unknowns unknowns_of(const WheelsetState &state) const;
 
-    /** Nothing if a wheel has no state there. */
+    /** Nothing if a wheel has no state there. @p aside: see WheelsetPlace. */
     std::optional<WheelsetState> evaluate(const CurveCase &acting,
-                                          const Unknowns  &x);
+                                          const Unknowns  &x,
+                                          const double     aside = 0.);
 
     bool differences(const CurveCase     &acting,
                      const Active        &active,

@@ -14,15 +14,16 @@ namespace RollingContact
   /**
    * Where a wheelset is and how it turns: shift to the right, roll, yaw against
    * the radial direction, and the angular velocity of the axle as -(1 + excess)
-   * V/r0, r0 the radius of the right-hand wheel. Units: m, rad, 1.
+   * V/r0, r0 the radius of the right-hand wheel; how fast it moves to the
+   * right, over V. Units: m, rad, 1.
    */
   struct WheelsetPlace
   {
-    double shift = 0., yaw = 0., excess = 0.;
+    double shift = 0., yaw = 0., excess = 0., aside = 0.;
 
     WheelsetPlace mirrored() const
     {
-      return {-shift, -yaw, excess};
+      return {-shift, -yaw, excess, -aside};
     }
   };
 

@@ -2,6 +2,7 @@
 #define rolling_contact_wheelset_wheelset_parameters_h
 
 #include <rolling_contact/scene/profile_parameters.h>
+#include <rolling_contact/wheelset/hunting_wheelset.h>
 
 #include <optional>
 #include <string>
@@ -62,6 +63,9 @@ namespace RollingContact
     double                axle_torque     = 0.;
     std::optional<double> shift, yaw;      ///< given in place of forces
     bool                  searches = true; ///< for another equilibrium
+
+    /** What hunts about the equilibrium; without mass it is not asked. */
+    HuntingWheelset hunting;
 
     std::string           left_wheel_profile, left_rail_profile;
     std::optional<double> left_wheel_radius;

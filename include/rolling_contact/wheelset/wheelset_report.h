@@ -4,6 +4,7 @@
 #include <rolling_contact/results/error_bounds.h>
 #include <rolling_contact/run/run_context.h>
 #include <rolling_contact/wheelset/equilibrium.h>
+#include <rolling_contact/wheelset/hunting.h>
 
 #include <array>
 #include <optional>
@@ -30,6 +31,8 @@ namespace RollingContact
     std::optional<Eigen::Vector3d> bounds;
 
     std::optional<WheelsetState> another; ///< equilibrium of the same case
+
+    std::optional<Hunting> hunting; ///< if it was asked for and found
 
     unsigned int n_steps = 0, n_states = 0, n_bodies = 0;
 
@@ -68,6 +71,8 @@ namespace RollingContact
     void add_wheel(const FoundEquilibrium &found, const unsigned int wheel);
 
     void note(const FoundEquilibrium &found);
+
+    void add_hunting(const FoundEquilibrium &found);
 
     void warn(const FoundEquilibrium &found);
 

@@ -1,0 +1,58 @@
+#ifndef rolling_contact_wheelset_hunting_h
+#define rolling_contact_wheelset_hunting_h
+
+#include <Eigen/Dense>
+
+#include <rolling_contact/wheelset/hunting_wheelset.h>
+
+#include <complex>
+#include <optional>
+#include <vector>
+
+namespace RollingContact
+{
+  /**
+   * Small motions of a wheelset about its equilibrium: shift y, yaw psi and the
+   * axle's speed omega follow
+   *
+   *   m y'' = dF_y - k y - c y',  I_z psi'' = dM_z - c_psi psi',
+   *   I_y omega' = dM_axle,
+   *
+   * the balances of Equilibrium linear in (y, psi, excess, y'/V, psi'/V) with
+   * quasi-steady contacts under loads that stay. Units: SI.
+   */
+  class Hunting
+  {
+  public:
+    /** Rows: balances over the axle load; columns as above. */
+    using Derivatives = Eigen::Matrix<double, 3, 5>;
+
+    Hunting(const HuntingWheelset &wheelset,
+            const Derivatives     &derivatives,
+            const double           axle_load,
+            const double           radius)
+      : wheelset(wheelset)
+      , derivatives(derivatives)
+      , axle_load(axle_load)
+      , radius(radius)
+    {}
+
+    /**
+     * Eigenvalues at a speed (m/s), the least damped first. Units: 1/s.
+     */
+    std::vector<std::complex<double>> eigenvalues(const double speed) const;
+
+    /**
+     * The least speed up to @p most (m/s) at which a motion grows; nothing if
+     * none does. Found to 1e-6.
+     */
+    std::optional<double> critical_speed(const double most) const;
+
+  private:
+    const HuntingWheelset wheelset;
+    const Derivatives     derivatives;
+    const double          axle_load, radius;
+  };
+} // namespace RollingContact
+
+#endif
