@@ -28,16 +28,16 @@ namespace RollingContact
         !equilibrium.bracket({}, WheelsetState(), 2 * far_away))
       throw ConvergenceError("Wheelset on straight track without forces: " +
                              equilibrium.reason + ".");
-    last = {{CurveCase(), equilibrium.now()}};
+    last = {equilibrium.now()};
   }
 
   WheelsetState CurveWalk::predicted(const CurveCase &acting) const
   {
-    WheelsetState start = last.back().state;
+    WheelsetState start = last.back();
     if (last.size() < 2)
       return start;
-    const Point &one = last[0], &two = last[1];
-    const auto   way = [](const CurveCase &from, const CurveCase &to) {
+    const WheelsetState &one = last[0], &two = last[1];
+    const auto           way = [](const CurveCase &from, const CurveCase &to) {
       return to.curvature - from.curvature;
     };
     const double before = way(one.acting, two.acting),
@@ -49,9 +49,9 @@ namespace RollingContact
       [&](double &value, const double from, const double most) {
         value += std::clamp(share * (value - from), -most, most);
       };
-    go_on(start.place.shift, one.state.place.shift, 5e-4);
-    go_on(start.place.yaw, one.state.place.yaw, 2e-3);
-    go_on(start.place.excess, one.state.place.excess, 1e-3);
+    go_on(start.place.shift, one.place.shift, 5e-4);
+    go_on(start.place.yaw, one.place.yaw, 2e-3);
+    go_on(start.place.excess, one.place.excess, 1e-3);
     return start;
   }
 
@@ -59,7 +59,7 @@ namespace RollingContact
   {
     if (!equilibrium.solve(acting, predicted(acting)))
       return false;
-    last.push_back({acting, equilibrium.now()});
+    last.push_back(equilibrium.now());
     if (last.size() > 2)
       last.erase(last.begin());
     return true;
@@ -81,9 +81,9 @@ namespace RollingContact
         bool            done   = step_to(acting);
         if (!done && (step < 30 * smallest_share || n_failures >= 3))
           {
-            done = equilibrium.bracket(acting, last.back().state, far_away);
+            done = equilibrium.bracket(acting, last.back(), far_away);
             if (done)
-              last = {{acting, equilibrium.now()}};
+              last = {equilibrium.now()};
           }
         if (done)
           {
@@ -99,15 +99,15 @@ namespace RollingContact
             ": no equilibrium was found beyond " +
             name_of(CurveCase::between(from, target, share)) +
             " on the way from straight track, where its shift is " +
-            millimetres(last.back().state.place.shift, 4) + " and its yaw " +
-            significant(1e3 * last.back().state.place.yaw, 4) +
+            millimetres(last.back().place.shift, 4) + " and its yaw " +
+            significant(1e3 * last.back().place.yaw, 4) +
             " mrad: " + equilibrium.reason +
             (equilibrium.is_free()
                ? ". A free wheelset has none in narrow curves; give "
                  "Wheelset/Yaw stiffness."
                : "."));
         // what was found last, and derivatives there
-        equilibrium.begin_with(last.back().state);
+        equilibrium.begin_with(last.back());
       }
     if (way > 0.)
       curvature_step = std::max(curvature_step, std::min(step, 1.) * way);

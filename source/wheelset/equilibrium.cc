@@ -342,56 +342,40 @@ namespace RollingContact
   void Equilibrium::polish()
   {
     pair.hold_edges(true);
-    for (unsigned int k = 0; k < 2; ++k)
-      if (const auto found = newton(state.acting, all, state, 1e-8, 12))
-        {
-          state = *found;
-          break;
-        }
+    if (const auto found = newton(state.acting, all, state, 1e-8, 12))
+      state = *found;
     pair.hold_edges(false);
   }
 
-  std::optional<Eigen::Matrix<double, 3, 5>> Equilibrium::motion_derivatives()
+  std::optional<Hunting::Derivatives>
+  Equilibrium::motion_derivatives(const bool with_velocities)
   {
-    Eigen::Matrix<double, 3, 5> result;
-    const Unknowns              x = unknowns_of(state);
-    pair.hold_edges(true);
-    const auto column = [&](const unsigned int j, const double h) {
-      Eigen::Vector3d difference = Eigen::Vector3d::Zero();
-      for (const double sign : {1., -1.})
-        {
-          Unknowns  moved  = x;
-          CurveCase acting = state.acting;
-          if (j < 3)
-            moved[j] += sign * h / scales[j];
-          // the frame does not turn with the wheelset
-          if (j == 4)
-            acting.curvature += sign * h;
-          const auto there = evaluate(acting, moved, j == 3 ? sign * h : 0.);
-          if (!there)
-            return false;
-          difference = sign > 0.
-                         ? there->residual
-                         : Eigen::Vector3d(difference - there->residual);
-        }
-      result.col(j) = difference / (2 * h);
-      return true;
+    if (wheelset.shift || wheelset.yaw)
+      return {};
+    Hunting::Derivatives result = Hunting::Derivatives::Zero();
+    const Unknowns       x      = unknowns_of(state);
+    const auto residual = [&](const unsigned int j, const double change) {
+      Unknowns  moved  = x;
+      CurveCase acting = state.acting;
+      if (j < 3)
+        moved[j] += change / scales[j];
+      // the frame does not turn with the wheelset
+      if (j == 4)
+        acting.curvature += change;
+      return evaluate(acting, moved, j == 3 ? change : 0.);
     };
+    pair.hold_edges(true);
     bool is_there = true;
-    for (unsigned int j = 0; j < 5; ++j)
-      is_there = is_there && column(j, small_motions[j]);
+    for (unsigned int j = 0; is_there && j < (with_velocities ? 5 : 3); ++j)
+      {
+        const double h     = small_motions[j];
+        const auto   above = residual(j, h), below = residual(j, -h);
+        is_there = above && below;
+        if (is_there)
+          result.col(j) = (above->residual - below->residual) / (2 * h);
+      }
     pair.hold_edges(false);
-    return is_there ? std::optional<Eigen::Matrix<double, 3, 5>>(result)
+    return is_there ? std::optional<Hunting::Derivatives>(result)
                     : std::nullopt;
-  }
-
-  Eigen::Matrix3d Equilibrium::derivative()
-  {
-    if (!jacobian)
-      differences(state.acting, all, state, 1.);
-    Eigen::Matrix3d result = *jacobian;
-    for (unsigned int j = 0; j < 3; ++j)
-      result.col(j) /= scales[j];
-    return result;
   }
 } // namespace RollingContact

@@ -97,10 +97,7 @@ namespace RollingContact
     if (!other_profiles && !other_radius)
       return;
     PairSpec &left = sides[1].scene;
-    if (!wheelset.left_wheel_profile.empty())
-      left.profiles.wheel_profile = wheelset.left_wheel_profile;
-    if (!wheelset.left_rail_profile.empty())
-      left.profiles.rail_profile = wheelset.left_rail_profile;
+    left.profiles  = wheelset.left_profiles(left.profiles);
     if (other_radius)
       {
         left.wheel.radius = *wheelset.left_wheel_radius;

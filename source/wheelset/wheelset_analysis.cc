@@ -76,20 +76,18 @@ namespace RollingContact
         " is lost on meshes of its own patches: " + fine_balance.reason + '.');
     fine_balance.polish();
     FoundEquilibrium found;
-    found.state      = fine_balance.now();
-    found.derivative = fine_balance.derivative();
-    if (wheelset.hunting.mass > 0.)
-      {
-        const auto derivatives = fine_balance.motion_derivatives();
-        if (!derivatives)
-          throw ConvergenceError("Wheelset/Mass: no states beside the "
-                                 "equilibrium were found: " +
-                                 fine_balance.reason + '.');
-        found.hunting.emplace(wheelset.hunting,
-                              *derivatives,
-                              wheelset.axle_load,
-                              fine.radius());
-      }
+    found.state       = fine_balance.now();
+    const bool hunts  = wheelset.hunting.mass > 0.;
+    found.derivatives = fine_balance.motion_derivatives(hunts);
+    if (hunts && !found.derivatives)
+      throw ConvergenceError(
+        "Wheelset/Mass: no states beside the equilibrium were found: " +
+        fine_balance.reason + '.');
+    if (hunts)
+      found.hunting.emplace(wheelset.hunting,
+                            *found.derivatives,
+                            wheelset.axle_load,
+                            fine.radius());
     return found;
   }
 
@@ -106,9 +104,11 @@ namespace RollingContact
             const auto next = rough_balance.at_shift(here.acting, shift, last);
             if (!next)
               break;
-            // beside a stable equilibrium forces lead back to it
-            const bool passed =
-              away > search_step && next->residual[0] * last.residual[0] < 0.;
+            // pushed on here and back there: stable. In the first step the
+            // forces are those of the equilibrium that is known
+            const bool passed = away > search_step &&
+                                last.residual[0] * direction > 0. &&
+                                next->residual[0] * direction < 0.;
             if (passed && rough_balance.bracket(here.acting, last, 1e-3))
               {
                 found.another = rough_balance.now();
@@ -129,9 +129,6 @@ namespace RollingContact
         found.state = found.state.mirrored();
         if (found.another)
           found.another = found.another->mirrored();
-        const Eigen::Vector3d signs(-1., -1., 1.);
-        found.derivative =
-          signs.asDiagonal() * found.derivative * signs.asDiagonal();
         fine.swap_sides();
       }
     const WheelsetState &state = found.state;
@@ -205,6 +202,18 @@ namespace RollingContact
         refuse("its many states are solved on bodies that do not know where "
                "they touch; take Profiles/Body sections = plain, a disc and a "
                "block.");
+      try
+        {
+          const ProfileParameters left =
+            scene.own<WheelsetParameters>().left_profiles(profiles);
+          left.wheel(scene.prm_folder);
+          left.rail(scene.prm_folder);
+        }
+      catch (const InputError &error)
+        {
+          refuse("Wheelset/Left wheel profile or Left rail profile: " +
+                 std::string(error.what()));
+        }
       const ContactParameters &contact = scene.contact;
       if (contact.normal_load || contact.vertical_load || contact.approach)
         refuse("the loads of the wheels follow from Wheelset/Axle load; leave "

@@ -166,6 +166,17 @@ namespace RollingContact
     return other;
   }
 
+  ProfileParameters
+  WheelsetParameters::left_profiles(const ProfileParameters &right) const
+  {
+    ProfileParameters left = right;
+    if (!left_wheel_profile.empty())
+      left.wheel_profile = left_wheel_profile;
+    if (!left_rail_profile.empty())
+      left.rail_profile = left_rail_profile;
+    return left;
+  }
+
   std::vector<CurveCase> WheelsetParameters::cases() const
   {
     std::vector<double> curvatures;

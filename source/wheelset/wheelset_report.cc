@@ -70,6 +70,8 @@ namespace RollingContact
                                      const double radius)
   {
     bounds.reset();
+    if (!derivatives)
+      return;
     double force = 0.; // N, by which forces of friction may be off
     for (unsigned int wheel = 0; wheel < 2; ++wheel)
       {
@@ -80,11 +82,9 @@ namespace RollingContact
       }
     const Eigen::Vector3d of_balances =
       force / axle_load * Eigen::Vector3d(1., half_base, radius);
-    const auto solver = derivative.fullPivLu();
-    if (!solver.isInvertible())
-      return;
-    const Eigen::Matrix3d inverse = solver.inverse();
-    bounds                        = inverse.cwiseAbs() * of_balances;
+    const auto solver = Eigen::Matrix3d(derivatives->leftCols<3>()).fullPivLu();
+    if (solver.isInvertible())
+      bounds = Eigen::Matrix3d(solver.inverse()).cwiseAbs() * of_balances;
   }
 
   double FoundEquilibrium::energy_error(const double radius) const
@@ -284,7 +284,6 @@ namespace RollingContact
         if (wheel.load < least_load * wheelset.axle_load)
           warning(name + " carries " + significant(wheel.load, 3) +
                   " N, less than a tenth of the axle load.");
-        // to its own field side: the rail of a flange pushes to the middle
         const double ratio = std::abs(lateral_ratio(wheel)),
                      limit = climbing_ratio(wheel.steepest, friction);
         if (std::abs(wheel.steepest) > steep && ratio > limit)

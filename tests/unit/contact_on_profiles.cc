@@ -2,6 +2,7 @@
 
 #include "complaint.h"
 #include "scene_run.h"
+#include "wheel_on_block.h"
 
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/contact/patch_area.h>
@@ -74,21 +75,11 @@ namespace
 
   const double steel = 210e9 / (2 * (1 - 0.09)); // contact modulus, Pa
 
-  /** A wheel on a block, to be given profiles. */
   void wheel_on_block(SceneParameters &scene)
   {
-    scene.dimension                  = 3;
-    scene.wheel.hub_radius           = 0.1;
-    scene.wheel.width                = 0.1;
-    scene.rail.shape                 = "block";
-    scene.rail.radius                = 0.;
-    scene.rail.block_length          = 0.3;
-    scene.rail.block_depth           = 0.15;
-    scene.rail.width                 = 0.1;
-    scene.contact.normal_load        = 16e3;
-    scene.mesh.elements_across_patch = 12;
-    scene.mesh.growth                = 0.8;
-    scene.output.body_fields         = false;
+    scene                     = RollingContact::wheel_on_block(12);
+    scene.contact.normal_load = 16e3;
+    scene.output.body_fields  = false;
   }
 
   void s1002_on_60e1(SceneParameters &scene)

@@ -1,5 +1,6 @@
 #include "complaint.h"
 #include "scene_run.h"
+#include "wheel_on_block.h"
 
 #include <rolling_contact/state/estimate_errors.h>
 #include <rolling_contact/tables/kept_bodies.h>
@@ -38,20 +39,10 @@ namespace
   /** S1002 on 60E1 over a disc and a block. */
   SceneParameters profile_scene()
   {
-    SceneParameters scene;
-    scene.dimension                  = 3;
-    scene.mesh.elements_across_patch = 8;
-    scene.mesh.growth                = 0.8;
-    scene.wheel.hub_radius           = 0.1;
-    scene.wheel.width                = 0.1;
-    scene.rail.shape                 = "block";
-    scene.rail.radius                = 0.;
-    scene.rail.block_length          = 0.3;
-    scene.rail.block_depth           = 0.15;
-    scene.rail.width                 = 0.1;
-    scene.profiles.wheel_profile     = "S1002";
-    scene.profiles.rail_profile      = "60E1";
-    scene.profiles.shift             = 0.003;
+    SceneParameters scene        = wheel_on_block(8);
+    scene.profiles.wheel_profile = "S1002";
+    scene.profiles.rail_profile  = "60E1";
+    scene.profiles.shift         = 0.003;
     scene.profiles.creepage_source =
       ProfileParameters::CreepageSource::kinematics;
     scene.contact.normal_load = 16e3;

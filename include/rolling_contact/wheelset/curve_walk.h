@@ -36,20 +36,14 @@ namespace RollingContact
     void go_to(const CurveCase &target);
 
   private:
-    struct Point
-    {
-      CurveCase     acting;
-      WheelsetState state;
-    };
-
     bool step_to(const CurveCase &acting);
 
     /** Where the last two points lead to. */
     WheelsetState predicted(const CurveCase &acting) const;
 
-    Equilibrium       &equilibrium;
-    std::vector<Point> last;                  ///< two at most
-    double             curvature_step = 2e-4; ///< 1/m
+    Equilibrium               &equilibrium;
+    std::vector<WheelsetState> last;                  ///< two at most
+    double                     curvature_step = 2e-4; ///< 1/m
   };
 } // namespace RollingContact
 

@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 
+#include <rolling_contact/wheelset/hunting.h>
 #include <rolling_contact/wheelset/wheel_pair.h>
 
 #include <optional>
@@ -56,8 +57,8 @@ namespace RollingContact
     Equilibrium(WheelPair &pair, const WheelsetParameters &wheelset);
 
     /**
-     * The balance of a case from a start near it. What is found is in now() if
-     * it is there, see holds(); false else, now() as it was.
+     * The balance of a case from a start near it, which is now() then; false,
+     * and now() as it was, where it is not found.
      */
     bool solve(const CurveCase &acting, const WheelsetState &start);
 
@@ -95,15 +96,14 @@ namespace RollingContact
       jacobian = derivatives;
     }
 
-    /** d residual / d (shift, yaw, excess), rows and columns as these. */
-    Eigen::Matrix3d derivative();
-
     /**
-     * The residual by shift, yaw, excess, and velocity to the right and turn
-     * about the vertical over V, by central differences with edges of stick
-     * zones held. Empty if a state is not found. Units: 1/m, 1, 1, 1, m.
+     * The residual by shift, yaw and excess, and where they are asked for by
+     * velocity to the right and turn about the vertical over V, 0 else; by
+     * central differences with edges of stick zones held. Nothing where a state
+     * is not found, or shift or yaw are given. Units: 1/m, 1, 1, 1, m.
      */
-    std::optional<Eigen::Matrix<double, 3, 5>> motion_derivatives();
+    std::optional<Hunting::Derivatives>
+    motion_derivatives(const bool with_velocities);
 
     /**
      * The loads of both wheels under a lateral force (N); nothing, and the

@@ -12,8 +12,8 @@
 namespace RollingContact
 {
   /**
-   * Where a wheelset is and how it turns: shift to the right, roll, yaw against
-   * the radial direction, and the angular velocity of the axle as -(1 + excess)
+   * Where a wheelset is and how it turns: shift to the right, yaw against the
+   * radial direction, and the angular velocity of the axle as -(1 + excess)
    * V/r0, r0 the radius of the right-hand wheel; how fast it moves to the
    * right, over V. Units: m, rad, 1.
    */
@@ -62,10 +62,9 @@ namespace RollingContact
   public:
     /**
      * The wheels of a @p scene whose profiles and bodies are those of the
-     * right-hand side.
-     * @p roughly: for states on the way to an equilibrium, with few elements on
-     * half-spaces and coarse bodies. Throws InputError if a profile cannot be
-     * read.
+     * right-hand side. @p roughly: for states on the way to an equilibrium,
+     * with few elements on half-spaces. Throws InputError if a profile cannot
+     * be read.
      */
     WheelPair(const Situation          &scene,
               const WheelsetParameters &wheelset,

@@ -4,7 +4,6 @@
 #include <rolling_contact/results/error_bounds.h>
 #include <rolling_contact/run/run_context.h>
 #include <rolling_contact/wheelset/equilibrium.h>
-#include <rolling_contact/wheelset/hunting.h>
 
 #include <array>
 #include <optional>
@@ -18,9 +17,11 @@ namespace RollingContact
    */
   struct FoundEquilibrium
   {
-    WheelsetState   state;
-    Eigen::Matrix3d derivative; ///< d residual / d (shift, yaw, excess)
-    double          roll = 0.;
+    WheelsetState state;
+    double        roll = 0.;
+
+    /** See Equilibrium::motion_derivatives(). */
+    std::optional<Hunting::Derivatives> derivatives;
 
     /** Both wheels, right and left, on meshes and in scenes of their own. */
     std::array<std::optional<PairSpec>, 2> scenes;
