@@ -218,7 +218,7 @@ BOOST_AUTO_TEST_CASE(cones_steer_as_their_radii)
                conicity =
                  slope * (1 + crown * slope / e) / (1 - r0 * slope / e);
   BOOST_TEST(found.place.shift == -e * r0 / (conicity * R),
-             boost::test_tools::tolerance(0.01));
+             boost::test_tools::tolerance(0.005));
   // free to turn, it steers itself: next to no friction
   BOOST_TEST(std::abs(found.place.yaw) < 2e-4);
 }
@@ -244,10 +244,10 @@ BOOST_AUTO_TEST_CASE(a_mirror_shows_the_same_numbers)
   Equilibrium left(pair, right.wheelset);
   BOOST_TEST(left.solve(acting.mirrored(), there));
   BOOST_TEST(left.now().place.shift == there.place.shift,
-             boost::test_tools::tolerance(3e-3));
+             boost::test_tools::tolerance(1e-3));
   BOOST_TEST(left.now().wheels[1].forces.force_x ==
                there.wheels[1].forces.force_x,
-             boost::test_tools::tolerance(1e-2));
+             boost::test_tools::tolerance(8e-3));
 }
 
 /**
@@ -292,8 +292,8 @@ BOOST_AUTO_TEST_CASE(forces_are_in_balance)
   const auto again = other.to({1 / R, 0., 0., 400.});
   // on other meshes of few elements
   BOOST_TEST(again.acting.lateral_force == 6e3,
-             boost::test_tools::tolerance(0.1));
-  BOOST_TEST(again.yaw_moment == moment, boost::test_tools::tolerance(0.05));
+             boost::test_tools::tolerance(0.08));
+  BOOST_TEST(again.yaw_moment == moment, boost::test_tools::tolerance(0.03));
 }
 
 /**
@@ -320,7 +320,7 @@ BOOST_AUTO_TEST_CASE(cones_hunt_as_klingel_and_wickens_say)
                  slope * (1 + crown * slope / e) / (1 - r0 * slope / e),
                f = W * G(0, 1) / 2, pi = std::acos(-1.);
   // yaw is lateral creepage the other way
-  BOOST_TEST(G(0, 3) == -G(0, 1), boost::test_tools::tolerance(0.02));
+  BOOST_TEST(G(0, 3) == -G(0, 1), boost::test_tools::tolerance(3e-3));
   BOOST_TEST(f > 1e6);
   // of a free one: a wavelength of 2 pi (e r0 / conicity)^(1/2)
   Eigen::Matrix<double, 3, 5> free = G;
@@ -331,7 +331,7 @@ BOOST_AUTO_TEST_CASE(cones_hunt_as_klingel_and_wickens_say)
   for (const auto &value : of_free.eigenvalues(slow))
     frequency = std::max(frequency, value.imag() / (2 * pi));
   BOOST_TEST(slow / frequency == 2 * pi * std::sqrt(e * r0 / conicity),
-             boost::test_tools::tolerance(0.05));
+             boost::test_tools::tolerance(0.015));
   // nothing but friction holds it: it hunts from walking pace on
   BOOST_TEST(of_free.critical_speed(200.).value_or(99.) < 5.);
   // of the sprung one
@@ -342,7 +342,7 @@ BOOST_AUTO_TEST_CASE(cones_hunt_as_klingel_and_wickens_say)
                w2 = (k * e * e + K) / (m * e * e + I), B = K - I * w2,
                V2 = 4 * f * f * e * e * w2 /
                     (4 * f * f * e * conicity / r0 - B * B / (e * e));
-  BOOST_TEST(*critical == std::sqrt(V2), boost::test_tools::tolerance(0.1));
+  BOOST_TEST(*critical == std::sqrt(V2), boost::test_tools::tolerance(0.02));
   BOOST_TEST(sprung.eigenvalues(0.99 * *critical).front().real() < 0.);
   BOOST_TEST(sprung.eigenvalues(1.01 * *critical).front().real() > 0.);
 }
