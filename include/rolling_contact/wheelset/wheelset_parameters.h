@@ -49,7 +49,7 @@ namespace RollingContact
     /** As of a wheelset in a mirror, but for the profiles of the sides. */
     WheelsetParameters mirrored() const;
 
-    /** Those of the left side, of which @p right are those of the right one. */
+    /** Profiles of the left side; @p right: those of the right one. */
     ProfileParameters left_profiles(const ProfileParameters &right) const;
 
     /** In the order in which they are given; a straight track without. */
