@@ -49,9 +49,9 @@ namespace RollingContact::Profiles
   /**
    * A place on the surface of contact in the track (forwards, to the right,
    * down), the slope of the surface there, downwards to the right, and the rows
-   * that make of generalised velocities the rigid slip of the wheel over the
-   * rail, along x of the ContactFrame and along the tangent across: slip = row
-   * . velocities. Units: m, rad, 1 and m.
+   * whose dot() with generalised velocities is the rigid slip of the wheel over
+   * the rail, along x of the ContactFrame and along the tangent across. Units:
+   * m, rad, 1 and m.
    */
   struct PlaceInTrack
   {
