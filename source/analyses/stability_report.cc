@@ -12,19 +12,6 @@ namespace RollingContact
     /// largest damping ratio that the picture shows (%)
     const double shown_damping = 1.;
 
-    /** The column with the largest share among those of a body. */
-    std::pair<std::size_t, double>
-    largest_share(const std::vector<double> &shares,
-                  const std::size_t          begin,
-                  const std::size_t          end)
-    {
-      std::size_t largest = begin;
-      for (std::size_t k = begin; k < end; ++k)
-        if (shares[k] > shares[largest])
-          largest = k;
-      return {largest, begin < end ? shares[largest] : 0.};
-    }
-
     /** By how much the lateral force leads the normal one: the phase of their
      * sums over the patch. */
     double phase_of_forces(const LinearContact &contact,
@@ -42,19 +29,17 @@ namespace RollingContact
                      const std::vector<double> &shares,
                      ResultsTable              &table)
     {
-      const ModalBodies<dim> &bodies = rolling.bodies();
-      const std::size_t       first  = rolling.first_column(side);
-      const auto [column, share] =
-        largest_share(shares, first, first + bodies.n_modes(side));
-      const std::string name = name_of(side);
-      if (bodies.n_modes(side) == 0)
+      const ModalBodies<dim> &bodies  = rolling.bodies();
+      const auto              nearest = rolling.nearest_mode(side, shares);
+      const std::string       name    = name_of(side);
+      if (!nearest)
         {
           for (const char *what :
                {"_mode", "_mode_Hz", "_mode_share", "_mode_name"})
             table.leave_empty(name + what);
           return;
         }
-      const std::size_t mode = column - first;
+      const auto [mode, share] = *nearest;
       table.set(name + "_mode", mode + 1);
       table.set(name + "_mode_Hz", bodies.body(side)->modes.frequencies[mode]);
       table.set(name + "_mode_share", share);

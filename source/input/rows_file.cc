@@ -50,15 +50,23 @@ namespace RollingContact
           throw InputError(place + quotable(name) +
                            " names two columns; give each entry one.");
       }
+    const auto title =
+      std::find(found.names.begin(), found.names.end(), "name");
+    const std::size_t column_of_titles = title - found.names.begin();
     while (lines.next())
       {
         const std::string at =
           place + "line " + std::to_string(lines.number) + ": ";
-        const auto cells = unquoted_cells(lines.text, separator);
+        auto cells = unquoted_cells(lines.text, separator);
         if (cells.size() != found.names.size())
           throw InputError(at + "it has " + std::to_string(cells.size()) +
                            " columns, the first line has " +
                            std::to_string(found.names.size()) + ".");
+        if (title != found.names.end())
+          {
+            found.titles.push_back(cells[column_of_titles]);
+            cells.erase(cells.begin() + column_of_titles);
+          }
         found.rows.emplace_back();
         for (const std::string &cell : cells)
           if (const auto value = number(cell))
@@ -67,6 +75,8 @@ namespace RollingContact
             throw InputError(at + "'" + quotable(cell) +
                              "' is no number; decimals take a point.");
       }
+    if (title != found.names.end())
+      found.names.erase(title);
     if (found.rows.empty())
       throw InputError(place +
                        "there is no row below its first line; give a state a "

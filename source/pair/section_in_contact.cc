@@ -1,5 +1,6 @@
 #include <rolling_contact/pair/section_in_contact.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace RollingContact
@@ -45,9 +46,16 @@ namespace RollingContact
         vertex[1] = c * y - s * z;
         vertex[2] = s * y + c * z;
       }
+    // the flange opposite the contact faces the same way as that at it
+    auto      &faces    = result.contact_faces;
+    const auto opposite = [&](const FileMesh::Face &face) {
+      return radius > 0. && mesh.vertices[face[0]][2] < -radius;
+    };
+    faces.erase(std::remove_if(faces.begin(), faces.end(), opposite),
+                faces.end());
     if (!is_curved)
       return result;
-    for (const FileMesh::Face &face : mesh.contact_faces)
+    for (const FileMesh::Face &face : faces)
       for (const unsigned int corner : face)
         {
           const double across = profile.coordinate(

@@ -5,13 +5,12 @@
 #include <rolling_contact/analyses/modes.h>
 #include <rolling_contact/analyses/quasi_static.h>
 #include <rolling_contact/analyses/receptance.h>
-#include <rolling_contact/analyses/stability.h>
 #include <rolling_contact/analyses/study_kind.h>
 #include <rolling_contact/analyses/transient.h>
 #include <rolling_contact/base/choices.h>
 #include <rolling_contact/program/analysis_table.h>
-#include <rolling_contact/tables/stability_map.h>
 #include <rolling_contact/tables/table.h>
+#include <rolling_contact/wheelset/curve_stability.h>
 #include <rolling_contact/wheelset/wheelset_analysis.h>
 
 namespace RollingContact
@@ -27,8 +26,8 @@ namespace RollingContact
                                                  table_kind(),
                                                  modes_kind(),
                                                  receptance_kind(),
-                                                 stability_kind(),
-                                                 stability_map_kind(),
+                                                 stability_in_curves_kind(),
+                                                 stability_map_in_curves_kind(),
                                                  limit_cycle_kind(),
                                                  wheelset_kind()};
     return kinds;

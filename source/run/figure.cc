@@ -77,6 +77,34 @@ namespace RollingContact
     this->y_scale = y_scale;
   }
 
+  void Figure::set_names(const std::vector<std::string> &names)
+  {
+    for (const std::string &name : names)
+      this->names.push_back(printable(name));
+  }
+
+  std::string Figure::quoted(const std::string &text)
+  {
+    std::string result = "'";
+    for (const char character : text)
+      result += character == '\'' ? "''" : std::string(1, character);
+    return result + '\'';
+  }
+
+  std::string Figure::names_as_tics() const
+  {
+    if (names.empty())
+      return "";
+    std::string tics;
+    for (std::size_t k = 0; k < names.size(); ++k)
+      tics +=
+        fmt::format("{}{} {}", k == 0 ? "" : ", ", quoted(names[k]), k + 1);
+    return fmt::format("set yrange [{}:0.4]\nset ytics ({}) noenhanced\n"
+                       "unset mytics\n",
+                       names.size() + 0.6,
+                       tics);
+  }
+
   void Figure::add_curve(const std::string         &label,
                          const std::vector<double> &x,
                          const std::vector<double> &y,

@@ -90,15 +90,6 @@ set linetype cycle 8
                      fmt::format("{} \"#DDDDDD\", 0 \"#DDDDDD\", ", -plain));
     }
 
-    /** For gnuplot, which substitutes nothing between single quotes. */
-    std::string quoted(const std::string &text)
-    {
-      std::string result = "'";
-      for (const char character : text)
-        result += character == '\'' ? "''" : std::string(1, character);
-      return result + '\'';
-    }
-
     /** The text itself, also where gnuplot reads marks of its own. */
     std::string enhanced(const std::string &text)
     {
@@ -134,7 +125,7 @@ set linetype cycle 8
         if (!panels.empty())
           text += panel_layout(k);
         text += all[k]->axis('x', shows_x_axis(k) ? all[k]->x_label : "") +
-                all[k]->axis('y', all[k]->y_label);
+                all[k]->axis('y', all[k]->y_label) + all[k]->names_as_tics();
         if (!shows_x_axis(k) && all[k]->x_scale == AxisScale::logarithmic)
           text += "set xtics autofreq\nset format x \"\"\n";
         if (all[k]->equal_scales)
@@ -177,7 +168,10 @@ set linetype cycle 8
       add(fmt::format("'{}.dat' index {} using {} {} {}",
                       name,
                       block++,
-                      is_map ? "1:2:(0)" : "1:2",
+                      is_map ? "1:2:(0)"
+                      : curves[i].style == CurveStyle::bars
+                        ? "1:2:(0):1:($2-0.17):($2+0.17)"
+                        : "1:2",
                       look(i),
                       curves[i].label.empty()
                         ? "notitle"
@@ -358,7 +352,10 @@ set linetype cycle 8
   std::string Figure::look(const std::size_t index) const
   {
     const Curve &curve = curves[index];
-    const auto   n_references =
+    if (curve.style == CurveStyle::bars)
+      return fmt::format("with boxxyerror fillstyle solid noborder linetype {}",
+                         index + 1);
+    const auto n_references =
       std::count_if(curves.begin(), curves.begin() + index, [](const Curve &c) {
         return c.style == CurveStyle::reference;
       });

@@ -21,9 +21,7 @@ namespace RollingContact
       {asks<ProfileParameters>(
          [](const auto &profiles) { return !profiles.gives_creepages(); }),
        "Profiles/Creepages = from kinematics gives them"},
-      {asks<AnalysisTraits>(
-         [](const auto &analysis) { return !analysis.finds_place; }),
-       "those of a wheelset are found"},
+      {&place_is_given, "those of a wheelset are found"},
       {asks<AnalysisTraits, MeshParameters>(
          [](const auto &analysis, const auto &mesh) { // levels refine for them
            return !analysis.own_creepages || mesh.adaptive_levels > 0;

@@ -88,6 +88,11 @@ namespace RollingContact
             "an analysis of contact reads that section"};
   }
 
+  bool place_is_found(const SceneParameters &scene)
+  {
+    return scene.finds_place();
+  }
+
   EntrySection &EntrySection::read_by_analyses(const std::string &names)
   {
     return read_by({[section = name](const SceneParameters &scene) {

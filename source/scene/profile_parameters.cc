@@ -28,8 +28,7 @@ namespace RollingContact
       "a contact table has both sides, its own shifts, no creepages and no "
       "bodies"};
     const Reader places_that_are_given{
-      asks<AnalysisTraits>(
-        [](const auto &analysis) { return !analysis.finds_place; }),
+      &place_is_given,
       "place and motion of a wheelset are found, see section Wheelset"};
     const Reader profile_files{
       asks<ProfileParameters>(

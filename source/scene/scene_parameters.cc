@@ -112,7 +112,7 @@ namespace RollingContact
 
   void SceneParameters::check_contact() const
   {
-    contact.check(dimension, !analysis.finds_place);
+    contact.check(dimension, !finds_place());
     mesh.check();
     surfaces.check(dimension);
     check_target_error();

@@ -15,6 +15,22 @@ namespace RollingContact
     section.varies = asks<AnalysisTraits>([](const auto &analysis) {
       return analysis.has_many_states && analysis.linearises;
     });
+    entries
+      .choice("Wheel",
+              wheels,
+              std::vector<NamedValue<WheelsFound>>{{"none", WheelsFound::none},
+                                                   {"right",
+                                                    WheelsFound::right},
+                                                   {"left", WheelsFound::left},
+                                                   {"both", WheelsFound::both}})
+      .read_by({asks<AnalysisTraits>([](const auto &analysis) {
+                  return analysis.takes_found_place;
+                }),
+                "Analysis = stability or stability map reads it"})
+      .help =
+      "Wheel of a wheelset in balance, see section Wheelset, whose place, "
+      "motion and load are found first; `none`: they are those of sections "
+      "Profiles and Contact.";
     entries.add("Lowest frequency", lowest_frequency, "Hz").at_least(0.).help =
       "Vibrations from this frequency up to Modes/Maximum frequency are "
       "looked at.";

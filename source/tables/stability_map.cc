@@ -16,6 +16,9 @@ namespace RollingContact
     /// vibrations that a row lists, those that grow first
     const std::size_t n_listed = 12;
 
+    /// so many have the modes of all vibrations that grow named
+    const std::size_t few_states = 2;
+
     /// relative difference of growths that is one of rounding, as of a state
     /// and its mirror image
     const double same_growth = 1e-6;
@@ -125,17 +128,39 @@ namespace RollingContact
         const auto fastest = *fastest_of(listed);
         row.set("largest_growth_1/s", fastest.real());
         row.set("fastest_Hz", frequency_of(fastest));
+        if (!plan.titles.empty())
+          {
+            const std::string mode = mode_of(vibrations, fastest);
+            row.set("fastest_mode", mode, mode);
+          }
         row.set("least_damping_ratio", -listed[0].real() / std::abs(listed[0]));
         row.set("least_damped_Hz", frequency_of(listed[0]));
       }
     row.set("n_contact_unstable", vibrations.real_growth().size());
     row.set("n_border", vibrations.contact().n_border());
+    const bool names_all =
+      !plan.titles.empty() && plan.values.size() <= few_states;
     std::vector<ListedVibration> all;
     for (std::size_t k = 0; k < std::max(std::min(n_listed, listed.size()),
                                          vibrations.n_unstable());
          ++k)
-      all.push_back({frequency_of(listed[k]), listed[k].real()});
+      all.push_back({frequency_of(listed[k]),
+                     listed[k].real(),
+                     names_all && listed[k].real() > 0.
+                       ? mode_of(vibrations, listed[k])
+                       : ""});
     row.set("vibrations", text_of(all), all);
+  }
+
+  template <int dim>
+  std::string StabilityMap<dim>::mode_of(const Vibrations          &vibrations,
+                                         const std::complex<double> s) const
+  {
+    const Side    side = bodies->body(Side::wheel) ? Side::wheel : Side::rail;
+    const Finding finding = vibrations.template find<dim>({s}, nullptr).front();
+    const auto    nearest =
+      rolling->nearest_mode(side, finding.mode.participation());
+    return nearest ? bodies->body(side)->characters[nearest->first].name() : "";
   }
 
   template <int dim>
@@ -237,12 +262,14 @@ namespace RollingContact
                           " states has a vibration that grows";
     if (row < results.n_rows())
       {
-        const std::size_t state = state_of_row(results, row);
+        const std::size_t  state = state_of_row(results, row);
+        const std::string *mode =
+          results.value<std::string>(row, "fastest_mode");
         verdict =
           std::to_string(n_unstable) + " of " + std::to_string(n_solved) +
           " states have vibrations that grow; the fastest at " +
-          significant(results.number(row, "fastest_Hz").value(), 5) +
-          " Hz by " +
+          significant(results.number(row, "fastest_Hz").value(), 5) + " Hz" +
+          (mode && !mode->empty() ? ", mode " + *mode + "," : "") + " by " +
           significant(results.number(row, "largest_growth_1/s").value(), 3) +
           " 1/s where " + plan.name(state);
         if (proof && proof->state == state)

@@ -247,6 +247,52 @@ namespace RollingContact
       figure.add_panel(frequencies);
       figure.draw(context, "root_locus");
     }
+
+    void plot_growth_of_rows(const TablePlan &plan, RunContext &context)
+    {
+      const auto texts_of = [&](const std::string &column) {
+        for (const auto &[name, texts] : plan.titles)
+          if (name == column)
+            return texts;
+        return std::vector<std::string>(plan.values.size());
+      };
+      const std::vector<std::string> of_rows = texts_of("name"),
+                                     wheels  = texts_of("wheel");
+      std::vector<std::string> names, sides;
+      const auto               place_of = [](const std::string        &text,
+                               std::vector<std::string> &all) {
+        const auto at = std::find(all.begin(), all.end(), text) - all.begin();
+        if (at == static_cast<long>(all.size()))
+          all.push_back(text);
+        return static_cast<std::size_t>(at);
+      };
+      for (std::size_t state = 0; state < of_rows.size(); ++state)
+        {
+          place_of(of_rows[state], names);
+          place_of(wheels[state], sides);
+        }
+      std::vector<std::vector<double>> growth(sides.size()), at(sides.size());
+      const ResultsTable              &results = context.results;
+      for (std::size_t row = 0; row < results.n_rows(); ++row)
+        if (const auto here = results.number(row, "largest_growth_1/s"))
+          {
+            const std::size_t state = state_of_row(results, row),
+                              side  = place_of(wheels[state], sides);
+            growth[side].push_back(*here);
+            at[side].push_back(1. + place_of(of_rows[state], names) +
+                               0.36 * (side - (sides.size() - 1) / 2.));
+          }
+      Figure figure("Vibration that grows fastest, or decays slowest",
+                    "growth (1/s)",
+                    "");
+      figure.set_names(names);
+      for (std::size_t side = 0; side < sides.size(); ++side)
+        figure.add_curve(sides[side].empty() ? "" : sides[side] + "-hand wheel",
+                         growth[side],
+                         at[side],
+                         CurveStyle::bars);
+      figure.draw(context, "growth");
+    }
   } // namespace
 
   double Branch::largest_growth() const
@@ -304,8 +350,10 @@ namespace RollingContact
 
   void plot_stability_map(const TablePlan &plan, RunContext &context)
   {
-    if (plan.axes.size() == 2 && plan.axes[0].values.size() > 1 &&
-        plan.axes[1].values.size() > 1)
+    if (!plan.titles.empty() && plan.axes.empty())
+      plot_growth_of_rows(plan, context);
+    else if (plan.axes.size() == 2 && plan.axes[0].values.size() > 1 &&
+             plan.axes[1].values.size() > 1)
       plot_map(plan, context);
     else if (plan.axes.size() == 1)
       plot_locus(plan, context);

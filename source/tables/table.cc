@@ -19,9 +19,18 @@ namespace RollingContact
 {
   template <int dim>
   Table<dim>::Table(const Situation &scene, RunContext &context)
+    : Table(scene,
+            table_states(scene.inputs->table, scene.inputs->prm_folder),
+            context)
+  {}
+
+  template <int dim>
+  Table<dim>::Table(const Situation   &scene,
+                    const TableStates &states,
+                    RunContext        &context)
     : scene(scene)
     , context(context)
-    , plan(plan_table(scene))
+    , plan(plan_table(scene, states))
     , n_threads(scene.inputs->table.threads > 0 ? scene.inputs->table.threads
                                                 : n_host_cpus())
     , has_row(plan.values.size(), false)

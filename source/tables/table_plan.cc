@@ -30,6 +30,8 @@ namespace RollingContact
       states.places.assign(rows.names.size(),
                            entry + " = " + file.string() + ": ");
       states.values = std::move(rows.rows);
+      if (!rows.titles.empty())
+        states.titles.emplace_back("name", std::move(rows.titles));
       return states;
     }
 
@@ -148,9 +150,14 @@ namespace RollingContact
   std::string TableStates::name(const std::size_t state) const
   {
     std::string name;
-    for (std::size_t d = 0; d < entries.size(); ++d)
-      name += (d == 0 ? "" : ", ") + entries[d] + " = " +
-              exact_text(values[state][d]);
+    const auto  add = [&](const std::string &what, const std::string &value) {
+      name += (name.empty() ? "" : ", ") + what + " = " + value;
+    };
+    for (const auto &[column, texts] : titles)
+      add(column, texts[state]);
+    if (titles.empty() || titles.front().first != "name")
+      for (std::size_t d = 0; d + n_found < entries.size(); ++d)
+        add(entries[d], exact_text(values[state][d]));
     return name;
   }
 
@@ -170,11 +177,10 @@ namespace RollingContact
       scene_entries.set(entries[d], exact_text(values[state][d]));
   }
 
-  TablePlan plan_table(const Situation &scene)
+  TablePlan plan_table(const Situation &scene, const TableStates &states)
   {
     TablePlan plan;
-    static_cast<TableStates &>(plan) =
-      table_states(scene.inputs->table, scene.inputs->prm_folder);
+    static_cast<TableStates &>(plan) = states;
     SceneEntries entries(scene);
     check_entries(plan, entries);
     for (const std::string &entry : plan.entries)
@@ -199,5 +205,12 @@ namespace RollingContact
         plan.groups[group->second].states.push_back(state);
       }
     return plan;
+  }
+
+  TablePlan plan_table(const Situation &scene)
+  {
+    return plan_table(scene,
+                      table_states(scene.inputs->table,
+                                   scene.inputs->prm_folder));
   }
 } // namespace RollingContact

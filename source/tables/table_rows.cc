@@ -34,12 +34,13 @@ namespace RollingContact
     /** How the texts in the file of a table are read. */
     ResultsTable::Readers readers_of(const TablePlan &plan)
     {
-      ResultsTable::Readers readers{{"status", &status_named},
-                                    {"vibrations", &vibrations_of},
-                                    {"solver",
-                                     [](const std::string &name, std::size_t) {
-                                       return solved_by(name);
-                                     }}};
+      ResultsTable::Readers readers{
+        {"status", &status_named},
+        {"fastest_mode",
+         [](const std::string &name, std::size_t) { return name; }},
+        {"vibrations", &vibrations_of},
+        {"solver",
+         [](const std::string &name, std::size_t) { return solved_by(name); }}};
       for (const std::string &entry : plan.entries)
         readers[entry] = [](const std::string &text, std::size_t) {
           return number_of(text).value_or(std::nan(""));
@@ -91,6 +92,8 @@ namespace RollingContact
                        ResultsTable     &rows)
   {
     rows.set("state", state);
+    for (const auto &[column, texts] : plan.titles)
+      rows.set(column, texts[state]);
     for (std::size_t d = 0; d < plan.entries.size(); ++d)
       rows.set(plan.entries[d],
                exact_text(plan.values[state][d]),

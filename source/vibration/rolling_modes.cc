@@ -1,5 +1,7 @@
 #include <rolling_contact/vibration/rolling_modes.h>
 
+#include <algorithm>
+
 namespace RollingContact
 {
   namespace
@@ -139,6 +141,19 @@ namespace RollingContact
     const std::size_t n_wheel = first_column(Side::rail);
     return column < n_wheel ? std::pair(Side::wheel, column)
                             : std::pair(Side::rail, column - n_wheel);
+  }
+
+  template <int dim>
+  std::optional<std::pair<std::size_t, double>>
+  RollingModes<dim>::nearest_mode(const Side                 side,
+                                  const std::vector<double> &shares) const
+  {
+    const std::size_t n = modal.n_modes(side);
+    if (n == 0)
+      return {};
+    const auto first   = shares.begin() + first_column(side),
+               largest = std::max_element(first, first + n);
+    return std::pair<std::size_t, double>(largest - first, *largest);
   }
 
   template <int dim>

@@ -6,6 +6,7 @@
 #include <rolling_contact/results/profile_plot.h>
 #include <rolling_contact/scene/scene_parameters.h>
 #include <rolling_contact/state/estimate_errors.h>
+#include <rolling_contact/wheelset/found_place.h>
 #include <rolling_contact/wheelset/wheelset_analysis.h>
 
 #include <cmath>
@@ -16,20 +17,13 @@ namespace RollingContact
   {
     /// m, between shifts at which other equilibria are looked for
     const double search_step = 5e-4, search_range = 8e-3;
-
-    bool goes_to_the_left(const WheelsetParameters &wheelset)
-    {
-      const CurveCase first = wheelset.cases().front();
-      return first.curvature < 0. ||
-             (first.curvature == 0. && first.lateral_force < 0.);
-    }
   } // namespace
 
   WheelsetAnalysis::WheelsetAnalysis(const Situation &scene,
                                      RunContext      &context)
     : scene(scene)
     , context(context)
-    , is_mirrored(goes_to_the_left(scene.inputs->own<WheelsetParameters>()))
+    , is_mirrored(scene.inputs->own<WheelsetParameters>().goes_to_the_left())
     , wheelset(is_mirrored ? scene.inputs->own<WheelsetParameters>().mirrored()
                            : scene.inputs->own<WheelsetParameters>())
     , rough(scene, wheelset, true)
@@ -185,48 +179,15 @@ namespace RollingContact
   {
     void check_wheelset(const SceneParameters &scene)
     {
+      check_found_place(scene);
       const auto refuse = [](const std::string &text) {
         throw InputError("Analysis = wheelset: " + text);
       };
-      if (scene.dimension != 3)
-        refuse("its wheels touch their rails on profiles; set Dimension = 3.");
-      const ProfileParameters &profiles = scene.profiles;
-      if (!profiles.in_use())
-        refuse("it has no profiles; give Profiles/Wheel profile and Rail "
-               "profile.");
-      if (profiles.surface_kind != Profiles::SurfaceKind::curved)
-        refuse("a wheel may touch on tread and flange at once; set "
-               "Profiles/Contact surface = curved.");
-      if (profiles.has_true_sections() || scene.wheel.is_from_file() ||
+      if (scene.profiles.has_true_sections() || scene.wheel.is_from_file() ||
           scene.rail.is_from_file())
         refuse("its many states are solved on bodies that do not know where "
                "they touch; take Profiles/Body sections = plain, a disc and a "
                "block.");
-      try
-        {
-          const ProfileParameters left =
-            scene.own<WheelsetParameters>().left_profiles(profiles);
-          left.wheel(scene.prm_folder);
-          left.rail(scene.prm_folder);
-        }
-      catch (const InputError &error)
-        {
-          refuse("Wheelset/Left wheel profile or Left rail profile: " +
-                 std::string(error.what()));
-        }
-      const ContactParameters &contact = scene.contact;
-      if (contact.normal_load || contact.vertical_load || contact.approach)
-        refuse("the loads of the wheels follow from Wheelset/Axle load; leave "
-               "Contact/Normal load, Vertical load and Approach empty.");
-      if (contact.friction_coefficient == 0.)
-        refuse("Contact/Friction coefficient = 0: without friction nothing "
-               "steers a wheelset; give one above 0.");
-      if (contact.rolling_speed() < 0.)
-        refuse("it rolls forwards; give a positive Contact/Speed, and the "
-               "curve to the other side.");
-      if (contact.forces.x || contact.forces.y || contact.forces.moment)
-        refuse("creepages are those of its motion; leave the forces of section "
-               "Contact empty.");
       if (scene.surfaces.in_use())
         refuse("surfaces that pass (section Surfaces) have no steady state; "
                "leave them empty.");

@@ -1,6 +1,7 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/number_text.h>
 #include <rolling_contact/input/number_list.h>
+#include <rolling_contact/scene/analysis_traits.h>
 #include <rolling_contact/scene/entries.h>
 #include <rolling_contact/wheelset/wheelset_parameters.h>
 
@@ -43,7 +44,29 @@ namespace RollingContact
 
   void WheelsetParameters::declare(Entries &entries)
   {
-    entries.section("Wheelset").read_by_analyses("wheelset");
+    EntrySection &section = entries.section("Wheelset");
+    section.read_by(
+      {&place_is_found,
+       "Analysis = wheelset reads that section, and stability and stability "
+       "map with Stability/Wheel"});
+    section.renews = Renews::loads;
+    section.varies = asks<AnalysisTraits>([](const auto &analysis) {
+      return analysis.has_many_states && analysis.takes_found_place;
+    });
+    declare_balance(entries);
+    declare_left_side(entries);
+    const Reader hunting_ones{asks<AnalysisTraits>([](const auto &analysis) {
+                                return analysis.finds_place;
+                              }),
+                              "Analysis = wheelset reads it"};
+    declare_hunting(entries, hunting_ones);
+    entries.add("Search for others", searches).read_by(hunting_ones).help =
+      "Look for other equilibria of the last curve, over all shifts at which "
+      "both wheels are on the rails.";
+  }
+
+  void WheelsetParameters::declare_balance(Entries &entries)
+  {
     entries.list("Curve radius", curve_radii, "", "m").help =
       "Of the middle of the track, positive where the curve is to the right, "
       "one after the other: " +
@@ -74,28 +97,39 @@ namespace RollingContact
     entries.add("Yaw", yaw, "rad").help =
       "Against the radial direction, given in place of the suspension, whose "
       "moment is found.";
-    entries.add("Mass", hunting.mass, "kg").at_least(0.).help =
+  }
+
+  void WheelsetParameters::declare_hunting(Entries      &entries,
+                                           const Reader &reader)
+  {
+    entries.add("Mass", hunting.mass, "kg").at_least(0.).read_by(reader).help =
       "Of the wheelset, for the eigenvalues of its small motions about the "
       "equilibrium and the speed from which it hunts; 0: they are not asked "
       "for.";
     entries.add("Yaw inertia", hunting.yaw_inertia, "kg m^2")
       .at_least(0.)
+      .read_by(reader)
       .help = "Moment of inertia about the vertical.";
     entries.add("Axle inertia", hunting.axle_inertia, "kg m^2")
       .at_least(0.)
+      .read_by(reader)
       .help = "Moment of inertia about the axle.";
     entries.add("Lateral stiffness", hunting.lateral_stiffness, "N/m")
       .at_least(0.)
+      .read_by(reader)
       .help = "Of the suspension about the equilibrium, for hunting.";
     entries.add("Lateral damping", hunting.lateral_damping, "N s/m")
       .at_least(0.)
+      .read_by(reader)
       .help = "Of the suspension, for hunting.";
     entries.add("Yaw damping", hunting.yaw_damping, "N m s/rad")
       .at_least(0.)
+      .read_by(reader)
       .help = "Of the suspension, for hunting.";
-    entries.add("Search for others", searches).help =
-      "Look for other equilibria of the last curve, over all shifts at which "
-      "both wheels are on the rails.";
+  }
+
+  void WheelsetParameters::declare_left_side(Entries &entries)
+  {
     entries.add("Left wheel profile", left_wheel_profile).help =
       "As Profiles/Wheel profile, drawn as that of a right-hand wheel; empty: "
       "the same.";
@@ -195,5 +229,12 @@ namespace RollingContact
                          axle_torque});
       }
     return cases;
+  }
+
+  bool WheelsetParameters::goes_to_the_left() const
+  {
+    const CurveCase first = cases().front();
+    return first.curvature < 0. ||
+           (first.curvature == 0. && first.lateral_force < 0.);
   }
 } // namespace RollingContact

@@ -114,12 +114,10 @@ namespace RollingContact
 
   void WheelsetReport::add(const FoundEquilibrium &found)
   {
-    all.push_back(found.state);
-    note(found);
+    tell(found);
     add_row(found);
     for (unsigned int wheel = 0; wheel < 2; ++wheel)
       add_wheel(found, wheel);
-    warn(found);
   }
 
   void WheelsetReport::add_row(const FoundEquilibrium &found)

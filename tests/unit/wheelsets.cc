@@ -5,6 +5,7 @@
 
 #include <rolling_contact/tables/session.h>
 #include <rolling_contact/wheelset/curve_walk.h>
+#include <rolling_contact/wheelset/found_place.h>
 #include <rolling_contact/wheelset/hunting.h>
 
 #include <array>
@@ -389,6 +390,46 @@ BOOST_AUTO_TEST_CASE(wheelsets_that_cannot_be_are_refused)
   wheelset.cant_deficiency = 0.1;
   BOOST_TEST(wheelset.cases().front().lateral_force == 120e3 * 0.1 / 1.5,
              boost::test_tools::tolerance(1e-12));
+}
+
+/**
+ * The scene of a wheel has the place and the load of the equilibrium, and the
+ * motion gives its creepages; a curve to the left is the mirror image.
+ */
+BOOST_AUTO_TEST_CASE(a_wheel_of_an_equilibrium_is_a_scene_of_its_own)
+{
+  SceneParameters scene     = wheelset_scene();
+  scene.stability.wheels    = WheelsFound::both;
+  WheelsetParameters &curve = scene.own<WheelsetParameters>();
+  curve                     = sprung();
+  curve.curve_radii         = {600.};
+  curve.left_wheel_radius   = r0 + 0.1 * mm;
+  const auto  right         = equilibrium_on_half_spaces(scene);
+  const auto &state         = right.state;
+  BOOST_TEST(state.largest_residual() < 1e-7);
+  const SceneParameters left = scene_of_wheel(scene, right, 1);
+  BOOST_TEST(left.profiles.is_left);
+  BOOST_TEST((left.stability.wheels == WheelsFound::none));
+  BOOST_TEST(left.wheel.radius == r0 + 0.1 * mm);
+  BOOST_TEST(left.contact.vertical_load.value() == state.wheels[1].load);
+  BOOST_TEST(left.profiles.curve_radius.value() == 600.,
+             boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(left.profiles.pitch_rate.value() ==
+               -(1 + state.place.excess) * 20. / r0,
+             boost::test_tools::tolerance(1e-14));
+  const Situation placed(left);
+  BOOST_TEST(placed.motion.has_value());
+  BOOST_TEST(placed.frame->is_left());
+
+  curve.left_wheel_radius.reset();
+  const auto here   = equilibrium_on_half_spaces(scene);
+  curve.curve_radii = {-600.};
+  const auto there  = equilibrium_on_half_spaces(scene);
+  BOOST_TEST(here.state.place.shift == -there.state.place.shift);
+  BOOST_TEST(here.state.place.yaw == -there.state.place.yaw);
+  BOOST_TEST(here.roll == -there.roll);
+  BOOST_TEST(here.state.wheels[1].creep_work ==
+             there.state.wheels[0].creep_work);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -8,17 +8,19 @@
 namespace RollingContact
 {
   /**
-   * A table of numbers and the names of its columns.
+   * A table of numbers, the names of its columns, and those of its rows.
    */
   struct NamedRows
   {
     std::vector<std::string>         names;
     std::vector<std::vector<double>> rows; ///< as many values as names
+    std::vector<std::string> titles; ///< of rows, where a column `name` is
   };
 
   /**
    * Read a CSV file, its columns separated by ',' or ';', whose first line
-   * names them; empty lines and those that begin with '#' are skipped. Throws
+   * names them; empty lines and those that begin with '#' are skipped. A column
+   * `name` holds texts, all others numbers. Throws
    * InputError, beginning with the @p entry that gives the file, if it cannot
    * be read, has no rows, a name twice or none, or a cell that is no number,
    * naming the line.

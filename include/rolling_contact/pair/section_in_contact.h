@@ -33,7 +33,8 @@ namespace RollingContact
 
     /**
      * The mesh of the body in space with its vertices in the axes of the
-     * contact; on a curved surface those of the contact faces alone.
+     * contact, on a curved surface those of the contact faces alone, without
+     * contact faces beyond the axle.
      */
     FileMesh seen_from_contact(const FileMesh &mesh) const;
 

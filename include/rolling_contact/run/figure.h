@@ -17,7 +17,9 @@ namespace RollingContact
     /** Black, each dashed in its way; takes no colour of the palette. */
     reference,
     /** A line that stands out of others on which it lies. */
-    thick
+    thick,
+    /** From x = 0 to each point, see set_names(). */
+    bars
   };
 
   enum class MapColours
@@ -58,6 +60,9 @@ namespace RollingContact
     {
       equal_scales = true;
     }
+
+    /** The axis of y has these names at 1, 2, ..., from the top down. */
+    void set_names(const std::vector<std::string> &names);
 
     /** A curve without label is not in the legend. Throws std::invalid_argument
      * if x and y have different lengths. */
@@ -146,20 +151,26 @@ namespace RollingContact
     std::string                 equal_ranges() const;
     std::string items(const std::string &name, std::size_t &block) const;
     std::string axis(const char axis, const std::string &label) const;
+    std::string names_as_tics() const;
+
+    /** For gnuplot, which substitutes nothing between single quotes. */
+    static std::string quoted(const std::string &text);
+
     std::string band(const std::size_t index) const;
     std::string look(const std::size_t index) const;
 
-    std::string         title;
-    std::string         x_label;
-    std::string         y_label;
-    AxisScale           x_scale      = AxisScale::linear;
-    AxisScale           y_scale      = AxisScale::linear;
-    bool                equal_scales = false;
-    bool                has_own_x    = false; ///< as a panel
-    std::vector<Curve>  curves;
-    std::vector<Band>   bands;
-    std::vector<Map>    maps;
-    std::vector<Figure> panels; ///< below this one
+    std::string              title;
+    std::string              x_label;
+    std::string              y_label;
+    AxisScale                x_scale      = AxisScale::linear;
+    AxisScale                y_scale      = AxisScale::linear;
+    bool                     equal_scales = false;
+    bool                     has_own_x    = false; ///< as a panel
+    std::vector<std::string> names;                ///< along y
+    std::vector<Curve>       curves;
+    std::vector<Band>        bands;
+    std::vector<Map>         maps;
+    std::vector<Figure>      panels; ///< below this one
   };
 } // namespace RollingContact
 

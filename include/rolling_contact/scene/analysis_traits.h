@@ -44,8 +44,10 @@ namespace RollingContact
     bool has_bodies = true;
     /** The meshed bodies touch, and the tractions between them are found. */
     bool has_contact = true;
-    /** Load, place and motion of the wheel are found. */
+    /** Load, place and motion of the wheels are found. */
     bool finds_place = false;
+    /** They are found where the scene asks for it, see Stability/Wheel. */
+    bool takes_found_place = false;
     /** The analysis solves many states, which section Table lists. */
     bool has_many_states = false;
     /** Vibrations about a steady rolling state are linearised. */

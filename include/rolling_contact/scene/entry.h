@@ -216,6 +216,17 @@ namespace RollingContact
   }
 
   /**
+   * Whether load, place and motion of the wheels are found, see
+   * SceneParameters::finds_place().
+   */
+  bool place_is_found(const SceneParameters &scene);
+
+  inline bool place_is_given(const SceneParameters &scene)
+  {
+    return !place_is_found(scene);
+  }
+
+  /**
    * An entry across the rolling direction.
    */
   Reader scenes_in_3d();

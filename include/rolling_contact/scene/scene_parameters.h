@@ -99,6 +99,16 @@ namespace RollingContact
     }
 
     /**
+     * Whether load, place and motion of the wheels are found, as those of a
+     * wheelset in balance.
+     */
+    bool finds_place() const
+    {
+      return analysis.finds_place || (analysis.takes_found_place &&
+                                      stability.wheels != WheelsFound::none);
+    }
+
+    /**
      * Whether steps are taken in time, so that section Time is in use.
      */
     bool marches() const

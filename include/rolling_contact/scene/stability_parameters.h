@@ -6,6 +6,18 @@ namespace RollingContact
   class Entries;
 
   /**
+   * Wheels of a wheelset whose place is found, see section `Wheelset`; none:
+   * the place is that of section `Profiles`.
+   */
+  enum class WheelsFound
+  {
+    none,
+    right,
+    left,
+    both
+  };
+
+  /**
    * Section `Stability`: what the steady rolling state is disturbed by, and how
    * its eigenvalues are proved.
    */
@@ -24,6 +36,8 @@ namespace RollingContact
     bool   correct          = true;
     double damping_margin   = 0.;
     double added_damping    = 0.; ///< of all modes, damping ratio
+
+    WheelsFound wheels = WheelsFound::none;
   };
 } // namespace RollingContact
 

@@ -26,6 +26,13 @@ namespace RollingContact
       , places(scene, plan, this->bands)
     {}
 
+    StabilityMap(const Situation   &scene,
+                 const TableStates &states,
+                 RunContext        &context)
+      : Table<dim>(scene, states, context)
+      , places(scene, plan, this->bands)
+    {}
+
   private:
     /** What the whole bodies say of the vibration that grows fastest. */
     struct Proof
@@ -72,6 +79,11 @@ namespace RollingContact
 
     /** With factors, and a zone that is seldom too small. */
     StateDemands demands() const override;
+
+    /** The mode of the wheel, or of the rail under a rigid one, that has most
+     * of a vibration. */
+    std::string mode_of(const Vibrations          &vibrations,
+                        const std::complex<double> s) const;
 
     void draw() override;
 

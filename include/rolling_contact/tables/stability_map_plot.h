@@ -28,8 +28,9 @@ namespace RollingContact
            const std::vector<std::vector<ListedVibration>> &vibrations);
 
   /**
-   * Over two axes stability_map.svg, _frequency.svg and _count.svg, over one
-   * root_locus.svg; nothing for more axes and rows of a file.
+   * Rows with names are drawn as bars, one for each wheel, in growth.svg; over
+   * two axes stability_map.svg, _frequency.svg and _count.svg, over one
+   * root_locus.svg; nothing for more axes and rows without names.
    */
   void plot_stability_map(const TablePlan &plan, RunContext &context);
 } // namespace RollingContact

@@ -24,7 +24,12 @@ namespace RollingContact
   class Table : public Analysis
   {
   public:
+    /** The states are those of section Table. */
     Table(const Situation &scene, RunContext &context);
+
+    Table(const Situation   &scene,
+          const TableStates &states,
+          RunContext        &context);
 
     void run() override;
 

@@ -20,8 +20,15 @@ namespace RollingContact
     std::vector<std::string>         entries, places; ///< places for messages
     std::vector<std::vector<double>> values;          ///< of a state, by entry
 
+    /** The last entries, which were found from the others. */
+    std::size_t n_found = 0;
+
+    /** Texts by which states are known, in columns of these names. */
+    std::vector<std::pair<std::string, std::vector<std::string>>> titles;
+
     /**
-     * "Contact/Normal load = 60000, Contact/Creepage x = 0.001".
+     * "Contact/Normal load = 60000, Contact/Creepage x = 0.001", without what
+     * was found; titles stand first, and alone if one is `name`.
      */
     std::string name(const std::size_t state) const;
   };
@@ -61,6 +68,9 @@ namespace RollingContact
    * Throws InputError if an entry is unknown or no number, or a value is not
    * allowed, alone or together with others, in any of the states.
    */
+  TablePlan plan_table(const Situation &scene, const TableStates &states);
+
+  /** The states are those of section Table. */
   TablePlan plan_table(const Situation &scene);
 
   /**

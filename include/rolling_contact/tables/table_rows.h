@@ -33,6 +33,8 @@ namespace RollingContact
   {
     double frequency = 0.; ///< Hz
     double growth    = 0.; ///< 1/s
+
+    std::string mode = {}; ///< that has most of it, where it was asked for
   };
 
   std::string text_of(const std::vector<ListedVibration> &vibrations);

@@ -35,6 +35,12 @@ namespace RollingContact
     /** The column of the first coordinate of a side. */
     std::size_t first_column(const Side side) const;
 
+    /** The mode of a body that has the largest part of its share in a motion,
+     * see StabilityMode::participation(), and that share; none of a body
+     * without modes. */
+    std::optional<std::pair<std::size_t, double>>
+    nearest_mode(const Side side, const std::vector<double> &shares) const;
+
     /**
      * Static amplitudes of all coordinates under nodal forces, Lambda^-1 Phi^T
      * f of modes, absorbers at rest with them. Units: N to m kg^(1/2).

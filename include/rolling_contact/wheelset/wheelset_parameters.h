@@ -11,6 +11,7 @@
 namespace RollingContact
 {
   class Entries;
+  struct Reader;
 
   /**
    * What acts on a wheelset in a curve besides the rails, per unit of its
@@ -55,6 +56,9 @@ namespace RollingContact
     /** In the order in which they are given; a straight track without. */
     std::vector<CurveCase> cases() const;
 
+    /** Whether the first case goes, or on straight track is pushed, there. */
+    bool goes_to_the_left() const;
+
     std::vector<double>   curve_radii;             ///< positive to the right
     double                axle_load       = 120e3; ///< of both wheels
     double                lateral_force   = 0.;    ///< to the right
@@ -72,6 +76,13 @@ namespace RollingContact
 
     std::string           left_wheel_profile, left_rail_profile;
     std::optional<double> left_wheel_radius;
+
+  private:
+    void declare_balance(Entries &entries);
+
+    void declare_hunting(Entries &entries, const Reader &reader);
+
+    void declare_left_side(Entries &entries);
   };
 } // namespace RollingContact
 

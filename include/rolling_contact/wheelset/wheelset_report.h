@@ -63,6 +63,20 @@ namespace RollingContact
 
     void add(const FoundEquilibrium &found);
 
+    /** A row of wheelset.csv alone, of a place that others go on from. */
+    void add_place(const FoundEquilibrium &found)
+    {
+      add_row(found);
+    }
+
+    /** What the wheelset does there, in the summary and as warnings. */
+    void tell(const FoundEquilibrium &found)
+    {
+      all.push_back(found.state);
+      note(found);
+      warn(found);
+    }
+
     /** Once all are there. */
     void finish();
 

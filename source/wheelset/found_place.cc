@@ -1,0 +1,136 @@
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/wheelset/curve_walk.h>
+#include <rolling_contact/wheelset/found_place.h>
+
+namespace RollingContact
+{
+  namespace
+  {
+    /** The scene with a disc and a block of its materials, which half-spaces
+     * stand for. */
+    SceneParameters plain_scene(const SceneParameters &scene)
+    {
+      SceneParameters plain = scene;
+      plain.wheel           = BodyParameters("Wheel");
+      plain.rail            = BodyParameters("Rail");
+      for (const Side side : both_sides)
+        {
+          BodyParameters &body = side == Side::wheel ? plain.wheel : plain.rail;
+          body.rigid           = scene.body(side).rigid;
+          body.material        = scene.body(side).material;
+          body.width           = 0.1;
+        }
+      plain.wheel.radius               = scene.wheel.radius;
+      plain.wheel.hub_radius           = scene.wheel.radius / 4;
+      plain.rail.shape                 = "block";
+      plain.rail.radius                = 0.;
+      plain.rail.block_length          = 0.3;
+      plain.rail.block_depth           = 0.15;
+      plain.profiles.true_sections     = false;
+      plain.mesh                       = MeshParameters();
+      plain.mesh.elements_across_patch = 8;
+      return plain;
+    }
+  } // namespace
+
+  void check_found_place(const SceneParameters &scene)
+  {
+    const auto refuse = [&](const std::string &text) {
+      throw InputError("Analysis = " + scene.analysis.name + ": " + text);
+    };
+    if (scene.dimension != 3)
+      refuse("the wheels of a wheelset touch their rails on profiles; set "
+             "Dimension = 3.");
+    const ProfileParameters &profiles = scene.profiles;
+    if (!profiles.in_use())
+      refuse("the wheelset has no profiles; give Profiles/Wheel profile and "
+             "Rail profile.");
+    if (profiles.surface_kind != Profiles::SurfaceKind::curved)
+      refuse("a wheel may touch on tread and flange at once; set "
+             "Profiles/Contact surface = curved.");
+    try
+      {
+        const ProfileParameters left =
+          scene.own<WheelsetParameters>().left_profiles(profiles);
+        left.wheel(scene.prm_folder);
+        left.rail(scene.prm_folder);
+      }
+    catch (const InputError &error)
+      {
+        refuse("Wheelset/Left wheel profile or Left rail profile: " +
+               std::string(error.what()));
+      }
+    const ContactParameters &contact = scene.contact;
+    if (contact.normal_load || contact.vertical_load || contact.approach)
+      refuse("the loads of the wheels follow from Wheelset/Axle load; leave "
+             "Contact/Normal load, Vertical load and Approach empty.");
+    if (contact.friction_coefficient == 0.)
+      refuse("Contact/Friction coefficient = 0: without friction nothing "
+             "steers a wheelset; give one above 0.");
+    if (contact.rolling_speed() < 0.)
+      refuse("it rolls forwards; give a positive Contact/Speed, and the "
+             "curve to the other side.");
+    if (contact.forces.x || contact.forces.y || contact.forces.moment)
+      refuse("creepages are those of its motion; leave the forces of section "
+             "Contact empty.");
+  }
+
+  FoundEquilibrium equilibrium_on_half_spaces(const SceneParameters &scene)
+  {
+    const WheelsetParameters &asked       = scene.own<WheelsetParameters>();
+    const bool                is_mirrored = asked.goes_to_the_left();
+    const WheelsetParameters  wheelset = is_mirrored ? asked.mirrored() : asked;
+    const Situation           plain(plain_scene(scene));
+    WheelPair                 pair(plain, wheelset, true);
+    if (is_mirrored)
+      pair.swap_sides();
+    Equilibrium balance(pair, wheelset);
+    CurveWalk   walk(balance);
+    walk.begin();
+    walk.go_to(wheelset.cases().front());
+    balance.polish();
+    FoundEquilibrium found;
+    found.state = balance.now();
+    if (is_mirrored)
+      {
+        pair.swap_sides();
+        found.state = found.state.mirrored();
+      }
+    found.roll     = pair.roll(found.state.place);
+    found.n_steps  = balance.n_steps;
+    found.n_states = pair.n_states;
+    found.n_bodies = pair.n_bodies();
+    return found;
+  }
+
+  SceneParameters scene_of_wheel(const SceneParameters  &scene,
+                                 const FoundEquilibrium &found,
+                                 const unsigned int      wheel)
+  {
+    const WheelsetParameters &wheelset = scene.own<WheelsetParameters>();
+    const WheelsetState      &state    = found.state;
+    const double              speed    = scene.contact.rolling_speed(),
+                 curvature             = state.acting.curvature;
+    SceneParameters placed             = scene;
+    placed.stability.wheels            = WheelsFound::none;
+    if (wheel == 1)
+      {
+        placed.profiles = wheelset.left_profiles(scene.profiles);
+        placed.wheel.radius =
+          wheelset.left_wheel_radius.value_or(scene.wheel.radius);
+      }
+    ProfileParameters &profiles = placed.profiles;
+    profiles.is_left            = wheel == 1;
+    profiles.shift              = state.place.shift;
+    profiles.yaw                = state.place.yaw;
+    profiles.roll               = found.roll;
+    profiles.pitch_rate =
+      -(1 + state.place.excess) * speed / scene.wheel.radius;
+    profiles.curve_radius.reset();
+    if (curvature != 0.)
+      profiles.curve_radius = 1 / curvature;
+    profiles.creepage_source = ProfileParameters::CreepageSource::kinematics;
+    placed.contact.vertical_load = state.wheels[wheel].load;
+    return placed;
+  }
+} // namespace RollingContact
