@@ -1,6 +1,5 @@
 #include <rolling_contact/analyses/stability.h>
 #include <rolling_contact/base/constants.h>
-#include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/tables/stability_map.h>
 #include <rolling_contact/tables/table_rows.h>
 #include <rolling_contact/wheelset/curve_stability.h>
@@ -19,7 +18,7 @@ namespace RollingContact
 
     /** The entries that place a wheel, and their values in its scene. */
     std::vector<std::pair<std::string, double>>
-    placing_entries(const SceneParameters &placed)
+    placing_entries(const Situation &placed)
     {
       const ProfileParameters &profiles = placed.profiles;
       return {{"Profiles/Lateral shift", profiles.shift},
@@ -82,8 +81,8 @@ namespace RollingContact
         else
           {
             const FoundEquilibrium &found = equilibrium_of(scene, "");
-            const Situation         placed(
-              scene_of_wheel(*scene.inputs, found, wheels_of(wheels)[0]));
+            const Situation         placed =
+              scene_of_wheel(scene, found, wheels_of(wheels)[0]);
             Stability<3>(placed, context).run();
           }
       }
@@ -98,8 +97,7 @@ namespace RollingContact
           return known->second;
         PhaseTimer::Scope       phase(context.timer, Phase::contact_solve);
         const FoundEquilibrium &found =
-          equilibria.emplace(key, equilibrium_on_half_spaces(*at.inputs))
-            .first->second;
+          equilibria.emplace(key, equilibrium_on_half_spaces(at)).first->second;
         report.add_place(found);
         if (equilibria.size() == 1)
           report.tell(found);
@@ -114,9 +112,9 @@ namespace RollingContact
                const unsigned int      wheel) const
       {
         const bool is_mirrored = wheels == WheelsFound::both && wheel == 1;
-        return placing_entries(
-          is_mirrored ? scene_of_wheel(*at.inputs, in_mirror(found), 0)
-                      : scene_of_wheel(*at.inputs, found, wheel));
+        return placing_entries(is_mirrored
+                                 ? scene_of_wheel(at, in_mirror(found), 0)
+                                 : scene_of_wheel(at, found, wheel));
       }
 
       TableStates asked_states() const
@@ -178,8 +176,8 @@ namespace RollingContact
       {
         const TableStates  states = placed_states();
         const unsigned int wheel  = wheels == WheelsFound::left ? 1 : 0;
-        const Situation    placed(
-          scene_of_wheel(*scene.inputs, equilibria.begin()->second, wheel));
+        const Situation    placed =
+          scene_of_wheel(scene, equilibria.begin()->second, wheel);
         StabilityMap<3>(placed, states, context).run();
         context.log.message(context.results.screen_table({"name",
                                                           "wheel",
@@ -225,52 +223,6 @@ namespace RollingContact
       std::map<std::string, FoundEquilibrium> equilibria;
     };
 
-    void check_wheels_found(const SceneParameters &scene)
-    {
-      if (!scene.finds_place())
-        return;
-      check_found_place(scene);
-      const WheelsetParameters &wheelset = scene.own<WheelsetParameters>();
-      if (wheelset.cases().size() > 1)
-        throw InputError(
-          "Wheelset/Curve radius has several values and Analysis = " +
-          scene.analysis.name +
-          ": it disturbs the state of one curve; give one radius, or an axis "
-          "Wheelset/Curve radius of a stability map.");
-      if (scene.stability.wheels != WheelsFound::both)
-        return;
-      if (!wheelset.left_wheel_profile.empty() ||
-          !wheelset.left_rail_profile.empty() || wheelset.left_wheel_radius)
-        throw InputError(
-          "Stability/Wheel = both: wheels that are disturbed together are "
-          "alike; give left or right where the left-hand side has profiles or "
-          "a radius of its own (section Wheelset).");
-      if (scene.analysis.has_many_states && scene.table.file_of_rows.empty())
-        throw InputError("Stability/Wheel = both: a grid has one wheel; give "
-                         "left or right, or states by Table/File of rows.");
-    }
-
-    void check_rows_of_wheels(const SceneParameters &scene)
-    {
-      if (!scene.finds_place())
-        return;
-      const TableStates states = table_states(scene.table, scene.prm_folder);
-      for (const char *entry : {"Profiles/Lateral shift",
-                                "Profiles/Yaw",
-                                "Profiles/Roll",
-                                "Profiles/Pitch rate",
-                                "Profiles/Curve radius",
-                                "Contact/Vertical load",
-                                "Contact/Normal load",
-                                "Contact/Approach"})
-        if (const auto at =
-              std::find(states.entries.begin(), states.entries.end(), entry);
-            at != states.entries.end())
-          throw InputError(states.places[at - states.entries.begin()] + entry +
-                           " is found with Stability/Wheel; take entries of "
-                           "section Wheelset.");
-    }
-
     template <template <int> class Kind>
     std::unique_ptr<Analysis> make_in_curves(const Situation &scene,
                                              RunContext      &context)
@@ -284,7 +236,8 @@ namespace RollingContact
     {
       kind.in_3d             = in_3d;
       kind.takes_found_place = true;
-      kind.rules.push_back(&check_wheels_found);
+      for (const auto rule : rules_of_disturbed_wheels())
+        kind.rules.push_back(rule);
       return kind;
     }
   } // namespace
@@ -296,9 +249,6 @@ namespace RollingContact
 
   AnalysisKind stability_map_in_curves_kind()
   {
-    AnalysisKind kind =
-      in_curves(stability_map_kind(), &make_in_curves<StabilityMap>);
-    kind.rules.push_back(&check_rows_of_wheels);
-    return kind;
+    return in_curves(stability_map_kind(), &make_in_curves<StabilityMap>);
   }
 } // namespace RollingContact

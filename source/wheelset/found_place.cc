@@ -1,6 +1,10 @@
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/scene/scene_parameters.h>
+#include <rolling_contact/tables/table_plan.h>
 #include <rolling_contact/wheelset/curve_walk.h>
 #include <rolling_contact/wheelset/found_place.h>
+
+#include <algorithm>
 
 namespace RollingContact
 {
@@ -31,56 +35,134 @@ namespace RollingContact
       plain.mesh.elements_across_patch = 8;
       return plain;
     }
+
+    /**
+     * Rules for a scene whose wheels are those of a wheelset in balance.
+     */
+    void check_found_place(const SceneParameters &scene)
+    {
+      const auto refuse = [&](const std::string &text) {
+        throw InputError("Analysis = " + scene.analysis.name + ": " + text);
+      };
+      if (scene.dimension != 3)
+        refuse("the wheels of a wheelset touch their rails on profiles; set "
+               "Dimension = 3.");
+      const ProfileParameters &profiles = scene.profiles;
+      if (!profiles.in_use())
+        refuse("the wheelset has no profiles; give Profiles/Wheel profile and "
+               "Rail profile.");
+      if (profiles.surface_kind != Profiles::SurfaceKind::curved)
+        refuse("a wheel may touch on tread and flange at once; set "
+               "Profiles/Contact surface = curved.");
+      try
+        {
+          const ProfileParameters left =
+            scene.own<WheelsetParameters>().left_profiles(profiles);
+          left.wheel(scene.prm_folder);
+          left.rail(scene.prm_folder);
+        }
+      catch (const InputError &error)
+        {
+          refuse("Wheelset/Left wheel profile or Left rail profile: " +
+                 std::string(error.what()));
+        }
+      const ContactParameters &contact = scene.contact;
+      if (contact.normal_load || contact.vertical_load || contact.approach)
+        refuse("the loads of the wheels follow from Wheelset/Axle load; leave "
+               "Contact/Normal load, Vertical load and Approach empty.");
+      if (contact.friction_coefficient == 0.)
+        refuse("Contact/Friction coefficient = 0: without friction nothing "
+               "steers a wheelset; give one above 0.");
+      if (contact.rolling_speed() < 0.)
+        refuse("it rolls forwards; give a positive Contact/Speed, and the "
+               "curve to the other side.");
+      if (contact.forces.x || contact.forces.y || contact.forces.moment)
+        refuse("creepages are those of its motion; leave the forces of section "
+               "Contact empty.");
+    }
+
+    void check_wheelset(const SceneParameters &scene)
+    {
+      check_found_place(scene);
+      const auto refuse = [](const std::string &text) {
+        throw InputError("Analysis = wheelset: " + text);
+      };
+      if (scene.profiles.has_true_sections() || scene.wheel.is_from_file() ||
+          scene.rail.is_from_file())
+        refuse("its many states are solved on bodies that do not know where "
+               "they touch; take Profiles/Body sections = plain, a disc and a "
+               "block.");
+      if (scene.surfaces.in_use())
+        refuse("surfaces that pass (section Surfaces) have no steady state; "
+               "leave them empty.");
+      if (scene.mesh.target_error || scene.mesh.adaptive_levels > 0)
+        refuse("its states share bodies; leave Mesh/Target error empty and "
+               "Adaptive levels at 0, and give Elements across patch.");
+    }
+
+    void check_wheels_found(const SceneParameters &scene)
+    {
+      if (!scene.finds_place())
+        return;
+      check_found_place(scene);
+      const WheelsetParameters &wheelset = scene.own<WheelsetParameters>();
+      if (wheelset.cases().size() > 1)
+        throw InputError(
+          "Wheelset/Curve radius has several values and Analysis = " +
+          scene.analysis.name +
+          ": it disturbs the state of one curve; give one radius, or an axis "
+          "Wheelset/Curve radius of a stability map.");
+      if (scene.stability.wheels != WheelsFound::both)
+        return;
+      if (!wheelset.left_wheel_profile.empty() ||
+          !wheelset.left_rail_profile.empty() || wheelset.left_wheel_radius)
+        throw InputError(
+          "Stability/Wheel = both: wheels that are disturbed together are "
+          "alike; give left or right where the left-hand side has profiles or "
+          "a radius of its own (section Wheelset).");
+      if (scene.analysis.has_many_states && scene.table.file_of_rows.empty())
+        throw InputError("Stability/Wheel = both: a grid has one wheel; give "
+                         "left or right, or states by Table/File of rows.");
+    }
+
+    void check_rows_of_wheels(const SceneParameters &scene)
+    {
+      if (!scene.finds_place() || !scene.analysis.has_many_states)
+        return;
+      const TableStates states = table_states(scene.table, scene.prm_folder);
+      for (const char *entry : {"Profiles/Lateral shift",
+                                "Profiles/Yaw",
+                                "Profiles/Roll",
+                                "Profiles/Pitch rate",
+                                "Profiles/Curve radius",
+                                "Contact/Vertical load",
+                                "Contact/Normal load",
+                                "Contact/Approach"})
+        if (const auto at =
+              std::find(states.entries.begin(), states.entries.end(), entry);
+            at != states.entries.end())
+          throw InputError(states.places[at - states.entries.begin()] + entry +
+                           " is found with Stability/Wheel; take entries of "
+                           "section Wheelset.");
+    }
   } // namespace
 
-  void check_found_place(const SceneParameters &scene)
+  SceneRules rules_of_wheelsets()
   {
-    const auto refuse = [&](const std::string &text) {
-      throw InputError("Analysis = " + scene.analysis.name + ": " + text);
-    };
-    if (scene.dimension != 3)
-      refuse("the wheels of a wheelset touch their rails on profiles; set "
-             "Dimension = 3.");
-    const ProfileParameters &profiles = scene.profiles;
-    if (!profiles.in_use())
-      refuse("the wheelset has no profiles; give Profiles/Wheel profile and "
-             "Rail profile.");
-    if (profiles.surface_kind != Profiles::SurfaceKind::curved)
-      refuse("a wheel may touch on tread and flange at once; set "
-             "Profiles/Contact surface = curved.");
-    try
-      {
-        const ProfileParameters left =
-          scene.own<WheelsetParameters>().left_profiles(profiles);
-        left.wheel(scene.prm_folder);
-        left.rail(scene.prm_folder);
-      }
-    catch (const InputError &error)
-      {
-        refuse("Wheelset/Left wheel profile or Left rail profile: " +
-               std::string(error.what()));
-      }
-    const ContactParameters &contact = scene.contact;
-    if (contact.normal_load || contact.vertical_load || contact.approach)
-      refuse("the loads of the wheels follow from Wheelset/Axle load; leave "
-             "Contact/Normal load, Vertical load and Approach empty.");
-    if (contact.friction_coefficient == 0.)
-      refuse("Contact/Friction coefficient = 0: without friction nothing "
-             "steers a wheelset; give one above 0.");
-    if (contact.rolling_speed() < 0.)
-      refuse("it rolls forwards; give a positive Contact/Speed, and the "
-             "curve to the other side.");
-    if (contact.forces.x || contact.forces.y || contact.forces.moment)
-      refuse("creepages are those of its motion; leave the forces of section "
-             "Contact empty.");
+    return {&check_wheelset};
   }
 
-  FoundEquilibrium equilibrium_on_half_spaces(const SceneParameters &scene)
+  SceneRules rules_of_disturbed_wheels()
   {
-    const WheelsetParameters &asked       = scene.own<WheelsetParameters>();
+    return {&check_wheels_found, &check_rows_of_wheels};
+  }
+
+  FoundEquilibrium equilibrium_on_half_spaces(const Situation &scene)
+  {
+    const WheelsetParameters &asked = scene.inputs->own<WheelsetParameters>();
     const bool                is_mirrored = asked.goes_to_the_left();
     const WheelsetParameters  wheelset = is_mirrored ? asked.mirrored() : asked;
-    const Situation           plain(plain_scene(scene));
+    const Situation           plain(plain_scene(*scene.inputs));
     WheelPair                 pair(plain, wheelset, true);
     if (is_mirrored)
       pair.swap_sides();
@@ -103,21 +185,22 @@ namespace RollingContact
     return found;
   }
 
-  SceneParameters scene_of_wheel(const SceneParameters  &scene,
-                                 const FoundEquilibrium &found,
-                                 const unsigned int      wheel)
+  Situation scene_of_wheel(const Situation        &scene,
+                           const FoundEquilibrium &found,
+                           const unsigned int      wheel)
   {
-    const WheelsetParameters &wheelset = scene.own<WheelsetParameters>();
-    const WheelsetState      &state    = found.state;
-    const double              speed    = scene.contact.rolling_speed(),
-                 curvature             = state.acting.curvature;
-    SceneParameters placed             = scene;
-    placed.stability.wheels            = WheelsFound::none;
+    const WheelsetParameters &wheelset =
+      scene.inputs->own<WheelsetParameters>();
+    const WheelsetState &state = found.state;
+    const double         speed = scene.contact.rolling_speed(),
+                 curvature     = state.acting.curvature;
+    SceneParameters placed     = *scene.inputs;
+    placed.stability.wheels    = WheelsFound::none;
     if (wheel == 1)
       {
-        placed.profiles = wheelset.left_profiles(scene.profiles);
+        placed.profiles = wheelset.left_profiles(placed.profiles);
         placed.wheel.radius =
-          wheelset.left_wheel_radius.value_or(scene.wheel.radius);
+          wheelset.left_wheel_radius.value_or(placed.wheel.radius);
       }
     ProfileParameters &profiles = placed.profiles;
     profiles.is_left            = wheel == 1;
@@ -131,6 +214,8 @@ namespace RollingContact
       profiles.curve_radius = 1 / curvature;
     profiles.creepage_source = ProfileParameters::CreepageSource::kinematics;
     placed.contact.vertical_load = state.wheels[wheel].load;
-    return placed;
+    const Situation at_place(placed, &scene);
+    at_place.check_bodies();
+    return at_place;
   }
 } // namespace RollingContact

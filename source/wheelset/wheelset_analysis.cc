@@ -177,25 +177,6 @@ namespace RollingContact
 
   namespace
   {
-    void check_wheelset(const SceneParameters &scene)
-    {
-      check_found_place(scene);
-      const auto refuse = [](const std::string &text) {
-        throw InputError("Analysis = wheelset: " + text);
-      };
-      if (scene.profiles.has_true_sections() || scene.wheel.is_from_file() ||
-          scene.rail.is_from_file())
-        refuse("its many states are solved on bodies that do not know where "
-               "they touch; take Profiles/Body sections = plain, a disc and a "
-               "block.");
-      if (scene.surfaces.in_use())
-        refuse("surfaces that pass (section Surfaces) have no steady state; "
-               "leave them empty.");
-      if (scene.mesh.target_error || scene.mesh.adaptive_levels > 0)
-        refuse("its states share bodies; leave Mesh/Target error empty and "
-               "Adaptive levels at 0, and give Elements across patch.");
-    }
-
     std::unique_ptr<Analysis> make_wheelset(const Situation &scene,
                                             RunContext      &context)
     {
@@ -215,7 +196,7 @@ namespace RollingContact
     kind.own_section.emplace(WheelsetParameters());
     kind.on_ranks    = false;
     kind.finds_place = true;
-    kind.rules       = {&check_wheelset};
+    kind.rules       = rules_of_wheelsets();
     return kind;
   }
 } // namespace RollingContact

@@ -404,12 +404,12 @@ BOOST_AUTO_TEST_CASE(a_wheel_of_an_equilibrium_is_a_scene_of_its_own)
   curve                     = sprung();
   curve.curve_radii         = {600.};
   curve.left_wheel_radius   = r0 + 0.1 * mm;
-  const auto  right         = equilibrium_on_half_spaces(scene);
+  const auto  right         = equilibrium_on_half_spaces(Situation(scene));
   const auto &state         = right.state;
   BOOST_TEST(state.largest_residual() < 1e-7);
-  const SceneParameters left = scene_of_wheel(scene, right, 1);
+  const Situation left = scene_of_wheel(Situation(scene), right, 1);
   BOOST_TEST(left.profiles.is_left);
-  BOOST_TEST((left.stability.wheels == WheelsFound::none));
+  BOOST_TEST((left.inputs->stability.wheels == WheelsFound::none));
   BOOST_TEST(left.wheel.radius == r0 + 0.1 * mm);
   BOOST_TEST(left.contact.vertical_load.value() == state.wheels[1].load);
   BOOST_TEST(left.profiles.curve_radius.value() == 600.,
@@ -417,14 +417,13 @@ BOOST_AUTO_TEST_CASE(a_wheel_of_an_equilibrium_is_a_scene_of_its_own)
   BOOST_TEST(left.profiles.pitch_rate.value() ==
                -(1 + state.place.excess) * 20. / r0,
              boost::test_tools::tolerance(1e-14));
-  const Situation placed(left);
-  BOOST_TEST(placed.motion.has_value());
-  BOOST_TEST(placed.frame->is_left());
+  BOOST_TEST(left.motion.has_value());
+  BOOST_TEST(left.frame->is_left());
 
   curve.left_wheel_radius.reset();
-  const auto here   = equilibrium_on_half_spaces(scene);
+  const auto here   = equilibrium_on_half_spaces(Situation(scene));
   curve.curve_radii = {-600.};
-  const auto there  = equilibrium_on_half_spaces(scene);
+  const auto there  = equilibrium_on_half_spaces(Situation(scene));
   BOOST_TEST(here.state.place.shift == -there.state.place.shift);
   BOOST_TEST(here.state.place.yaw == -there.state.place.yaw);
   BOOST_TEST(here.roll == -there.roll);
