@@ -173,12 +173,12 @@ namespace RollingContact
     balance.polish();
     FoundEquilibrium found;
     found.state = balance.now();
+    found.roll  = pair.roll(found.state.place);
     if (is_mirrored)
       {
-        pair.swap_sides();
         found.state = found.state.mirrored();
+        found.roll  = -found.roll;
       }
-    found.roll     = pair.roll(found.state.place);
     found.n_steps  = balance.n_steps;
     found.n_states = pair.n_states;
     found.n_bodies = pair.n_bodies();

@@ -474,4 +474,31 @@ BOOST_AUTO_TEST_CASE(what_does_not_fit_a_profile_is_refused)
         "its contact boundary ends inside the contact zone");
 }
 
+/**
+ * On a steep flange the far side of the wheel faces the contact as the near one
+ * does; it is no contact face.
+ */
+BOOST_AUTO_TEST_CASE(the_flange_beyond_the_axle_does_not_touch)
+{
+  SceneParameters scene;
+  sections(scene);
+  scene.profiles.shift        = 6.3 * mm;
+  scene.profiles.surface_kind = Profiles::SurfaceKind::curved;
+  const Situation        situation(scene);
+  const SectionInContact section(situation, Side::wheel);
+  FileMesh               mesh;
+  mesh.dimension = 3;
+  for (const double z : {0.01, -0.01 - 2 * scene.wheel.radius})
+    {
+      const unsigned int n = mesh.vertices.size();
+      for (const double y : {-39 * mm, -37 * mm})
+        for (const double x : {-1 * mm, 1 * mm})
+          mesh.vertices.push_back({{x, y, z}});
+      mesh.contact_faces.push_back({{n, n + 1, n + 2, n + 3}});
+    }
+  const FileMesh seen = section.seen_from_contact(mesh);
+  BOOST_TEST(seen.contact_faces.size() == 1u);
+  BOOST_TEST(seen.contact_faces.front()[0] == 0u);
+}
+
 BOOST_AUTO_TEST_SUITE_END()
