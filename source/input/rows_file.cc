@@ -64,7 +64,13 @@ namespace RollingContact
                            std::to_string(found.names.size()) + ".");
         if (title != found.names.end())
           {
-            found.titles.push_back(cells[column_of_titles]);
+            const std::string &name = cells[column_of_titles];
+            if (name.empty() ||
+                std::count(found.titles.begin(), found.titles.end(), name) > 0)
+              throw InputError(at + "its name, '" + quotable(name) +
+                               "', is empty or that of another row; give each "
+                               "one of its own.");
+            found.titles.push_back(name);
             cells.erase(cells.begin() + column_of_titles);
           }
         found.rows.emplace_back();
@@ -77,6 +83,9 @@ namespace RollingContact
       }
     if (title != found.names.end())
       found.names.erase(title);
+    if (found.names.empty())
+      throw InputError(place + "there is no column besides name; name an "
+                               "entry, Section/Entry.");
     if (found.rows.empty())
       throw InputError(place +
                        "there is no row below its first line; give a state a "

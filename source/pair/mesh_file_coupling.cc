@@ -50,36 +50,25 @@ namespace RollingContact
     }
 
     /**
-     * The contact faces that overlap the interface, which may be in several
-     * parts; @p face_size becomes the size of the largest of them in x and y.
-     * Units: m.
+     * The contact faces that overlap the box of the zone; @p face_size becomes
+     * the size of the largest of them in x and y. Units: m.
      */
-    SurfaceMesh surface_over(const Trace           &interface,
+    SurfaceMesh surface_over(const Box             &zone,
                              const FileMesh        &mesh,
                              std::array<double, 2> &face_size)
     {
-      const auto overlap = [&](const Box                   &box,
-                               const std::array<double, 2> &lower,
-                               const std::array<double, 2> &upper) {
-        bool result = true;
-        for (unsigned int d = 0; d < interface.n_dimensions; ++d)
-          result = result && box[1][d] > lower[d] && box[0][d] < upper[d];
-        return result;
-      };
-      const Box   zone = box_of(interface);
       SurfaceMesh surface;
       surface.n_dimensions = mesh.dimension - 1;
       for (const FileMesh::Point &vertex : mesh.vertices)
         surface.nodes.push_back({{vertex[0], vertex[1]}});
       for (const FileMesh::Face &face : mesh.contact_faces)
         {
-          const Box box = box_of(surface, face);
-          if (!overlap(box, zone[0], zone[1]) ||
-              std::none_of(interface.cells.begin(),
-                           interface.cells.end(),
-                           [&](const Trace::Cell &cell) {
-                             return overlap(box, cell.lower, cell.upper);
-                           }))
+          const Box box     = box_of(surface, face);
+          bool      overlap = true;
+          for (unsigned int d = 0; d < surface.n_dimensions; ++d)
+            overlap = overlap && box[1][d] > zone[0][d] && //
+                      box[0][d] < zone[1][d];
+          if (!overlap)
             continue;
           surface.faces.push_back(face);
           for (unsigned int d = 0; d < 2; ++d)
@@ -229,7 +218,7 @@ namespace RollingContact
       }
     const FileMesh   &mesh = seen ? *seen : body_mesh;
     FileSurface       result;
-    const SurfaceMesh surface = surface_over(interface, mesh, result.face_size);
+    const SurfaceMesh surface = surface_over(zone, mesh, result.face_size);
     check_faces(body, surface, result.face_size, zone);
     MortarProjection projection = mortar_projection(interface, surface);
     check_cover(body, interface, projection);

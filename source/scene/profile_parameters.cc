@@ -206,6 +206,7 @@ namespace RollingContact
     entries.add_automatic("Pitch rate", pitch_rate, "rad/s")
       .renewing(Renews::loads)
       .read_by(wheelsets_in_a_place)
+      .read_by(places_that_are_given)
       .read_by({asks<AnalysisTraits, ProfileParameters>(
                   [](const auto &analysis, const auto &profiles) {
                     return !analysis.has_bodies || profiles.gives_creepages();
@@ -222,11 +223,13 @@ namespace RollingContact
                         "Profiles/Creepages = from kinematics reads it"};
     entries.add("Curve radius", curve_radius, "m")
       .renewing(Renews::loads)
+      .read_by(places_that_are_given)
       .read_by(motion)
       .help = "Of the track's middle, positive where the curve is to the "
               "right; empty: straight track.";
     entries.add("Lateral velocity", lateral_velocity, "m/s")
       .renewing(Renews::loads)
+      .read_by(places_that_are_given)
       .read_by(motion)
       .help = "Of the wheelset, to the right over the track.";
   }

@@ -39,6 +39,11 @@ namespace RollingContact
       throw InputError(place + entry +
                        " is no number; a state may differ from others by "
                        "numbers only.");
+    const std::string why =
+      given.finds_place() ? row.why_idle(given) : std::string();
+    if (!why.empty())
+      throw InputError(place + entry + " has no effect: " + why +
+                       "; take another entry.");
   }
 
   void SceneEntries::set(const std::string &entry, const std::string &value)

@@ -16,9 +16,6 @@ namespace RollingContact
     /// vibrations that a row lists, those that grow first
     const std::size_t n_listed = 12;
 
-    /// so many have the modes of all vibrations that grow named
-    const std::size_t few_states = 2;
-
     /// relative difference of growths that is one of rounding, as of a state
     /// and its mirror image
     const double same_growth = 1e-6;
@@ -138,8 +135,8 @@ namespace RollingContact
       }
     row.set("n_contact_unstable", vibrations.real_growth().size());
     row.set("n_border", vibrations.contact().n_border());
-    const bool names_all =
-      !plan.titles.empty() && plan.values.size() <= few_states;
+    // stability.csv names what grows
+    const bool names_all = !scene.inputs->analysis.has_many_states;
     std::vector<ListedVibration> all;
     for (std::size_t k = 0; k < std::max(std::min(n_listed, listed.size()),
                                          vibrations.n_unstable());

@@ -1,11 +1,13 @@
 #include <rolling_contact/analyses/stability.h>
 #include <rolling_contact/base/constants.h>
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/scene/entry.h>
+#include <rolling_contact/scene/known_entries.h>
 #include <rolling_contact/tables/stability_map.h>
 #include <rolling_contact/tables/table_rows.h>
 #include <rolling_contact/wheelset/curve_stability.h>
 #include <rolling_contact/wheelset/found_place.h>
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -13,37 +15,14 @@ namespace RollingContact
 {
   namespace
   {
-    /// m, of a straight track among curves
-    const double straight = 1e9;
-
-    /** The entries that place a wheel, and their values in its scene. */
-    std::vector<std::pair<std::string, double>>
-    placing_entries(const Situation &placed)
+    /** Whether where a wheelset on half-spaces runs depends on an entry. */
+    bool moves_wheelset(const std::string &path)
     {
-      const ProfileParameters &profiles = placed.profiles;
-      return {{"Profiles/Lateral shift", profiles.shift},
-              {"Profiles/Yaw", profiles.yaw},
-              {"Profiles/Roll", profiles.roll.value()},
-              {"Profiles/Pitch rate", profiles.pitch_rate.value()},
-              {"Profiles/Curve radius",
-               profiles.curve_radius.value_or(straight)},
-              {"Contact/Vertical load", placed.contact.vertical_load.value()}};
-    }
-
-    /** Whether where a wheelset runs depends on an entry. */
-    bool moves_wheelset(const std::string &entry)
-    {
-      const auto is_in = [&](const std::string &section) {
-        return entry.compare(0, section.size() + 1, section + '/') == 0;
-      };
-      const auto ends_with = [&](const std::string &name) {
-        return entry.size() > name.size() &&
-               entry.compare(entry.size() - name.size(), name.size(), name) ==
-                 0;
-      };
-      return is_in("Wheelset") || is_in("Profiles") || is_in("Contact") ||
-             entry == "Wheel/Radius" || ends_with("/Young modulus") ||
-             ends_with("/Poisson ratio");
+      const Entry       &entry   = known_entries().find(path);
+      const std::string &section = entry.section->name, &name = entry.name;
+      return section == "Wheelset" || section == "Profiles" ||
+             section == "Contact" || path == "Wheel/Radius" ||
+             name == "Young modulus" || name == "Poisson ratio";
     }
 
     FoundEquilibrium in_mirror(FoundEquilibrium found)
@@ -77,18 +56,16 @@ namespace RollingContact
       void run() override
       {
         if (is_map || wheels == WheelsFound::both)
-          run_many();
-        else
-          {
-            const FoundEquilibrium &found = equilibrium_of(scene, "");
-            const Situation         placed =
-              scene_of_wheel(scene, found, wheels_of(wheels)[0]);
-            Stability<3>(placed, context).run();
-          }
+          return run_many();
+        const FoundEquilibrium &found = equilibrium_of(scene, "");
+        report.tell(found);
+        const Situation placed =
+          scene_of_wheel(scene, found, wheels_of(wheels)[0]);
+        Stability<3>(placed, context).run();
       }
 
     private:
-      /** As far as what moves the wheelset, @p key, was met before. */
+      /** One is found for each text @p key of what moves the wheelset. */
       const FoundEquilibrium &equilibrium_of(const Situation   &at,
                                              const std::string &key)
       {
@@ -98,23 +75,8 @@ namespace RollingContact
         PhaseTimer::Scope       phase(context.timer, Phase::contact_solve);
         const FoundEquilibrium &found =
           equilibria.emplace(key, equilibrium_on_half_spaces(at)).first->second;
-        report.add_place(found);
-        if (equilibria.size() == 1)
-          report.tell(found);
+        report.add_row(at, found);
         return found;
-      }
-
-      /** Values of the entries that place a wheel; the left one as one of the
-       * right in the mirror where both share bodies. */
-      std::vector<std::pair<std::string, double>>
-      place_of(const Situation        &at,
-               const FoundEquilibrium &found,
-               const unsigned int      wheel) const
-      {
-        const bool is_mirrored = wheels == WheelsFound::both && wheel == 1;
-        return placing_entries(is_mirrored
-                                 ? scene_of_wheel(at, in_mirror(found), 0)
-                                 : scene_of_wheel(at, found, wheel));
       }
 
       TableStates asked_states() const
@@ -126,58 +88,86 @@ namespace RollingContact
         return one;
       }
 
-      /** The states asked for, of each wheel, with where that is. */
-      TableStates placed_states()
+      /** The equilibrium of a state, whose entries are set. */
+      const FoundEquilibrium &equilibrium_of(const TableStates &asked,
+                                             const std::size_t  state,
+                                             SceneEntries      &entries)
       {
-        TableStates       states = asked_states();
-        const TableStates asked  = states;
+        std::string key;
+        for (std::size_t d = 0; d < asked.entries.size(); ++d)
+          {
+            const std::string &entry = asked.entries[d],
+                              text   = exact_text(asked.values[state][d]);
+            entries.set(entry, text);
+            if (moves_wheelset(entry))
+              key += entry + '=' + text + ' ';
+          }
+        try
+          {
+            return equilibrium_of(entries.situation(), key);
+          }
+        catch (const ConvergenceError &error)
+          {
+            throw ConvergenceError("The state of the table with " +
+                                   asked.name(state) + ": " + error.what());
+          }
+      }
+
+      /** The states asked for, of each wheel, with where that is; the left one
+       * as one of the right in the mirror where both share bodies. */
+      TableStates placed_states(const TableStates &asked)
+      {
+        TableStates states = asked;
         states.values.clear();
         for (auto &[column, texts] : states.titles)
           texts.clear();
-        std::vector<std::string> sides;
+        states.titles.emplace_back("wheel", std::vector<std::string>());
+        SceneEntries entries(scene);
         for (const unsigned int wheel : wheels_of(wheels))
-          {
-            SceneEntries entries(scene);
-            for (std::size_t state = 0; state < asked.values.size(); ++state)
-              {
-                std::string         key;
-                std::vector<double> values = asked.values[state];
-                for (std::size_t d = 0; d < asked.entries.size(); ++d)
-                  {
-                    const std::string text = exact_text(values[d]);
-                    entries.set(asked.entries[d], text);
-                    if (moves_wheelset(asked.entries[d]))
-                      key += asked.entries[d] + '=' + text + ' ';
-                  }
-                const Situation &at = entries.situation();
-                for (const auto &[entry, value] :
-                     place_of(at, equilibrium_of(at, key), wheel))
-                  {
-                    values.push_back(value);
-                    if (states.values.empty())
-                      {
-                        states.entries.push_back(entry);
-                        states.places.push_back("");
-                        ++states.n_found;
-                      }
-                  }
-                states.values.push_back(values);
-                for (std::size_t k = 0; k < states.titles.size(); ++k)
-                  states.titles[k].second.push_back(
-                    asked.titles[k].second[state]);
-                sides.push_back(wheel == 1 ? "left" : "right");
-              }
-          }
-        states.titles.emplace_back("wheel", sides);
+          for (std::size_t state = 0; state < asked.values.size(); ++state)
+            {
+              const FoundEquilibrium &found =
+                equilibrium_of(asked, state, entries);
+              const Situation &at = entries.situation();
+              const bool       is_mirrored =
+                wheels == WheelsFound::both && wheel == 1;
+              const auto place = is_mirrored
+                                   ? placing_entries(at, in_mirror(found), 0)
+                                   : placing_entries(at, found, wheel);
+              states.n_found   = place.size();
+              states.values.push_back(asked.values[state]);
+              for (const auto &[entry, value] : place)
+                {
+                  states.values.back().push_back(value);
+                  if (states.entries.size() < states.values.back().size())
+                    {
+                      states.entries.push_back(entry);
+                      states.places.emplace_back();
+                    }
+                }
+              for (std::size_t k = 0; k < asked.titles.size(); ++k)
+                states.titles[k].second.push_back(
+                  asked.titles[k].second[state]);
+              states.titles.back().second.push_back(wheel == 1 ? "left"
+                                                               : "right");
+            }
         return states;
       }
 
       void run_many()
       {
-        const TableStates  states = placed_states();
-        const unsigned int wheel  = wheels == WheelsFound::left ? 1 : 0;
-        const Situation    placed =
-          scene_of_wheel(scene, equilibria.begin()->second, wheel);
+        const TableStates asked = asked_states(), states = placed_states(asked);
+        if (equilibria.size() == 1)
+          report.tell(equilibria.begin()->second);
+        else
+          context.report.set_finding("curves",
+                                     std::to_string(equilibria.size()) +
+                                       " equilibria of the wheelset, "
+                                       "wheelset.csv");
+        SceneEntries            entries(scene);
+        const FoundEquilibrium &first = equilibrium_of(asked, 0, entries);
+        const Situation         placed =
+          scene_of_wheel(scene, first, wheels == WheelsFound::left ? 1 : 0);
         StabilityMap<3>(placed, states, context).run();
         context.log.message(context.results.screen_table({"name",
                                                           "wheel",

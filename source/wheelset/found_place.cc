@@ -1,15 +1,17 @@
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/scene/scene_entries.h>
 #include <rolling_contact/scene/scene_parameters.h>
 #include <rolling_contact/tables/table_plan.h>
 #include <rolling_contact/wheelset/curve_walk.h>
 #include <rolling_contact/wheelset/found_place.h>
 
-#include <algorithm>
-
 namespace RollingContact
 {
   namespace
   {
+    /// m, of a straight track
+    const double straight = 1e9;
+
     /** The scene with a disc and a block of its materials, which half-spaces
      * stand for. */
     SceneParameters plain_scene(const SceneParameters &scene)
@@ -36,6 +38,28 @@ namespace RollingContact
       return plain;
     }
 
+    /** Profiles that the left-hand side has for itself can be read. */
+    void check_left_profiles(const SceneParameters &scene)
+    {
+      const WheelsetParameters &wheelset = scene.own<WheelsetParameters>();
+      if (wheelset.left_wheel_profile.empty() &&
+          wheelset.left_rail_profile.empty())
+        return;
+      try
+        {
+          const ProfileParameters left = wheelset.left_profiles(scene.profiles);
+          left.wheel(scene.prm_folder);
+          left.rail(scene.prm_folder);
+        }
+      catch (const InputError &error)
+        {
+          throw InputError("Analysis = " + scene.analysis.name +
+                           ": Wheelset/Left wheel profile or Left rail "
+                           "profile: " +
+                           error.what());
+        }
+    }
+
     /**
      * Rules for a scene whose wheels are those of a wheelset in balance.
      */
@@ -54,18 +78,7 @@ namespace RollingContact
       if (profiles.surface_kind != Profiles::SurfaceKind::curved)
         refuse("a wheel may touch on tread and flange at once; set "
                "Profiles/Contact surface = curved.");
-      try
-        {
-          const ProfileParameters left =
-            scene.own<WheelsetParameters>().left_profiles(profiles);
-          left.wheel(scene.prm_folder);
-          left.rail(scene.prm_folder);
-        }
-      catch (const InputError &error)
-        {
-          refuse("Wheelset/Left wheel profile or Left rail profile: " +
-                 std::string(error.what()));
-        }
+      check_left_profiles(scene);
       const ContactParameters &contact = scene.contact;
       if (contact.normal_load || contact.vertical_load || contact.approach)
         refuse("the loads of the wheels follow from Wheelset/Axle load; leave "
@@ -124,27 +137,6 @@ namespace RollingContact
         throw InputError("Stability/Wheel = both: a grid has one wheel; give "
                          "left or right, or states by Table/File of rows.");
     }
-
-    void check_rows_of_wheels(const SceneParameters &scene)
-    {
-      if (!scene.finds_place() || !scene.analysis.has_many_states)
-        return;
-      const TableStates states = table_states(scene.table, scene.prm_folder);
-      for (const char *entry : {"Profiles/Lateral shift",
-                                "Profiles/Yaw",
-                                "Profiles/Roll",
-                                "Profiles/Pitch rate",
-                                "Profiles/Curve radius",
-                                "Contact/Vertical load",
-                                "Contact/Normal load",
-                                "Contact/Approach"})
-        if (const auto at =
-              std::find(states.entries.begin(), states.entries.end(), entry);
-            at != states.entries.end())
-          throw InputError(states.places[at - states.entries.begin()] + entry +
-                           " is found with Stability/Wheel; take entries of "
-                           "section Wheelset.");
-    }
   } // namespace
 
   SceneRules rules_of_wheelsets()
@@ -154,7 +146,7 @@ namespace RollingContact
 
   SceneRules rules_of_disturbed_wheels()
   {
-    return {&check_wheels_found, &check_rows_of_wheels};
+    return {&check_wheels_found};
   }
 
   FoundEquilibrium equilibrium_on_half_spaces(const Situation &scene)
@@ -185,37 +177,45 @@ namespace RollingContact
     return found;
   }
 
+  std::vector<std::pair<std::string, double>>
+  placing_entries(const Situation        &scene,
+                  const FoundEquilibrium &found,
+                  const unsigned int      wheel)
+  {
+    const WheelsetState &state     = found.state;
+    const double         curvature = state.acting.curvature;
+    return {{"Profiles/Lateral shift", state.place.shift},
+            {"Profiles/Yaw", state.place.yaw},
+            {"Profiles/Roll", found.roll},
+            {"Profiles/Pitch rate",
+             -(1 + state.place.excess) * scene.contact.rolling_speed() /
+               scene.wheel.radius},
+            {"Profiles/Curve radius",
+             curvature == 0. ? straight : 1 / curvature},
+            {"Contact/Vertical load", state.wheels[wheel].load}};
+  }
+
   Situation scene_of_wheel(const Situation        &scene,
                            const FoundEquilibrium &found,
                            const unsigned int      wheel)
   {
     const WheelsetParameters &wheelset =
       scene.inputs->own<WheelsetParameters>();
-    const WheelsetState &state = found.state;
-    const double         speed = scene.contact.rolling_speed(),
-                 curvature     = state.acting.curvature;
-    SceneParameters placed     = *scene.inputs;
-    placed.stability.wheels    = WheelsFound::none;
+    SceneEntries entries(scene);
+    entries.set("Stability/Wheel", "none");
+    entries.set("Profiles/Side", wheel == 1 ? "left" : "right");
+    entries.set("Profiles/Creepages", "from kinematics");
+    entries.set("Profiles/Lateral velocity", "0");
+    for (const auto &[entry, value] : placing_entries(scene, found, wheel))
+      entries.set(entry, exact_text(value));
     if (wheel == 1)
       {
-        placed.profiles = wheelset.left_profiles(placed.profiles);
-        placed.wheel.radius =
-          wheelset.left_wheel_radius.value_or(placed.wheel.radius);
+        const ProfileParameters left = wheelset.left_profiles(scene.profiles);
+        entries.set("Profiles/Wheel profile", left.wheel_profile);
+        entries.set("Profiles/Rail profile", left.rail_profile);
+        if (wheelset.left_wheel_radius)
+          entries.set("Wheel/Radius", exact_text(*wheelset.left_wheel_radius));
       }
-    ProfileParameters &profiles = placed.profiles;
-    profiles.is_left            = wheel == 1;
-    profiles.shift              = state.place.shift;
-    profiles.yaw                = state.place.yaw;
-    profiles.roll               = found.roll;
-    profiles.pitch_rate =
-      -(1 + state.place.excess) * speed / scene.wheel.radius;
-    profiles.curve_radius.reset();
-    if (curvature != 0.)
-      profiles.curve_radius = 1 / curvature;
-    profiles.creepage_source = ProfileParameters::CreepageSource::kinematics;
-    placed.contact.vertical_load = state.wheels[wheel].load;
-    const Situation at_place(placed, &scene);
-    at_place.check_bodies();
-    return at_place;
+    return entries.situation();
   }
 } // namespace RollingContact

@@ -115,12 +115,13 @@ namespace RollingContact
   void WheelsetReport::add(const FoundEquilibrium &found)
   {
     tell(found);
-    add_row(found);
+    add_row(scene, found);
     for (unsigned int wheel = 0; wheel < 2; ++wheel)
       add_wheel(found, wheel);
   }
 
-  void WheelsetReport::add_row(const FoundEquilibrium &found)
+  void WheelsetReport::add_row(const PairSpec         &at,
+                               const FoundEquilibrium &found)
   {
     const WheelsetState &state     = found.state;
     const double         curvature = state.acting.curvature;
@@ -131,8 +132,8 @@ namespace RollingContact
     table.set("roll_rad", found.roll);
     table.set("axle_excess", state.place.excess);
     table.set("pitch_rate_rad/s",
-              -(1 + state.place.excess) * scene.contact.rolling_speed() /
-                scene.wheel.radius);
+              -(1 + state.place.excess) * at.contact.rolling_speed() /
+                at.wheel.radius);
     for (const auto &[column, k] : {std::pair("bound_lateral_shift_m", 0),
                                     std::pair("bound_yaw_rad", 1),
                                     std::pair("bound_axle_excess", 2)})
@@ -144,7 +145,7 @@ namespace RollingContact
     table.set("axle_torque_Nm", state.acting.axle_torque);
     table.set("drag_N", drag(state));
     table.set("creep_work_J/m", sum_of_work(state));
-    table.set("energy_error", found.energy_error(scene.wheel.radius));
+    table.set("energy_error", found.energy_error(at.wheel.radius));
     table.set("residual", state.largest_residual());
     for (unsigned int k = 0; k < 2; ++k)
       {

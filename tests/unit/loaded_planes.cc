@@ -1,6 +1,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "scene_run.h"
+#include "wheel_on_block.h"
 
 #include <rolling_contact/mesh/profile_patch.h>
 #include <rolling_contact/surfaces/nominal_profiles.h>
@@ -33,18 +34,9 @@ namespace
   /** The wheel S1002 on 60E1 at 1 mm, as squeal_limit_cycle has it. */
   void in_the_curve(SceneParameters &scene)
   {
-    scene.dimension                    = 3;
-    scene.wheel.hub_radius             = 0.1;
-    scene.wheel.width                  = 0.1;
-    scene.rail.shape                   = "block";
-    scene.rail.radius                  = 0.;
-    scene.rail.block_length            = 0.3;
-    scene.rail.block_depth             = 0.15;
-    scene.rail.width                   = 0.1;
+    scene                              = wheel_on_block(10);
     scene.contact.vertical_load        = load;
     scene.contact.friction_coefficient = 0.;
-    scene.mesh.elements_across_patch   = 10;
-    scene.mesh.growth                  = 0.8;
     scene.profiles.wheel_profile       = "S1002";
     scene.profiles.rail_profile        = "60E1";
     scene.profiles.shift               = 1 * mm;

@@ -20,10 +20,10 @@ namespace RollingContact
   /**
    * Read a CSV file, its columns separated by ',' or ';', whose first line
    * names them; empty lines and those that begin with '#' are skipped. A column
-   * `name` holds texts, all others numbers. Throws
-   * InputError, beginning with the @p entry that gives the file, if it cannot
-   * be read, has no rows, a name twice or none, or a cell that is no number,
-   * naming the line.
+   * `name` holds texts, all others numbers. Throws InputError, beginning with
+   * the @p entry that gives the file, if it cannot be read, has no rows, a name
+   * of columns or rows twice or none, or a cell that is no number, naming the
+   * line.
    */
   NamedRows read_rows(const std::string           &entry,
                       const std::filesystem::path &file);

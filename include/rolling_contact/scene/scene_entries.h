@@ -32,7 +32,8 @@ namespace RollingContact
 
     /**
      * Throws InputError, with the @p place in front, unless a state may differ
-     * from others by this entry, and by a number.
+     * from others by this entry, and by a number; where places are found, by
+     * one that has an effect.
      */
     void check_variable(const std::string &entry,
                         const std::string &place) const;

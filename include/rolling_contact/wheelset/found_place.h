@@ -5,6 +5,10 @@
 #include <rolling_contact/scene/situation.h>
 #include <rolling_contact/wheelset/wheelset_report.h>
 
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace RollingContact
 {
   using SceneRules = decltype(AnalysisTraits::rules);
@@ -23,8 +27,18 @@ namespace RollingContact
   FoundEquilibrium equilibrium_on_half_spaces(const Situation &scene);
 
   /**
-   * The scene of one wheel of an equilibrium, 0 the right-hand one: its side,
-   * profiles and radius, place, motion and vertical load, as entries give them.
+   * The entries that place a wheel of an equilibrium, 0 the right-hand one, and
+   * their values: shift, yaw, roll, pitch rate, radius of the curve (1e9 m on
+   * straight track), vertical load. Units: m, rad, rad/s, N.
+   */
+  std::vector<std::pair<std::string, double>>
+  placing_entries(const Situation        &scene,
+                  const FoundEquilibrium &found,
+                  const unsigned int      wheel);
+
+  /**
+   * The scene of that wheel alone: its side, profiles and radius, and what the
+   * placing entries say. Throws InputError if its bodies do not fit there.
    */
   Situation scene_of_wheel(const Situation        &scene,
                            const FoundEquilibrium &found,

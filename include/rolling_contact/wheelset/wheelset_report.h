@@ -63,11 +63,8 @@ namespace RollingContact
 
     void add(const FoundEquilibrium &found);
 
-    /** A row of wheelset.csv alone, of a place that others go on from. */
-    void add_place(const FoundEquilibrium &found)
-    {
-      add_row(found);
-    }
+    /** A row of wheelset.csv alone, of a place in this scene. */
+    void add_row(const PairSpec &at, const FoundEquilibrium &found);
 
     /** What the wheelset does there, in the summary and as warnings. */
     void tell(const FoundEquilibrium &found)
@@ -81,8 +78,6 @@ namespace RollingContact
     void finish();
 
   private:
-    void add_row(const FoundEquilibrium &found);
-
     void add_wheel(const FoundEquilibrium &found, const unsigned int wheel);
 
     void note(const FoundEquilibrium &found);
