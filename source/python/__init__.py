@@ -15,6 +15,8 @@ from ._core import (
     State,
     Transient,
     TransientState,
+    Wheelset,
+    WheelsetState,
     __version__,
     print_parameters,
 )
@@ -30,5 +32,7 @@ __all__ = [
     "State",
     "Transient",
     "TransientState",
+    "Wheelset",
+    "WheelsetState",
     "print_parameters",
 ]

@@ -8,6 +8,7 @@
 
 #include <rolling_contact/contact/contact_problem.h>
 #include <rolling_contact/program/scene_reader.h>
+#include <rolling_contact/tables/session.h>
 
 #include <atomic>
 #include <map>
@@ -44,6 +45,11 @@ namespace RollingContact
     std::shared_ptr<const Scene> make_scene(const py::object &source,
                                             const py::object &settings);
 
+    /** With Analysis as named. */
+    std::shared_ptr<const Scene> make_scene_of(const std::string &analysis,
+                                               const py::object  &source,
+                                               const py::object  &settings);
+
     /**
      * Scene in time of a path, a text or a Scene: Analysis is transient, and
      * there is an end where none is given. Units: s.
@@ -70,6 +76,13 @@ namespace RollingContact
       py::array_t<double>      positions, pressure, traction, gap, slip;
       py::array_t<double>      areas, forces;
       py::array_t<std::int8_t> node_states;
+    };
+
+    /** A state of its own, whatever the session does next. */
+    struct State
+    {
+      SessionState                  found;
+      std::shared_ptr<const Fields> fields;
     };
 
     /**
@@ -114,6 +127,7 @@ namespace RollingContact
     void define_fields(py::module_ &module);
     void define_session(py::module_ &module);
     void define_transient(py::module_ &module);
+    void define_wheelset(py::module_ &module);
   } // namespace Bindings
 } // namespace RollingContact
 

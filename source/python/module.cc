@@ -82,6 +82,7 @@ namespace RollingContact::Bindings
     define_fields(module);
     define_session(module);
     define_transient(module);
+    define_wheelset(module);
     module.def("print_parameters",
                &documented_parameters,
                "Every entry of a scene with its default, meaning and unit, as "

@@ -128,6 +128,15 @@ namespace RollingContact::Bindings
     return read(draft_of(source, settings));
   }
 
+  std::shared_ptr<const Scene> make_scene_of(const std::string &analysis,
+                                             const py::object  &source,
+                                             const py::object  &settings)
+  {
+    Scene scene = draft_of(source, settings);
+    add({{"Analysis", analysis}}, scene);
+    return read(scene);
+  }
+
   std::shared_ptr<const Scene>
   make_scene_in_time(const py::object           &source,
                      const py::object           &settings,

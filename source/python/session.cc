@@ -8,13 +8,6 @@ namespace RollingContact::Bindings
 {
   namespace
   {
-    /** A state of its own, whatever the session does next. */
-    struct State
-    {
-      SessionState                  found;
-      std::shared_ptr<const Fields> fields;
-    };
-
     class PySession
     {
     public:

@@ -83,20 +83,8 @@ namespace RollingContact
       estimate_errors(scene, steady);
       problem          = &steady.problem;
       state            = &steady.state;
+      found            = session_state(scene, steady);
       found.new_bodies = states.why_new;
-      found.converged  = steady.solver.converged;
-      found.reason     = steady.solver.reason;
-      found.solver     = steady.solver;
-      found.approach   = steady.state.approach;
-      found.creepages  = steady.problem.loads.creepages;
-      found.forces     = steady.result;
-      found.areas      = patch_areas(steady.problem, steady.state);
-      found.elements_across =
-        2 * steady.result.half_width_x / steady.grading.element_size_x;
-      if (scene.frame)
-        found.track_forces = track_forces(scene, steady.problem, steady.state);
-      if (found.converged)
-        found.bounds = error_bounds(scene, steady);
       states.context.run.log.message(
         "T = (" + significant(found.forces.force_x, 6) + ", " +
         significant(found.forces.force_y, 6) +
@@ -107,6 +95,30 @@ namespace RollingContact
         '.');
     }
   } // namespace
+
+  template <int dim>
+  SessionState session_state(const PairSpec         &scene,
+                             const SteadyState<dim> &steady)
+  {
+    SessionState found;
+    found.touches   = true;
+    found.converged = steady.solver.converged;
+    found.reason    = steady.solver.reason;
+    found.solver    = steady.solver;
+    found.approach  = steady.state.approach;
+    found.creepages = steady.problem.loads.creepages;
+    found.forces    = steady.result;
+    found.areas     = patch_areas(steady.problem, steady.state);
+    found.elements_across =
+      2 * steady.result.half_width_x / steady.grading.element_size_x;
+    if (scene.frame)
+      found.track_forces = track_forces(scene, steady.problem, steady.state);
+    if (found.converged)
+      found.bounds = error_bounds(scene, steady);
+    return found;
+  }
+
+  template SessionState session_state(const PairSpec &, const SteadyState<3> &);
 
   Session::Session(const Situation &scene,
                    std::ostream    *log,

@@ -24,24 +24,22 @@ namespace RollingContact
 
   void CurveWalk::begin()
   {
-    if (!equilibrium.solve({}, WheelsetState()) &&
-        !equilibrium.bracket({}, WheelsetState(), 2 * far_away))
-      throw ConvergenceError("Wheelset on straight track without forces: " +
-                             equilibrium.reason + ".");
-    last = {equilibrium.now()};
+    const RunningState rest = gear.at_rest();
+    if (!gear.solve(rest) && !gear.bracket(rest, 2 * far_away))
+      throw ConvergenceError(
+        "Wheelset on straight track without forces: " + gear.reason + ".");
+    last = {gear.now()};
   }
 
-  WheelsetState CurveWalk::predicted(const CurveCase &acting) const
+  RunningState CurveWalk::predicted(const CurveCase &acting) const
   {
-    WheelsetState start = last.back();
+    RunningState start = last.back();
+    start.acting       = acting;
     if (last.size() < 2)
       return start;
-    const WheelsetState &one = last[0], &two = last[1];
-    const auto           way = [](const CurveCase &from, const CurveCase &to) {
-      return to.curvature - from.curvature;
-    };
-    const double before = way(one.acting, two.acting),
-                 next   = way(two.acting, acting);
+    const RunningState &one = last[0], &two = last[1];
+    const double        before = two.acting.curvature - one.acting.curvature,
+                 next          = acting.curvature - two.acting.curvature;
     if (before == 0.)
       return start;
     const double share = std::clamp(next / before, 0., 2.);
@@ -49,17 +47,24 @@ namespace RollingContact
       [&](double &value, const double from, const double most) {
         value += std::clamp(share * (value - from), -most, most);
       };
-    go_on(start.place.shift, one.place.shift, 5e-4);
-    go_on(start.place.yaw, one.place.yaw, 2e-3);
-    go_on(start.place.excess, one.place.excess, 1e-3);
+    for (unsigned int i = 0; i < start.wheelsets.size(); ++i)
+      {
+        WheelsetPlace       &place = start.wheelsets[i].place;
+        const WheelsetPlace &from  = one.wheelsets[i].place;
+        go_on(place.shift, from.shift, 5e-4);
+        go_on(place.yaw, from.yaw, 2e-3);
+        go_on(place.excess, from.excess, 1e-3);
+      }
+    for (unsigned int k = 0; k < 2; ++k)
+      go_on(start.frame[k], one.frame[k], 2e-3);
     return start;
   }
 
   bool CurveWalk::step_to(const CurveCase &acting)
   {
-    if (!equilibrium.solve(acting, predicted(acting)))
+    if (!gear.solve(predicted(acting)))
       return false;
-    last.push_back(equilibrium.now());
+    last.push_back(gear.now());
     if (last.size() > 2)
       last.erase(last.begin());
     return true;
@@ -67,9 +72,9 @@ namespace RollingContact
 
   void CurveWalk::go_to(const CurveCase &target)
   {
-    if (!equilibrium.loads_under(target.lateral_force))
+    if (!gear.carries(target))
       throw ConvergenceError("Wheelset, " + name_of(target) + ": " +
-                             equilibrium.reason + '.');
+                             gear.reason + '.');
     const CurveCase from = last.back().acting;
     const double    way  = std::abs(target.curvature - from.curvature);
     double          step = way > 0. ? std::min(1., curvature_step / way) : 1.;
@@ -81,9 +86,11 @@ namespace RollingContact
         bool            done   = step_to(acting);
         if (!done && (step < 30 * smallest_share || n_failures >= 3))
           {
-            done = equilibrium.bracket(acting, last.back(), far_away);
+            RunningState start = last.back();
+            start.acting       = acting;
+            done               = gear.bracket(start, far_away);
             if (done)
-              last = {equilibrium.now()};
+              last = {gear.now()};
           }
         if (done)
           {
@@ -99,15 +106,16 @@ namespace RollingContact
             ": no equilibrium was found beyond " +
             name_of(CurveCase::between(from, target, share)) +
             " on the way from straight track, where its shift is " +
-            millimetres(last.back().place.shift, 4) + " and its yaw " +
-            significant(1e3 * last.back().place.yaw, 4) +
-            " mrad: " + equilibrium.reason +
-            (equilibrium.is_free()
+            millimetres(last.back().wheelsets[0].place.shift, 4) +
+            " and its yaw " +
+            significant(1e3 * last.back().wheelsets[0].place.yaw, 4) +
+            " mrad: " + gear.reason +
+            (gear.balance(0).is_free()
                ? ". A free wheelset has none in narrow curves; give "
                  "Wheelset/Yaw stiffness."
                : "."));
         // what was found last, and derivatives there
-        equilibrium.begin_with(last.back());
+        gear.begin_with(last.back());
       }
     if (way > 0.)
       curvature_step = std::max(curvature_step, std::min(step, 1.) * way);

@@ -1,5 +1,3 @@
-#include <boost/math/tools/roots.hpp>
-
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/base/text.h>
@@ -29,7 +27,7 @@ namespace RollingContact
     /// where a force or moment is the unknown: over the axle load
     const double force_scale = 1e-2;
 
-    const std::vector<unsigned int> all{0, 1, 2}, without_shift{1, 2};
+    const std::vector<unsigned int> all{0, 1, 2};
   } // namespace
 
   WheelsetState WheelsetState::mirrored() const
@@ -37,6 +35,7 @@ namespace RollingContact
     WheelsetState other = *this;
     other.acting        = acting.mirrored();
     other.place         = place.mirrored();
+    other.lateral_force = -lateral_force;
     other.yaw_moment    = -yaw_moment;
     other.wheels        = {{wheels[1].mirrored(), wheels[0].mirrored()}};
     other.residual      = {-residual[0], -residual[1], residual[2]};
@@ -46,6 +45,8 @@ namespace RollingContact
   Equilibrium::Equilibrium(WheelPair &pair, const WheelsetParameters &wheelset)
     : pair(pair)
     , wheelset(wheelset)
+    , lateral_stiffness(wheelset.is_bogie ? wheelset.hunting.lateral_stiffness
+                                          : 0.)
     , scales(wheelset.shift ? force_scale * wheelset.axle_load : shift_scale,
              wheelset.yaw ? force_scale * wheelset.axle_load : yaw_scale,
              excess_scale)
@@ -94,8 +95,9 @@ namespace RollingContact
     at.yaw_moment =
       wheelset.yaw ? scales[1] * x[1]
                    : wheelset.yaw_stiffness * (acting.frame_yaw - at.place.yaw);
-    const double H     = at.acting.lateral_force;
-    const auto   loads = loads_under(H);
+    at.lateral_force =
+      at.acting.lateral_force - lateral_stiffness * at.place.shift;
+    const auto loads = loads_under(at.lateral_force);
     if (!loads)
       return {};
     try
@@ -113,7 +115,7 @@ namespace RollingContact
         return {};
       }
     const TrackForces &right = at.wheels[0].forces, &left = at.wheels[1].forces;
-    at.residual = {right.force_y + left.force_y + H,
+    at.residual = {right.force_y + left.force_y + at.lateral_force,
                    right.moment_z + left.moment_z +
                      at.place.shift * (right.force_x + left.force_x) +
                      at.yaw_moment,
@@ -145,6 +147,16 @@ namespace RollingContact
     return true;
   }
 
+  Equilibrium::Derivatives Equilibrium::slopes()
+  {
+    if (!jacobian && !differences(state.acting, all, state, 1.))
+      jacobian.reset();
+    Derivatives result = jacobian;
+    if (result)
+      *result *= scales.cwiseInverse().asDiagonal();
+    return result;
+  }
+
   std::optional<WheelsetState>
   Equilibrium::newton(const CurveCase     &acting,
                       const Active        &active,
@@ -159,7 +171,9 @@ namespace RollingContact
         result[i] = whole[active[i]];
       return result;
     };
-    auto at = evaluate(acting, unknowns_of(start));
+    closest.reset();
+    auto &at = closest;
+    at       = evaluate(acting, unknowns_of(start));
     if (!at)
       return {};
     bool   is_new = false;
@@ -246,7 +260,12 @@ namespace RollingContact
     pair.hold_edges(true);
     found = newton(acting, active, start, least, 15);
     pair.hold_edges(false);
-    return found;
+    if (found || !closest)
+      return found;
+    for (const unsigned int balance : active)
+      if (std::abs(closest->residual[balance]) > accepted)
+        return {};
+    return closest;
   }
 
   bool Equilibrium::solve(const CurveCase &acting, const WheelsetState &start)
@@ -259,92 +278,14 @@ namespace RollingContact
     return found.has_value();
   }
 
-  std::optional<WheelsetState> Equilibrium::at_shift(const CurveCase &acting,
-                                                     const double     shift,
-                                                     const WheelsetState &start)
-  {
-    WheelsetState from = start;
-    from.place.shift   = shift;
-    return newton_or_held(acting, without_shift, from, 0.3 * tolerance);
-  }
-
-  bool Equilibrium::bracket(const CurveCase     &acting,
-                            const WheelsetState &start,
-                            const double         farthest)
-  {
-    if (wheelset.shift || wheelset.yaw)
-      return false;
-    jacobian.reset();
-    auto inner = at_shift(acting, start.place.shift, start);
-    if (!inner)
-      return false;
-    // a wheelset that is pushed to the right goes there
-    const double direction = inner->residual[0] > 0. ? 1. : -1.;
-    double       step      = 5e-5;
-    auto         outer     = inner;
-    while (outer->residual[0] * direction > 0.)
-      {
-        if (std::abs(outer->place.shift - start.place.shift) > farthest)
-          return false;
-        auto next =
-          at_shift(acting, outer->place.shift + direction * step, *outer);
-        if (!next)
-          {
-            step /= 4;
-            if (step < 1e-6)
-              return false;
-            continue;
-          }
-        inner = outer;
-        outer = next;
-        step  = std::min(1.5 * step, 4e-4);
-      }
-    WheelsetState best =
-      std::abs(inner->residual[0]) < std::abs(outer->residual[0]) ? *inner
-                                                                  : *outer;
-    bool       lost = false;
-    const auto left = [&](const double shift) {
-      const auto found = at_shift(acting, shift, best);
-      if (!found)
-        {
-          lost = true;
-          return 0.;
-        }
-      if (std::abs(found->residual[0]) < std::abs(best.residual[0]))
-        best = *found;
-      return std::abs(found->residual[0]) < 0.5 * tolerance
-               ? 0.
-               : found->residual[0];
-    };
-    std::uintmax_t rounds = 40;
-    boost::math::tools::toms748_solve(
-      left,
-      std::min(inner->place.shift, outer->place.shift),
-      std::max(inner->place.shift, outer->place.shift),
-      direction > 0. ? inner->residual[0] : outer->residual[0],
-      direction > 0. ? outer->residual[0] : inner->residual[0],
-      [](const double a, const double b) { return std::abs(a - b) < 1e-11; },
-      rounds);
-    jacobian.reset();
-    if (lost || best.largest_residual() > tolerance)
-      {
-        if (!lost)
-          reason = "the lateral forces jump by " +
-                   significant(best.largest_residual(), 2) +
-                   " of the axle load at a shift of " +
-                   millimetres(best.place.shift, 6);
-        return false;
-      }
-    state = best;
-    return true;
-  }
-
-  void Equilibrium::polish()
+  bool Equilibrium::polish()
   {
     pair.hold_edges(true);
-    if (const auto found = newton(state.acting, all, state, 1e-8, 12))
+    const auto found = newton(state.acting, all, state, 1e-8, 12);
+    if (found)
       state = *found;
     pair.hold_edges(false);
+    return found.has_value();
   }
 
   std::optional<Hunting::Derivatives>

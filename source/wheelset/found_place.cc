@@ -125,6 +125,12 @@ namespace RollingContact
           scene.analysis.name +
           ": it disturbs the state of one curve; give one radius, or an axis "
           "Wheelset/Curve radius of a stability map.");
+      if (wheelset.is_bogie)
+        throw InputError(
+          "Wheelset/Vehicle = bogie and Analysis = " + scene.analysis.name +
+          ": it disturbs wheels of one wheelset; run the bogie with Analysis = "
+          "wheelset and give Half wheelbase, Frame yaw and Lateral force of "
+          "one of its wheelsets from wheelset.csv.");
       if (scene.stability.wheels != WheelsFound::both)
         return;
       if (!wheelset.left_wheel_profile.empty() ||
@@ -155,25 +161,24 @@ namespace RollingContact
     const bool                is_mirrored = asked.goes_to_the_left();
     const WheelsetParameters  wheelset = is_mirrored ? asked.mirrored() : asked;
     const Situation           plain(plain_scene(*scene.inputs));
-    WheelPair                 pair(plain, wheelset, true);
+    RunningGear               gear(plain, wheelset, true);
     if (is_mirrored)
-      pair.swap_sides();
-    Equilibrium balance(pair, wheelset);
-    CurveWalk   walk(balance);
+      gear.swap_sides();
+    CurveWalk walk(gear);
     walk.begin();
     walk.go_to(wheelset.cases().front());
-    balance.polish();
+    gear.polish();
     FoundEquilibrium found;
-    found.state = balance.now();
-    found.roll  = pair.roll(found.state.place);
+    found.state = gear.now().wheelsets[0];
+    found.roll  = gear.wheels(0).roll(found.state.place);
     if (is_mirrored)
       {
         found.state = found.state.mirrored();
         found.roll  = -found.roll;
       }
-    found.n_steps  = balance.n_steps;
-    found.n_states = pair.n_states;
-    found.n_bodies = pair.n_bodies();
+    found.n_steps  = gear.n_steps();
+    found.n_states = gear.n_states();
+    found.n_bodies = gear.n_bodies();
     return found;
   }
 

@@ -53,6 +53,13 @@ namespace RollingContact
     section.varies = asks<AnalysisTraits>([](const auto &analysis) {
       return analysis.has_many_states && analysis.takes_found_place;
     });
+    entries
+      .choice("Vehicle",
+              is_bogie,
+              std::vector<NamedValue<bool>>{{"wheelset", false},
+                                            {"bogie", true}})
+      .help = "A wheelset, or a bogie: two wheelsets alike in a frame, which "
+              "the section stands for at the middle of the frame.";
     declare_balance(entries);
     declare_left_side(entries);
     const Reader hunting_ones{asks<AnalysisTraits>([](const auto &analysis) {
@@ -60,6 +67,7 @@ namespace RollingContact
                               }),
                               "Analysis = wheelset reads it"};
     declare_hunting(entries, hunting_ones);
+    declare_bogie(entries, hunting_ones);
     entries.add("Search for others", searches).read_by(hunting_ones).help =
       "Look for other equilibria of the last curve, over all shifts at which "
       "both wheels are on the rails.";
@@ -72,13 +80,13 @@ namespace RollingContact
       "one after the other: " +
       std::string(number_list_form) + "; empty: straight track.";
     entries.add("Axle load", axle_load, "N").help =
-      "What both wheels carry together.";
+      "What both wheels of a wheelset carry together.";
     entries.add("Cant deficiency", cant_deficiency, "m").help =
       "By which the cant is too small for the speed, of rails 1.5 m apart; "
       "negative: too much cant.";
     entries.add("Lateral force", lateral_force, "N").help =
-      "Of the suspension on the wheelset, to the right, besides that of the "
-      "cant deficiency.";
+      "Of the suspension on the wheelset, or of the car body on a bogie, to "
+      "the right, besides that of the cant deficiency.";
     entries.add("Load transfer", load_transfer, "N").help =
       "Load that goes from the left wheel to the right one, besides that by "
       "the lateral force at the height of the axle.";
@@ -86,10 +94,12 @@ namespace RollingContact
       "Of the suspension between wheelset and frame about the vertical; 0: a "
       "free wheelset.";
     entries.add("Frame yaw", frame_yaw, "rad").help =
-      "Of the frame against the radial direction, right-handed about z down.";
+      "Of the frame against the radial direction, right-handed about z down; "
+      "for a bogie that of the car body above it.";
     entries.add("Half wheelbase", ahead_of_frame, "m").help =
       "How far the wheelset is ahead of the middle of its frame, negative for a "
-      "trailing one: in a curve the frame stands at -distance/R more.";
+      "trailing one: in a curve the frame stands at -distance/R more; of a "
+      "bogie, above 0.";
     entries.add("Axle torque", axle_torque, "N m").help =
       "That drives the wheelset forwards; negative: that brakes it.";
     entries.add("Lateral shift", shift, "m").help =
@@ -117,7 +127,8 @@ namespace RollingContact
     entries.add("Lateral stiffness", hunting.lateral_stiffness, "N/m")
       .at_least(0.)
       .read_by(reader)
-      .help = "Of the suspension about the equilibrium, for hunting.";
+      .help = "Of the suspension between wheelset and frame: about the "
+              "equilibrium of a wheelset, for hunting; of a bogie throughout.";
     entries.add("Lateral damping", hunting.lateral_damping, "N s/m")
       .at_least(0.)
       .read_by(reader)
@@ -126,6 +137,27 @@ namespace RollingContact
       .at_least(0.)
       .read_by(reader)
       .help = "Of the suspension, for hunting.";
+  }
+
+  void WheelsetParameters::declare_bogie(Entries &entries, const Reader &reader)
+  {
+    const auto add = [&](const std::string &name,
+                         double            &value,
+                         const std::string &unit) -> Entry & {
+      return entries.add(name, value, unit).at_least(0.).read_by(reader);
+    };
+    add("Secondary yaw stiffness", frame.yaw_stiffness, "N m/rad").help =
+      "Between car body and frame of a bogie about the vertical.";
+    add("Frame mass", frame.mass, "kg").help =
+      "Of the frame of a bogie, for hunting.";
+    add("Frame yaw inertia", frame.yaw_inertia, "kg m^2").help =
+      "Of the frame of a bogie about the vertical, for hunting.";
+    add("Secondary lateral stiffness", frame.lateral_stiffness, "N/m").help =
+      "Between frame and car body, which does not move, for hunting.";
+    add("Secondary lateral damping", frame.lateral_damping, "N s/m").help =
+      "Between frame and car body, for hunting.";
+    add("Secondary yaw damping", frame.yaw_damping, "N m s/rad").help =
+      "Between frame and car body, for hunting.";
   }
 
   void WheelsetParameters::declare_left_side(Entries &entries)
@@ -184,6 +216,32 @@ namespace RollingContact
       refuse_with("Lateral shift", "Wheelset/Cant deficiency");
     if (yaw && yaw_stiffness > 0.)
       refuse_with("Yaw", "Wheelset/Yaw stiffness");
+    if (is_bogie)
+      check_bogie();
+    else if (frame.mass > 0. || frame.yaw_stiffness > 0.)
+      throw InputError("Wheelset/Frame mass and Secondary yaw stiffness are "
+                       "those of a bogie; set Wheelset/Vehicle = bogie.");
+  }
+
+  void WheelsetParameters::check_bogie() const
+  {
+    if (!(ahead_of_frame >= 0.3))
+      refuse("Half wheelbase",
+             ahead_of_frame,
+             "that of a bogie is half the distance of its wheelsets; give 0.3 "
+             "to 10 m.");
+    if (!(hunting.lateral_stiffness > 0.))
+      refuse("Lateral stiffness",
+             hunting.lateral_stiffness,
+             "the wheelsets of a bogie carry its frame by springs; give N/m "
+             "above 0.");
+    if (shift || yaw)
+      refuse_with("Vehicle = bogie", "a given Lateral shift or Yaw");
+    if (hunting.mass > 0. && !(frame.mass > 0. && frame.yaw_inertia > 0.))
+      refuse("Mass",
+             hunting.mass,
+             "the frame of a bogie that hunts has mass and moment of inertia; "
+             "give Wheelset/Frame mass and Frame yaw inertia.");
   }
 
   WheelsetParameters WheelsetParameters::mirrored() const
@@ -222,11 +280,12 @@ namespace RollingContact
     for (const double curvature : curvatures)
       {
         const double side = curvature > 0. ? 1. : curvature < 0. ? -1. : 0.;
-        cases.push_back({curvature,
-                         lateral_force - side * axle_load * cant_deficiency /
-                                           distance_of_rails,
-                         frame_yaw - ahead_of_frame * curvature,
-                         axle_torque});
+        cases.push_back(
+          {curvature,
+           lateral_force - side * n_wheelsets() * axle_load * cant_deficiency /
+                             distance_of_rails,
+           is_bogie ? frame_yaw : frame_yaw - ahead_of_frame * curvature,
+           axle_torque});
       }
     return cases;
   }

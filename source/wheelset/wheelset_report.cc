@@ -28,16 +28,6 @@ namespace RollingContact
       return wheel.forces.force_y / -wheel.forces.force_z;
     }
 
-    double sum_of_work(const WheelsetState &state)
-    {
-      return state.wheels[0].creep_work + state.wheels[1].creep_work;
-    }
-
-    double drag(const WheelsetState &state)
-    {
-      return -state.wheels[0].forces.force_x - state.wheels[1].forces.force_x;
-    }
-
     std::string named(const CurveCase &acting)
     {
       if (acting.curvature == 0.)
@@ -55,6 +45,19 @@ namespace RollingContact
              " " + unit;
     }
 
+    std::string told(const WheelState &wheel)
+    {
+      return "load " + significant(1e-3 * wheel.load, 4) +
+             " kN, to the right " +
+             significant(1e-3 * wheel.forces.force_y, 4) + " kN, T gamma " +
+             significant(wheel.creep_work, 4) + " N, " +
+             significant(100 * wheel.tangential_force / wheel.friction_force,
+                         3) +
+             " % of friction, " + significant(1e-6 * wheel.max_pressure, 4) +
+             " MPa, " + std::to_string(wheel.n_patches) +
+             (wheel.n_patches == 1 ? " patch" : " patches");
+    }
+
     /**
      * By which lateral force over load a flange climbs, of Nadal.
      */
@@ -65,44 +68,6 @@ namespace RollingContact
     }
   } // namespace
 
-  void FoundEquilibrium::find_bounds(const double axle_load,
-                                     const double half_base,
-                                     const double radius)
-  {
-    bounds.reset();
-    if (!derivatives)
-      return;
-    double force = 0.; // N, by which forces of friction may be off
-    for (unsigned int wheel = 0; wheel < 2; ++wheel)
-      {
-        const auto of_wheel = error_bounds(*scenes[wheel], steady[wheel]).force;
-        if (!of_wheel)
-          return;
-        force += *of_wheel * state.wheels[wheel].friction_force;
-      }
-    const Eigen::Vector3d of_balances =
-      force / axle_load * Eigen::Vector3d(1., half_base, radius);
-    const auto solver = Eigen::Matrix3d(derivatives->leftCols<3>()).fullPivLu();
-    if (solver.isInvertible())
-      bounds = Eigen::Matrix3d(solver.inverse()).cwiseAbs() * of_balances;
-  }
-
-  double FoundEquilibrium::energy_error(const double radius) const
-  {
-    const WheelsetState &at  = state;
-    double               yaw = 0., axle = 0.;
-    for (const WheelState &wheel : at.wheels)
-      {
-        yaw += wheel.forces.moment_z;
-        axle += wheel.forces.axle_torque;
-      }
-    const double work = drag(at) - yaw * at.acting.curvature +
-                        axle * (1 + at.place.excess) / radius,
-                 carried =
-                   at.wheels[0].friction_force + at.wheels[1].friction_force;
-    return (sum_of_work(at) - work) / carried;
-  }
-
   WheelsetReport::WheelsetReport(const Situation          &scene,
                                  const WheelsetParameters &wheelset,
                                  RunContext               &context)
@@ -112,12 +77,16 @@ namespace RollingContact
     , table(context.folder, "wheelset.csv")
   {}
 
-  void WheelsetReport::add(const FoundEquilibrium &found)
+  void WheelsetReport::add(const std::vector<FoundEquilibrium> &found)
   {
-    tell(found);
-    add_row(scene, found);
-    for (unsigned int wheel = 0; wheel < 2; ++wheel)
-      add_wheel(found, wheel);
+    all.push_back(found);
+    for (const FoundEquilibrium &wheelset : found)
+      {
+        tell(wheelset);
+        add_row(scene, wheelset);
+        for (unsigned int wheel = 0; wheel < 2; ++wheel)
+          add_wheel(wheelset, wheel);
+      }
   }
 
   void WheelsetReport::add_row(const PairSpec         &at,
@@ -127,6 +96,12 @@ namespace RollingContact
     const double         curvature = state.acting.curvature;
     table.set_if(curvature != 0., "curve_radius_m", 1 / curvature);
     table.set("curvature_1/m", curvature);
+    if (wheelset.is_bogie)
+      {
+        table.set("wheelset", found.name);
+        table.set("frame_shift_m", found.frame[0]);
+        table.set("frame_yaw_rad", found.frame[1]);
+      }
     table.set("lateral_shift_m", state.place.shift);
     table.set("yaw_rad", state.place.yaw);
     table.set("roll_rad", found.roll);
@@ -140,13 +115,13 @@ namespace RollingContact
       table.set_if(found.bounds.has_value(),
                    column,
                    found.bounds ? (*found.bounds)[k] : 0.);
-    table.set("lateral_force_N", state.acting.lateral_force);
+    table.set("lateral_force_N", state.lateral_force);
     table.set("yaw_moment_Nm", state.yaw_moment);
     table.set("axle_torque_Nm", state.acting.axle_torque);
-    table.set("drag_N", drag(state));
-    table.set("creep_work_J/m", sum_of_work(state));
+    table.set("drag_N", found.drag());
+    table.set("creep_work_J/m", found.creep_work());
     table.set("energy_error", found.energy_error(at.wheel.radius));
-    table.set("residual", state.largest_residual());
+    table.set("residual", found.residual());
     for (unsigned int k = 0; k < 2; ++k)
       {
         const WheelState &wheel = state.wheels[k];
@@ -215,6 +190,8 @@ namespace RollingContact
                                  const unsigned int      wheel)
   {
     const double curvature = found.state.acting.curvature;
+    if (!found.name.empty())
+      context.results.set("wheelset", found.name);
     context.results.set("side", std::string(sides[wheel]));
     context.results.set_if(curvature != 0., "curve_radius_m", 1 / curvature);
     context.results.set("lateral_shift_m", found.state.place.shift);
@@ -231,34 +208,40 @@ namespace RollingContact
                                     : std::nullopt;
     };
     const std::string name = named(state.acting);
-    std::string       text =
+    const std::string text =
       "shift " + with_bound(1e3 * state.place.shift, bound(0, 1e3), "mm") +
       ", yaw " + with_bound(1e3 * state.place.yaw, bound(1, 1e3), "mrad") +
       ", the axle turns by " +
       with_bound(1e3 * state.place.excess, bound(2, 1e3), "\u2030") +
       " more than V/r0";
-    context.report.set_finding(wheelset.cases().size() > 1
-                                 ? "no. " + std::to_string(all.size())
-                                 : "curve",
-                               name + ": " + text);
-    context.log.message(name + ": " + text + "; residual " +
-                        significant(state.largest_residual(), 2) +
-                        " of the axle load, " + std::to_string(found.n_states) +
-                        " states on " + std::to_string(found.n_bodies) +
-                        " sets of bodies so far.");
-    for (unsigned int k = 0; k < 2; ++k)
+    const std::string which =
+      found.name.empty() ? name : name + ", " + found.name + " wheelset";
+    context.log.message(
+      which + ": " + text + "; residual " + significant(found.residual(), 2) +
+      " of the axle load, " + std::to_string(found.n_states) + " states on " +
+      std::to_string(found.n_bodies) + " sets of bodies so far.");
+    const std::string label = wheelset.cases().size() > 1
+                                ? "no. " + std::to_string(all.size())
+                                : "curve";
+    if (found.name.empty())
       {
-        const WheelState &wheel = state.wheels[k];
+        context.report.set_finding(label, name + ": " + text);
+        for (unsigned int k = 0; k < 2; ++k)
+          context.report.set_finding(sides[k],
+                                     "wheel, " + told(state.wheels[k]));
+      }
+    else
+      {
+        context.report.set_finding(label,
+                                   name +
+                                     ": frame of the bogie at a shift of " +
+                                     millimetres(found.frame[0], 4) + ", yaw " +
+                                     significant(1e3 * found.frame[1], 4) +
+                                     " mrad");
         context.report.set_finding(
-          sides[k],
-          "wheel, load " + significant(1e-3 * wheel.load, 4) +
-            " kN, to the right " + significant(1e-3 * wheel.forces.force_y, 4) +
-            " kN, T gamma " + significant(wheel.creep_work, 4) + " N, " +
-            significant(100 * wheel.tangential_force / wheel.friction_force,
-                        3) +
-            " % of friction, " + significant(1e-6 * wheel.max_pressure, 4) +
-            " MPa, " + std::to_string(wheel.n_patches) +
-            (wheel.n_patches == 1 ? " patch" : " patches"));
+          found.name == "leading" ? "lead" : "trail",
+          "wheelset, " + text + "; right-hand wheel, " + told(state.wheels[0]) +
+            "; left-hand wheel, " + told(state.wheels[1]));
       }
     if (found.another)
       context.report.set_finding(
@@ -272,7 +255,10 @@ namespace RollingContact
   {
     const WheelsetState &state   = found.state;
     const auto           warning = [&](const std::string &text) {
-      context.log.warning("Wheelset, " + named(state.acting) + ": " + text);
+      context.log.warning((found.name.empty()
+                                       ? "Wheelset, "
+                                       : "The " + found.name + " wheelset, ") +
+                          named(state.acting) + ": " + text);
     };
     const double friction  = scene.contact.friction_coefficient;
     unsigned int n_sliding = 0;
@@ -310,6 +296,7 @@ namespace RollingContact
   void WheelsetReport::finish()
   {
     context.log.message(table.screen_table({"curve_radius_m",
+                                            "wheelset",
                                             "lateral_shift_m",
                                             "yaw_rad",
                                             "right_force_y/load",
@@ -323,44 +310,40 @@ namespace RollingContact
 
   void WheelsetReport::plot() const
   {
-    const auto values = [&](const auto &of) {
-      std::vector<double> result;
-      for (const WheelsetState &state : all)
-        result.push_back(of(state));
-      return result;
-    };
-    const std::string         x_label = "curvature of the track (1/km)";
-    const std::vector<double> x =
-      values([](const auto &state) { return 1e3 * state.acting.curvature; });
-    Figure figure("Wheelset in curves", x_label, "shift (mm)");
-    figure.add_curve("",
-                     x,
-                     values([](const auto &state) {
-                       return 1e3 * state.place.shift;
-                     }),
-                     CurveStyle::line_and_points);
-    Figure yaw("", x_label, "yaw (mrad)");
-    yaw.add_curve("",
-                  x,
-                  values(
-                    [](const auto &state) { return 1e3 * state.place.yaw; }),
-                  CurveStyle::line_and_points);
-    Figure forces("", x_label, "Y/Q"), work("", x_label, "T\u03b3 (N)");
-    for (unsigned int k = 0; k < 2; ++k)
+    const std::string x_label = "curvature of the track (1/km)";
+    Figure            figure("Wheelset in curves", x_label, "shift (mm)"),
+      yaw("", x_label, "yaw (mrad)"), forces("", x_label, "Y/Q"),
+      work("", x_label, "T\u03b3 (N)");
+    std::vector<double> x;
+    for (const auto &found : all)
+      x.push_back(1e3 * found[0].state.acting.curvature);
+    for (unsigned int i = 0; i < all[0].size(); ++i)
       {
-        const std::string label = std::string(sides[k]) + "-hand wheel";
-        forces.add_curve(label,
-                         x,
-                         values([k](const auto &state) {
-                           return lateral_ratio(state.wheels[k]);
-                         }),
-                         CurveStyle::line_and_points);
-        work.add_curve(label,
-                       x,
-                       values([k](const auto &state) {
-                         return state.wheels[k].creep_work;
-                       }),
-                       CurveStyle::line_and_points);
+        const std::string name = all[0][i].name;
+        const auto        draw =
+          [&](Figure &panel, const std::string &label, const auto &of) {
+            std::vector<double> y;
+            for (const auto &found : all)
+              y.push_back(of(found[i].state));
+            panel.add_curve(label, x, y, CurveStyle::line_and_points);
+          };
+        draw(figure, name, [](const auto &state) {
+          return 1e3 * state.place.shift;
+        });
+        draw(yaw, name, [](const auto &state) {
+          return 1e3 * state.place.yaw;
+        });
+        for (unsigned int k = 0; k < 2; ++k)
+          {
+            const std::string label =
+              (name.empty() ? "" : name + ", ") + sides[k] + "-hand wheel";
+            draw(forces, label, [k](const auto &state) {
+              return lateral_ratio(state.wheels[k]);
+            });
+            draw(work, label, [k](const auto &state) {
+              return state.wheels[k].creep_work;
+            });
+          }
       }
     for (const Figure *panel : {&yaw, &forces, &work})
       figure.add_panel(*panel);

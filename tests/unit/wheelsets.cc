@@ -47,9 +47,10 @@ namespace
     Walk(const SceneParameters &scene, const WheelsetParameters &wheelset)
       : wheelset(wheelset)
       , situation(scene)
-      , pair(situation, this->wheelset, true)
-      , balance(pair, this->wheelset)
-      , walk(balance)
+      , gear(situation, this->wheelset, true)
+      , pair(gear.wheels(0))
+      , balance(gear.balance(0))
+      , walk(gear)
     {
       walk.begin();
     }
@@ -57,13 +58,14 @@ namespace
     const WheelsetState &to(const CurveCase &target)
     {
       walk.go_to(target);
-      return balance.now();
+      return gear.now().wheelsets[0];
     }
 
     const WheelsetParameters wheelset;
     const Situation          situation;
-    WheelPair                pair;
-    Equilibrium              balance;
+    RunningGear              gear;
+    WheelPair               &pair;
+    Equilibrium             &balance;
     CurveWalk                walk;
   };
 
@@ -326,8 +328,10 @@ BOOST_AUTO_TEST_CASE(cones_hunt_as_klingel_and_wickens_say)
   // of a free one: a wavelength of 2 pi (e r0 / conicity)^(1/2)
   Eigen::Matrix<double, 3, 5> free = G;
   free(1, 1) += wheelset.yaw_stiffness / W;
-  const double  slow = 0.05;
-  const Hunting of_free({1500., 1000., 100., 0., 0., 0.}, free, W, r0);
+  const double       slow            = 0.05;
+  WheelsetParameters unsprung        = wheelset;
+  unsprung.hunting.lateral_stiffness = 0.;
+  const Hunting of_free(unsprung, {free}, r0);
   double        frequency = 0.;
   for (const auto &value : of_free.eigenvalues(slow))
     frequency = std::max(frequency, value.imag() / (2 * pi));
@@ -336,7 +340,7 @@ BOOST_AUTO_TEST_CASE(cones_hunt_as_klingel_and_wickens_say)
   // nothing but friction holds it: it hunts from walking pace on
   BOOST_TEST(of_free.critical_speed(200.).value_or(99.) < 5.);
   // of the sprung one
-  const Hunting sprung(wheelset.hunting, G, W, r0);
+  const Hunting sprung(wheelset, {G}, r0);
   const auto    critical = sprung.critical_speed(200.);
   BOOST_TEST_REQUIRE(critical.has_value());
   const double k = 1e6, K = 1e6, m = 1500., I = 1000.,
@@ -346,6 +350,120 @@ BOOST_AUTO_TEST_CASE(cones_hunt_as_klingel_and_wickens_say)
   BOOST_TEST(*critical == std::sqrt(V2), boost::test_tools::tolerance(0.02));
   BOOST_TEST(sprung.eigenvalues(0.99 * *critical).front().real() < 0.);
   BOOST_TEST(sprung.eigenvalues(1.01 * *critical).front().real() > 0.);
+}
+
+/**
+ * Cones under a bogie of springs that do not give: its wavelength is 2 pi
+ * (r0 (e^2 + a^2 f22/f11) / (e conicity))^(1/2), of wheelsets that creep by
+ * f22 across and f11 along. With its frame held by springs it is two
+ * wheelsets.
+ */
+BOOST_AUTO_TEST_CASE(a_stiff_bogie_of_cones_has_a_longer_wave)
+{
+  const ScratchFolder scratch;
+  const double        slope = 1. / 40, crown = 0.3, a = 0.9;
+  WheelsetParameters  alone;
+  alone.hunting = {1500., 1000., 100., 0., 0., 0.};
+  Walk       walk(cone_scene(scratch, slope, crown), alone);
+  const auto G = walk.balance.motion_derivatives(true);
+  BOOST_TEST_REQUIRE(G.has_value());
+  const double W = alone.axle_load, e = walk.pair.half_base(),
+               conicity =
+                 slope * (1 + crown * slope / e) / (1 - r0 * slope / e),
+               creep_ratio = -(*G)(0, 1) * e * e / (*G)(1, 4),
+               pi          = std::acos(-1.);
+  BOOST_TEST(creep_ratio == 1., boost::test_tools::tolerance(0.3));
+  const auto in_frame = [&](const double k, const double K) {
+    WheelsetParameters bogie        = alone;
+    bogie.is_bogie                  = true;
+    bogie.ahead_of_frame            = a;
+    bogie.yaw_stiffness             = K;
+    bogie.hunting.lateral_stiffness = k;
+    bogie.frame.mass                = 2000.;
+    bogie.frame.yaw_inertia         = 1500.;
+    return bogie;
+  };
+  const auto held = [&](const double k, const double K) {
+    Hunting::Derivatives by_motion = *G;
+    by_motion(0, 0) -= k / W;
+    by_motion(1, 1) -= K / W;
+    return by_motion;
+  };
+  const auto slow_wave = [&](const Hunting &hunting) {
+    const double slow = 0.05;
+    double       wave = 0.;
+    for (const auto &value : hunting.eigenvalues(slow))
+      if (value.imag() > 0.)
+        wave = std::max(wave, 2 * pi * slow / value.imag());
+    return wave;
+  };
+  const Hunting stiff(in_frame(1e9, 1e9), {held(1e9, 1e9), held(1e9, 1e9)}, r0);
+  BOOST_TEST(slow_wave(stiff) ==
+               2 * pi *
+                 std::sqrt(r0 * (e * e + creep_ratio * a * a) / (e * conicity)),
+             boost::test_tools::tolerance(0.015));
+  // a frame that does not move holds wheelsets as springs to the ground do
+  const double       k = 2e6, K = 3e6;
+  WheelsetParameters still      = in_frame(k, K);
+  still.frame.mass              = 1e9;
+  still.frame.yaw_inertia       = 1e9;
+  still.frame.lateral_stiffness = 1e15;
+  still.frame.yaw_stiffness     = 1e15;
+  WheelsetParameters sprung     = alone;
+  sprung.yaw_stiffness          = K;
+  sprung.hunting                = {1500., 1000., 100., k, 0., 0.};
+  Hunting::Derivatives yawing   = *G;
+  yawing(1, 1) -= K / W;
+  const auto critical = Hunting(sprung, {yawing}, r0).critical_speed(300.),
+             of_bogie = Hunting(still, {held(k, K), held(k, K)}, r0)
+                          .critical_speed(300.);
+  BOOST_TEST_REQUIRE((critical && of_bogie));
+  BOOST_TEST(*of_bogie == *critical, boost::test_tools::tolerance(1e-4));
+}
+
+/**
+ * The frame of a bogie is in balance, each wheelset is where it would be alone
+ * with that frame and force, and the trailing one stands further inside.
+ */
+BOOST_AUTO_TEST_CASE(a_bogie_is_two_wheelsets_in_a_frame)
+{
+  WheelsetParameters bogie        = sprung();
+  bogie.is_bogie                  = true;
+  bogie.hunting.lateral_stiffness = 7.8e6;
+  bogie.frame.yaw_stiffness       = 2e5;
+  Walk            walk(wheelset_scene(), bogie);
+  const double    R = 500., a = 0.9, W = bogie.axle_load, H = -4e3;
+  const CurveCase acting{1 / R, H, 2e-3, 0.};
+  walk.to(acting);
+  walk.gear.polish();
+  const RunningState &found = walk.gear.now();
+  const auto         &one = found.wheelsets[0], &two = found.wheelsets[1];
+  BOOST_TEST(found.largest_residual() < 5e-8);
+  const double y = found.frame[0], psi = found.frame[1];
+  BOOST_TEST(one.lateral_force + two.lateral_force == H,
+             boost::test_tools::tolerance(1e-4));
+  BOOST_TEST(std::abs(a * (one.lateral_force - two.lateral_force) +
+                      one.yaw_moment + two.yaw_moment - 2e5 * (2e-3 - psi)) <
+             1e-6 * W);
+  BOOST_TEST(one.lateral_force ==
+               7.8e6 * (y + a * psi - a * a / (2 * R) - one.place.shift),
+             boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(two.yaw_moment == 10e6 * (psi + a / R - two.place.yaw),
+             boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(one.place.shift < two.place.shift - 0.3 * mm);
+  // alone, with that force and that frame
+  for (unsigned int i = 0; i < 2; ++i)
+    {
+      const WheelsetState &with = found.wheelsets[i];
+      Walk                 alone(wheelset_scene(), sprung());
+      Equilibrium         &balance = alone.balance;
+      BOOST_TEST(balance.solve(
+        {1 / R, with.lateral_force, i == 0 ? psi - a / R : psi + a / R, 0.},
+        with));
+      BOOST_TEST(std::abs(balance.now().place.shift - with.place.shift) <
+                 0.02 * mm);
+      BOOST_TEST(std::abs(balance.now().place.yaw - with.place.yaw) < 1e-5);
+    }
 }
 
 BOOST_AUTO_TEST_CASE(sides_may_differ)

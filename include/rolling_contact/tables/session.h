@@ -35,6 +35,14 @@ namespace RollingContact
     double      seconds = 0.; ///< wall time, with bodies
   };
 
+  template <int dim>
+  class SteadyState;
+
+  /** What a session says of a state whose errors were estimated. */
+  template <int dim>
+  SessionState session_state(const PairSpec         &scene,
+                             const SteadyState<dim> &steady);
+
   /**
    * A scene whose steady states are solved one after the other, for programs
    * that call the library: entries are changed by name, and bodies, condensed

@@ -1,9 +1,8 @@
 #ifndef rolling_contact_wheelset_curve_walk_h
 #define rolling_contact_wheelset_curve_walk_h
 
-#include <rolling_contact/wheelset/equilibrium.h>
+#include <rolling_contact/wheelset/running_gear.h>
 
-#include <optional>
 #include <vector>
 
 namespace RollingContact
@@ -19,8 +18,8 @@ namespace RollingContact
   class CurveWalk
   {
   public:
-    explicit CurveWalk(Equilibrium &equilibrium)
-      : equilibrium(equilibrium)
+    explicit CurveWalk(RunningGear &gear)
+      : gear(gear)
     {}
 
     /**
@@ -39,11 +38,11 @@ namespace RollingContact
     bool step_to(const CurveCase &acting);
 
     /** Where the last two points lead to. */
-    WheelsetState predicted(const CurveCase &acting) const;
+    RunningState predicted(const CurveCase &acting) const;
 
-    Equilibrium               &equilibrium;
-    std::vector<WheelsetState> last;                  ///< two at most
-    double                     curvature_step = 2e-4; ///< 1/m
+    RunningGear              &gear;
+    std::vector<RunningState> last;                  ///< two at most
+    double                    curvature_step = 2e-4; ///< 1/m
   };
 } // namespace RollingContact
 

@@ -19,7 +19,7 @@ namespace RollingContact
   {
     CurveCase     acting; ///< the lateral force found where the shift is given
     WheelsetPlace place;
-    double        yaw_moment = 0.; ///< of the suspension, N m
+    double        lateral_force = 0., yaw_moment = 0.; ///< that hold it, N, N m
     BothWheels    wheels;
 
     /**
@@ -72,9 +72,10 @@ namespace RollingContact
 
     /**
      * Make the residual of now() as small as it gets with edges of stick zones
-     * that are held.
+     * that are held; false, and now() as it was, where it does not get smaller
+     * than 1e-8.
      */
-    void polish();
+    bool polish();
 
     const WheelsetState &now() const
     {
@@ -88,6 +89,12 @@ namespace RollingContact
     {
       return jacobian;
     }
+
+    /**
+     * The residual of now() by shift, yaw and excess, from its steps or else by
+     * differences; nothing where a state beside it is not found. Units: 1/m, 1.
+     */
+    Derivatives slopes();
 
     void begin_with(const WheelsetState &other,
                     const Derivatives   &derivatives = {})
@@ -122,6 +129,9 @@ namespace RollingContact
 
     /** Largest residual of an equilibrium. */
     static constexpr double tolerance = 1e-5;
+
+    /** Where forces jump, as they do from one set of bodies to another. */
+    double accepted = tolerance;
 
     unsigned int n_steps = 0; ///< of Newton's method
 
@@ -167,9 +177,12 @@ namespace RollingContact
   private:
     WheelPair                &pair;
     const WheelsetParameters &wheelset;
+    const double              lateral_stiffness; ///< between it and a frame
     const Eigen::Vector3d     scales, limits;
     WheelsetState             state;
     Derivatives               jacobian;
+
+    std::optional<WheelsetState> closest; ///< that Newton's method came to
   };
 } // namespace RollingContact
 

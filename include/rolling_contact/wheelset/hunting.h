@@ -3,7 +3,7 @@
 
 #include <Eigen/Dense>
 
-#include <rolling_contact/wheelset/hunting_wheelset.h>
+#include <rolling_contact/wheelset/bogie_frame.h>
 
 #include <complex>
 #include <optional>
@@ -19,7 +19,9 @@ namespace RollingContact
    *   I_y omega' = dM_axle,
    *
    * the balances of Equilibrium linear in (y, psi, excess, y'/V, psi'/V) with
-   * quasi-steady contacts under loads that stay. Units: SI.
+   * quasi-steady contacts under loads that stay. Springs and dashpots of a
+   * bogie are those between wheelsets and frame, which has shift, yaw, mass and
+   * inertia, and between frame and a car body that does not move. Units: SI.
    */
   class Hunting
   {
@@ -27,13 +29,12 @@ namespace RollingContact
     /** Rows: balances over the axle load; columns as above. */
     using Derivatives = Eigen::Matrix<double, 3, 5>;
 
-    Hunting(const HuntingWheelset &wheelset,
-            const Derivatives     &derivatives,
-            const double           axle_load,
-            const double           radius)
-      : wheelset(wheelset)
+    /** Derivatives of each wheelset with a frame that stays. */
+    Hunting(const WheelsetParameters       &vehicle,
+            const std::vector<Derivatives> &derivatives,
+            const double                    radius)
+      : vehicle(vehicle)
       , derivatives(derivatives)
-      , axle_load(axle_load)
       , radius(radius)
     {}
 
@@ -49,9 +50,17 @@ namespace RollingContact
     std::optional<double> critical_speed(const double most) const;
 
   private:
-    const HuntingWheelset wheelset;
-    const Derivatives     derivatives;
-    const double          axle_load, radius;
+    /** Forces by positions, and by velocities. */
+    struct Forces
+    {
+      Eigen::MatrixXd of_places, of_velocities;
+    };
+
+    Forces forces(const double speed) const;
+
+    const WheelsetParameters       vehicle;
+    const std::vector<Derivatives> derivatives;
+    const double                   radius;
   };
 } // namespace RollingContact
 

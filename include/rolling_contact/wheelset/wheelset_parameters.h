@@ -35,7 +35,8 @@ namespace RollingContact
   };
 
   /**
-   * Section `Wheelset`. Units: N, m, N m/rad, rad, N m.
+   * Section `Wheelset`: a wheelset, or a bogie of two, which stands at the
+   * middle of its frame. Units: N, m, N m/rad, rad, N m.
    */
   struct WheelsetParameters
   {
@@ -59,8 +60,14 @@ namespace RollingContact
     /** Whether the first case goes, or on straight track is pushed, there. */
     bool goes_to_the_left() const;
 
+    unsigned int n_wheelsets() const
+    {
+      return is_bogie ? 2 : 1;
+    }
+
+    bool                  is_bogie = false;
     std::vector<double>   curve_radii;             ///< positive to the right
-    double                axle_load       = 120e3; ///< of both wheels
+    double                axle_load       = 120e3; ///< of a wheelset
     double                lateral_force   = 0.;    ///< to the right
     double                cant_deficiency = 0.;
     double                load_transfer   = 0.; ///< from the left to the right
@@ -74,6 +81,8 @@ namespace RollingContact
     /** What hunts about the equilibrium; without mass it is not asked. */
     HuntingWheelset hunting;
 
+    HuntingFrame frame; ///< of a bogie
+
     std::string           left_wheel_profile, left_rail_profile;
     std::optional<double> left_wheel_radius;
 
@@ -81,6 +90,10 @@ namespace RollingContact
     void declare_balance(Entries &entries);
 
     void declare_hunting(Entries &entries, const Reader &reader);
+
+    void declare_bogie(Entries &entries, const Reader &reader);
+
+    void check_bogie() const;
 
     void declare_left_side(Entries &entries);
   };

@@ -1,0 +1,182 @@
+#include "bindings.h"
+
+#include <rolling_contact/scene/scene_parameters.h>
+#include <rolling_contact/wheelset/wheelset_solver.h>
+
+namespace RollingContact::Bindings
+{
+  namespace
+  {
+    /** A wheelset in balance and its wheels, copies of their own. */
+    struct PlacedWheelset
+    {
+      FoundEquilibrium     found; ///< without the states of the wheels
+      double               radius = 0., speed = 0.;
+      std::array<State, 2> wheels; ///< right, left
+    };
+
+    PlacedWheelset placed(const FoundEquilibrium &found, const PairSpec &scene)
+    {
+      PlacedWheelset result;
+      result.radius = scene.wheel.radius;
+      result.speed  = scene.contact.rolling_speed();
+      for (unsigned int wheel = 0; wheel < 2; ++wheel)
+        {
+          const SteadyState<3> &steady = found.steady[wheel];
+          result.wheels[wheel] = {session_state(*found.scenes[wheel], steady),
+                                  std::make_shared<const Fields>(steady.problem,
+                                                                 steady.state)};
+        }
+      result.found        = found;
+      result.found.scenes = {};
+      result.found.steady = {};
+      return result;
+    }
+
+    class PyWheelset
+    {
+    public:
+      explicit PyWheelset(std::shared_ptr<const Scene> scene)
+        : scene(std::move(scene))
+      {}
+
+      std::vector<PlacedWheelset> solve() const
+      {
+        const Situation                &situation = *scene->situation;
+        std::unique_ptr<WheelsetSolver> solver;
+        {
+          const py::gil_scoped_release others_run;
+          solver = std::make_unique<WheelsetSolver>(situation);
+        }
+        std::vector<PlacedWheelset> all;
+        for (std::size_t k = 0; k < solver->n_cases(); ++k)
+          {
+            std::vector<FoundEquilibrium> found;
+            {
+              const py::gil_scoped_release others_run;
+              found = solver->next();
+            }
+            for (const FoundEquilibrium &one : found)
+              all.push_back(placed(one, situation));
+          }
+        return all;
+      }
+
+    private:
+      std::shared_ptr<const Scene> scene;
+    };
+
+    void define_place(py::class_<PlacedWheelset> &state)
+    {
+      const auto add = [&](const char *name, auto give, const char *help) {
+        state.def_property_readonly(
+          name,
+          [give](const PlacedWheelset &self) { return give(self, self.found); },
+          help);
+      };
+      using Placed = const PlacedWheelset &;
+      using Found  = const FoundEquilibrium &;
+      add(
+        "name",
+        [](Placed, Found found) { return found.name; },
+        "leading or trailing one of a bogie; empty.");
+      add(
+        "curvature",
+        [](Placed, Found found) { return found.state.acting.curvature; },
+        "Of the track, positive to the right. Unit: 1/m.");
+      add(
+        "lateral_shift",
+        [](Placed, Found found) { return found.state.place.shift; },
+        "To the right. Unit: m.");
+      add(
+        "yaw",
+        [](Placed, Found found) { return found.state.place.yaw; },
+        "Against the radial direction, right-handed about z down. Unit: rad.");
+      add(
+        "roll", [](Placed, Found found) { return found.roll; }, "Unit: rad.");
+      add(
+        "pitch_rate",
+        [](Placed self, Found found) {
+          return -(1 + found.state.place.excess) * self.speed / self.radius;
+        },
+        "Angular velocity of the axle. Unit: rad/s.");
+      add(
+        "bounds",
+        [](Placed, Found found) -> py::object {
+          if (!found.bounds)
+            return py::none();
+          const auto &bounds = *found.bounds;
+          return py::make_tuple(bounds[0], bounds[1], bounds[2]);
+        },
+        "How far shift, yaw and the axle's turn over V/r0 may be off; None "
+        "where no bound is known. Units: m, rad, 1.");
+      add(
+        "frame_shift",
+        [](Placed, Found found) { return found.frame[0]; },
+        "Of the frame of a bogie. Unit: m.");
+      add(
+        "frame_yaw",
+        [](Placed, Found found) { return found.frame[1]; },
+        "Of the frame of a bogie. Unit: rad.");
+      add(
+        "lateral_force",
+        [](Placed, Found found) { return found.state.lateral_force; },
+        "Of the suspension, to the right. Unit: N.");
+      add(
+        "yaw_moment",
+        [](Placed, Found found) { return found.state.yaw_moment; },
+        "Of the suspension, right-handed about z down. Unit: N m.");
+      add(
+        "drag",
+        [](Placed, Found found) { return found.drag(); },
+        "Of both wheels against the direction of travel. Unit: N.");
+      add(
+        "creep_work",
+        [](Placed, Found found) { return found.creep_work(); },
+        "T gamma of both wheels. Unit: J/m.");
+      add(
+        "residual",
+        [](Placed, Found found) { return found.residual(); },
+        "What is left of the balances over the axle load. Unit: 1.");
+    }
+  } // namespace
+
+  void define_wheelset(py::module_ &module)
+  {
+    py::class_<PlacedWheelset> state(module,
+                                     "WheelsetState",
+                                     "A wheelset in balance and its wheels, "
+                                     "copies of their own. SI units.");
+    define_place(state);
+    for (const auto &[name, wheel] :
+         {std::pair("right", 0), std::pair("left", 1)})
+      state.def_property_readonly(
+        name,
+        [wheel = wheel](const PlacedWheelset &self) {
+          return self.wheels[wheel];
+        },
+        "The state of that wheel, see State.");
+    state.def("__repr__", [](const PlacedWheelset &self) {
+      const WheelsetPlace &place = self.found.state.place;
+      return py::str("<rolling_contact.WheelsetState: curvature {:.6g} 1/m, "
+                     "lateral_shift {:.6g} m, yaw {:.6g} rad>")
+        .format(self.found.state.acting.curvature, place.shift, place.yaw);
+    });
+    py::class_<PyWheelset>(
+      module,
+      "Wheelset",
+      "A wheelset or bogie of a scene, whose equilibria are found; Analysis is "
+      "wheelset, whatever the scene says. See doc/wheelset.md.")
+      .def(py::init([](const py::object &scene, const py::object &settings) {
+             return std::make_unique<PyWheelset>(
+               make_scene_of("wheelset", scene, settings));
+           }),
+           py::arg("scene"),
+           py::arg("settings") = py::none(),
+           "Of a path, a text or a Scene, see Scene. Raises InputError.")
+      .def("solve",
+           &PyWheelset::solve,
+           "The equilibria in one curve after the other, a WheelsetState for "
+           "each wheelset. Raises ConvergenceError in a curve without one.");
+  }
+} // namespace RollingContact::Bindings
