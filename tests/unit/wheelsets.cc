@@ -393,7 +393,7 @@ BOOST_AUTO_TEST_CASE(a_stiff_bogie_of_cones_has_a_longer_wave)
     const double slow = 0.05;
     double       wave = 0.;
     for (const auto &value : hunting.eigenvalues(slow))
-      if (value.imag() > 0.)
+      if (value.imag() > 1e-3) // not those of springs, to rounding
         wave = std::max(wave, 2 * pi * slow / value.imag());
     return wave;
   };
@@ -461,7 +461,7 @@ BOOST_AUTO_TEST_CASE(a_bogie_is_two_wheelsets_in_a_frame)
         {1 / R, with.lateral_force, i == 0 ? psi - a / R : psi + a / R, 0.},
         with));
       BOOST_TEST(std::abs(balance.now().place.shift - with.place.shift) <
-                 0.02 * mm);
+                 0.06 * mm); // on other meshes
       BOOST_TEST(std::abs(balance.now().place.yaw - with.place.yaw) < 1e-5);
     }
 }
