@@ -454,6 +454,7 @@ def tram_wheel_profile():
 
 
 CORNER, FACE, GROOVE = 0.110817, math.atan(6.), 47.  # where the corner of 13 mm begins, the gauge face, the depth of the groove
+HEAD = -7.981  # mm: the middle of the head from that of a 60E1 with the same gauge face, which is the origin of a rail's section
 
 
 def grooved_head(side):
@@ -469,7 +470,7 @@ def grooved_rail_profile():
     """Close points from the floor of the groove to the field side."""
     gauge = grooved_head('gauge')
     gauge = gauge[:-1] + outline(gauge[-1], FACE, [(6., 0.), (None, 12.)])
-    return [(-y, z) for y, z in gauge[:0:-1]] + grooved_head('field')
+    return [(HEAD + y, z) for y, z in [(-y, z) for y, z in gauge[:0:-1]] + grooved_head('field')]
 
 
 def write_profile(name, points, comment):
@@ -488,14 +489,15 @@ def tram_profiles():
         'The head of a grooved rail, made for the scene tram_in_curve after the usual dimensions of such rails, and no standard:',
         'arcs of 300, 80 and 13 mm, 56 mm wide between the gauge face 14 mm below the top and its mirror image, a gauge face of',
         '6:1, a groove 47 mm deep. The profile ends at the floor of the groove: the keeper beyond it is left out.',
-        'Written by sections/make_sections.py. y towards the field side, z down, mm, not inclined.'])
+        'Written by sections/make_sections.py. y towards the field side from the middle of a 60E1 with the same gauge face, as',
+        'grooved_rail.msh, z down, mm, not inclined.'])
 
 
 # ---- the sections under them
 
-TRAM_RIM = Rim((-52., 23.4), (-32.5, 3.8), 45., (-60., -4.), 10, 4,
-               [(-48.5, 12.5), (-46., 6.), (-42., -1.), (-36., -8.), (-27., -14.5), (-17., -17.5), (-5., -19.), (45., -21.)], (-40.5, -3.5),
-               (-52., 14.), (-54.5, -6.))
+TRAM_RIM = Rim((-54., 22.), (-32.5, 3.8), 45., (-60., -4.), 10, 4,
+               [(-47.5, 12.), (-45.5, 6.), (-42., -1.), (-36., -8.), (-27., -14.5), (-17., -17.5), (-5., -19.), (45., -21.)], (-40.5, -3.5),
+               (-50.5, 15.), (-55., -6.))
 
 
 def grooved_rail(n):
@@ -507,12 +509,12 @@ def grooved_rail(n):
     gauge_face, field_face = part(gauge, half, 1.), part(field, half, 1.)
     core = (-13., 15.), (13., 15.)
     below = (-22., 45.), (-12., 47.), (15., 40.)  # the foot of the core: its gauge side, above the web, its field side
-    web, neck, ankle, sole, half_foot = -26., 78., 150., 180., 90.
-    foot = polyline([(6., ankle), (8., 156.), (16., 161.), (35., 165.5), (90., 170.)])
+    web, neck, ankle, sole, half_foot = -26., 78., 154., 180., 90.
+    foot = polyline([(6., ankle), (10., 159.), (18., 162.5), (35., 166.), (90., 170.)])
     keeper = (-70., GROOVE), (-86., 52.)
 
     def add(place, n_s, n_t, sides=None):
-        section.block(lambda s, t: (place(s, t)[0] / 1e3, -place(s, t)[1] / 1e3), n_s, n_t, sides)
+        section.block(lambda s, t: ((HEAD + place(s, t)[0]) / 1e3, -place(s, t)[1] / 1e3), n_s, n_t, sides)
 
     def core_foot(s):
         return line(below[0], below[1])(4 * s) if s < 0.25 else line(below[1], below[2])((4 * s - 1) / 3)
@@ -530,10 +532,10 @@ def grooved_rail(n):
     add(coons(groove, line(keeper[1], left), line(*keeper), line(gauge_face[-1], left)), 3, 2)
     add(coons(line(*keeper), line((-72., 4.), (-85., 4.)), line(keeper[0], (-72., 4.)), line(keeper[1], (-85., 4.))), 2, 3)
     add(coons(line(left, right), line((web - 6., ankle), (web + 6., ankle)), line(left, (web - 6., ankle)), line(right, (web + 6., ankle))), n, 4 * n)
-    add(coons(line((web - 6., ankle), (web + 6., ankle)), line((web - 14., sole), (web + 14., sole)), line((web - 6., ankle), (web - 14., sole)),
-              line((web + 6., ankle), (web + 14., sole))), n, n, {'t1': HUB})
+    add(coons(line((web - 6., ankle), (web + 6., ankle)), line((web - 8., sole), (web + 8., sole)), line((web - 6., ankle), (web - 8., sole)),
+              line((web + 6., ankle), (web + 8., sole))), n, n, {'t1': HUB})
     for sign in (1, -1):
-        wing = coons(line((14., sole), (half_foot, sole)), foot, line((14., sole), (6., ankle)), line((half_foot, sole), foot(1)))
+        wing = coons(line((8., sole), (half_foot, sole)), foot, line((8., sole), (6., ankle)), line((half_foot, sole), foot(1)))
         add(lambda s, t: (web + sign * wing(s, t)[0], wing(s, t)[1]), 4 * n, n, {'t0': HUB})
     area, height, up, _ = section.properties()
     section.write('grooved_rail', 'a grooved rail of 180 mm, %d elements through the web; A %.1f cm2, Iy %.0f cm4' % (n, area * 1e4, up * 1e8))
