@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
-"""Writes the sections of this folder as meshes of quadrilaterals for Shape = section (doc/sections.md).
+"""Writes the sections of this folder as meshes of quadrilaterals for Shape = section (doc/sections.md), and the profiles of a tram (../profiles/
+tram_wheel.txt, grooved_rail.txt).
 
     python3 prm/sections/make_sections.py
 
-needs nothing but Python. Gmsh format 2.2, metres: y across, z from rail to wheel, the contact point is the origin; of wheel_s1002 and rail_60e1 the axes are those of the profile, y from the gauge side to the
-field side. A wheel lies at z > 0 with its axle at z = Wheel/Radius, a rail at z < 0.
+needs nothing but Python. Gmsh format 2.2, metres: y across, z from rail to wheel, the contact point is the origin; of wheel_s1002, rail_60e1 and those of a tram the axes are those of the profile, y from the gauge side to
+the field side. A wheel lies at z > 0 with its axle at z = Wheel/Radius, a rail at z < 0.
 Physical groups: 1 contact boundary, 2 hub (bore of a wheel, ends of an axle, sole of a rail), 3 the section.
 """
+import collections
 import math
 import pathlib
 
@@ -115,37 +117,40 @@ def polyline(points):
 
 # ---- bodies of revolution, by radius and y
 
-RADIUS, BORE, HUB_RADIUS, RIM_RADIUS = 0.46, 0.0925, 0.135, 0.39
-HUB_HALF, RIM_HALF, WEB, WEB_OFFSET = 0.085, 0.0675, 0.030, 0.020
+WheelSize = collections.namedtuple('WheelSize', 'radius bore hub_radius rim_radius hub_half rim_half web web_offset hub_middle')
+RAILWAY = WheelSize(0.46, 0.0925, 0.135, 0.39, 0.085, 0.0675, 0.030, 0.020, 0.)
+TRAM = WheelSize(0.30, 0.070, 0.105, 0.240, 0.060, 0.0525, 0.022, -0.0075, -0.0225)
+RADIUS, BORE, HUB_HALF, WEB = RAILWAY.radius, RAILWAY.bore, RAILWAY.hub_half, RAILWAY.web
 
 
-def wheel_blocks(n, hub_boundary, mirror=1., shift=0.):
-    """The wheel with an S-shaped web: blocks of (place, numbers, boundaries); n elements through the web."""
+def wheel_blocks(n, hub_boundary, mirror=1., shift=0., size=RAILWAY):
+    """The wheel with an S-shaped web: blocks of (place, numbers, boundaries); n elements through the web, which goes from the middle of the hub
+    to its offset at the rim."""
     def middle(r):
-        t = min(max((r - HUB_RADIUS) / (RIM_RADIUS - HUB_RADIUS), 0.), 1.)
-        return WEB_OFFSET * (3 * t * t - 2 * t ** 3)
+        t = min(max((r - size.hub_radius) / (size.rim_radius - size.hub_radius), 0.), 1.)
+        return between(size.hub_middle, size.web_offset, 3 * t * t - 2 * t ** 3)
 
     def column(r0, r1, left, right):
         def place(s, t):
             r = between(r0, r1, s)
-            return shift + mirror * between(left(r), right(r), t), RADIUS - r
+            return shift + mirror * between(left(r), right(r), t), size.radius - r
         return place
 
     def at(y):
         return lambda r: y
 
     def web_left(r):
-        return middle(r) - WEB / 2
+        return middle(r) - size.web / 2
 
     def web_right(r):
-        return middle(r) + WEB / 2
+        return middle(r) + size.web / 2
 
     blocks = []
-    for left, right, n_t in ((at(-HUB_HALF), web_left, 2), (web_left, web_right, 1), (web_right, at(HUB_HALF), 2)):
-        blocks.append((column(BORE, HUB_RADIUS, left, right), n, n_t * n, hub_boundary))
-    blocks.append((column(HUB_RADIUS, RIM_RADIUS, web_left, web_right), 6 * n, n, {}))
-    for left, right, n_t in ((at(-RIM_HALF), web_left, 2), (web_left, web_right, 1), (web_right, at(RIM_HALF), 2)):
-        blocks.append((column(RIM_RADIUS, RADIUS, left, right), 2 * n, n_t * n, {'s1': CONTACT}))
+    for left, right, n_t in ((at(size.hub_middle - size.hub_half), web_left, 2), (web_left, web_right, 1), (web_right, at(size.hub_middle + size.hub_half), 2)):
+        blocks.append((column(size.bore, size.hub_radius, left, right), n, n_t * n, hub_boundary))
+    blocks.append((column(size.hub_radius, size.rim_radius, web_left, web_right), 6 * n, n, {}))
+    for left, right, n_t in ((at(-size.rim_half), web_left, 2), (web_left, web_right, 1), (web_right, at(size.rim_half), 2)):
+        blocks.append((column(size.rim_radius, size.radius, left, right), 2 * n, n_t * n, {'s1': CONTACT}))
     return blocks
 
 
@@ -221,20 +226,29 @@ def part(points, begin, end):
     return [at(begin)] + result + [at(end)]
 
 
-def profiled_wheel(n):
+# Points of a rim's mesh, in mm: the tip and the root of the flange, the end of the field side, the back, cells along the tread and of them at the root, the
+# line of nodes below the surface, its point below the root, the inside of the flange, and the middle of that
+Rim = collections.namedtuple('Rim', 'tip root field back cells root_cells inside corner flange core')
+S1002_RIM = Rim((-61.5, 26.), (-36.5, 8.4), 65., (-70., -4.), 10, 4,
+                [(-53., 14.), (-49.5, 7.), (-45., 0.), (-39., -8.), (-31., -14.5), (-20., -19.), (-5., -22.), (65., -24.)], (-43.5, -2.),
+                (-58., 15.), (-61., -6.))
+
+
+def profiled_wheel(n, name='wheel_s1002', comment='S1002, R 0.46 m, bore 0.0925 m, S-web of 30 mm', profile=None, rim=S1002_RIM, size=RAILWAY):
     """The tread has cells of 20 by 20 mm, as long when it is revolved in 144 parts; n elements through the web."""
     section = Section()
-    profile = s1002()
-    field_end = (65., profile[-1][1] - 5.)
-    tip = nearest(profile, (-61.5, 26.))
+    profile = profile or s1002()
+    side, field = rim.back[0], rim.field
+    field_end = (field, profile[-1][1] - 5.)
+    tip = nearest(profile, rim.tip)
     tread = part(profile, tip, 1.) + [field_end]
-    back = [(-70., -4.), (-70., profile[0][1])] + part(profile, 0., tip)
-    cells, rows, root = 10, 1, 4
-    surface, root_at, end_at = polyline(tread), nearest(tread, (-36.5, 8.4)), nearest(tread, profile[-1])
+    back = [rim.back, (side, profile[0][1])] + part(profile, 0., tip)
+    cells, rows, root = rim.cells, 1, rim.root_cells
+    surface, root_at, end_at = polyline(tread), nearest(tread, rim.root), nearest(tread, profile[-1])
     breaks = [root_at * k / root for k in range(root)] + [between(root_at, end_at, k / (cells - 1 - root)) for k in range(cells - root)] + [1.]
-    inside = [(-53., 14.), (-49.5, 7.), (-45., 0.), (-39., -8.), (-31., -14.5), (-20., -19.), (-5., -22.), (65., -24.)]
-    corner = nearest([polyline(inside)(k / 2000) for k in range(2001)], (-43.5, -2.))
-    inner = [(-58., 15.)] + [polyline(inside)(corner * (i - 1) / (root - 1)) for i in range(1, root)]
+    inside = rim.inside
+    corner = nearest([polyline(inside)(k / 2000) for k in range(2001)], rim.corner)
+    inner = [rim.flange] + [polyline(inside)(corner * (i - 1) / (root - 1)) for i in range(1, root)]
     dense = [polyline(inside)(k / 2000) for k in range(2001)]
     begin = polyline(inside)(corner)
     for i in range(root, cells + 1):
@@ -248,7 +262,7 @@ def profiled_wheel(n):
     for i in range(cells):
         add(coons(line(inner[i], inner[i + 1]), lambda s: surface(between(breaks[i], breaks[i + 1], s)),
                   line(inner[i], surface(breaks[i])), line(inner[i + 1], surface(breaks[i + 1]))), 1, rows, {'t1': CONTACT})
-    core = [line((-61., -6.), inner[0])(j / (root - 1)) for j in range(root)]
+    core = [line(rim.core, inner[0])(j / (root - 1)) for j in range(root)]
     behind = polyline(back)
     for j in range(root - 1):
         a, b = j / (root - 1), (j + 1) / (root - 1)
@@ -256,19 +270,19 @@ def profiled_wheel(n):
             1, rows)
         add(coons(line(core[j], core[j + 1]), line(inner[root - j], inner[root - j - 1]), line(core[j], inner[root - j]),
                   line(core[j + 1], inner[root - j - 1])), 1, 1)
-    top = [line((-70., -4.), core[0])(k / rows) for k in range(rows)] + [core[0]] + inner[root:]
+    top = [line(rim.back, core[0])(k / rows) for k in range(rows)] + [core[0]] + inner[root:]
     columns = len(top) - 1
-    depth = 1e3 * (RADIUS - RIM_RADIUS)
-    left, right = 1e3 * (WEB_OFFSET - WEB / 2), 1e3 * (WEB_OFFSET + WEB / 2)
-    first = round(columns * (left + 70.) / 135.)
-    bottom = ([(between(-70., left, k / first), -depth) for k in range(first)] + [(between(left, right, k / n), -depth) for k in range(n)]
-              + [(between(right, 65., k / (columns - first - n)), -depth) for k in range(columns - first - n + 1)])
+    depth = 1e3 * (size.radius - size.rim_radius)
+    left, right = 1e3 * (size.web_offset - size.web / 2), 1e3 * (size.web_offset + size.web / 2)
+    first = round(columns * (left - side) / (field - side))
+    bottom = ([(between(side, left, k / first), -depth) for k in range(first)] + [(between(left, right, k / n), -depth) for k in range(n)]
+              + [(between(right, field, k / (columns - first - n)), -depth) for k in range(columns - first - n + 1)])
     for i in range(columns):
         add(coons(line(bottom[i], bottom[i + 1]), line(top[i], top[i + 1]), line(bottom[i], top[i]), line(bottom[i + 1], top[i + 1])), 1, 2)
-    for place, n_s, n_t, sides in wheel_blocks(n, {'s0': HUB})[:4]:
+    for place, n_s, n_t, sides in wheel_blocks(n, {'s0': HUB}, size=size)[:4]:
         section.block(place, n_s, n_t, sides)
     area, *_ = section.properties()
-    section.write('wheel_s1002', 'S1002, R 0.46 m, bore 0.0925 m, S-web of 30 mm, %d elements through it; A %.1f cm2' % (n, area * 1e4))
+    section.write(name, '%s, %d elements through it; A %.1f cm2' % (comment, n, area * 1e4))
 
 
 # ---- the rail 60E1, EN 13674-1: the right half from the middle of the sole, in mm
@@ -415,6 +429,119 @@ def profiled_rail(n):
                   % (n, area * 1e4, up * 1e8, sideways * 1e8, (height + 0.172) * 1e3))
 
 
+# ---- profiles of a tram, made for this scene out of lines and arcs: in mm, across to the gauge side and down
+
+def outline(start, heading, pieces, step=0.25):
+    """Points of a curve that begins at this angle below the horizontal: (None, length) goes straight on, (radius, angle) turns to this angle."""
+    points, run = [start], start
+    for radius, value in pieces:
+        n = math.ceil((value if radius is None else radius * abs(value - heading)) / step)
+        for k in range(1, n + 1):
+            if radius is None:
+                points.append(plus(run, value * k / n, (math.cos(heading), math.sin(heading))))
+            else:
+                way, angle = math.copysign(radius, value - heading), between(heading, value, k / n)
+                points.append(plus(run, way, (math.sin(angle) - math.sin(heading), math.cos(heading) - math.cos(angle))))
+        run, heading = points[-1], heading if radius is None else value
+    return points
+
+
+def tram_wheel_profile():
+    """Close points from the back of the flange, 60 mm from the tape circle, to the field side: a cone of 1:40, a throat of 18 mm, a flange at 70
+    degrees, 22 mm thick 10 mm below the tape circle and 24 mm high."""
+    cone, flange = math.atan(1 / 40), math.radians(70.)
+    pieces = [(None, 40. / math.cos(cone) + 22.613), (18., flange), (None, 6.739), (8., 0.), (11.107, math.radians(-90.)), (None, 6.)]
+    return [(-y, z) for y, z in outline((-40., -1.), cone, pieces)][::-1]
+
+
+CORNER, FACE, GROOVE = 0.110817, math.atan(6.), 47.  # where the corner of 13 mm begins, the gauge face, the depth of the groove
+HEAD = -7.981  # mm: the middle of the head from that of a 60E1 with the same gauge face, which is the origin of a rail's section
+
+
+def grooved_head(side):
+    """Close points from the middle of the head to the bottom of the gauge face, or to that of the field side: arcs of 300, 80 and 13 mm."""
+    end = FACE if side == 'gauge' else math.atan(20.)
+    top = [(300., math.asin(10. / 300.)), (80., CORNER), (13., end)]
+    z = outline((0., 0.), 0., top)[-1][1]
+    depth = GROOVE - 6. * (1. - math.cos(FACE)) if side == 'gauge' else 37.
+    return outline((0., 0.), 0., top + [(None, (depth - z) / math.sin(end))])
+
+
+def grooved_rail_profile():
+    """Close points from the floor of the groove to the field side."""
+    gauge = grooved_head('gauge')
+    gauge = gauge[:-1] + outline(gauge[-1], FACE, [(6., 0.), (None, 12.)])
+    return [(HEAD + y, z) for y, z in [(-y, z) for y, z in gauge[:0:-1]] + grooved_head('field')]
+
+
+def write_profile(name, points, comment):
+    path = pathlib.Path(__file__).resolve().parents[1] / 'profiles' / (name + '.txt')
+    path.write_text(''.join('# %s\n' % line for line in comment) + ''.join('%.4f %.4f\n' % p for p in points))
+    print('%s: %d points' % (path.name, len(points)))
+
+
+def tram_profiles():
+    write_profile('tram_wheel', tram_wheel_profile(), [
+        'A wheel of a tram, made for the scene tram_in_curve after the usual dimensions of such wheels, and no standard:',
+        'a cone of 1:40, a throat of 18 mm, a flange at 70 degrees that is 24 mm high and 22 mm thick (10 mm below the',
+        'tape circle, from its back, which is 60 mm from the tape circle). Written by sections/make_sections.py.',
+        'y towards the field side, z down, mm.'])
+    write_profile('grooved_rail', grooved_rail_profile(), [
+        'The head of a grooved rail, made for the scene tram_in_curve after the usual dimensions of such rails, and no standard:',
+        'arcs of 300, 80 and 13 mm, 56 mm wide between the gauge face 14 mm below the top and its mirror image, a gauge face of',
+        '6:1, a groove 47 mm deep. The profile ends at the floor of the groove: the keeper beyond it is left out.',
+        'Written by sections/make_sections.py. y towards the field side from the middle of a 60E1 with the same gauge face, as',
+        'grooved_rail.msh, z down, mm, not inclined.'])
+
+
+# ---- the sections under them
+
+TRAM_RIM = Rim((-54., 22.), (-32.5, 3.8), 45., (-60., -4.), 10, 4,
+               [(-47.5, 12.), (-45.5, 6.), (-42., -1.), (-36., -8.), (-27., -14.5), (-17., -17.5), (-5., -19.), (45., -21.)], (-40.5, -3.5),
+               (-50.5, 15.), (-55., -6.))
+
+
+def grooved_rail(n):
+    """Head, groove, keeper, web and foot in mm, z down; only the head may touch. n elements through the web."""
+    section = Section()
+    gauge, field = grooved_head('gauge'), grooved_head('field')
+    gauge, half = [(-y, z) for y, z in gauge], nearest(gauge, (26., 6.))
+    crown = part(gauge, 0., half)[:0:-1] + part(field, 0., half)
+    gauge_face, field_face = part(gauge, half, 1.), part(field, half, 1.)
+    core = (-13., 15.), (13., 15.)
+    below = (-22., 45.), (-12., 47.), (15., 40.)  # the foot of the core: its gauge side, above the web, its field side
+    web, neck, ankle, sole, half_foot = -26., 78., 154., 180., 90.
+    foot = polyline([(6., ankle), (10., 159.), (18., 162.5), (35., 166.), (90., 170.)])
+    keeper = (-70., GROOVE), (-86., 52.)
+
+    def add(place, n_s, n_t, sides=None):
+        section.block(lambda s, t: ((HEAD + place(s, t)[0]) / 1e3, -place(s, t)[1] / 1e3), n_s, n_t, sides)
+
+    def core_foot(s):
+        return line(below[0], below[1])(4 * s) if s < 0.25 else line(below[1], below[2])((4 * s - 1) / 3)
+
+    def web_head(s):
+        return line(gauge_face[-1], below[0])(2 * s) if s < 0.5 else line(below[0], below[1])(2 * s - 1)
+
+    add(coons(line(*core), polyline(crown), line(core[0], crown[0]), line(core[1], crown[-1])), 4, 1, {'t1': CONTACT})
+    for corner, foot_of_core, face in ((core[0], below[0], gauge_face), (core[1], below[2], field_face)):
+        add(coons(line(corner, foot_of_core), polyline(face), line(corner, face[0]), line(foot_of_core, face[-1])), 3, 1, {'t1': CONTACT})
+    add(coons(core_foot, line(*core), line(below[0], core[0]), line(below[2], core[1])), 4, 3)
+    left, right = (web - 6., neck), (web + 6., neck)
+    add(coons(web_head, line(left, right), line(gauge_face[-1], left), line(below[1], right)), n, 2)
+    groove = polyline([keeper[0], (-38.6, GROOVE), gauge_face[-1]])
+    add(coons(groove, line(keeper[1], left), line(*keeper), line(gauge_face[-1], left)), 3, 2)
+    add(coons(line(*keeper), line((-72., 4.), (-85., 4.)), line(keeper[0], (-72., 4.)), line(keeper[1], (-85., 4.))), 2, 3)
+    add(coons(line(left, right), line((web - 6., ankle), (web + 6., ankle)), line(left, (web - 6., ankle)), line(right, (web + 6., ankle))), n, 4 * n)
+    add(coons(line((web - 6., ankle), (web + 6., ankle)), line((web - 8., sole), (web + 8., sole)), line((web - 6., ankle), (web - 8., sole)),
+              line((web + 6., ankle), (web + 8., sole))), n, n, {'t1': HUB})
+    for sign in (1, -1):
+        wing = coons(line((8., sole), (half_foot, sole)), foot, line((8., sole), (6., ankle)), line((half_foot, sole), foot(1)))
+        add(lambda s, t: (web + sign * wing(s, t)[0], wing(s, t)[1]), 4 * n, n, {'t0': HUB})
+    area, height, up, _ = section.properties()
+    section.write('grooved_rail', 'a grooved rail of 180 mm, %d elements through the web; A %.1f cm2, Iy %.0f cm4' % (n, area * 1e4, up * 1e8))
+
+
 if __name__ == '__main__':
     wheel(2)
     wheel(3)
@@ -424,3 +551,6 @@ if __name__ == '__main__':
     wheelset(2)
     profiled_wheel(2)
     profiled_rail(2)
+    tram_profiles()
+    profiled_wheel(2, 'wheel_tram', 'a tram wheel, R 0.3 m, bore 0.07 m, web of 22 mm', tram_wheel_profile(), TRAM_RIM, TRAM)
+    grooved_rail(2)
