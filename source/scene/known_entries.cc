@@ -46,6 +46,14 @@ namespace RollingContact
     return entries;
   }
 
+  Renews renewed_by(const std::string &path)
+  {
+    for (const Entry &entry : known_entries().rows())
+      if (entry.path() == path)
+        return entry.renews;
+    return Renews::loads;
+  }
+
   std::vector<std::string> unused_entries(const SceneParameters &scene,
                                           const PrmEntries      &given)
   {

@@ -11,7 +11,7 @@ namespace RollingContact
     const std::vector<double> &values = plan.values[band.largest];
     std::string                text;
     for (std::size_t d = 0; d < plan.entries.size(); ++d)
-      if (known_entries().find(plan.entries[d]).renews == Renews::bodies)
+      if (renewed_by(plan.entries[d]) == Renews::bodies)
         text += plan.entries[d] + " = " + exact_text(values[d]) + ", ";
     return text;
   }

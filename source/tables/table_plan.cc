@@ -75,7 +75,7 @@ namespace RollingContact
       std::vector<std::size_t> order(entries.size());
       std::iota(order.begin(), order.end(), 0);
       const auto cost = [&](const std::size_t k) {
-        return known_entries().find(entries[k]).renews;
+        return renewed_by(entries[k]);
       };
       std::stable_sort(order.begin(),
                        order.end(),

@@ -1,8 +1,7 @@
 #include <rolling_contact/analyses/stability.h>
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/scene/entry.h>
-#include <rolling_contact/scene/known_entries.h>
+#include <rolling_contact/scene/scene_entries.h>
 #include <rolling_contact/tables/stability_map.h>
 #include <rolling_contact/tables/table_rows.h>
 #include <rolling_contact/wheelset/curve_stability.h>
@@ -18,8 +17,9 @@ namespace RollingContact
     /** Whether where a wheelset on half-spaces runs depends on an entry. */
     bool moves_wheelset(const std::string &path)
     {
-      const Entry       &entry   = known_entries().find(path);
-      const std::string &section = entry.section->name, &name = entry.name;
+      const std::size_t slash   = path.find('/');
+      const std::string section = path.substr(0, slash),
+                        name    = path.substr(slash + 1);
       return section == "Wheelset" || section == "Profiles" ||
              section == "Contact" || path == "Wheel/Radius" ||
              name == "Young modulus" || name == "Poisson ratio";

@@ -2,6 +2,7 @@
 #define rolling_contact_scene_known_entries_h
 
 #include <rolling_contact/input/prm_entries.h>
+#include <rolling_contact/scene/entry.h>
 
 #include <set>
 #include <string>
@@ -17,6 +18,12 @@ namespace RollingContact
    * for them in any scene. Which analyses there are it does not know.
    */
   const Entries &known_entries();
+
+  /**
+   * What a new value of an entry renews; nothing but loads where the entry is
+   * of a section that one analysis has for itself.
+   */
+  Renews renewed_by(const std::string &path);
 
   /**
    * What of the entries given, by Section/Entry and those that are not the

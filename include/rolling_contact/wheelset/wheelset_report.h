@@ -19,7 +19,7 @@ namespace RollingContact
                    const WheelsetParameters &wheelset,
                    RunContext               &context);
 
-    /** Of a case: a wheelset, or both of a bogie. */
+    /** The wheelset of a case, or both of a bogie. */
     void add(const std::vector<FoundEquilibrium> &found);
 
     /** A row of wheelset.csv alone, of a place in this scene. */
@@ -51,7 +51,7 @@ namespace RollingContact
     RunContext               &context;
     ResultsTable              table;
 
-    /** Of each case. */
+    /** What was found in each case. */
     std::vector<std::vector<FoundEquilibrium>> all;
   };
 } // namespace RollingContact
