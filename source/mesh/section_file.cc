@@ -73,7 +73,7 @@ namespace RollingContact
     void check_named_radius(const MeshFile &file, const double radius)
     {
       const auto named = named_radius(file);
-      if (radius == 0. || !named ||
+      if (radius == 0. || !named || *named <= 0. ||
           std::abs(*named * file.unit - radius) <= off_radius * radius)
         return;
       const std::string entry = file.section + "/Radius = ",
