@@ -38,9 +38,10 @@ class Section:
         for side, boundary in (sides or {}).items():
             self.edges += [(boundary, p, q) for p, q in zip(rows[side], rows[side][1:])]
 
-    def write(self, name, comment):
+    def write(self, name, comment, radius=None):
         lines = ['$MeshFormat', '2.2 0 8', '$EndMeshFormat', '$PhysicalNames', '3']
-        lines += ['1 %d "contact"' % CONTACT, '1 %d "hub"' % HUB, '2 %d "section"' % INSIDE, '$EndPhysicalNames']
+        says = '' if radius is None else ', radius %g' % radius
+        lines += ['1 %d "contact%s"' % (CONTACT, says), '1 %d "hub"' % HUB, '2 %d "section"' % INSIDE, '$EndPhysicalNames']
         lines += ['$Nodes', str(len(self.points))]
         lines += ['%d %.12g %.12g 0' % (n + 1, y, z) for n, (y, z) in enumerate(self.points)]
         elements = [('1', boundary, ends) for boundary, *ends in self.edges]
@@ -158,7 +159,7 @@ def wheel(n):
     section = Section()
     for place, n_s, n_t, sides in wheel_blocks(n, {'s0': HUB}):
         section.block(place, n_s, n_t, sides)
-    section.write('wheel_%d' % n, 'R 0.46 m, bore 0.0925 m, S-web of 30 mm, %d elements through it' % n)
+    section.write('wheel_%d' % n, 'R 0.46 m, bore 0.0925 m, S-web of 30 mm, %d elements through it' % n, 0.46)
 
 
 def annular_plate(n):
@@ -184,7 +185,7 @@ def wheelset(n):
     for k, (a, b, m) in enumerate(parts):
         sides = {'t0': HUB} if k == 0 else {'t1': HUB} if k == len(parts) - 1 else {}
         section.block(lambda s, t: (between(a, b, t), RADIUS - between(hollow, BORE, s)), n, m, sides)
-    section.write('wheelset', 'two wheels and an axle, %d elements through the webs' % n)
+    section.write('wheelset', 'two wheels and an axle, %d elements through the webs' % n, 0.46)
 
 
 # ---- the same web and hub under a profile S1002 (EN 13715), in mm: across from the tape circle to the field side, and growth of the radius
@@ -282,7 +283,7 @@ def profiled_wheel(n, name='wheel_s1002', comment='S1002, R 0.46 m, bore 0.0925 
     for place, n_s, n_t, sides in wheel_blocks(n, {'s0': HUB}, size=size)[:4]:
         section.block(place, n_s, n_t, sides)
     area, *_ = section.properties()
-    section.write(name, '%s, %d elements through it; A %.1f cm2' % (comment, n, area * 1e4))
+    section.write(name, '%s, %d elements through it; A %.1f cm2' % (comment, n, area * 1e4), size.radius)
 
 
 # ---- the rail 60E1, EN 13674-1: the right half from the middle of the sole, in mm

@@ -57,47 +57,56 @@ namespace RollingContact
   ContactTable::ContactTable(const Situation &scene, RunContext &context)
     : scene(scene)
     , context(context)
-    , side(scene.profiles.wheel(scene.inputs->prm_folder),
-           scene.profiles.rail(scene.inputs->prm_folder),
-           scene.wheel.radius,
-           scene.profiles.tape_circle())
-  {}
+  {
+    const std::filesystem::path &folder = scene.inputs->prm_folder;
+    if (scene.profiles.has_radius_difference())
+      radius_difference = scene.profiles.radius_difference(folder);
+    else
+      side.emplace(scene.profiles.wheel(folder),
+                   scene.profiles.rail(folder),
+                   scene.wheel.radius,
+                   scene.profiles.tape_circle());
+  }
 
   ContactTable::Row ContactTable::find(const double shift) const
   {
     const double yaw  = scene.profiles.yaw;
-    const double roll = Profiles::resting_roll(side, side, shift, yaw);
+    const double roll = Profiles::resting_roll(*side, *side, shift, yaw);
     return {shift,
             roll,
-            side.first_contact({shift, roll, yaw}),
-            side.first_contact(Profiles::mirrored({shift, roll, yaw}))};
+            side->first_contact({shift, roll, yaw}),
+            side->first_contact(Profiles::mirrored({shift, roll, yaw}))};
   }
 
   void ContactTable::run()
   {
     {
       PhaseTimer::Scope phase(context.timer, Phase::contact_solve);
-      for (const double shift : scene.profiles.shifts)
-        {
-          throw_if_interrupted();
-          rows.push_back(find(shift));
-          radius_difference.shift.push_back(shift);
-          radius_difference.difference.push_back(
-            rows.back().right.rolling_radius - rows.back().left.rolling_radius);
-        }
+      if (side)
+        for (const double shift : scene.profiles.shifts)
+          {
+            throw_if_interrupted();
+            rows.push_back(find(shift));
+            radius_difference.shift.push_back(shift);
+            radius_difference.difference.push_back(
+              rows.back().right.rolling_radius -
+              rows.back().left.rolling_radius);
+          }
     }
     find_conicities();
     write_rows();
-    summarise();
+    if (side)
+      summarise_contacts();
+    summarise_conicity();
     if (!scene.inputs->output.plot)
       return;
     PhaseTimer::Scope phase(context.timer, Phase::fields);
-    plot_sections();
+    if (side)
+      plot_sections();
     if (rows.size() > 1)
-      {
-        plot_gaps();
-        plot_steering();
-      }
+      plot_gaps();
+    if (radius_difference.shift.size() > 1)
+      plot_steering();
   }
 
   void ContactTable::find_conicities()
@@ -105,8 +114,7 @@ namespace RollingContact
     PhaseTimer::Scope phase(context.timer, Phase::contact_solve);
     for (const double amplitude : radius_difference.shift)
       {
-        const bool known =
-          amplitude > 0. && radius_difference.covers(amplitude);
+        const bool known = amplitude > 0. && radius_difference.shift.size() > 1;
         harmonic.push_back(
           known ? Profiles::harmonic_conicity(radius_difference, amplitude)
                 : std::nan(""));
@@ -119,14 +127,16 @@ namespace RollingContact
   void ContactTable::write_rows()
   {
     ResultsTable table(context.folder, contact_table_file);
-    for (std::size_t k = 0; k < rows.size(); ++k)
+    for (std::size_t k = 0; k < radius_difference.shift.size(); ++k)
       {
-        const Row &row = rows[k];
-        table.set("lateral_shift_m", row.shift);
-        table.set("roll_rad", row.roll);
-        table.set("height_m", row.right.height);
-        set_contact("right", row.right, 1., table);
-        set_contact("left", row.left, -1., table);
+        table.set("lateral_shift_m", radius_difference.shift[k]);
+        if (side)
+          {
+            table.set("roll_rad", rows[k].roll);
+            table.set("height_m", rows[k].right.height);
+            set_contact("right", rows[k].right, 1., table);
+            set_contact("left", rows[k].left, -1., table);
+          }
         table.set("rolling_radius_difference_m",
                   radius_difference.difference[k]);
         for (const auto &[column, conicity] :
@@ -144,7 +154,7 @@ namespace RollingContact
                                             "rolling_radius_difference_m"}));
   }
 
-  void ContactTable::summarise() const
+  void ContactTable::summarise_contacts() const
   {
     std::string jumps;
     for (std::size_t k = 1; k < rows.size(); ++k)
@@ -171,8 +181,24 @@ namespace RollingContact
                        : ""),
        true,
        ""});
+  }
+
+  void ContactTable::summarise_conicity() const
+  {
+    if (!side)
+      context.report.errors.push_back({"conicity",
+                                       std::nan(""),
+                                       "",
+                                       "exact for straight lines between the "
+                                       "rows of the file",
+                                       true,
+                                       ""});
     const double amplitude = scene.profiles.conicity_amplitude;
-    if (!radius_difference.covers(amplitude))
+    const double harmonic =
+      radius_difference.shift.size() > 1
+        ? Profiles::harmonic_conicity(radius_difference, amplitude)
+        : std::nan("");
+    if (std::isnan(harmonic))
       {
         context.report.set_finding("cone",
                                    "conicity not known at an amplitude of " +
@@ -185,10 +211,7 @@ namespace RollingContact
       Profiles::equivalent_conicity(radius_difference, amplitude);
     context.report.set_finding(
       "cone",
-      "conicity " +
-        significant(Profiles::harmonic_conicity(radius_difference, amplitude),
-                    4) +
-        " (harmonic), " +
+      "conicity " + significant(harmonic, 4) + " (harmonic), " +
         (std::isnan(equivalent)
            ? std::string("the wheelset is not driven back (EN 15302)")
            : significant(equivalent, 4) + " (EN 15302)") +
@@ -201,8 +224,8 @@ namespace RollingContact
    */
   void ContactTable::plot_sections() const
   {
-    const Profiles::ProfileCurve &rail  = side.rail_profile(),
-                                 &wheel = side.wheel_profile();
+    const Profiles::ProfileCurve &rail  = side->rail_profile(),
+                                 &wheel = side->wheel_profile();
     const Row &middle =
       *std::min_element(rows.begin(),
                         rows.end(),
@@ -229,7 +252,7 @@ namespace RollingContact
                                               scene.profiles.yaw};
     for (const double s : wheel.arc_lengths())
       {
-        const auto [across, down] = side.section(position, s);
+        const auto [across, down] = side->section(position, s);
         y.push_back(1e3 * across);
         z.push_back(-1e3 * (down + middle.right.height));
       }
@@ -252,15 +275,15 @@ namespace RollingContact
   void ContactTable::plot_gaps() const
   {
     const unsigned int  n      = 400;
-    const double        length = side.wheel_profile().length();
+    const double        length = side->wheel_profile().length();
     std::vector<double> y, gaps;
     for (unsigned int k = 0; k <= n; ++k)
-      y.push_back(1e3 * side.wheel_profile().at(length * k / n).y);
+      y.push_back(1e3 * side->wheel_profile().at(length * k / n).y);
     for (const Row &row : rows)
       for (unsigned int k = 0; k <= n; ++k)
         {
-          const auto gap =
-            side.gap({row.shift, row.roll, scene.profiles.yaw}, length * k / n);
+          const auto gap = side->gap({row.shift, row.roll, scene.profiles.yaw},
+                                     length * k / n);
           gaps.push_back(gap
                            ? 1e3 * std::min(*gap - row.right.height, widest_gap)
                            : std::numeric_limits<double>::quiet_NaN());

@@ -78,8 +78,11 @@ namespace RollingContact
           if (const auto value = number(cell))
             found.rows.back().push_back(*value);
           else
-            throw InputError(at + "'" + quotable(cell) +
-                             "' is no number; decimals take a point.");
+            throw InputError(at + "'" + quotable(cell) + "' is no number" +
+                             (cure_of_decimal_commas(cell).empty()
+                                ? "; decimals take a point"
+                                : cure_of_decimal_commas(cell)) +
+                             ".");
       }
     if (title != found.names.end())
       found.names.erase(title);

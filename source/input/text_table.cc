@@ -1,6 +1,8 @@
+#include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/input/text_table.h>
 
+#include <algorithm>
 #include <sstream>
 
 namespace RollingContact
@@ -19,6 +21,20 @@ namespace RollingContact
       for (std::string part; std::getline(parts, part, separator);)
         cells.push_back(trimmed(part));
     return cells;
+  }
+
+  std::string cure_of_decimal_commas(const std::string &text)
+  {
+    if (text.find(',') == std::string::npos)
+      return "";
+    std::string points = text;
+    std::replace(points.begin(), points.end(), ';', ' ');
+    std::replace(points.begin(), points.end(), ',', '.');
+    for (const std::string &word : cells_of(points))
+      if (word.back() == '.' || !number(word))
+        return "";
+    return "; decimals take a point: convert the file, as by `tr , . <OLD "
+           ">NEW`";
   }
 
   TextLines::TextLines(const std::filesystem::path &file, const char *marks)

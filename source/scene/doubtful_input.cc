@@ -34,17 +34,18 @@ namespace RollingContact
   {
     std::vector<std::string> doubts;
     const auto              &profiles = scene.profiles;
-    if (scene.analysis.has_bodies && !profiles.in_use())
+    if (scene.analysis.has_bodies ? !profiles.in_use()
+                                  : profiles.has_radius_difference())
       return doubts;
     if (profiles.wheel_is_file())
       add_doubts(profiles.wheel_profile,
-                 profiles.file_options(profiles.wheel_mirror),
+                 profiles.file_options(Profiles::ProfileKind::wheel),
                  Profiles::ProfileKind::wheel,
                  scene,
                  doubts);
     if (profiles.rail_is_file())
       add_doubts(profiles.rail_profile,
-                 profiles.file_options(profiles.rail_mirror),
+                 profiles.file_options(Profiles::ProfileKind::rail),
                  Profiles::ProfileKind::rail,
                  scene,
                  doubts);

@@ -1,6 +1,5 @@
 #include <rolling_contact/base/number_text.h>
 #include <rolling_contact/scene/profile_parameters.h>
-#include <rolling_contact/surfaces/nominal_profiles.h>
 
 #include <cmath>
 
@@ -27,9 +26,10 @@ namespace RollingContact
   std::shared_ptr<const PlacedProfile>
   ProfileParameters::placed_rail(const Frame &frame) const
   {
-    // web and foot are those of a new rail with the same top and gauge face
+    // web and foot are those of a new rail with the same top and gauge face,
+    // of a file a 60E1
     const double inclination = std::atan(slope_of_inclination());
-    const auto   nominal     = Profiles::placed_rail(Profiles::rail_60e1(),
+    const auto   nominal     = Profiles::placed_rail(nominal_rail(),
                                                slope_of_inclination(),
                                                gauge,
                                                gauge_height);

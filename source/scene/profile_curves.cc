@@ -1,4 +1,5 @@
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/files.h>
 #include <rolling_contact/scene/profile_parameters.h>
 #include <rolling_contact/surfaces/nominal_profiles.h>
 
@@ -9,7 +10,7 @@ namespace RollingContact
   namespace
   {
     const std::vector<std::string> wheel_names{"S1002"},
-      rail_names{"60E1", "60E1 Manchester"};
+      rail_names = Profiles::rail_names();
 
     bool is_file(const std::string              &profile,
                  const std::vector<std::string> &names)
@@ -30,12 +31,15 @@ namespace RollingContact
   }
 
   Profiles::FileOptions
-  ProfileParameters::file_options(const Mirror mirror) const
+  ProfileParameters::file_options(const Profiles::ProfileKind kind) const
   {
+    const bool   is_wheel = kind == Profiles::ProfileKind::wheel;
+    const Mirror mirror   = is_wheel ? wheel_mirror : rail_mirror;
     return {file_unit,
             mirror == Mirror::y || mirror == Mirror::y_and_z,
             mirror == Mirror::z || mirror == Mirror::y_and_z,
-            smoothing_length};
+            smoothing_length,
+            is_wheel ? wheel_profile_shift : 0.};
   }
 
   namespace
@@ -56,7 +60,10 @@ namespace RollingContact
         return file;
       std::string known;
       for (const std::string &name : names)
-        known += (known.empty() ? "" : " or ") + name;
+        known += (known.empty()            ? ""
+                  : &name == &names.back() ? " or "
+                                           : ", ") +
+                 name;
       throw InputError("Profiles/" + entry + " = " + profile + ": give " +
                        known +
                        ", or the name of a file; there is no such "
@@ -75,25 +82,45 @@ namespace RollingContact
                                                       wheel_names,
                                                       prm_folder),
                                       Profiles::ProfileKind::wheel,
-                                      file_options(wheel_mirror));
+                                      file_options(
+                                        Profiles::ProfileKind::wheel));
+  }
+
+  Profiles::ProfileCurve ProfileParameters::nominal_rail() const
+  {
+    return Profiles::rail_head(
+      rail_profile.empty() || rail_is_file() ? "60E1" : rail_profile);
   }
 
   Profiles::ProfileCurve
   ProfileParameters::rail(const std::filesystem::path &prm_folder) const
   {
     const Profiles::ProfileCurve section =
-      rail_profile.empty() || rail_profile == "60E1" ? Profiles::rail_60e1()
-      : rail_profile == "60E1 Manchester"
-        ? Profiles::rail_60e1_manchester()
-        : Profiles::read_profile(file_of_profile("Rail profile",
+      rail_is_file()
+        ? Profiles::read_profile(file_of_profile("Rail profile",
                                                  rail_profile,
                                                  rail_names,
                                                  prm_folder),
                                  Profiles::ProfileKind::rail,
-                                 file_options(rail_mirror));
+                                 file_options(Profiles::ProfileKind::rail))
+        : nominal_rail();
     return Profiles::placed_rail(section,
                                  slope_of_inclination(),
                                  gauge,
                                  gauge_height);
+  }
+
+  Profiles::RadiusDifference ProfileParameters::radius_difference(
+    const std::filesystem::path &prm_folder) const
+  {
+    const std::filesystem::path file    = prm_folder / difference_file;
+    const std::string           problem = why_unreadable(file);
+    if (!problem.empty())
+      throw InputError(
+        "Contact table/Rolling radius difference = " + difference_file + ": " +
+        file.string() + " cannot be read: " + problem +
+        "; give a file of two columns, the shift to the right "
+        "and r right - r left.");
+    return Profiles::read_radius_difference(file, difference_unit);
   }
 } // namespace RollingContact

@@ -30,6 +30,10 @@ namespace RollingContact
     const Reader places_that_are_given{
       &place_is_given,
       "place and motion of a wheelset are found, see section Wheelset"};
+    const Reader wheel_files{asks<ProfileParameters>([](const auto &profiles) {
+                               return profiles.wheel_is_file();
+                             }),
+                             "Profiles/Wheel profile is no file"};
     const Reader profile_files{
       asks<ProfileParameters>(
         [](const auto &profiles) { return profiles.has_files(); }),
@@ -59,18 +63,44 @@ namespace RollingContact
                        }),
                      "bodies with a Profiles/Wheel profile and Rail profile "
                      "read that section"});
+    section.read_by({asks<AnalysisTraits, ProfileParameters>(
+                       [](const auto &analysis, const auto &profiles) {
+                         return analysis.has_bodies ||
+                                !profiles.has_radius_difference();
+                       }),
+                     "a scene without Contact table/Rolling radius difference "
+                     "reads that section"});
     section.varies = in_all_scenes;
     declare_sections(entries);
     declare_track(entries);
     declare_wheelset(entries);
+    declare_table(entries);
+  }
+
+  void ProfileParameters::declare_table(Entries &entries)
+  {
+    const auto by_file = asks<ProfileParameters>(
+      [](const auto &profiles) { return profiles.has_radius_difference(); });
     entries.section("Contact table").read_by_analyses("contact table");
-    entries.list("Lateral shift", shifts, "-0.008 : 0.008 : 81", "m").help =
+    entries.list("Lateral shift", shifts, "-0.008 : 0.008 : 81", "m")
+      .read_by({[by_file](const auto &scene) { return !by_file(scene); },
+                "the shifts are those of Contact table/Rolling radius "
+                "difference"})
+      .help =
       "Of the wheelset to the right: " + std::string(number_list_form) + ".";
     entries.add("Conicity amplitude", conicity_amplitude, "m")
       .at_least(0.)
       .help =
       "Amplitude of the wheelset's lateral motion of the conicity in the "
       "summary.";
+    entries.add("Rolling radius difference", difference_file).help =
+      "In place of profiles: the name of a file beside the .prm file with two "
+      "columns, the shift of the wheelset to the right, ascending, and the "
+      "right rolling radius less the left one. Empty: that of the profiles.";
+    entries.add("File unit", difference_unit, "m")
+      .at_least(0.)
+      .read_by({by_file, "Contact table/Rolling radius difference is empty"})
+      .help = "One unit of both columns of that file.";
   }
 
   void ProfileParameters::declare_sections(Entries &entries)
@@ -85,8 +115,8 @@ namespace RollingContact
       "those of Wheel and Rail, in a contact table S1002 on "
       "60E1.";
     entries.add("Rail profile", rail_profile).help =
-      "`60E1` (EN 13674-1), `60E1 Manchester` (the variant of "
-      "the Manchester benchmarks)" +
+      "`60E1`, `60E2`, `54E1`, `54E3`, `49E1` (EN 13674-1), `60E1 Manchester` "
+      "(the variant of the Manchester benchmarks)" +
       file;
     entries
       .choice("Contact surface",
@@ -121,6 +151,11 @@ namespace RollingContact
         .help =
         "Coordinates of the file to turn round, so that y is towards the field "
         "side of the right-hand side and z down.";
+    entries.add("Wheel profile shift", wheel_profile_shift, "m")
+      .read_by(wheel_files)
+      .help =
+      "Added to y of a wheel's file once it is mirrored, so that its tape "
+      "circle is at y = 0. A rail needs none: it is placed by its gauge face.";
   }
 
   void ProfileParameters::declare_track(Entries &entries)
@@ -274,6 +309,14 @@ namespace RollingContact
     check_curve_radius("Profiles/Curve radius", curve_radius.value_or(1e9));
     check_range("Lateral shift", shift, -0.05, 0.05, "m");
     check_range("Roll", roll.value_or(0.), -0.2, 0.2, "rad");
+    check_range("Wheel profile shift", wheel_profile_shift, -0.2, 0.2, "m");
+    check_table();
+    wheel(prm_folder);
+    rail(prm_folder);
+  }
+
+  void ProfileParameters::check_table() const
+  {
     for (std::size_t k = 1; k < shifts.size(); ++k)
       if (!(shifts[k] > shifts[k - 1]))
         throw InputError("Contact table/Lateral shift: " + text_of(shifts[k]) +
@@ -287,8 +330,9 @@ namespace RollingContact
       throw InputError(
         "Contact table/Conicity amplitude = " + text_of(conicity_amplitude) +
         ": give metres, above 0 and at most 0.05.");
-    wheel(prm_folder);
-    rail(prm_folder);
+    if (!(difference_unit >= 1e-6 && difference_unit <= 1.))
+      throw InputError("Contact table/File unit = " + text_of(difference_unit) +
+                       ": give it in m, from 1e-06 to 1; 1e-3 for mm.");
   }
 
   void check_curve_radius(const std::string &entry, const double radius)
@@ -331,6 +375,7 @@ namespace RollingContact
                       p.file_unit,
                       p.wheel_mirror,
                       p.rail_mirror,
+                      p.wheel_profile_shift,
                       p.surface_kind,
                       p.is_left,
                       p.shift,

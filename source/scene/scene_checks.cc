@@ -192,6 +192,13 @@ namespace RollingContact
       throw InputError("Wheel/Shape = " + wheel.shape +
                        " and Profiles/Body sections = true: the wheel is a "
                        "body of revolution then; take Wheel/Shape = disc.");
+    if (profiles.true_sections && !rail.rigid &&
+        !profiles.has_section_of_60e1())
+      throw InputError("Profiles/Rail profile = " + profiles.rail_profile +
+                       " and Profiles/Body sections = true: web and foot of "
+                       "true sections are those of a 60E1; take Body sections "
+                       "= plain, or a section from a file (Rail/Shape = "
+                       "section).");
     for (const BodyParameters *body : {&wheel, &rail})
       if (body->lateral_radius != 0.)
         throw InputError(body->section +

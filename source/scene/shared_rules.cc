@@ -59,7 +59,10 @@ namespace RollingContact
 
   void check_rigid_profiles(const SceneParameters &scene)
   {
-    scene.profiles.check(scene.wheel.radius, scene.prm_folder);
+    if (!scene.profiles.has_radius_difference())
+      return scene.profiles.check(scene.wheel.radius, scene.prm_folder);
+    scene.profiles.check_table();
+    scene.profiles.radius_difference(scene.prm_folder);
   }
 
   void check_table(const SceneParameters &scene)

@@ -179,7 +179,10 @@ namespace RollingContact
           reject(entry, text, place + "there is no column " + column + '.');
         if (!is_number(cells[0], time) || !is_number(cells[index], value) ||
             !std::isfinite(time) || !std::isfinite(value))
-          reject(entry, text, place + "not a number.");
+          reject(entry,
+                 text,
+                 place + "not a number" + cure_of_decimal_commas(lines.text) +
+                   ".");
         if (!points.empty() && time <= points.back().first)
           reject(entry, text, place + "the time does not rise.");
         points.emplace_back(time, value);

@@ -1,8 +1,10 @@
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/surfaces/nominal_profiles.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 
 namespace RollingContact::Profiles
 {
@@ -85,64 +87,71 @@ namespace RollingContact::Profiles
         }
     }
 
-    const double side_slope = 1. / 20, lowest = 40.; // of a rail's head, mm
+    const double lowest = 40.; // of a rail's head, mm
 
     /**
-     * The field side of a head: tangent arcs, then the side. In mm.
+     * The head of a rail: tangent arcs from the crown outwards, the places
+     * where each meets the next, and sides. In mm.
      */
-    std::vector<CurvePoint> half_head(const double first_joint,
-                                      const double second_joint)
+    struct Head
     {
-      struct Arc
-      {
-        double radius, y, z, begin, end;
-      };
-      const std::array<double, 3> radii{{300., 80., 13.}};
-      const double                a1 = std::asin(first_joint / radii[0]);
-      Arc                         arcs[3];
-      arcs[0]         = {radii[0], 0., radii[0], 0., a1};
-      const auto next = [](const Arc &arc, const double radius) {
-        const double change = arc.radius - radius;
-        return Arc{radius,
-                   arc.y + change * std::sin(arc.end),
-                   arc.z - change * std::cos(arc.end),
-                   arc.end,
-                   0.};
-      };
-      arcs[1]     = next(arcs[0], radii[1]);
-      arcs[1].end = std::asin((second_joint - arcs[1].y) / radii[1]);
-      arcs[2]     = next(arcs[1], radii[2]);
-      arcs[2].end = M_PI / 2 - std::atan(side_slope);
+      std::string         name;
+      std::vector<double> radii, joints; ///< joints: |y|
+      double              side_slope;    ///< growth of |y| over z
+    };
 
-      std::vector<CurvePoint> points;
-      for (const Arc &arc : arcs)
-        {
-          const int n = std::ceil((arc.end - arc.begin) * arc.radius / spacing);
-          for (int k = 0; k < n; ++k)
-            {
-              const double angle = arc.begin + (arc.end - arc.begin) * k / n;
-              points.push_back({mm * (arc.y + arc.radius * std::sin(angle)),
-                                mm * (arc.z - arc.radius * std::cos(angle)),
-                                angle});
-            }
-        }
-      const double angle = arcs[2].end;
-      const double y     = arcs[2].y + radii[2] * std::sin(angle),
-                   z     = arcs[2].z - radii[2] * std::cos(angle);
-      points.push_back({mm * y, mm * z, angle});
-      points.push_back(
-        {mm * (y + (lowest - z) / std::tan(angle)), mm * lowest, angle});
-      return points;
+    const std::vector<Head> &heads()
+    {
+      // EN 13674-1, which gives twice the joints; 54E1 to 49E1 have the head
+      // of UIC 54, DIN S54 and DIN S49
+      static const std::vector<Head> all{
+        {"60E1", {300., 80., 13.}, {20.456 / 2, 52.053 / 2}, 1. / 20},
+        {"60E2",
+         {200., 70., 16., 8.},
+         {23.778 / 2, 48.913 / 2, 70.774 / 2},
+         1. / 20},
+        {"54E1", {300., 80., 13.}, {20.024 / 2, 49.727 / 2}, 1. / 20},
+        {"54E3", {300., 80., 13.}, {15.267 / 2, 46.835 / 2}, 1. / 17.2},
+        {"49E1", {300., 80., 13.}, {15.267 / 2, 46.835 / 2}, 1. / 17.2},
+        {"60E1 Manchester", {300., 80., 13.}, {10.50058, 25.98807}, 1. / 20}};
+      return all;
     }
 
-    ProfileCurve head(const double first_joint, const double second_joint)
+    /**
+     * Points of the field side of a head. In m.
+     */
+    std::vector<CurvePoint> half_head(const Head &head)
     {
-      const std::vector<CurvePoint> half = half_head(first_joint, second_joint);
-      std::vector<CurvePoint>       points;
-      for (std::size_t k = half.size(); k-- > 1;)
-        points.push_back({-half[k].y, half[k].z, -half[k].angle});
-      points.insert(points.end(), half.begin(), half.end());
-      return ProfileCurve(points);
+      std::vector<CurvePoint> points;
+      double centre_y = 0., centre_z = head.radii[0], begin = 0.;
+      for (std::size_t arc = 0; arc < head.radii.size(); ++arc)
+        {
+          const double radius = head.radii[arc];
+          if (arc > 0) // the centre moves along the common normal
+            {
+              const double change = head.radii[arc - 1] - radius;
+              centre_y += change * std::sin(begin);
+              centre_z -= change * std::cos(begin);
+            }
+          const double end =
+            arc < head.joints.size()
+              ? std::asin((head.joints[arc] - centre_y) / radius)
+              : M_PI / 2 - std::atan(head.side_slope);
+          const int n = std::ceil((end - begin) * radius / spacing);
+          for (int k = arc == 0 ? 0 : 1; k <= n; ++k)
+            {
+              const double angle = begin + (end - begin) * k / n;
+              points.push_back({mm * (centre_y + radius * std::sin(angle)),
+                                mm * (centre_z - radius * std::cos(angle)),
+                                angle});
+            }
+          begin = end;
+        }
+      const CurvePoint last = points.back();
+      points.push_back({last.y + (mm * lowest - last.z) / std::tan(last.angle),
+                        mm * lowest,
+                        last.angle});
+      return points;
     }
   } // namespace
 
@@ -155,13 +164,37 @@ namespace RollingContact::Profiles
     return ProfileCurve(points);
   }
 
+  std::vector<std::string> rail_names()
+  {
+    std::vector<std::string> names;
+    for (const Head &head : heads())
+      names.push_back(head.name);
+    return names;
+  }
+
+  ProfileCurve rail_head(const std::string &name)
+  {
+    const auto head =
+      std::find_if(heads().begin(), heads().end(), [&](const Head &it) {
+        return it.name == name;
+      });
+    if (head == heads().end())
+      throw std::invalid_argument("No rail is called " + name + ".");
+    const std::vector<CurvePoint> half = half_head(*head);
+    std::vector<CurvePoint>       points;
+    for (std::size_t k = half.size(); k-- > 1;)
+      points.push_back({-half[k].y, half[k].z, -half[k].angle});
+    points.insert(points.end(), half.begin(), half.end());
+    return ProfileCurve(points);
+  }
+
   ProfileCurve rail_60e1()
   {
-    return head(10.228, 26.0265);
+    return rail_head("60E1");
   }
 
   ProfileCurve rail_60e1_manchester()
   {
-    return head(10.50058, 25.98807);
+    return rail_head("60E1 Manchester");
   }
 } // namespace RollingContact::Profiles

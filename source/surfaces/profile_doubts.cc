@@ -109,7 +109,8 @@ namespace RollingContact::Profiles
         return "";
       return name + ": the tip of the flange is at y = " + in_mm(tip) +
              " mm; from the tape circle, which is y = 0 of a wheel's profile, "
-             "it is at about -55 mm: is the file moved across?";
+             "it is at about -55 mm: is the file moved across? "
+             "Profiles/Wheel profile shift moves it.";
     }
 
     /** A sentence for the longest stretch without points. */

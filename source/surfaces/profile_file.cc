@@ -44,9 +44,19 @@ namespace RollingContact::Profiles
       return file.string() + ", line " + std::to_string(line) + ": ";
     }
 
-    /** The numbers of a line; nothing if it holds anything else. */
-    std::optional<std::vector<double>> numbers(const std::string &line)
+    /**
+     * The numbers of a line; nothing if it holds anything else. Throws
+     * InputError if they have decimal commas.
+     */
+    std::optional<std::vector<double>>
+    numbers(const std::string           &line,
+            const std::filesystem::path &file,
+            const std::size_t            line_number)
     {
+      const std::string cure = cure_of_decimal_commas(line);
+      if (!cure.empty() && line.find_first_of("; \t") != std::string::npos)
+        throw InputError(at_line(file, line_number) + "\"" + quotable(line) +
+                         "\" has decimal commas" + cure + ".");
       std::string blank = line;
       for (char &c : blank)
         if (c == ',' || c == ';')
@@ -80,31 +90,35 @@ namespace RollingContact::Profiles
       return line.find_first_of("0123456789") == std::string::npos;
     }
 
-    std::vector<MeasuredPoint> read_columns(const std::filesystem::path &file,
-                                            const double                 unit)
-    {
-      std::vector<MeasuredPoint> points;
-      TextLines                  lines       = lines_of(file, "#%!");
-      bool                       has_heading = false;
-      while (lines.next())
-        {
-          if (points.empty() && !has_heading && is_heading(lines.text))
-            {
-              has_heading = true;
-              continue;
-            }
-          const auto found = numbers(lines.text);
-          if (!found || found->size() != 2)
-            throw InputError(at_line(file, lines.number) + "\"" +
-                             quotable(lines.text) +
-                             "\" is not two numbers, y and z, with decimal "
-                             "points, separated by blanks, a comma, a "
-                             "semicolon or a tab; # begins a comment.");
-          points.push_back({unit * (*found)[0], unit * (*found)[1]});
-        }
-      return points;
-    }
+  } // namespace
 
+  std::vector<std::array<double, 2>>
+  read_columns(const std::filesystem::path &file, const std::string &columns)
+  {
+    std::vector<std::array<double, 2>> rows;
+    TextLines                          lines       = lines_of(file, "#%!");
+    bool                               has_heading = false;
+    while (lines.next())
+      {
+        if (rows.empty() && !has_heading && is_heading(lines.text))
+          {
+            has_heading = true;
+            continue;
+          }
+        const auto found = numbers(lines.text, file, lines.number);
+        if (!found || found->size() != 2)
+          throw InputError(at_line(file, lines.number) + "\"" +
+                           quotable(lines.text) + "\" is not two numbers, " +
+                           columns +
+                           ", with decimal points, separated by blanks, a "
+                           "comma, a semicolon or a tab; # begins a comment.");
+        rows.push_back({{(*found)[0], (*found)[1]}});
+      }
+    return rows;
+  }
+
+  namespace
+  {
     /**
      * The keys of a SIMPACK file and the points between point.begin and
      * point.end.
@@ -162,7 +176,7 @@ namespace RollingContact::Profiles
     private:
       void add_point(const std::string &text, const std::size_t line)
       {
-        const auto found = numbers(text);
+        const auto found = numbers(text, file, line);
         if (!found || found->size() < 2)
           throw InputError(at_line(file, line) + "\"" + quotable(text) +
                            "\" is not a point: y, z and perhaps a weight.");
@@ -207,7 +221,7 @@ namespace RollingContact::Profiles
         {
           std::string text = lines.text;
           boost::erase_all(text, "\"");
-          const auto found = numbers(text);
+          const auto found = numbers(text, file, lines.number);
           if (found && found->size() >= 2)
             points.push_back({-unit * (*found)[0], -unit * (*found)[1]});
           else if (!points.empty() && !text.empty())
@@ -227,7 +241,8 @@ namespace RollingContact::Profiles
     switch (format_of(file))
       {
         case Format::columns:
-          points = read_columns(file, options.unit);
+          for (const auto &row : read_columns(file, "y and z"))
+            points.push_back({options.unit * row[0], options.unit * row[1]});
           break;
         case Format::simpack:
           points = SimpackFile(file).points();
@@ -250,6 +265,7 @@ namespace RollingContact::Profiles
           point.y = -point.y;
         if (options.mirror_z)
           point.z = -point.z;
+        point.y += options.shift_y;
       }
     return points;
   }

@@ -119,7 +119,11 @@ namespace RollingContact
             reject(
               "\"" + quotable(file.text) +
                 "\" has no finite position and height; mend or interpolate "
-                "what was not measured, decimals take a point.",
+                "what was not measured" +
+                (cure_of_decimal_commas(file.text).empty()
+                   ? "; decimals take a point"
+                   : cure_of_decimal_commas(file.text)) +
+                ".",
               file.number);
           if (!positions.empty() && *position <= positions.back())
             reject("the position does not rise.", file.number);

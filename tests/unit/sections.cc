@@ -6,6 +6,7 @@
 
 #include "section_files.h"
 
+#include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/bodies/direct_body.h>
 #include <rolling_contact/mesh/file_body_mesh.h>
 #include <rolling_contact/mesh/section_file_shape.h>
@@ -194,6 +195,33 @@ BOOST_AUTO_TEST_CASE(the_wheel_has_its_section_and_equal_angles)
       BOOST_TEST(relative(area(mesh, hub_boundary),
                           192 * std::sin(pi / 96) * bore * 0.17) < 1e-6);
     }
+}
+
+// the axle is not in the file: only a name in it tells of another radius
+BOOST_AUTO_TEST_CASE(sections_that_name_their_radius_take_no_other)
+{
+  const auto said = [](const std::string &file, const double radius) {
+    BodyParameters body = section_body("Wheel", file);
+    body.radius         = radius;
+    try
+      {
+        shape_of(body);
+      }
+    catch (const InputError &error)
+      {
+        return std::string(error.what());
+      }
+    return std::string();
+  };
+  BOOST_TEST(said("wheel_2.msh", 0.46) == "");
+  BOOST_TEST(said("wheel_2.msh", 0.461) == "");
+  const std::string refusal = said("wheel_2.msh", 0.5);
+  BOOST_TEST_CONTEXT(refusal)
+  {
+    BOOST_TEST(refusal.find("radius 0.46 m") != std::string::npos);
+    BOOST_TEST(refusal.find("Wheel/Radius = 0.5 m") != std::string::npos);
+  }
+  BOOST_TEST(said("annular_plate.msh", 0.5) == "");
 }
 
 BOOST_AUTO_TEST_CASE(an_extruded_rail_is_a_60e1)

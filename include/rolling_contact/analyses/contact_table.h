@@ -6,14 +6,16 @@
 #include <rolling_contact/scene/situation.h>
 #include <rolling_contact/surfaces/conicity.h>
 
+#include <optional>
 #include <vector>
 
 namespace RollingContact
 {
   /**
    * `Analysis = contact table`: where rigid profiles touch when the wheelset is
-   * shifted, and how it is steered by that: a row of results.csv for each shift
-   * and pictures; no finite elements. Units: m, rad.
+   * shifted, and how it is steered by that, or by a radius difference from a
+   * file: a row of contact_table.csv for each shift and pictures; no finite
+   * elements. Units: m, rad.
    */
   class ContactTable : public Analysis
   {
@@ -42,7 +44,9 @@ namespace RollingContact
 
     void write_rows();
 
-    void summarise() const;
+    void summarise_contacts() const;
+
+    void summarise_conicity() const;
 
     void plot_sections() const;
 
@@ -50,12 +54,13 @@ namespace RollingContact
 
     void plot_steering() const;
 
-    const Situation           &scene;
-    RunContext                &context;
-    Profiles::WheelOnRail      side;
-    std::vector<Row>           rows;
-    Profiles::RadiusDifference radius_difference;
-    std::vector<double>        harmonic, equivalent; ///< conicities, 1
+    const Situation &scene;
+    RunContext      &context;
+    /** None if a file gives the radius difference; then there are no rows. */
+    std::optional<Profiles::WheelOnRail> side;
+    std::vector<Row>                     rows;
+    Profiles::RadiusDifference           radius_difference;
+    std::vector<double> harmonic, equivalent; ///< conicities, 1
   };
 
   AnalysisKind contact_table_kind();

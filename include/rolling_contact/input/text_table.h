@@ -16,6 +16,13 @@ namespace RollingContact
                                     char               separator = 0);
 
   /**
+   * What to do if a text is numbers between blanks or semicolons that have
+   * decimal commas, as "1,5; 2,3": a clause behind "; " for messages; empty if
+   * it is none.
+   */
+  std::string cure_of_decimal_commas(const std::string &text);
+
+  /**
    * The lines of a text file that say something, with their number: without a
    * byte order mark, comments and blanks around them.
    */

@@ -2,6 +2,7 @@
 #define rolling_contact_scene_profile_parameters_h
 
 #include <rolling_contact/mesh/placed_profile.h>
+#include <rolling_contact/surfaces/conicity.h>
 #include <rolling_contact/surfaces/contact_frame.h>
 #include <rolling_contact/surfaces/profile_file.h>
 
@@ -29,6 +30,9 @@ namespace RollingContact
      */
     void check(const double                 wheel_radius,
                const std::filesystem::path &prm_folder) const;
+
+    /** Throws InputError if a value of `Contact table` is out of its range. */
+    void check_table() const;
 
     /**
      * Whether the surfaces of the bodies are profiles.
@@ -77,6 +81,19 @@ namespace RollingContact
     Profiles::ProfileCurve rail(const std::filesystem::path &prm_folder) const;
 
     /**
+     * Whether a file gives the difference of the rolling radii, and profiles
+     * are not read.
+     */
+    bool has_radius_difference() const
+    {
+      return !difference_file.empty();
+    }
+
+    /** Throws InputError if the file is none. */
+    Profiles::RadiusDifference
+    radius_difference(const std::filesystem::path &prm_folder) const;
+
+    /**
      * Whether elastic bodies have the true sections of wheel and rail.
      */
     bool has_true_sections() const
@@ -85,6 +102,16 @@ namespace RollingContact
     }
 
     using Frame = std::shared_ptr<const Profiles::ContactFrame>;
+
+    /**
+     * Whether web and foot under the rail's head are those of a 60E1: not of
+     * other rails by name.
+     */
+    bool has_section_of_60e1() const
+    {
+      return rail_is_file() || rail_profile.empty() ||
+             rail_profile.compare(0, 3, "60E") == 0;
+    }
 
     /**
      * What the bodies of true sections are made of.
@@ -126,8 +153,8 @@ namespace RollingContact
       y_and_z
     };
 
-    /** How the file of a profile is read that is mirrored so. */
-    Profiles::FileOptions file_options(const Mirror mirror) const;
+    /** How the file of a profile is read. */
+    Profiles::FileOptions file_options(const Profiles::ProfileKind kind) const;
 
     std::string wheel_profile, rail_profile; ///< none: the shapes of the bodies
     std::string inclination = "1/40";
@@ -137,6 +164,7 @@ namespace RollingContact
     double      smoothing_length     = 4e-3;
     double      file_unit            = 1e-3;
     Mirror      wheel_mirror = Mirror::none, rail_mirror = Mirror::none;
+    double      wheel_profile_shift = 0.;
 
     bool   true_sections = false; ///< of the bodies: else disc and block
     double web_bow       = 0.;
@@ -152,6 +180,8 @@ namespace RollingContact
 
     std::vector<double> shifts;
     double              conicity_amplitude = 3e-3;
+    std::string         difference_file; ///< none: that of the profiles
+    double              difference_unit = 1e-3;
 
   private:
     void declare_sections(Entries &entries);
@@ -160,7 +190,12 @@ namespace RollingContact
 
     void declare_wheelset(Entries &entries);
 
+    void declare_table(Entries &entries);
+
     double slope_of_inclination() const;
+
+    /** The head of the rail that is named; of a file, that of a 60E1. */
+    Profiles::ProfileCurve nominal_rail() const;
   };
 
   /**

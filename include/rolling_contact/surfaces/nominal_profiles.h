@@ -3,6 +3,9 @@
 
 #include <rolling_contact/surfaces/profile_curve.h>
 
+#include <string>
+#include <vector>
+
 namespace RollingContact::Profiles
 {
   /**
@@ -13,9 +16,23 @@ namespace RollingContact::Profiles
   ProfileCurve s1002();
 
   /**
-   * The head of the rail 60E1 of EN 13674-1, not inclined, origin on the crown:
-   * tangent arcs of 300, 80 and 13 mm whose joints are at |y| = 10.228 and
-   * 26.0265 mm, and sides of 1:20 down to z = 40 mm. Units: m.
+   * The names of rails that rail_head() knows: of EN 13674-1, and "60E1
+   * Manchester", see rail_60e1_manchester().
+   */
+  std::vector<std::string> rail_names();
+
+  /**
+   * The head of the rail of this name, not inclined, origin on the crown: arcs
+   * that are tangent to each other, and sides down to z = 40 mm, which is below
+   * the lower corners of the head. The width where the last arc ends is that of
+   * the standard to 0.4 um. Throws std::invalid_argument for another name.
+   * Units: m.
+   */
+  ProfileCurve rail_head(const std::string &name);
+
+  /**
+   * The head of the rail 60E1: arcs of 300, 80 and 13 mm whose joints are at
+   * |y| = 10.228 and 26.0265 mm, and sides of 1:20. Units: m.
    */
   ProfileCurve rail_60e1();
 

@@ -3,6 +3,7 @@
 
 #include <rolling_contact/surfaces/profile_curve.h>
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -17,6 +18,7 @@ namespace RollingContact::Profiles
     double unit     = 1e-3; ///< m, of a number in a file without units
     bool   mirror_y = false, mirror_z = false;
     double smoothing_length = 4e-3; ///< m; 0: none
+    double shift_y          = 0.;   ///< m, of the mirrored points
   };
 
   enum class ProfileKind
@@ -35,11 +37,19 @@ namespace RollingContact::Profiles
   };
 
   /**
-   * The points of a file: two columns of numbers (y and z, separated by blanks,
-   * commas, semicolons or tabs; lines that begin with #, % or ! are comments,
-   * and a first line without digits is a heading), SIMPACK .prr
-   * and .prw, or MiniProf .ban and .whl, z upwards. Throws InputError, naming
-   * file and line.
+   * The rows of a file of two columns of numbers, which are separated by
+   * blanks, commas, semicolons or tabs; lines that begin with #, % or ! are
+   * comments, and a first line without digits is a heading. Throws InputError,
+   * naming file and line, if a line holds anything else; @p columns are what
+   * the numbers are, for its message.
+   */
+  std::vector<std::array<double, 2>>
+  read_columns(const std::filesystem::path &file, const std::string &columns);
+
+  /**
+   * The points of a file: columns y and z of read_columns(), SIMPACK .prr and
+   * .prw, or MiniProf .ban and .whl, z upwards. Throws InputError, naming file
+   * and line.
    */
   std::vector<MeasuredPoint> read_points(const std::filesystem::path &file,
                                          const FileOptions           &options);
