@@ -1,6 +1,5 @@
 #include "bindings.h"
 
-#include <rolling_contact/scene/scene_parameters.h>
 #include <rolling_contact/wheelset/wheelset_solver.h>
 
 namespace RollingContact::Bindings
