@@ -10,25 +10,25 @@ namespace RollingContact::Bindings
     struct PlacedWheelset
     {
       FoundEquilibrium     found; ///< without the states of the wheels
-      double               radius = 0., speed = 0.;
+      double               radius, speed;
       std::array<State, 2> wheels; ///< right, left
     };
 
     PlacedWheelset placed(const FoundEquilibrium &found, const PairSpec &scene)
     {
-      PlacedWheelset result;
-      result.radius = scene.wheel.radius;
-      result.speed  = scene.contact.rolling_speed();
+      PlacedWheelset result{found,
+                            scene.wheel.radius,
+                            scene.contact.rolling_speed(),
+                            {}};
       for (unsigned int wheel = 0; wheel < 2; ++wheel)
         {
           const SteadyState<3> &steady = found.steady[wheel];
           result.wheels[wheel] = {session_state(*found.scenes[wheel], steady),
                                   std::make_shared<const Fields>(steady.problem,
                                                                  steady.state)};
+          result.found.scenes[wheel].reset();
+          result.found.steady[wheel] = SteadyState<3>();
         }
-      result.found        = found;
-      result.found.scenes = {};
-      result.found.steady = {};
       return result;
     }
 
