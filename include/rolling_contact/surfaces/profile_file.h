@@ -47,9 +47,9 @@ namespace RollingContact::Profiles
   read_columns(const std::filesystem::path &file, const std::string &columns);
 
   /**
-   * The points of a file: columns y and z of read_columns(), SIMPACK (.prr,
-   * .prw) or MiniProf (.ban, .whl) with z upwards. Throws InputError, naming
-   * file and line.
+   * The points of a file: columns y and z of read_columns(), SIMPACK (endings
+   * prr and prw) or MiniProf (ban and whl) with z upwards. Throws InputError,
+   * naming file and line.
    */
   std::vector<MeasuredPoint> read_points(const std::filesystem::path &file,
                                          const FileOptions           &options);
