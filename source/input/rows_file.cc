@@ -79,10 +79,7 @@ namespace RollingContact
             found.rows.back().push_back(*value);
           else
             throw InputError(at + "'" + quotable(cell) + "' is no number" +
-                             (cure_of_decimal_commas(cell).empty()
-                                ? "; decimals take a point"
-                                : cure_of_decimal_commas(cell)) +
-                             ".");
+                             advice_on_decimals(cell) + ".");
       }
     if (title != found.names.end())
       found.names.erase(title);

@@ -37,6 +37,12 @@ namespace RollingContact
            ">NEW`";
   }
 
+  std::string advice_on_decimals(const std::string &text)
+  {
+    const std::string cure = cure_of_decimal_commas(text);
+    return cure.empty() ? "; decimals take a point" : cure;
+  }
+
   TextLines::TextLines(const std::filesystem::path &file, const char *marks)
     : stream(file)
     , marks(marks)

@@ -68,74 +68,70 @@ namespace RollingContact::Bindings
     void define_place(py::class_<PlacedWheelset> &state)
     {
       const auto add = [&](const char *name, auto give, const char *help) {
-        state.def_property_readonly(
-          name,
-          [give](const PlacedWheelset &self) { return give(self, self.found); },
-          help);
+        state.def_property_readonly(name, give, help);
       };
       using Placed = const PlacedWheelset &;
-      using Found  = const FoundEquilibrium &;
       add(
         "name",
-        [](Placed, Found found) { return found.name; },
+        [](Placed self) { return self.found.name; },
         "leading or trailing one of a bogie; empty.");
       add(
         "curvature",
-        [](Placed, Found found) { return found.state.acting.curvature; },
+        [](Placed self) { return self.found.state.acting.curvature; },
         "Of the track, positive to the right. Unit: 1/m.");
       add(
         "lateral_shift",
-        [](Placed, Found found) { return found.state.place.shift; },
+        [](Placed self) { return self.found.state.place.shift; },
         "To the right. Unit: m.");
       add(
         "yaw",
-        [](Placed, Found found) { return found.state.place.yaw; },
+        [](Placed self) { return self.found.state.place.yaw; },
         "Against the radial direction, right-handed about z down. Unit: rad.");
       add(
-        "roll", [](Placed, Found found) { return found.roll; }, "Unit: rad.");
+        "roll", [](Placed self) { return self.found.roll; }, "Unit: rad.");
       add(
         "pitch_rate",
-        [](Placed self, Found found) {
-          return -(1 + found.state.place.excess) * self.speed / self.radius;
+        [](Placed self) {
+          return self.found.state.place.pitch_rate(self.speed, self.radius);
         },
         "Angular velocity of the axle. Unit: rad/s.");
       add(
         "bounds",
-        [](Placed, Found found) -> py::object {
-          if (!found.bounds)
+        [](Placed self) -> py::object {
+          if (!self.found.bounds)
             return py::none();
-          const auto &bounds = *found.bounds;
+          const auto &bounds = *self.found.bounds;
           return py::make_tuple(bounds[0], bounds[1], bounds[2]);
         },
         "How far shift, yaw and the axle's turn over V/r0 may be off; None "
         "where no bound is known. Units: m, rad, 1.");
       add(
         "frame_shift",
-        [](Placed, Found found) { return found.frame[0]; },
+        [](Placed self) { return self.found.frame[0]; },
         "Of the frame of a bogie. Unit: m.");
       add(
         "frame_yaw",
-        [](Placed, Found found) { return found.frame[1]; },
+        [](Placed self) { return self.found.frame[1]; },
         "Of the frame of a bogie. Unit: rad.");
       add(
         "lateral_force",
-        [](Placed, Found found) { return found.state.lateral_force; },
+        [](Placed self) { return self.found.state.lateral_force; },
         "Of the suspension, to the right. Unit: N.");
       add(
         "yaw_moment",
-        [](Placed, Found found) { return found.state.yaw_moment; },
+        [](Placed self) { return self.found.state.yaw_moment; },
         "Of the suspension, right-handed about z down. Unit: N m.");
       add(
         "drag",
-        [](Placed, Found found) { return found.drag(); },
+        [](Placed self) { return self.found.drag(); },
         "Of both wheels against the direction of travel. Unit: N.");
       add(
         "creep_work",
-        [](Placed, Found found) { return found.creep_work(); },
+        [](Placed self) { return self.found.creep_work(); },
         "T gamma of both wheels. Unit: J/m.");
       add(
         "residual",
-        [](Placed, Found found) { return found.residual(); },
+        [](Placed self) { return self.found.residual(); },
         "What is left of the balances over the axle load. Unit: 1.");
     }
   } // namespace

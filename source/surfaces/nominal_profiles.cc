@@ -187,14 +187,4 @@ namespace RollingContact::Profiles
     points.insert(points.end(), half.begin(), half.end());
     return ProfileCurve(points);
   }
-
-  ProfileCurve rail_60e1()
-  {
-    return rail_head("60E1");
-  }
-
-  ProfileCurve rail_60e1_manchester()
-  {
-    return rail_head("60E1 Manchester");
-  }
 } // namespace RollingContact::Profiles

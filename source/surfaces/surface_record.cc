@@ -120,10 +120,7 @@ namespace RollingContact
               "\"" + quotable(file.text) +
                 "\" has no finite position and height; mend or interpolate "
                 "what was not measured" +
-                (cure_of_decimal_commas(file.text).empty()
-                   ? "; decimals take a point"
-                   : cure_of_decimal_commas(file.text)) +
-                ".",
+                advice_on_decimals(file.text) + ".",
               file.number);
           if (!positions.empty() && *position <= positions.back())
             reject("the position does not rise.", file.number);

@@ -150,6 +150,13 @@ namespace RollingContact
     return {&check_wheelset};
   }
 
+  SceneCondition has_bogie()
+  {
+    return [](const SceneParameters &scene) {
+      return scene.own<WheelsetParameters>().is_bogie;
+    };
+  }
+
   SceneRules rules_of_disturbed_wheels()
   {
     return {&check_wheels_found};
@@ -193,8 +200,8 @@ namespace RollingContact
             {"Profiles/Yaw", state.place.yaw},
             {"Profiles/Roll", found.roll},
             {"Profiles/Pitch rate",
-             -(1 + state.place.excess) * scene.contact.rolling_speed() /
-               scene.wheel.radius},
+             state.place.pitch_rate(scene.contact.rolling_speed(),
+                                    scene.wheel.radius)},
             {"Profiles/Curve radius",
              curvature == 0. ? straight : 1 / curvature},
             {"Contact/Vertical load", state.wheels[wheel].load}};

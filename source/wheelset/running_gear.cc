@@ -17,25 +17,6 @@ namespace RollingContact
     const unsigned int most_returns = 4;
   } // namespace
 
-  double RunningState::largest_residual() const
-  {
-    double largest = frame_left.lpNorm<Eigen::Infinity>();
-    for (const WheelsetState &wheelset : wheelsets)
-      largest = std::max(largest, wheelset.largest_residual());
-    return largest;
-  }
-
-  RunningState RunningState::mirrored() const
-  {
-    RunningState other = *this;
-    other.acting       = acting.mirrored();
-    other.frame        = -frame;
-    other.frame_left   = -frame_left;
-    for (WheelsetState &wheelset : other.wheelsets)
-      wheelset = wheelset.mirrored();
-    return other;
-  }
-
   RunningGear::RunningGear(const Situation          &scene,
                            const WheelsetParameters &parameters,
                            const bool                roughly)
@@ -90,7 +71,10 @@ namespace RollingContact
       {
         const auto slopes = balance(i).slopes();
         if (!slopes)
-          return {};
+          {
+            reason = balance(i).reason;
+            return {};
+          }
         Eigen::Matrix<double, 3, 2> by_frame =
           Eigen::Matrix<double, 3, 2>::Zero();
         by_frame.topRows<2>() = frame.coupling(i) / parameters.axle_load;

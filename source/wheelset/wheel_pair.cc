@@ -142,7 +142,7 @@ namespace RollingContact
     scene.frame            = std::make_shared<const Profiles::ContactFrame>(
       one.profiles, position, is_left, Profiles::SurfaceKind::curved);
     scene.motion                = {speed,
-                                   -(1 + place.excess) * speed / radius(),
+                                   place.pitch_rate(speed, radius()),
                                    curvature,
                                    place.aside * speed};
     scene.contact.vertical_load = load;

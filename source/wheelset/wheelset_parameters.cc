@@ -3,6 +3,7 @@
 #include <rolling_contact/input/number_list.h>
 #include <rolling_contact/scene/analysis_traits.h>
 #include <rolling_contact/scene/entries.h>
+#include <rolling_contact/wheelset/found_place.h>
 #include <rolling_contact/wheelset/wheelset_parameters.h>
 
 #include <cmath>
@@ -67,8 +68,14 @@ namespace RollingContact
                               }),
                               "Analysis = wheelset reads it"};
     declare_hunting(entries, hunting_ones);
-    declare_bogie(entries, hunting_ones);
-    entries.add("Search for others", searches).read_by(hunting_ones).help =
+    declare_bogie(entries,
+                  {has_bogie(),
+                   "a wheelset with Wheelset/Vehicle = bogie has a frame"});
+    entries.add("Search for others", searches)
+      .read_by(hunting_ones)
+      .read_by({[](const auto &scene) { return !has_bogie()(scene); },
+                "it is looked for around a lone wheelset"})
+      .help =
       "Look for other equilibria of the last curve, over all shifts at which "
       "both wheels are on the rails.";
   }

@@ -79,9 +79,10 @@ namespace RollingContact
 
   void WheelsetReport::add(const std::vector<FoundEquilibrium> &found)
   {
-    all.push_back(found);
+    all.emplace_back();
     for (const FoundEquilibrium &wheelset : found)
       {
+        all.back().push_back(wheelset.state);
         tell(wheelset);
         add_row(scene, wheelset);
         for (unsigned int wheel = 0; wheel < 2; ++wheel)
@@ -107,8 +108,8 @@ namespace RollingContact
     table.set("roll_rad", found.roll);
     table.set("axle_excess", state.place.excess);
     table.set("pitch_rate_rad/s",
-              -(1 + state.place.excess) * at.contact.rolling_speed() /
-                at.wheel.radius);
+              state.place.pitch_rate(at.contact.rolling_speed(),
+                                     at.wheel.radius));
     for (const auto &[column, k] : {std::pair("bound_lateral_shift_m", 0),
                                     std::pair("bound_yaw_rad", 1),
                                     std::pair("bound_axle_excess", 2)})
@@ -316,15 +317,15 @@ namespace RollingContact
       work("", x_label, "T\u03b3 (N)");
     std::vector<double> x;
     for (const auto &found : all)
-      x.push_back(1e3 * found[0].state.acting.curvature);
+      x.push_back(1e3 * found[0].acting.curvature);
     for (unsigned int i = 0; i < all[0].size(); ++i)
       {
-        const std::string name = all[0][i].name;
+        const std::string name = wheelset.name_of(i);
         const auto        draw =
           [&](Figure &panel, const std::string &label, const auto &of) {
             std::vector<double> y;
             for (const auto &found : all)
-              y.push_back(of(found[i].state));
+              y.push_back(of(found[i]));
             panel.add_curve(label, x, y, CurveStyle::line_and_points);
           };
         draw(figure, name, [](const auto &state) {

@@ -53,8 +53,7 @@ namespace RollingContact
     std::vector<FoundEquilibrium> found(fine.n_wheelsets());
     for (unsigned int i = 0; i < found.size(); ++i)
       {
-        if (wheelset.is_bogie)
-          found[i].name = i == 0 ? "leading" : "trailing";
+        found[i].name       = wheelset.name_of(i);
         found[i].state      = fine.now().wheelsets[i];
         found[i].frame      = fine.now().frame;
         found[i].frame_left = fine.now().frame_left;

@@ -67,7 +67,7 @@ namespace
   }
 
   std::shared_ptr<const WheelOnRail>
-  s1002_on_60e1(const ProfileCurve &rail = rail_60e1())
+  s1002_on_60e1(const ProfileCurve &rail = rail_head("60E1"))
   {
     return std::make_shared<const WheelOnRail>(
       s1002(), placed_rail(rail, 1. / 40, 1.435, 0.014), radius, tape_circle);
@@ -217,7 +217,7 @@ BOOST_AUTO_TEST_CASE(creepages_are_those_of_contact)
     {3., 0.0072, -0.0001803, -4.3451503, 0.001052, 0.007235, 0.0001998},
     {4., 0.0096, -0.0002557, -4.344093, 0.001276, 0.009662, 0.000233},
     {8., 0.0192, -0.008606, -4.2534857, 0.02127, 0.033, 0.001701}};
-  const auto profiles = s1002_on_60e1(rail_60e1_manchester());
+  const auto profiles = s1002_on_60e1(rail_head("60E1 Manchester"));
   for (const auto &[shift, yaw, roll, pitch, x, y, spin] : cases)
     {
       const ContactFrame frame(profiles, {shift * mm, roll, yaw}, false);

@@ -26,7 +26,10 @@ namespace
   first_contact(const double shift, const double yaw, const bool is_left)
   {
     const auto profiles = std::make_shared<const WheelOnRail>(
-      s1002(), placed_rail(rail_60e1(), 1. / 40, 1.435, 0.014), 0.46, 0.75);
+      s1002(),
+      placed_rail(rail_head("60E1"), 1. / 40, 1.435, 0.014),
+      0.46,
+      0.75);
     return std::make_shared<const ContactFrame>(
       profiles, WheelsetPosition{shift, 0., yaw}, is_left);
   }

@@ -98,7 +98,7 @@ BOOST_AUTO_TEST_CASE(
     flange = std::max(flange, point.z);
   BOOST_TEST(std::abs(flange - 28 * mm) < 1e-6);
 
-  const ProfileCurve rail = rail_60e1();
+  const ProfileCurve rail = rail_head("60E1");
   const auto        &head = rail.points();
   // 72 mm wide where the last arc ends, 14.3 mm below the crown
   double width = 0.;
@@ -174,15 +174,15 @@ BOOST_AUTO_TEST_CASE(heads_of_rails_close_at_the_width_of_their_drawings)
       }
     return sum;
   };
-  BOOST_TEST(std::abs(area(rail_60e1()) - area(rail_head("60E2")) - 22e-6) <
-             1e-6);
+  BOOST_TEST(
+    std::abs(area(rail_head("60E1")) - area(rail_head("60E2")) - 22e-6) < 1e-6);
   BOOST_CHECK_THROW(rail_head("UIC60"), std::invalid_argument);
 }
 
 // 1:40 and 717.5 mm put the origin of the section where CONTACT has it
 BOOST_AUTO_TEST_CASE(a_rail_is_placed_by_its_gauge_face)
 {
-  const ProfileCurve rail = placed(rail_60e1());
+  const ProfileCurve rail = placed(rail_head("60E1"));
   const double       top  = rail.highest();
   BOOST_TEST(std::abs(rail.at(top).z) < 1e-12);
   BOOST_TEST(std::abs(rail.at(top).y - 760.5326 * mm) < 1e-6);
@@ -203,7 +203,7 @@ BOOST_AUTO_TEST_CASE(a_rail_is_placed_by_its_gauge_face)
 // heights of CONTACT under 10 kN less its approach, which is along the normal
 BOOST_AUTO_TEST_CASE(the_silhouette_touches_where_contact_does)
 {
-  const ProfileCurve rail = placed(rail_60e1_manchester());
+  const ProfileCurve rail = placed(rail_head("60E1 Manchester"));
   const WheelOnRail  side(s1002(), rail, radius, tape_circle);
   for (const Values &row : table("manchester_a22.csv"))
     {
@@ -232,7 +232,7 @@ BOOST_AUTO_TEST_CASE(the_silhouette_touches_where_contact_does)
 // what touches first has no overlap, and the normals agree
 BOOST_AUTO_TEST_CASE(at_the_first_contact_the_surfaces_are_tangent)
 {
-  const ProfileCurve rail = placed(rail_60e1());
+  const ProfileCurve rail = placed(rail_head("60E1"));
   const WheelOnRail  side(s1002(), rail, radius, tape_circle);
   for (const double shift : {-7., -3., 0., 0.3, 2., 4.9, 5.1, 6.3, 7.})
     for (const double yaw : {0., 0.01, -0.02})
@@ -393,7 +393,7 @@ BOOST_AUTO_TEST_CASE(smoothing_halves_waves_of_its_length)
 // 0.3 mm apart, 2 um of noise: within 7 um of the head, curvature of its arcs
 BOOST_AUTO_TEST_CASE(measured_points_give_the_profile_behind_their_noise)
 {
-  const ProfileCurve         rail = rail_60e1();
+  const ProfileCurve         rail = rail_head("60E1");
   Noisy                      noise(2e-6);
   std::vector<MeasuredPoint> points;
   for (double s = 30 * mm; s < rail.length() - 30 * mm; s += 0.3 * mm)
@@ -508,7 +508,7 @@ BOOST_AUTO_TEST_CASE(profiles_the_wrong_way_round_are_refused_with_the_cure)
     return points;
   };
   std::vector<MeasuredPoint> wheel = points_of(s1002()),
-                             rail  = points_of(rail_60e1());
+                             rail  = points_of(rail_head("60E1"));
   const auto refusal               = [](std::vector<MeasuredPoint> points,
                           const ProfileKind          kind,
                           const double               y,

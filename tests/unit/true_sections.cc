@@ -151,7 +151,7 @@ BOOST_AUTO_TEST_CASE(the_section_of_the_60e1_is_that_of_the_standard)
   BOOST_TEST(relative(section.I_y, 3038.3e-8) < 1e-3);
   BOOST_TEST(relative(section.I_z, 512.3e-8) < 1e-3);
   // its head is the profile
-  const ProfileCurve head = rail_60e1();
+  const ProfileCurve head = rail_head("60E1");
   for (double s = 10 * mm; s < head.length() / 2; s += 1 * mm)
     {
       const auto point = head.at(head.length() - s);
@@ -165,7 +165,7 @@ BOOST_AUTO_TEST_CASE(the_section_of_the_60e1_is_that_of_the_standard)
 
 BOOST_AUTO_TEST_CASE(coarse_sections_are_not_distorted_and_fill_the_outline)
 {
-  const ProfileCurve rail = rail_60e1(), wheel = s1002();
+  const ProfileCurve rail = rail_head("60E1"), wheel = s1002();
   for (const double size : {9 * mm, 11 * mm, 14 * mm, 17.9 * mm})
     for (double share = 0.3; share < 0.8; share += 0.1)
       {
@@ -452,14 +452,15 @@ BOOST_AUTO_TEST_CASE(measured_profiles_are_meshed_or_refused)
               60 * mm);
   BOOST_TEST(contains(complaint([&]() { wheel_surface(wheel); }),
                       "before the back of its flange"));
-  const auto rail = placed_at(cut(rail_60e1().shifted(15 * mm, 0.),
+  const auto rail = placed_at(cut(rail_head("60E1").shifted(15 * mm, 0.),
                                   [](const auto &p) { return p.z < 20 * mm; }),
                               55 * mm);
   BOOST_TEST(contains(complaint([&]() { rail_surface(rail); }),
                       "from the head of a 60E1"));
   // a head measured down to the gauge corner only
   const auto short_head =
-    placed_at(cut(rail_60e1(), [](const auto &p) { return p.z < 8 * mm; }),
+    placed_at(cut(rail_head("60E1"),
+                  [](const auto &p) { return p.z < 8 * mm; }),
               35 * mm);
   const auto surface = rail_surface(short_head);
   BOOST_TEST(

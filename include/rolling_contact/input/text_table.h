@@ -22,6 +22,9 @@ namespace RollingContact
    */
   std::string cure_of_decimal_commas(const std::string &text);
 
+  /** The cure, or that decimals take a point, behind "; ". */
+  std::string advice_on_decimals(const std::string &text);
+
   /**
    * The lines of a text file that say something, with their number: without a
    * byte order mark, comments and blanks around them.

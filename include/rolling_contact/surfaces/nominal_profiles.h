@@ -17,7 +17,8 @@ namespace RollingContact::Profiles
 
   /**
    * The names of rails that rail_head() knows: of EN 13674-1, and "60E1
-   * Manchester", see rail_60e1_manchester().
+   * Manchester", the variant of 60E1 in the Manchester benchmarks, with joints
+   * at |y| = 10.50058 and 25.98807 mm: 0.023 mm from the one of the standard.
    */
   std::vector<std::string> rail_names();
 
@@ -29,18 +30,6 @@ namespace RollingContact::Profiles
    * Units: m.
    */
   ProfileCurve rail_head(const std::string &name);
-
-  /**
-   * The head of the rail 60E1: arcs of 300, 80 and 13 mm whose joints are at
-   * |y| = 10.228 and 26.0265 mm, and sides of 1:20. Units: m.
-   */
-  ProfileCurve rail_60e1();
-
-  /**
-   * The variant of 60E1 in the Manchester benchmarks, with joints at |y| =
-   * 10.50058 and 25.98807 mm: 0.023 mm from the one of the standard. Units: m.
-   */
-  ProfileCurve rail_60e1_manchester();
 } // namespace RollingContact::Profiles
 
 #endif

@@ -13,7 +13,7 @@ namespace RollingContact::Profiles
   /**
    * The field side of the section of the rail 60E1 (EN 13674-1), (across, up
    * from the middle of the sole), from the crown to the middle of the sole:
-   * tangent arcs and lines. The head is that of rail_60e1(); the heights at
+   * tangent arcs and lines. The head is rail_head("60E1"); the heights at
    * which the web begins to widen, 92.37 and 60.40 mm, are fitted to published
    * points of the outline, within 0.07 mm of them. Units: m.
    */

@@ -36,7 +36,7 @@ namespace RollingContact
   };
 
   template <int dim>
-  class SteadyState;
+  struct SteadyState;
 
   /** What a session says of a state whose errors were estimated. */
   template <int dim>

@@ -130,7 +130,8 @@ namespace RollingContact
     /** Largest residual of an equilibrium. */
     static constexpr double tolerance = 1e-5;
 
-    /** Where forces jump, as they do from one set of bodies to another. */
+    /** Largest residual that will do where forces jump, as they do from one set
+     * of bodies to another. */
     double accepted = tolerance;
 
     unsigned int n_steps = 0; ///< of Newton's method

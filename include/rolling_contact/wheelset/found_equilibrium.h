@@ -72,7 +72,6 @@ namespace RollingContact
      * its way, over the friction that both wheels can carry. */
     double energy_error(const double radius) const;
   };
-
 } // namespace RollingContact
 
 #endif

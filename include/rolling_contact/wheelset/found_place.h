@@ -2,6 +2,7 @@
 #define rolling_contact_wheelset_found_place_h
 
 #include <rolling_contact/scene/analysis_traits.h>
+#include <rolling_contact/scene/entry.h>
 #include <rolling_contact/scene/situation.h>
 #include <rolling_contact/wheelset/wheelset_report.h>
 
@@ -15,6 +16,9 @@ namespace RollingContact
 
   /** Rules of Analysis = wheelset. */
   SceneRules rules_of_wheelsets();
+
+  /** Whether the wheelsets of a scene are those of a bogie. */
+  SceneCondition has_bogie();
 
   /** Rules of analyses that disturb wheels whose place is found. */
   SceneRules rules_of_disturbed_wheels();

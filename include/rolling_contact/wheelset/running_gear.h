@@ -22,10 +22,6 @@ namespace RollingContact
     std::vector<WheelsetState> wheelsets;
     Eigen::Vector2d            frame      = Eigen::Vector2d::Zero();
     Eigen::Vector2d            frame_left = Eigen::Vector2d::Zero();
-
-    double largest_residual() const;
-
-    RunningState mirrored() const;
   };
 
   /**

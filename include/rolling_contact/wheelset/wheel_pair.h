@@ -21,6 +21,13 @@ namespace RollingContact
   {
     double shift = 0., yaw = 0., excess = 0., aside = 0.;
 
+    /** Angular velocity of the axle at a speed, for r0. Units: m/s, m, rad/s.
+     */
+    double pitch_rate(const double speed, const double radius) const
+    {
+      return -(1 + excess) * speed / radius;
+    }
+
     WheelsetPlace mirrored() const
     {
       return {-shift, -yaw, excess, -aside};

@@ -12,9 +12,9 @@ namespace RollingContact
    * Analysis = wheelset: where a wheelset or a bogie runs in balance, on
    * straight track or in one curve after the other, and what its wheels do
    * there. A row of wheelset.csv for each wheelset and curve and two of
-   * results.csv, one for each wheel;
-   * fields, lines across and pictures of both wheels. Throws ConvergenceError
-   * at the first curve without an equilibrium; the rows before it are kept.
+   * results.csv, one for each wheel; fields, lines across and pictures of both
+   * wheels. Throws ConvergenceError at the first curve without an equilibrium;
+   * the rows before it are kept.
    */
   class WheelsetAnalysis : public Analysis
   {

@@ -65,6 +65,12 @@ namespace RollingContact
       return is_bogie ? 2 : 1;
     }
 
+    /** The leading or trailing one of a bogie; empty for a lone wheelset. */
+    std::string name_of(const unsigned int number) const
+    {
+      return !is_bogie ? "" : number == 0 ? "leading" : "trailing";
+    }
+
     bool                  is_bogie = false;
     std::vector<double>   curve_radii;             ///< positive to the right
     double                axle_load       = 120e3; ///< of a wheelset

@@ -51,8 +51,8 @@ namespace RollingContact
     RunContext               &context;
     ResultsTable              table;
 
-    /** What was found in each case. */
-    std::vector<std::vector<FoundEquilibrium>> all;
+    /** The wheelsets of each case. */
+    std::vector<std::vector<WheelsetState>> all;
   };
 } // namespace RollingContact
 
