@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <utility>
 
 namespace RollingContact::Profiles
 {
@@ -23,15 +24,25 @@ namespace RollingContact::Profiles
 
     const double largest_roll = 0.05; // rad
 
-    double root(const std::function<double(const double)> &function,
-                const double                               begin,
-                const double                               end)
+    const double none = std::numeric_limits<double>::max(); // beside the rail
+
+    using Function = std::function<double(const double)>;
+
+    double root(const Function &function,
+                const double    begin,
+                const double    at_begin,
+                const double    end,
+                const double    at_end)
     {
+      if (begin > end)
+        return root(function, end, at_end, begin, at_begin);
       std::uintmax_t rounds = 100;
       const auto     found  = boost::math::tools::toms748_solve(
         function,
         begin,
         end,
+        at_begin,
+        at_end,
         boost::math::tools::eps_tolerance<double>(),
         rounds);
       return (found.first + found.second) / 2;
@@ -47,14 +58,18 @@ namespace RollingContact::Profiles
     , radius(radius)
     , tape_circle(tape_circle)
     , rail_at(this->rail)
+    , rail_heights(this->rail)
     , rail_top(rail.highest())
-  {}
+  {
+    const int n = std::ceil(wheel.length() / step);
+    for (int k = 0; k <= n; ++k)
+      steps.push_back(wheel.at(wheel.length() * k / n));
+  }
 
   WheelOnRail::Point WheelOnRail::silhouette(const WheelsetPosition &position,
-                                             const double arc_length) const
+                                             const CurvePoint       &at) const
   {
-    const CurvePoint at = wheel.at(arc_length);
-    const double     r  = radius + at.z,
+    const double r    = radius + at.z,
                  sine = std::clamp(-std::tan(position.yaw) * std::tan(at.angle),
                                    -1.,
                                    1.),
@@ -89,23 +104,44 @@ namespace RollingContact::Profiles
     return rail.at(rail_at(point.y)).z - point.z;
   }
 
+  std::vector<double>
+  WheelOnRail::low_gaps(const WheelsetPosition &position) const
+  {
+    const int           n = steps.size() - 1;
+    std::vector<double> least(n + 1, none), gaps(n + 1, none);
+    double              nearest = none;
+    for (int k = 0; k <= n; ++k)
+      {
+        const Point point = silhouette(position, steps[k]);
+        if (!rail_at.covers(point.y))
+          continue;
+        const auto [above, below] = rail_heights(point.y);
+        least[k]                  = above - point.z;
+        nearest                   = std::min(nearest, below - point.z);
+      }
+    for (int k = 0; k <= n; ++k)
+      if (least[k] < nearest + 2 * deepest_between)
+        for (int j = std::max(k - 1, 0); j <= std::min(k + 1, n); ++j)
+          if (gaps[j] == none)
+            gaps[j] = gap(position, wheel.length() * j / n).value_or(none);
+    return gaps;
+  }
+
   RigidContact
   WheelOnRail::first_contact(const WheelsetPosition &position) const
   {
     const auto gap_or_none = [&](const double s) {
-      return gap(position, s).value_or(std::numeric_limits<double>::max());
+      return gap(position, s).value_or(none);
     };
-    const int           n = std::ceil(wheel.length() / step);
-    std::vector<double> gaps;
-    for (int k = 0; k <= n; ++k)
-      gaps.push_back(gap_or_none(wheel.length() * k / n));
+    const std::vector<double> gaps = low_gaps(position);
+    const int                 n    = gaps.size() - 1;
     const double nearest = *std::min_element(gaps.begin(), gaps.end());
-    if (nearest == std::numeric_limits<double>::max())
+    if (nearest == none)
       throw InputError(
         "Profiles, lateral shift of " + significant(position.shift, 6) +
         " m: the wheel is not above the rail; check Profiles/Gauge, Flange "
         "back distance and the profiles.");
-    std::pair<double, double> found{0., std::numeric_limits<double>::max()};
+    std::pair<double, double> found{0., none};
     for (int k = 0; k <= n; ++k)
       if (gaps[k] < nearest + 2 * deepest_between &&
           gaps[k] <= gaps[std::max(k - 1, 0)] &&
@@ -155,8 +191,8 @@ namespace RollingContact::Profiles
         "Profiles/Gauge height = " + significant(gauge_height, 6) +
         " m: the rail's profile ends above it on the gauge side "
         "(first points).");
-    const double face =
-      root([&](const double s) { return inclined.at(s).z - depth; }, 0., top);
+    const auto below = [&](const double s) { return inclined.at(s).z - depth; };
+    const double face = root(below, 0., below(0.), top, below(top));
     return inclined.shifted(gauge / 2 - inclined.at(face).y,
                             -inclined.at(top).z);
   }
@@ -166,22 +202,38 @@ namespace RollingContact::Profiles
     return {-position.shift, -position.roll, -position.yaw};
   }
 
-  double resting_roll(const WheelOnRail &right,
-                      const WheelOnRail &left,
-                      const double       shift,
-                      const double       yaw)
+  double resting_roll(const WheelOnRail           &right,
+                      const WheelOnRail           &left,
+                      const std::array<double, 2> &shifts,
+                      const double                 yaw)
   {
     const auto difference = [&](const double roll) {
-      const WheelsetPosition position{shift, roll, yaw};
-      return right.first_contact(position).height -
-             left.first_contact(mirrored(position)).height;
+      return right.first_contact({shifts[0], roll, yaw}).height -
+             left.first_contact(mirrored({shifts[1], roll, yaw})).height;
     };
-    if (&right == &left && shift == 0. && yaw == 0.)
+    if (&right == &left && shifts[0] == -shifts[1] && yaw == 0.)
       return 0.;
-    if (difference(-largest_roll) * difference(largest_roll) > 0.)
-      throw InputError("Profiles, lateral shift of " + significant(shift, 6) +
-                       " m: no roll within " + significant(largest_roll, 2) +
+    // one side comes down by as much as the other goes up
+    const double slope =
+      -(right.tape_circle_place() + left.tape_circle_place());
+    const auto within = [](const double roll) {
+      return std::clamp(roll, -largest_roll, largest_roll);
+    };
+    double begin = 0., at_begin = difference(begin);
+    if (at_begin == 0.)
+      return begin;
+    double end = within(-at_begin / slope), at_end = difference(end);
+    while (at_begin * at_end > 0. && std::abs(end) < largest_roll)
+      {
+        const double further = within(end + 2 * (end - begin));
+        begin                = std::exchange(end, further);
+        at_begin             = std::exchange(at_end, difference(end));
+      }
+    if (at_begin * at_end > 0.)
+      throw InputError("Profiles, lateral shift of " +
+                       significant(shifts[0], 6) + " m: no roll within " +
+                       significant(largest_roll, 2) +
                        " rad lets both wheels touch.");
-    return root(difference, -largest_roll, largest_roll);
+    return root(difference, begin, at_begin, end, at_end);
   }
 } // namespace RollingContact::Profiles

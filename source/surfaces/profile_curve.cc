@@ -28,6 +28,8 @@ namespace RollingContact::Profiles
   {
     if (nodes.size() < 2)
       throw std::invalid_argument("A profile needs two points or more.");
+    for (const CurvePoint &node : nodes)
+      tangents.push_back({{std::cos(node.angle), std::sin(node.angle)}});
     for (std::size_t k = 1; k < nodes.size(); ++k)
       {
         arc.push_back(arc.back() + arc_between(nodes[k - 1], nodes[k]));
@@ -44,6 +46,7 @@ namespace RollingContact::Profiles
                                  0,
                                  arc.size() - 2);
     const CurvePoint &a = nodes[k], &b = nodes[k + 1];
+    const auto       &from = tangents[k], &to = tangents[k + 1];
     const double      h = arc[k + 1] - arc[k], t = (s - arc[k]) / h;
     // Hermite: value, first and second derivative
     const auto cubic = [&](const double p,
@@ -59,10 +62,8 @@ namespace RollingContact::Profiles
       return p + t * (h * dp + t * (c2 + t * c3));
     };
     Derivatives found;
-    found.y = cubic(
-      a.y, std::cos(a.angle), b.y, std::cos(b.angle), found.dy, found.ddy);
-    found.z = cubic(
-      a.z, std::sin(a.angle), b.z, std::sin(b.angle), found.dz, found.ddz);
+    found.y = cubic(a.y, from[0], b.y, to[0], found.dy, found.ddy);
+    found.z = cubic(a.z, from[1], b.z, to[1], found.dz, found.ddz);
     return found;
   }
 
@@ -156,11 +157,14 @@ namespace RollingContact::Profiles
                          (y_of_nodes[k + 1] - y_of_nodes[k]);
     for (unsigned int round = 0; round < 4; ++round)
       {
-        const CurvePoint point = curve->at(s);
-        const double     slope = std::cos(point.angle);
+        const auto   point = curve->derivatives(s);
+        const double slope = point.dy / std::hypot(point.dy, point.dz);
         if (slope < 1e-3)
           break;
-        s = std::clamp(s - (point.y - y) / slope, begin, end);
+        const double last = s;
+        s                 = std::clamp(s - (point.y - y) / slope, begin, end);
+        if (s == last)
+          break;
       }
     return s;
   }

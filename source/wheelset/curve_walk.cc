@@ -54,6 +54,8 @@ namespace RollingContact
         go_on(place.shift, from.shift, 5e-4);
         go_on(place.yaw, from.yaw, 2e-3);
         go_on(place.excess, from.excess, 1e-3);
+        for (unsigned int k = 0; k < 2; ++k)
+          go_on(place.rails[k], from.rails[k], 5e-4);
       }
     for (unsigned int k = 0; k < 2; ++k)
       go_on(start.frame[k], one.frame[k], 2e-3);

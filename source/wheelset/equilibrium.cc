@@ -12,22 +12,35 @@ namespace RollingContact
   {
     /// one of a scaled unknown, and the most that a step takes of it
     const double shift_scale = 1e-3, yaw_scale = 1e-3, excess_scale = 1e-4;
-    const Eigen::Vector3d largest_steps(0.3, 1., 5.);
+    const Eigen::Vector4d largest_steps(0.3, 1., 5., 0.3);
 
     /// scaled, for derivatives by differences
-    const Eigen::Vector3d differences_of(0.02, 0.02, 0.2);
+    const Eigen::Vector4d differences_of(0.02, 0.02, 0.2, 0.02);
 
     /// of a step, and differences where those fail over the usual ones
     const unsigned int most_halvings = 6;
     const double       finer         = 0.05;
 
-    /// of central differences: m, rad, 1, 1, 1/m
-    const double small_motions[] = {1e-5, 1e-5, 1e-5, 1e-5, 1.3e-5};
+    /// of central differences: m, rad, 1, 1, 1/m, and m of the rails
+    const double small_motions[] = {1e-5, 1e-5, 1e-5, 1e-5, 1.3e-5, 1e-5};
 
     /// where a force or moment is the unknown: over the axle load
     const double force_scale = 1e-2;
 
-    const std::vector<unsigned int> all{0, 1, 2};
+    /**
+     * The first three balances by what moves, with rails that go where the
+     * fourth one leads; as they are with rigid rails, by which nothing changes.
+     */
+    template <int n>
+    Eigen::Matrix<double, 3, n>
+    with_rails_following(const Eigen::Matrix<double, 4, n> &by_motions,
+                         const Eigen::Vector4d             &by_rails)
+    {
+      Eigen::Matrix<double, 3, n> result = by_motions.template topRows<3>();
+      if (by_rails[3] != 0.)
+        result -= by_rails.head<3>() * by_motions.row(3) / by_rails[3];
+      return result;
+    }
   } // namespace
 
   WheelsetState WheelsetState::mirrored() const
@@ -38,7 +51,7 @@ namespace RollingContact
     other.lateral_force = -lateral_force;
     other.yaw_moment    = -yaw_moment;
     other.wheels        = {{wheels[1].mirrored(), wheels[0].mirrored()}};
-    other.residual      = {-residual[0], -residual[1], residual[2]};
+    other.residual = {-residual[0], -residual[1], residual[2], residual[3]};
     return other;
   }
 
@@ -47,19 +60,38 @@ namespace RollingContact
     , wheelset(wheelset)
     , lateral_stiffness(wheelset.is_bogie ? wheelset.hunting.lateral_stiffness
                                           : 0.)
+    , rail_stiffness(wheelset.rail_stiffness.value_or(0.))
     , scales(wheelset.shift ? force_scale * wheelset.axle_load : shift_scale,
              wheelset.yaw ? force_scale * wheelset.axle_load : yaw_scale,
-             excess_scale)
+             excess_scale,
+             shift_scale)
     , limits(wheelset.shift ? 10. : largest_steps[0],
              wheelset.yaw ? 10. : largest_steps[1],
-             largest_steps[2])
+             largest_steps[2],
+             largest_steps[3])
   {}
+
+  Equilibrium::Active Equilibrium::all(const bool with_shift) const
+  {
+    Active result{1, 2};
+    if (with_shift)
+      result.insert(result.begin(), 0);
+    if (rail_stiffness > 0.)
+      result.push_back(3);
+    return result;
+  }
+
+  double Equilibrium::held_apart(const WheelsetPlace &place) const
+  {
+    return rail_stiffness * (place.rails[0] - place.rails[1]) / 2;
+  }
 
   Equilibrium::Unknowns Equilibrium::unknowns_of(const WheelsetState &at) const
   {
     return Unknowns(wheelset.shift ? at.acting.lateral_force : at.place.shift,
                     wheelset.yaw ? at.yaw_moment : at.place.yaw,
-                    at.place.excess)
+                    at.place.excess,
+                    (at.place.rails[0] - at.place.rails[1]) / 2)
       .cwiseQuotient(scales);
   }
 
@@ -97,6 +129,12 @@ namespace RollingContact
                    : wheelset.yaw_stiffness * (acting.frame_yaw - at.place.yaw);
     at.lateral_force =
       at.acting.lateral_force - lateral_stiffness * at.place.shift;
+    if (rail_stiffness > 0.)
+      {
+        const double both  = at.lateral_force / (2 * rail_stiffness),
+                     apart = scales[3] * x[3];
+        at.place.rails     = {{both + apart, both - apart}};
+      }
     const auto loads = loads_under(at.lateral_force);
     if (!loads)
       return {};
@@ -117,9 +155,12 @@ namespace RollingContact
     const TrackForces &right = at.wheels[0].forces, &left = at.wheels[1].forces;
     at.residual = {right.force_y + left.force_y + at.lateral_force,
                    right.moment_z + left.moment_z +
-                     at.place.shift * (right.force_x + left.force_x) +
-                     at.yaw_moment,
-                   right.axle_torque + left.axle_torque - acting.axle_torque};
+                     at.place.on_rail(0) * right.force_x +
+                     at.place.on_rail(1) * left.force_x + at.yaw_moment,
+                   right.axle_torque + left.axle_torque - acting.axle_torque,
+                   rail_stiffness > 0.
+                     ? (right.force_y - left.force_y) / 2 + held_apart(at.place)
+                     : 0.};
     at.residual /= W;
     return at;
   }
@@ -131,7 +172,7 @@ namespace RollingContact
   {
     const Unknowns x = unknowns_of(at);
     if (!jacobian)
-      jacobian = Eigen::Matrix3d::Identity();
+      jacobian = Eigen::Matrix4d::Identity();
     // towards the middle of the track, away from flanges
     for (const unsigned int j : active)
       {
@@ -147,14 +188,15 @@ namespace RollingContact
     return true;
   }
 
-  Equilibrium::Derivatives Equilibrium::slopes()
+  std::optional<Eigen::Matrix3d> Equilibrium::slopes()
   {
-    if (!jacobian && !differences(state.acting, all, state, 1.))
+    if (!jacobian && !differences(state.acting, all(), state, 1.))
       jacobian.reset();
-    Derivatives result = jacobian;
-    if (result)
-      *result *= scales.cwiseInverse().asDiagonal();
-    return result;
+    if (!jacobian)
+      return {};
+    const Eigen::Matrix4d whole =
+      *jacobian * scales.cwiseInverse().asDiagonal();
+    return with_rails_following<3>(whole.leftCols<3>(), whole.col(3));
   }
 
   std::optional<WheelsetState>
@@ -213,7 +255,7 @@ namespace RollingContact
             const auto trial = evaluate(acting, x + d);
             if (!trial)
               continue;
-            const Eigen::Vector3d change = trial->residual - at->residual;
+            const Eigen::Vector4d change = trial->residual - at->residual;
             *jacobian +=
               (change - *jacobian * d) * d.transpose() / d.squaredNorm();
             is_closer =
@@ -270,7 +312,7 @@ namespace RollingContact
 
   bool Equilibrium::solve(const CurveCase &acting, const WheelsetState &start)
   {
-    const auto found = newton_or_held(acting, all, start, tolerance);
+    const auto found = newton_or_held(acting, all(), start, tolerance);
     if (found)
       state = *found;
     else
@@ -281,7 +323,7 @@ namespace RollingContact
   bool Equilibrium::polish()
   {
     pair.hold_edges(true);
-    const auto found = newton(state.acting, all, state, 1e-8, 12);
+    const auto found = newton(state.acting, all(), state, 1e-8, 12);
     if (found)
       state = *found;
     pair.hold_edges(false);
@@ -293,13 +335,13 @@ namespace RollingContact
   {
     if (wheelset.shift || wheelset.yaw)
       return {};
-    Hunting::Derivatives result = Hunting::Derivatives::Zero();
-    const Unknowns       x      = unknowns_of(state);
+    Eigen::Matrix<double, 4, 6> result = Eigen::Matrix<double, 4, 6>::Zero();
+    const Unknowns              x      = unknowns_of(state);
     const auto residual = [&](const unsigned int j, const double change) {
       Unknowns  moved  = x;
       CurveCase acting = state.acting;
-      if (j < 3)
-        moved[j] += change / scales[j];
+      if (j < 3 || j == 5)
+        moved[std::min(j, 3u)] += change / scales[std::min(j, 3u)];
       // the frame does not turn with the wheelset
       if (j == 4)
         acting.curvature += change;
@@ -307,8 +349,10 @@ namespace RollingContact
     };
     pair.hold_edges(true);
     bool is_there = true;
-    for (unsigned int j = 0; is_there && j < (with_velocities ? 5 : 3); ++j)
+    for (unsigned int j = 0; is_there && j < 6; ++j)
       {
+        if (j == 5 ? rail_stiffness == 0. : j > 2 && !with_velocities)
+          continue;
         const double h     = small_motions[j];
         const auto   above = residual(j, h), below = residual(j, -h);
         is_there = above && below;
@@ -316,7 +360,8 @@ namespace RollingContact
           result.col(j) = (above->residual - below->residual) / (2 * h);
       }
     pair.hold_edges(false);
-    return is_there ? std::optional<Hunting::Derivatives>(result)
-                    : std::nullopt;
+    if (!is_there)
+      return {};
+    return with_rails_following<5>(result.leftCols<5>(), result.col(5));
   }
 } // namespace RollingContact

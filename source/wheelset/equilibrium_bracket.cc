@@ -14,7 +14,7 @@ namespace RollingContact
   {
     WheelsetState from = start;
     from.place.shift   = shift;
-    return newton_or_held(acting, {1, 2}, from, 0.3 * tolerance);
+    return newton_or_held(acting, all(false), from, 0.3 * tolerance);
   }
 
   bool Equilibrium::bracket(const CurveCase     &acting,

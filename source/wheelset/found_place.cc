@@ -196,7 +196,7 @@ namespace RollingContact
   {
     const WheelsetState &state     = found.state;
     const double         curvature = state.acting.curvature;
-    return {{"Profiles/Lateral shift", state.place.shift},
+    return {{"Profiles/Lateral shift", state.place.on_rail(wheel)},
             {"Profiles/Yaw", state.place.yaw},
             {"Profiles/Roll", found.roll},
             {"Profiles/Pitch rate",

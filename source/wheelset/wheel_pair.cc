@@ -120,7 +120,7 @@ namespace RollingContact
   {
     return Profiles::resting_roll(*sides[0].profiles,
                                   *sides[1].profiles,
-                                  place.shift,
+                                  {{place.on_rail(0), place.on_rail(1)}},
                                   place.yaw);
   }
 
@@ -157,7 +157,7 @@ namespace RollingContact
   {
     return scene_as(sides[wheel],
                     wheel == 1,
-                    {place.shift, roll(place), place.yaw},
+                    {place.on_rail(wheel), roll(place), place.yaw},
                     place,
                     curvature,
                     load);
@@ -188,7 +188,9 @@ namespace RollingContact
                                   const double         curvature,
                                   const double         load)
   {
-    const Profiles::WheelsetPosition position{place.shift, roll, place.yaw};
+    const Profiles::WheelsetPosition position{place.on_rail(wheel),
+                                              roll,
+                                              place.yaw};
     const PairSpec                   scene =
       wheel == 0 ? scene_as(sides[0], false, position, place, curvature, load)
                                    : scene_as(sides[1],
@@ -205,11 +207,12 @@ namespace RollingContact
                               const double                 curvature,
                               const std::array<double, 2> &loads)
   {
-    const double     now   = roll(place);
-    const WheelState right = solve_one(0, place, now, curvature, loads[0]);
-    const bool       is_symmetric =
-      is_its_own_mirror_image() && place.shift == 0. && place.yaw == 0. &&
-      place.aside == 0. && now == 0. && curvature == 0. && loads[0] == loads[1];
+    const double     now    = roll(place);
+    const WheelState right  = solve_one(0, place, now, curvature, loads[0]);
+    const bool is_symmetric = is_its_own_mirror_image() && place.shift == 0. &&
+                              place.yaw == 0. && place.aside == 0. &&
+                              place.rails[0] == -place.rails[1] && now == 0. &&
+                              curvature == 0. && loads[0] == loads[1];
     return {{right,
              is_symmetric ? right.mirrored()
                           : solve_one(1, place, now, curvature, loads[1])}};

@@ -109,6 +109,9 @@ namespace RollingContact
       "bogie, above 0.";
     entries.add("Axle torque", axle_torque, "N m").help =
       "That drives the wheelset forwards; negative: that brakes it.";
+    entries.add("Rail lateral stiffness", rail_stiffness, "N/m").help =
+      "Of each rail where a wheel presses it sideways, that of a usual track "
+      "some 2e7; empty: rails do not give way. Heads do not turn.";
     entries.add("Lateral shift", shift, "m").help =
       "To the right, given in place of the lateral force, which is found.";
     entries.add("Yaw", yaw, "rad").help =
@@ -202,6 +205,15 @@ namespace RollingContact
       refuse("Half wheelbase", ahead_of_frame, "give metres, up to 10.");
     if (!(std::abs(frame_yaw) <= 0.1))
       refuse("Frame yaw", frame_yaw, "give rad, up to 0.1.");
+    if (rail_stiffness && !(*rail_stiffness >= 1e5))
+      refuse("Rail lateral stiffness",
+             *rail_stiffness,
+             "give 1e5 N/m or more, or leave it empty for rigid rails.");
+    if (rail_stiffness && hunting.mass > 0.)
+      refuse("Rail lateral stiffness",
+             *rail_stiffness,
+             "how rails answer to motions of a wheelset that hunts is not "
+             "known; leave it empty with Wheelset/Mass.");
     if (shift && !(std::abs(*shift) <= 0.05))
       refuse("Lateral shift", *shift, "give metres, up to 0.05.");
     if (yaw && !(std::abs(*yaw) <= 0.1))

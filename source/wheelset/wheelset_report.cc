@@ -110,6 +110,10 @@ namespace RollingContact
     table.set("pitch_rate_rad/s",
               state.place.pitch_rate(at.contact.rolling_speed(),
                                      at.wheel.radius));
+    if (wheelset.rail_stiffness)
+      for (unsigned int k = 0; k < 2; ++k)
+        table.set(std::string(sides[k]) + "_rail_shift_m",
+                  state.place.rails[k]);
     for (const auto &[column, k] : {std::pair("bound_lateral_shift_m", 0),
                                     std::pair("bound_yaw_rad", 1),
                                     std::pair("bound_axle_excess", 2)})

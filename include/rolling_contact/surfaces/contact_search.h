@@ -1,8 +1,9 @@
 #ifndef rolling_contact_surfaces_contact_search_h
 #define rolling_contact_surfaces_contact_search_h
 
-#include <rolling_contact/surfaces/profile_curve.h>
+#include <rolling_contact/surfaces/height_bounds.h>
 
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -123,12 +124,27 @@ namespace RollingContact::Profiles
     };
 
     Point silhouette(const WheelsetPosition &position,
-                     const double            arc_length) const;
+                     const double            arc_length) const
+    {
+      return silhouette(position, wheel.at(arc_length));
+    }
 
-    ProfileCurve wheel, rail;
-    double       radius, tape_circle;
-    ArcLengthAtY rail_at;
-    double       rail_top; ///< arc length
+    Point silhouette(const WheelsetPosition &position,
+                     const CurvePoint       &at) const;
+
+    /**
+     * Gaps at the places that the search steps through, as far as they may be
+     * near the least one, and one further to both sides; the largest number
+     * elsewhere and beside the rail.
+     */
+    std::vector<double> low_gaps(const WheelsetPosition &position) const;
+
+    ProfileCurve            wheel, rail;
+    double                  radius, tape_circle;
+    ArcLengthAtY            rail_at;
+    HeightBounds            rail_heights;
+    double                  rail_top; ///< arc length
+    std::vector<CurvePoint> steps;    ///< on the wheel
   };
 
   /**
@@ -150,13 +166,24 @@ namespace RollingContact::Profiles
 
   /**
    * The roll at which both sides touch at one height, the left one given as a
-   * right-hand one. Throws InputError if there is none within 0.05 rad. Units:
-   * m, rad.
+   * right-hand one, at a shift against each of the rails, right and left.
+   * Throws InputError if there is none within 0.05 rad. Units: m, rad.
    */
-  double resting_roll(const WheelOnRail &right,
-                      const WheelOnRail &left,
-                      const double       shift,
-                      const double       yaw);
+  double resting_roll(const WheelOnRail           &right,
+                      const WheelOnRail           &left,
+                      const std::array<double, 2> &shifts,
+                      const double                 yaw);
+
+  inline double resting_roll(const WheelOnRail &right,
+                             const WheelOnRail &left,
+                             const double       shift,
+                             const double       yaw)
+  {
+    return resting_roll(right,
+                        left,
+                        std::array<double, 2>{{shift, shift}},
+                        yaw);
+  }
 } // namespace RollingContact::Profiles
 
 #endif

@@ -1,6 +1,7 @@
 #ifndef rolling_contact_surfaces_profile_curve_h
 #define rolling_contact_surfaces_profile_curve_h
 
+#include <array>
 #include <vector>
 
 namespace RollingContact::Profiles
@@ -75,16 +76,19 @@ namespace RollingContact::Profiles
      */
     double highest() const;
 
-  private:
+    /** Coordinates and their derivatives by the arc length. */
     struct Derivatives
     {
       double y, z, dy, dz, ddy, ddz;
     };
 
+    /** At an arc length between 0 and length(). */
     Derivatives derivatives(const double s) const;
 
-    std::vector<CurvePoint> nodes;
-    std::vector<double>     arc;
+  private:
+    std::vector<CurvePoint>            nodes;
+    std::vector<std::array<double, 2>> tangents; ///< at the nodes
+    std::vector<double>                arc;
   };
 
   /**
@@ -105,6 +109,18 @@ namespace RollingContact::Profiles
 
     /** For a y that it covers. */
     double operator()(const double y) const;
+
+    /** The points of the curve on that part: the first of them, their number.
+     */
+    std::size_t first_point() const
+    {
+      return first;
+    }
+
+    std::size_t n_points() const
+    {
+      return y_of_nodes.size();
+    }
 
   private:
     const ProfileCurve *curve;

@@ -25,9 +25,10 @@ namespace RollingContact
     /**
      * What is left of the balances over the axle load, moments per metre: of
      * the lateral forces, of the moments about the vertical through the middle
-     * of the wheelset, and of the torques about the axle.
+     * of the wheelset, of the torques about the axle, and of what presses the
+     * rails apart against their springs.
      */
-    Eigen::Vector3d residual = Eigen::Vector3d::Constant(1.);
+    Eigen::Vector4d residual = Eigen::Vector4d::Constant(1.);
 
     double largest_residual() const
     {
@@ -47,6 +48,8 @@ namespace RollingContact
    *   sum M_axle - T = 0,
    *
    * under wheel loads from statics, Q = W/2 +- (r0 H / (2 e) + load transfer).
+   * Rails on lateral springs k give way by H / (2 k) +- w, where the fourth
+   * unknown w follows from (F_y,right - F_y,left) / 2 + k w = 0.
    * Newton's method with derivatives by differences and Broyden's updates;
    * where it fails, on flanges above all, the shift is bracketed with the other
    * two balanced at each shift.
@@ -83,7 +86,7 @@ namespace RollingContact
     }
 
     /** Derivatives of scaled unknowns, as far as they are known. */
-    using Derivatives = std::optional<Eigen::Matrix3d>;
+    using Derivatives = std::optional<Eigen::Matrix4d>;
 
     const Derivatives &derivatives() const
     {
@@ -92,9 +95,10 @@ namespace RollingContact
 
     /**
      * The residual of now() by shift, yaw and excess, from its steps or else by
-     * differences; nothing where a state beside it is not found. Units: 1/m, 1.
+     * differences, with rails that follow; nothing where a state beside it is
+     * not found. Units: 1/m, 1.
      */
-    Derivatives slopes();
+    std::optional<Eigen::Matrix3d> slopes();
 
     void begin_with(const WheelsetState &other,
                     const Derivatives   &derivatives = {})
@@ -106,8 +110,9 @@ namespace RollingContact
     /**
      * The residual by shift, yaw and excess, and where they are asked for by
      * velocity to the right and turn about the vertical over V, 0 else; by
-     * central differences with edges of stick zones held. Nothing where a state
-     * is not found, or shift or yaw are given. Units: 1/m, 1, 1, 1, m.
+     * central differences with edges of stick zones held, rails following.
+     * Nothing where a state is not found, or shift or yaw are given. Units:
+     * 1/m, 1, 1, 1, m.
      */
     std::optional<Hunting::Derivatives>
     motion_derivatives(const bool with_velocities);
@@ -140,9 +145,15 @@ namespace RollingContact
     /** Which of the three balances and unknowns take part. */
     using Active = std::vector<unsigned int>;
 
-    using Unknowns = Eigen::Vector3d;
+    using Unknowns = Eigen::Vector4d;
 
     Unknowns unknowns_of(const WheelsetState &state) const;
+
+    /** Those of all balances, or of all but that of the lateral forces. */
+    Active all(const bool with_shift = true) const;
+
+    /** What presses the rails apart, by their springs. Units: N. */
+    double held_apart(const WheelsetPlace &place) const;
 
     /** Nothing if a wheel has no state there. @p aside: see WheelsetPlace. */
     std::optional<WheelsetState> evaluate(const CurveCase &acting,
@@ -179,7 +190,8 @@ namespace RollingContact
     WheelPair                &pair;
     const WheelsetParameters &wheelset;
     const double              lateral_stiffness; ///< between it and a frame
-    const Eigen::Vector3d     scales, limits;
+    const double              rail_stiffness;    ///< lateral; 0: rigid rails
+    const Unknowns            scales, limits;
     WheelsetState             state;
     Derivatives               jacobian;
 

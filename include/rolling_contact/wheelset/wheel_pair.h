@@ -15,11 +15,20 @@ namespace RollingContact
    * Where a wheelset is and how it turns: shift to the right, yaw against the
    * radial direction, and the angular velocity of the axle as -(1 + excess)
    * V/r0, r0 the radius of the right-hand wheel; how fast it moves to the
-   * right, over V. Units: m, rad, 1.
+   * right, over V; and how far the rails, right and left, have given way to the
+   * right. Units: m, rad, 1.
    */
   struct WheelsetPlace
   {
     double shift = 0., yaw = 0., excess = 0., aside = 0.;
+
+    std::array<double, 2> rails{{0., 0.}};
+
+    /** Shift against the rail of a wheel, 0 the right-hand one. Units: m. */
+    double on_rail(const unsigned int wheel) const
+    {
+      return shift - rails[wheel];
+    }
 
     /** Angular velocity of the axle at a speed, for r0. Units: m/s, m, rad/s.
      */
@@ -30,7 +39,7 @@ namespace RollingContact
 
     WheelsetPlace mirrored() const
     {
-      return {-shift, -yaw, excess, -aside};
+      return {-shift, -yaw, excess, -aside, {{-rails[1], -rails[0]}}};
     }
   };
 

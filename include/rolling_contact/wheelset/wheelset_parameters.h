@@ -81,6 +81,7 @@ namespace RollingContact
     double                frame_yaw       = 0.;
     double                ahead_of_frame  = 0.; ///< of the frame's middle
     double                axle_torque     = 0.;
+    std::optional<double> rail_stiffness;  ///< lateral, of each; rigid without
     std::optional<double> shift, yaw;      ///< given in place of forces
     bool                  searches = true; ///< for another equilibrium
 
