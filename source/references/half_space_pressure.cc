@@ -1,3 +1,5 @@
+#include <Eigen/Dense>
+
 #include <rolling_contact/references/half_space_pressure.h>
 
 #include <algorithm>
@@ -20,7 +22,7 @@ namespace RollingContact::References
 
     /**
      * What a pressure of 1 Pa on one rectangle moves the middle of the others,
-     * a Toeplitz matrix kept by distances.
+     * a Toeplitz matrix kept by distances across and, behind and ahead, along.
      */
     class Influence
     {
@@ -29,18 +31,21 @@ namespace RollingContact::References
         : grid(grid)
       {
         const double constant = 1 / (std::acos(-1.) * contact_modulus);
+        const int    n_x      = grid.n_x;
+        rows.resize(2 * n_x - 1, grid.n_y);
         for (std::size_t j = 0; j < grid.n_y; ++j)
-          for (std::size_t i = 0; i < grid.n_x; ++i)
+          for (int i = 0; i < n_x; ++i)
             {
               const double left   = (i - 0.5) * grid.size_x,
                            right  = (i + 0.5) * grid.size_x,
                            lower  = (j - 0.5) * grid.size_y,
                            higher = (j + 0.5) * grid.size_y;
-              by_distance.push_back(constant *
-                                    (integral_to_corner(right, higher) -
-                                     integral_to_corner(left, higher) -
-                                     integral_to_corner(right, lower) +
-                                     integral_to_corner(left, lower)));
+              rows(n_x - 1 + i, j) =
+                constant * (integral_to_corner(right, higher) -
+                            integral_to_corner(left, higher) -
+                            integral_to_corner(right, lower) +
+                            integral_to_corner(left, lower));
+              rows(n_x - 1 - i, j) = rows(n_x - 1 + i, j);
             }
       }
 
@@ -63,19 +68,13 @@ namespace RollingContact::References
       {
         const std::size_t at_x = from % grid.n_x, at_y = from / grid.n_x;
         for (std::size_t j = 0; j < grid.n_y; ++j)
-          {
-            const double *row =
-              &by_distance[grid.n_x * (j > at_y ? j - at_y : at_y - j)];
-            double *line = &result[grid.n_x * j];
-            for (std::size_t i = 0; i < at_x; ++i)
-              line[i] += pressure * row[at_x - i];
-            for (std::size_t i = at_x; i < grid.n_x; ++i)
-              line[i] += pressure * row[i - at_x];
-          }
+          Eigen::Map<Eigen::VectorXd>(&result[grid.n_x * j], grid.n_x) +=
+            pressure * rows.col(j > at_y ? j - at_y : at_y - j)
+                         .segment(grid.n_x - 1 - at_x, grid.n_x);
       }
 
-      const ContactGrid   grid;
-      std::vector<double> by_distance;
+      const ContactGrid grid;
+      Eigen::MatrixXd   rows; ///< along x, a column for each distance across
     };
 
     /**

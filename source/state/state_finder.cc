@@ -70,7 +70,7 @@ namespace RollingContact
       : scene(scene)
       , demands(demands)
       , log(log)
-      , patch(estimate_patch(scene))
+      , patch(demands.patch ? *demands.patch : estimate_patch(scene))
       , offset(scene.mesh.offset())
       , is_aligned(!scene.mesh.aligned())
     {
@@ -155,24 +155,25 @@ namespace RollingContact
       return false;
     // what few nodes tell of a patch is less than what their load does
     const bool by_load = !patch.boxes.empty() || result.n_touching <= few_nodes;
-    PatchEstimate found = patch;
-    if (by_load)
-      found = estimate_patch(scene, load);
-    else
-      {
-        found.half_width_x = result.half_width_x;
-        if (dim == 3)
-          found.half_width_y = result.half_width_y;
-      }
-    const double mismatch = patch.boxes.empty()
-                              ? found.half_width_x / patch.half_width_x
-                              : std::cbrt(load / patch.normal_force);
+    const auto estimate_again = [&]() {
+      if (by_load)
+        return estimate_patch(scene, load);
+      PatchEstimate measured = patch;
+      measured.half_width_x  = result.half_width_x;
+      if (dim == 3)
+        measured.half_width_y = result.half_width_y;
+      return measured;
+    };
+    // an estimate on profiles costs as much as a state
+    const double mismatch =
+      patch.boxes.empty() ? estimate_again().half_width_x / patch.half_width_x
+                          : std::cbrt(load / patch.normal_force);
     if (!(mismatch > 0.) || (mismatch >= 0.8 && mismatch <= 1.2))
       return false;
     log.message("The patch is " + significant(mismatch, 3) +
                 " times as long as estimated: the mesh is made again for "
                 "it.");
-    patch = found;
+    patch = estimate_again();
     grade();
     ++n_resized;
     is_aligned = !scene.mesh.aligned();

@@ -82,6 +82,8 @@ namespace RollingContact
     StateDemands demands      = demands_of_kept_bodies();
     demands.pair.split_bodies = split_bodies;
     demands.other_patches     = other_patches;
+    if (wanted.patch.half_width_x > 0.)
+      demands.patch = wanted.patch;
     SteadyState<dim> steady =
       solve_steady_state<dim>(scene, demands, context.run);
     steady.pair->release_statics();

@@ -468,6 +468,57 @@ BOOST_AUTO_TEST_CASE(a_bogie_is_two_wheelsets_in_a_frame)
     }
 }
 
+/**
+ * Rails on springs give way to what the wheels press them by, and the wheels
+ * run on them as on rigid rails that stand there: a wheelset that is pushed
+ * takes both along by half its force over their stiffness. Rails that are stiff
+ * are rigid.
+ */
+BOOST_AUTO_TEST_CASE(rails_give_way_on_their_springs)
+{
+  const double       R = 400., k = 20e6, H = -8e3;
+  const CurveCase    acting{1 / R, H, -0.9 / R, 0.};
+  WheelsetParameters wheelset = sprung();
+  Walk               rigid(wheelset_scene(), wheelset);
+  const auto         on_rigid = rigid.to(acting);
+  wheelset.rail_stiffness     = 1e13;
+  Walk       stiff(wheelset_scene(), wheelset);
+  const auto on_stiff = stiff.to(acting);
+  BOOST_TEST(std::abs(on_stiff.place.shift - on_rigid.place.shift) < 5e-6);
+  BOOST_TEST(std::abs(on_stiff.place.yaw - on_rigid.place.yaw) < 2e-6);
+
+  wheelset.rail_stiffness = k;
+  Walk walk(wheelset_scene(), wheelset);
+  walk.to(acting);
+  BOOST_TEST(walk.balance.polish());
+  const WheelsetState &found = walk.balance.now();
+  for (unsigned int wheel = 0; wheel < 2; ++wheel)
+    BOOST_TEST(k * found.place.rails[wheel] ==
+                 -found.wheels[wheel].forces.force_y,
+               boost::test_tools::tolerance(1e-5));
+  // the outer one, pressed outwards, by some tenths of a millimetre
+  BOOST_TEST(found.place.rails[1] < -0.3 * mm);
+  BOOST_TEST(found.place.shift < on_rigid.place.shift - 0.2 * mm);
+  // mirrored, on exchanged rails
+  const WheelsetPlace mirror = found.place.mirrored();
+  BOOST_TEST(mirror.on_rail(0) == -found.place.on_rail(1));
+  BOOST_TEST(mirror.on_rail(1) == -found.place.on_rail(0));
+
+  // cones in the middle go with the rails
+  const ScratchFolder   scratch;
+  const SceneParameters cones = cone_scene(scratch, 1. / 20, 0.3);
+  const CurveCase       pushed{0., 4e3, 0., 0.};
+  wheelset                = WheelsetParameters();
+  wheelset.yaw_stiffness  = 10e6;
+  wheelset.rail_stiffness = k;
+  Walk         sprung_rails(cones, wheelset);
+  const double on_springs = sprung_rails.to(pushed).place.shift;
+  wheelset.rail_stiffness.reset();
+  Walk         still(cones, wheelset);
+  const double apart = on_springs - still.to(pushed).place.shift;
+  BOOST_TEST(apart == 4e3 / (2 * k), boost::test_tools::tolerance(0.02));
+}
+
 BOOST_AUTO_TEST_CASE(sides_may_differ)
 {
   // a left wheel that is smaller by 0.2 mm runs to the left on straight track,
@@ -504,6 +555,9 @@ BOOST_AUTO_TEST_CASE(wheelsets_that_cannot_be_are_refused)
   BOOST_TEST(complaint_of([](auto &w) {
                w.cant_deficiency = 0.1;
              }).find("curve") != std::string::npos);
+  BOOST_TEST(complaint_of([](auto &w) {
+               w.rail_stiffness = 1e3;
+             }).find("rigid rails") != std::string::npos);
   // a cant deficiency pushes outwards
   WheelsetParameters wheelset;
   wheelset.curve_radii     = {-500.};

@@ -12,6 +12,7 @@
 #include <rolling_contact/state/level_history.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,8 @@ namespace RollingContact
     /** Where patches of other states will be that are solved on this mesh, on
      * profiles. */
     std::vector<ZoneBox> other_patches;
+    /** Its patch as estimated, where that is known already. */
+    std::optional<PatchEstimate> patch;
     /** Corrections of an approximate compliance may begin with rough
      * responses. */
     bool rough_responses = true;

@@ -149,7 +149,7 @@ namespace RollingContact
 
     Unknowns unknowns_of(const WheelsetState &state) const;
 
-    /** Those of all balances, or of all but that of the lateral forces. */
+    /** The balances that take part, with or without that of lateral forces. */
     Active all(const bool with_shift = true) const;
 
     /** What presses the rails apart, by their springs. Units: N. */
