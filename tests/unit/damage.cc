@@ -4,7 +4,10 @@
 
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/damage/line_depths.h>
+#include <rolling_contact/damage/rcf_indices.h>
+#include <rolling_contact/damage/shakedown.h>
 #include <rolling_contact/references/carter.h>
+#include <rolling_contact/references/line_contact_stress.h>
 
 #include <array>
 #include <numeric>
@@ -402,6 +405,248 @@ BOOST_AUTO_TEST_CASE(bad_lines)
   CHECK_INPUT_ERROR(deposit({{0., 1.}, {-1., 1.}}, {1., 1.}, {0.}),
                     "Place of a line is -1 m");
   CHECK_INPUT_ERROR(deposit({{0., 0.}}, {1.}, {0.}), "Width of a line is 0 m");
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(fatigue)
+
+BOOST_AUTO_TEST_CASE(indices_of_a_patch)
+{
+  const double a = 6e-3, b = 4e-3, load = 80e3, k = 300e6,
+               peak = 3 * load / (2 * pi * a * b), mu_u = 0.35;
+  BOOST_TEST(utilised_friction(28e3, load) == mu_u, tolerance(1e-14));
+  BOOST_TEST(load_factor(peak, k) == peak / k, tolerance(1e-14));
+  const double index = surface_fatigue_index(mu_u, peak, k);
+  BOOST_TEST(index == mu_u - 2 * pi * a * b * k / (3 * load), tolerance(1e-13));
+  BOOST_TEST(surface_fatigue_index_of_area(mu_u, load, pi * a * b, k) == index,
+             tolerance(1e-13));
+  // on the surface branch it is zero
+  BOOST_TEST(std::abs(surface_fatigue_index(mu_u,
+                                            k * shakedown_limits(mu_u).surface,
+                                            k)) < 1e-14);
+  BOOST_TEST(subsurface_fatigue_index(0., load, pi * a * b) ==
+               load / (4 * pi * a * b),
+             tolerance(1e-14));
+  BOOST_TEST(subsurface_fatigue_index(mu_u, load, pi * a * b) ==
+               peak / 6 * 1.1225,
+             tolerance(1e-13));
+  CHECK_INPUT_ERROR(utilised_friction(1, 0), "Normal force is 0 N");
+  CHECK_INPUT_ERROR(surface_fatigue_index(0.3, 1e9, 0),
+                    "Shear yield stress is 0 Pa");
+  CHECK_INPUT_ERROR(surface_fatigue_index_of_area(0.3, 1e3, 0, k),
+                    "Area is 0 m^2");
+}
+
+// all nodes of a patch that slides have q = mu p: the worst has the patch's
+BOOST_AUTO_TEST_CASE(index_of_a_node)
+{
+  BOOST_TEST(nodal_surface_index(0.35e9, 1e9, 300e6) ==
+               surface_fatigue_index(0.35, 1e9, 300e6),
+             tolerance(1e-13));
+  BOOST_TEST(nodal_surface_index(0.2e9, 1e9, 300e6) == -0.1, tolerance(1e-13));
+  BOOST_TEST(std::isinf(nodal_surface_index(0., 0., 300e6)));
+}
+
+BOOST_AUTO_TEST_CASE(damage_by_t_gamma)
+{
+  using D = DamageThreshold;
+  for (const D reading : {D::newton_15, D::newton_20})
+    {
+      BOOST_TEST(t_gamma_damage(0, reading) == 0.);
+      BOOST_TEST(t_gamma_damage(15, reading) == 0.);
+      BOOST_TEST(t_gamma_damage(65, reading) == 1e-5, tolerance(1e-14));
+      BOOST_TEST(t_gamma_damage(120, reading) == 5e-6, tolerance(1e-14));
+      BOOST_TEST(t_gamma_damage(175, reading) == 0.);
+      BOOST_TEST(t_gamma_damage(300, reading) == 0.);
+    }
+  BOOST_TEST(t_gamma_damage(20, D::newton_15) == 1e-6, tolerance(1e-14));
+  BOOST_TEST(t_gamma_damage(20, D::newton_20) == 0.);
+  // as printed in programs, to the digits there
+  BOOST_TEST(t_gamma_damage(50, D::newton_20) == 2.22e-7 * 50 - 4.44e-6,
+             tolerance(2e-3));
+  BOOST_TEST(t_gamma_damage(100) == 1.59e-5 - 9.09e-8 * 100, tolerance(2e-3));
+  CHECK_INPUT_ERROR(t_gamma_damage(-1), "Energy per metre rolled is -1 J/m");
+}
+
+BOOST_AUTO_TEST_CASE(percentile_of_friction)
+{
+  std::vector<FrictionUse> nodes;
+  for (int i = 100; i > 0; --i)
+    nodes.push_back({i / 100., 5e3});
+  BOOST_TEST(friction_use_percentile(nodes) == 0.95);
+  BOOST_TEST(friction_use_percentile(nodes, 0.) == 0.01);
+  BOOST_TEST(friction_use_percentile(nodes, 1.) == 1.);
+  nodes.push_back({7., 0.}); // open nodes
+  nodes.push_back({0., 0.});
+  BOOST_TEST(friction_use_percentile(nodes, 0.) == 0.01);
+  BOOST_TEST(friction_use_percentile(nodes, 1.) == 1.);
+  nodes.push_back({0.001, 9.5e6}); // carries 95 % of all
+  BOOST_TEST(friction_use_percentile(nodes) == 0.001);
+  BOOST_TEST(friction_use_percentile({}) == 0.);
+  CHECK_INPUT_ERROR(friction_use_percentile(nodes, 95), "Portion is 95");
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(map)
+
+// stresses under a line load on a half-plane (Flamant), summed over the
+// pressure and the traction; z of their shear points out of the body
+BOOST_AUTO_TEST_CASE(stresses_by_quadrature)
+{
+  for (const auto &[x, z] : std::vector<std::pair<double, double>>{
+         {0., 0.5}, {0.87, 0.5}, {-0.4, 0.8}, {1.3, 0.3}, {-2., 1.}})
+    {
+      const auto of = [&, x = x, z = z](const int i, const double share) {
+        return integrate(
+          [&](const double s) {
+            const double d = x - s, r = d * d + z * z,
+                         radial = -2 / pi * std::sqrt(std::max(0., 1 - s * s)) *
+                                  ((1 - share) * z + share * d) / (r * r);
+            return radial * (i == 0 ? d * d : i == 1 ? z * z : -d * z);
+          },
+          -1,
+          1);
+      };
+      const auto p = References::stresses_of_pressure(x, z, 1, 1),
+                 q = References::stresses_of_traction(x, z, 1, 1);
+      const std::array<double, 3> pressure{p.xx, p.zz, p.xz},
+        traction{q.xx, q.zz, q.xz};
+      for (const int i : {0, 1, 2})
+        {
+          BOOST_TEST(std::abs(pressure[i] - of(i, 0.)) < 1e-6);
+          BOOST_TEST(std::abs(traction[i] - of(i, 1.)) < 1e-6);
+        }
+    }
+}
+
+// Johnson 1985, sections 4.2 (c) and 3.4 (d)
+BOOST_AUTO_TEST_CASE(elastic_limits_of_hertz)
+{
+  const ShearPeak line = line_shear(0.);
+  BOOST_TEST(line.shear == 0.3003, tolerance(5e-4));
+  BOOST_TEST(line.depth == 0.7861, tolerance(5e-4));
+  const ShearPeak circle = circle_shear();
+  BOOST_TEST(circle.shear == 0.310, tolerance(2e-3));
+  BOOST_TEST(circle.depth == 0.481, tolerance(2e-3));
+  const ShakedownLimits limits = shakedown_limits(0.);
+  BOOST_TEST(limits.line_elastic == 3.33, tolerance(1e-3));
+  BOOST_TEST(limits.point_elastic == 1 / 0.310, tolerance(2e-3));
+  // on the axis of a line contact: 0.300 p0 is the root of a closed form
+  const double z = line.depth, root = std::sqrt(1 + z * z);
+  BOOST_TEST(line.shear == z - z * z / root, tolerance(1e-9));
+  CHECK_INPUT_ERROR(line_shear(-0.1), "Utilised friction is -0.1");
+  CHECK_INPUT_ERROR(circle_shear(0.6), "Poisson ratio is 0.6");
+}
+
+// tau_xz = p0/4 at a/2 (Johnson 1985, section 9.2): 4.0
+BOOST_AUTO_TEST_CASE(shakedown_of_a_line)
+{
+  const ShearPeak free = line_orthogonal_shear(0.);
+  BOOST_TEST(free.shear == 0.25, tolerance(1e-9));
+  BOOST_TEST(free.depth == 0.5, tolerance(1e-3));
+  BOOST_TEST(shakedown_limits(0.).line_shakedown == 4., tolerance(1e-9));
+  BOOST_TEST(line_orthogonal_shear(0.36).depth > 0.3);
+  for (const double mu_u : {0.37, 0.5, 0.8})
+    {
+      const ShearPeak surface = line_orthogonal_shear(mu_u);
+      BOOST_TEST(surface.shear == mu_u, tolerance(1e-9));
+      BOOST_TEST(surface.depth < 1e-6);
+    }
+}
+
+/**
+ * Melan's theorem by itself: the least yield stress for which each depth has
+ * residual stresses along x and along the line with which no place yields.
+ */
+double least_yield_stress(const double mu_u)
+{
+  struct Stress
+  {
+    double difference, middle, shear;
+  };
+  const auto lasts = [&](const std::vector<Stress> &row, const double k) {
+    double from = -1e300, to = 1e300;
+    for (const Stress &s : row)
+      {
+        if (std::abs(s.shear) > k)
+          return false;
+        const double room = 2 * std::sqrt(k * k - s.shear * s.shear);
+        from              = std::max(from, -s.difference - room);
+        to                = std::min(to, -s.difference + room);
+      }
+    for (int part = 0; part <= 4 && from <= to; ++part)
+      {
+        const double residual = from + (to - from) * part / 4;
+        double       low = -1e300, high = 1e300;
+        for (const Stress &s : row)
+          {
+            const double radius =
+                           std::hypot((s.difference + residual) / 2, s.shear),
+                         middle = s.middle + residual / 2 - 0.6 * s.middle;
+            low                 = std::max(low, middle - (2 * k - radius));
+            high                = std::min(high, middle + (2 * k - radius));
+          }
+        if (low <= high)
+          return true;
+      }
+    return false;
+  };
+  double least = 0.;
+  for (double z = 0.; z < 2.; z += 0.02)
+    {
+      std::vector<Stress> row;
+      for (double x = -4; x <= 4; x += 0.01)
+        {
+          const auto p = References::stresses_of_pressure(x, z, 1, 1),
+                     q = References::stresses_of_traction(x, z, 1, mu_u);
+          row.push_back({p.xx + q.xx - p.zz - q.zz,
+                         (p.xx + q.xx + p.zz + q.zz) / 2,
+                         p.xz + q.xz});
+        }
+      double low = 0., high = 1.;
+      for (int i = 0; i < 24; ++i)
+        (lasts(row, (low + high) / 2) ? high : low) = (low + high) / 2;
+      least = std::max(least, high);
+    }
+  return least;
+}
+
+// what shear along the surface demands is enough, with residual stresses that
+// are found depth by depth
+BOOST_AUTO_TEST_CASE(shakedown_by_melan)
+{
+  for (const double mu_u : {0., 0.1, 0.25, 0.4})
+    BOOST_TEST(least_yield_stress(mu_u) == line_orthogonal_shear(mu_u).shear,
+               tolerance(1e-3));
+}
+
+// order of the limits, and where the surface takes over
+BOOST_AUTO_TEST_CASE(limits_over_utilised_friction)
+{
+  const auto map = shakedown_map(0.6, 30);
+  BOOST_TEST(map.size() == 31U);
+  BOOST_TEST(map.front().utilised_friction == 0.);
+  BOOST_TEST(map.back().utilised_friction == 0.6, tolerance(1e-14));
+  BOOST_TEST(std::isinf(map.front().surface));
+  BOOST_TEST(map.front().point_shakedown == 4.7);
+  for (std::size_t k = 0; k < map.size(); ++k)
+    {
+      const ShakedownLimits &row = map[k];
+      BOOST_TEST(row.line_elastic <= row.line_shakedown * (1 + 1e-9));
+      BOOST_TEST(row.line_shakedown <= row.surface * (1 + 1e-9));
+      BOOST_TEST(row.point_elastic <= row.point_shakedown);
+      BOOST_TEST(row.point_shakedown <= row.surface);
+      if (k > 0)
+        BOOST_TEST(row.line_elastic < map[k - 1].line_elastic);
+    }
+  // independent search on a grid, nu = 0.3: 0.3190, 0.3588, 0.5
+  BOOST_TEST(1 / shakedown_limits(0.2).line_elastic == 0.3190, tolerance(5e-4));
+  BOOST_TEST(1 / shakedown_limits(0.3).line_elastic == 0.3588, tolerance(5e-4));
+  BOOST_TEST(1 / shakedown_limits(0.5).line_elastic == 0.5, tolerance(1e-3));
+  CHECK_INPUT_ERROR(shakedown_map(0), "Most utilised friction is 0");
+  CHECK_INPUT_ERROR(shakedown_map(0.5, 0), "Number of steps is 0");
 }
 
 BOOST_AUTO_TEST_SUITE_END()
