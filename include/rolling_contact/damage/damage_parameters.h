@@ -25,9 +25,10 @@ namespace RollingContact::Damage
   };
 
   /**
-   * Constants of the steel and choices within laws of wear and fatigue. All are
-   * recalled from the literature on rail and wheel steels and unverified.
-   * Units: Pa, kg/m^3, kg/J.
+   * Constants of the steel and choices within laws of wear and fatigue.
+   * Hardness and shear yield stress are recalled from the literature on rail
+   * and wheel steels, unverified; K is that of the first branch of
+   * usfd_mass_loss(). Units: Pa, kg/m^3, kg/J.
    */
   struct DamageParameters
   {
