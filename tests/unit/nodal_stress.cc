@@ -1,8 +1,8 @@
-#include "../references/line_contact_stress.h"
 #include "scene_run.h"
 
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/references/carter.h>
+#include <rolling_contact/references/line_contact_stress.h>
 #include <rolling_contact/results/body_fields.h>
 #include <rolling_contact/results/local_fit.h>
 #include <rolling_contact/results/reference_2d.h>

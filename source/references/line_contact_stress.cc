@@ -1,4 +1,4 @@
-#include "line_contact_stress.h"
+#include <rolling_contact/references/line_contact_stress.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
-#ifndef rolling_contact_tests_line_contact_stress_h
-#define rolling_contact_tests_line_contact_stress_h
+#ifndef rolling_contact_references_line_contact_stress_h
+#define rolling_contact_references_line_contact_stress_h
 
 namespace RollingContact::References
 {
@@ -22,8 +22,8 @@ namespace RollingContact::References
                                      const double peak);
 
   /**
-   * Those below the traction q0 sqrt(1 - x^2/a^2) along x; @p peak is q0 (Smith
-   * and Liu 1953; Johnson 1985, 7.8). Units: m, Pa.
+   * The stresses below the traction q0 sqrt(1 - x^2/a^2) along x; @p peak is q0
+   * (Smith and Liu 1953; Johnson 1985, 7.8). Units: m, Pa.
    */
   PlaneStresses stresses_of_traction(const double x,
                                      const double depth,
