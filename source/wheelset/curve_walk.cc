@@ -13,6 +13,7 @@ namespace RollingContact
     const double       smallest_share = 1e-3; ///< of the way
     const double       far_away       = 4e-3; ///< m, of a bracketed shift
     const unsigned int most_failures  = 12;
+    const double       passing = 1e-3, arriving = 1e-4; ///< residuals
 
     std::string name_of(const CurveCase &acting)
     {
@@ -51,7 +52,7 @@ namespace RollingContact
       {
         WheelsetPlace       &place = start.wheelsets[i].place;
         const WheelsetPlace &from  = one.wheelsets[i].place;
-        go_on(place.shift, from.shift, 5e-4);
+        go_on(place.shift, from.shift, 1e-3);
         go_on(place.yaw, from.yaw, 2e-3);
         go_on(place.excess, from.excess, 1e-3);
         for (unsigned int k = 0; k < 2; ++k)
@@ -85,7 +86,8 @@ namespace RollingContact
       {
         const double    next   = std::min(1., share + step);
         const CurveCase acting = CurveCase::between(from, target, next);
-        bool            done   = step_to(acting);
+        gear.ask_for(next < 1. ? passing : arriving);
+        bool done = step_to(acting);
         if (!done && (step < 30 * smallest_share || n_failures >= 3))
           {
             RunningState start = last.back();

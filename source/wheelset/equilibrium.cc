@@ -19,7 +19,11 @@ namespace RollingContact
 
     /// of a step, and differences where those fail over the usual ones
     const unsigned int most_halvings = 6;
+    const unsigned int few_steps     = 4; ///< that bring it closer by a fifth
     const double       finer         = 0.05;
+
+    /// over the axle load: from where no steps lead, and what an edge changes
+    const double largest_at_start = 0.3, largest_jump = 1e-2;
 
     /// of central differences: m, rad, 1, 1, 1/m, and m of the rails
     const double small_motions[] = {1e-5, 1e-5, 1e-5, 1e-5, 1.3e-5, 1e-5};
@@ -213,18 +217,35 @@ namespace RollingContact
         result[i] = whole[active[i]];
       return result;
     };
+    const auto not_closer_than = [&](const Eigen::VectorXd &left) {
+      reason = "the balances do not come closer than " +
+               significant(left.lpNorm<Eigen::Infinity>(), 2) +
+               " of the axle load";
+      return std::optional<WheelsetState>();
+    };
     closest.reset();
     auto &at = closest;
     at       = evaluate(acting, unknowns_of(start));
     if (!at)
       return {};
-    bool   is_new = false;
-    double size   = 1.; // of differences
+    if (part(at->residual).lpNorm<Eigen::Infinity>() > largest_at_start)
+      {
+        reason = "the balances are off by " +
+                 significant(at->largest_residual(), 2) +
+                 " of the axle load where the search would begin";
+        return {};
+      }
+    std::vector<double> norms; // of what is left
+    bool                is_new = false;
+    double              size   = 1.; // of differences
     for (unsigned int k = 0; k < most_steps; ++k)
       {
         Eigen::VectorXd f = part(at->residual);
         if (f.lpNorm<Eigen::Infinity>() <= least)
           return at;
+        norms.push_back(f.norm());
+        if (k >= few_steps && norms[k] > 0.8 * norms[k - few_steps])
+          return not_closer_than(f);
         if (!jacobian)
           {
             if (!differences(acting, active, *at, size))
@@ -274,10 +295,7 @@ namespace RollingContact
           size = finer; // beside a corner of the forces
         else if (is_new)
           {
-            reason = "the balances do not come closer than " +
-                     significant(f.lpNorm<Eigen::Infinity>(), 2) +
-                     " of the axle load";
-            return {};
+            return not_closer_than(f);
           }
         jacobian.reset();
       }
@@ -297,8 +315,11 @@ namespace RollingContact
     auto found = newton(acting, active, start, least, 15);
     if (found)
       return found;
-    // forces jump where an edge does
+    // forces jump where an edge does, by so little
     jacobian.reset();
+    for (const unsigned int balance : active)
+      if (closest && std::abs(closest->residual[balance]) > largest_jump)
+        return {};
     pair.hold_edges(true);
     found = newton(acting, active, start, least, 15);
     pair.hold_edges(false);
@@ -312,7 +333,7 @@ namespace RollingContact
 
   bool Equilibrium::solve(const CurveCase &acting, const WheelsetState &start)
   {
-    const auto found = newton_or_held(acting, all(), start, tolerance);
+    const auto found = newton_or_held(acting, all(), start, enough);
     if (found)
       state = *found;
     else

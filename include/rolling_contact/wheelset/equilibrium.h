@@ -139,6 +139,9 @@ namespace RollingContact
      * of bodies to another. */
     double accepted = tolerance;
 
+    /** Largest residual that solve() asks for. */
+    double enough = tolerance;
+
     unsigned int n_steps = 0; ///< of Newton's method
 
   private:

@@ -58,6 +58,13 @@ namespace RollingContact
     /** See Equilibrium::polish(). */
     void polish();
 
+    /** The residual of each wheelset that solve() ends with. */
+    void ask_for(const double residual)
+    {
+      for (const auto &one : wheelsets)
+        one->balance.enough = residual;
+    }
+
     const RunningState &now() const
     {
       return state;
