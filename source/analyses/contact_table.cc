@@ -3,6 +3,7 @@
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/run/figure.h>
 #include <rolling_contact/scene/shared_rules.h>
+#include <rolling_contact/surfaces/profile_measures.h>
 
 #include <algorithm>
 #include <cmath>
@@ -169,6 +170,12 @@ namespace RollingContact
                                  (jumps.empty()
                                     ? "nowhere by more than 1 mm"
                                     : "on the wheel from " + jumps));
+    if (const auto flange = Profiles::flange_measures(side->wheel_profile()))
+      context.report.set_finding("flange",
+                                 "height Sh " + millimetres(flange->height, 5) +
+                                   ", thickness Sd " +
+                                   millimetres(flange->thickness, 5) + ", qR " +
+                                   millimetres(flange->qr, 5));
     const bool measured = scene.profiles.has_files();
     context.report.errors.push_back(
       {"contact points",

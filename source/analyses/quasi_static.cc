@@ -10,6 +10,7 @@
 #include <rolling_contact/results/profile_columns.h>
 #include <rolling_contact/results/profile_plot.h>
 #include <rolling_contact/results/result_row.h>
+#include <rolling_contact/results/state_damage.h>
 #include <rolling_contact/results/state_report.h>
 #include <rolling_contact/run/pvd.h>
 
@@ -114,7 +115,10 @@ namespace RollingContact
       {
         write_lines_across(scene, steady, context);
         if (scene.inputs->output.plot)
-          plot_profiles(scene, steady, context);
+          {
+            plot_profiles(scene, steady, context);
+            plot_shakedown_map(scene, steady, context);
+          }
       }
   }
 
@@ -129,6 +133,8 @@ namespace RollingContact
     review.warn(steady);
     note_state(steady, context.report);
     note_profiles(scene, steady, context.report);
+    if constexpr (dim == 3)
+      note_damage(scene, steady, context.report);
     warn_of_missed_target(scene, context);
   }
 

@@ -1,5 +1,6 @@
 #include <rolling_contact/contact/resultants.h>
 #include <rolling_contact/results/lines_across.h>
+#include <rolling_contact/results/state_damage.h>
 
 #include <algorithm>
 #include <cmath>
@@ -47,7 +48,8 @@ namespace RollingContact
     for (const auto &[place, nodes] : nodes_of_lines(steady))
       {
         LineAcross line;
-        line.y = problem.operators.positions()[nodes.front()][1];
+        line.y     = problem.operators.positions()[nodes.front()][1];
+        line.nodes = nodes;
         for (const unsigned int i : nodes)
           {
             line.max_pressure = std::max(line.max_pressure, state.pressure[i]);
@@ -79,7 +81,10 @@ namespace RollingContact
       return;
     const Profiles::ProfileCurve &wheel =
       frame->wheel_on_rail().wheel_profile();
-    ResultsTable table(context.folder, file);
+    ResultsTable               table(context.folder, file);
+    std::optional<StateDamage> damage;
+    if (StateDamage::is_asked(scene, steady.problem))
+      damage.emplace(scene, steady.problem, steady.state);
     for (const LineAcross &line : lines_across(steady))
       {
         if (line.n_touching == 0)
@@ -98,6 +103,8 @@ namespace RollingContact
         table.set("dissipation_J/m2", line.heat);
         table.set("nodes_in_contact", line.n_touching);
         table.set("nodes_in_stick", line.n_stick);
+        if (damage)
+          set_depth_columns(scene, *damage, line, table);
         table.end_row();
       }
     table.flush();

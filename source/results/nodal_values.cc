@@ -1,6 +1,7 @@
 #include <rolling_contact/contact/resultants.h>
 #include <rolling_contact/results/flash_temperature.h>
 #include <rolling_contact/results/nodal_values.h>
+#include <rolling_contact/results/state_damage.h>
 
 #include <algorithm>
 #include <cmath>
@@ -55,6 +56,28 @@ namespace RollingContact
                           ? flash_temperature(*s.scene, s.problem, s.state)
                           : std::vector<double>();
       return rise.empty() ? F() : one(rise);
+    }
+
+    bool wears(S s)
+    {
+      return s.scene && StateDamage::is_asked(*s.scene, s.problem);
+    }
+
+    /** By the law of this number in Damage::wear_laws(). */
+    template <int number>
+    F wear_rate(S s)
+    {
+      if (!wears(s) || (number == 0 && !s.scene->contact.speed))
+        return {};
+      const Damage::WearLaw &law = Damage::wear_laws().at(number);
+      return one(StateDamage(*s.scene, s.problem, s.state).rates(law));
+    }
+
+    F surface_index(S s)
+    {
+      if (!wears(s))
+        return {};
+      return one(StateDamage(*s.scene, s.problem, s.state).surface_indices());
     }
 
     F gap(S s)
@@ -123,6 +146,10 @@ namespace RollingContact
       {"friction_coefficient", "1", &friction},
       {"sliding_speed", "m/s", &sliding_speed, false, true},
       {"flash_temperature", "K", &temperature, false, false, true},
+      {"wear_rate_archard", "1", &wear_rate<0>, false, true},
+      {"wear_rate_usfd", "1", &wear_rate<1>, false, true},
+      {"wear_rate_t_gamma", "1", &wear_rate<2>, false, true},
+      {"surface_index", "1", &surface_index},
       {"gap", "m", &gap, false, true},
       {"area", "m^2", [](S s) { return one(s.problem.operators.areas()); }},
       {"state", "1", &node_state}};

@@ -7,6 +7,7 @@
 #include <rolling_contact/results/reference_2d.h>
 #include <rolling_contact/results/reference_3d.h>
 #include <rolling_contact/results/result_row.h>
+#include <rolling_contact/results/state_damage.h>
 
 #include <algorithm>
 
@@ -279,6 +280,8 @@ namespace RollingContact
         else
           set_ellipse_columns(scene, steady, table);
         set_profile_columns(scene, steady, table);
+        if constexpr (dim == 3)
+          set_damage_columns(scene, steady, table);
         set_level_columns(steady, table);
       }
     table.set("wall_s", steady.wall_s);

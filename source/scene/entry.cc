@@ -59,7 +59,8 @@ namespace RollingContact
                                            scene.surfaces,
                                            scene.spectrum,
                                            scene.sound,
-                                           scene.profiles));
+                                           scene.profiles,
+                                           scene.wear));
   }
 
   template const AnalysisTraits     &part_of(const SceneParameters &);
@@ -71,6 +72,7 @@ namespace RollingContact
   template const SpectrumParameters &part_of(const SceneParameters &);
   template const SoundParameters    &part_of(const SceneParameters &);
   template const ProfileParameters  &part_of(const SceneParameters &);
+  template const WearParameters     &part_of(const SceneParameters &);
 
   Reader analyses_with_elements()
   {

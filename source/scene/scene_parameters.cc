@@ -62,6 +62,7 @@ namespace RollingContact
     profiles.declare(entries);
     modes.declare(entries);
     stability.declare(entries);
+    wear.declare(entries);
     output.declare(entries);
     for (const AnalysisTraits &kind : analyses)
       if (kind.own_section)
@@ -115,6 +116,8 @@ namespace RollingContact
     contact.check(dimension, !finds_place());
     mesh.check();
     surfaces.check(dimension);
+    if (wear.report)
+      wear.check();
     check_target_error();
     check_hubs();
     check_mesh_files();

@@ -29,6 +29,7 @@ namespace RollingContact
     , mesh(inputs.mesh)
     , profiles(inputs.profiles)
     , surfaces(inputs.surfaces)
+    , wear(inputs.wear)
   {}
 
   void PairSpec::take_frame_loads()

@@ -2,6 +2,7 @@
 #include <rolling_contact/results/interface_fields.h>
 #include <rolling_contact/results/lines_across.h>
 #include <rolling_contact/results/profile_plot.h>
+#include <rolling_contact/results/state_damage.h>
 #include <rolling_contact/scene/scene_parameters.h>
 #include <rolling_contact/wheelset/found_place.h>
 #include <rolling_contact/wheelset/wheelset_analysis.h>
@@ -46,7 +47,10 @@ namespace RollingContact
                            context,
                            "across_" + name + ".csv");
         if (scene.inputs->output.plot)
-          plot_profiles(of_wheel, steady, context, "profiles_" + name);
+          {
+            plot_profiles(of_wheel, steady, context, "profiles_" + name);
+            plot_shakedown_map(of_wheel, steady, context, "shakedown_" + name);
+          }
       }
   }
 

@@ -22,6 +22,8 @@ namespace RollingContact
     double       load         = 0.; ///< pressure over the line, N/m
     double       heat         = 0.; ///< dissipation() per metre across, J/m^2
     unsigned int n_touching = 0, n_stick = 0;
+
+    std::vector<unsigned int> nodes; ///< of the contact
   };
 
   /**

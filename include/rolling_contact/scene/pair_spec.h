@@ -9,6 +9,7 @@
 #include <rolling_contact/scene/profile_parameters.h>
 #include <rolling_contact/scene/solver_parameters.h>
 #include <rolling_contact/scene/surface_parameters.h>
+#include <rolling_contact/scene/wear_parameters.h>
 
 #include <memory>
 
@@ -90,6 +91,7 @@ namespace RollingContact
     MeshParameters    mesh;
     ProfileParameters profiles;
     SurfaceSpec       surfaces;
+    WearParameters    wear;
 
     /** Frame of the contact on profiles; none where the bodies have shapes. */
     std::shared_ptr<const Profiles::ContactFrame> frame;

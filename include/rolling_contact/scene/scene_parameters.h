@@ -20,6 +20,7 @@
 #include <rolling_contact/scene/table_parameters.h>
 #include <rolling_contact/scene/time_parameters.h>
 #include <rolling_contact/scene/velocity_points.h>
+#include <rolling_contact/scene/wear_parameters.h>
 
 #include <filesystem>
 #include <list>
@@ -73,6 +74,7 @@ namespace RollingContact
     ProfileParameters   profiles;
     ModesParameters     modes;
     StabilityParameters stability;
+    WearParameters      wear;
     OutputParameters    output;
 
     /**

@@ -1,0 +1,86 @@
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/number_text.h>
+#include <rolling_contact/scene/analysis_traits.h>
+#include <rolling_contact/scene/entries.h>
+#include <rolling_contact/scene/scene_parameters.h>
+#include <rolling_contact/scene/wear_parameters.h>
+
+#include <tuple>
+
+namespace RollingContact
+{
+  namespace
+  {
+    using Damage::ArchardScatter;
+    using Damage::CatastrophicBranch;
+    using Damage::DamageThreshold;
+
+    const std::vector<NamedValue<ArchardScatter>> scatters{
+      {"lowest", ArchardScatter::lowest},
+      {"middle", ArchardScatter::middle},
+      {"highest", ArchardScatter::highest}};
+
+    const std::vector<NamedValue<CatastrophicBranch>> branches{
+      {"continuous", CatastrophicBranch::continuous},
+      {"code", CatastrophicBranch::code},
+      {"florence", CatastrophicBranch::florence}};
+
+    const std::vector<NamedValue<DamageThreshold>> thresholds{
+      {"15", DamageThreshold::newton_15},
+      {"20", DamageThreshold::newton_20}};
+  } // namespace
+
+  void WearParameters::check() const
+  {
+    for (const auto &[entry, value, unit] :
+         {std::tuple("Hardness", hardness, "Pa"),
+          std::tuple("Density", density, "kg/m^3"),
+          std::tuple("Shear yield stress", shear_yield_stress, "Pa")})
+      if (!(value > 0.))
+        throw InputError("Wear/" + std::string(entry) + " = " + text_of(value) +
+                         ": it must be above 0, in " + unit + '.');
+  }
+
+  void WearParameters::declare(Entries &entries)
+  {
+    EntrySection &section =
+      entries.section("Wear")
+        .read_by(analyses_with_elements())
+        .read_by(analyses_of_contact())
+        .read_by(scenes_in_3d())
+        .read_by({[](const SceneParameters &scene) {
+                    return !scene.marches() && !scene.analysis.linearises;
+                  },
+                  "an analysis of steady states reads that section"});
+    section.renews = Renews::loads;
+    section.varies = in_all_scenes;
+    const Reader reports{asks<WearParameters>(
+                           [](const auto &wear) { return wear.report; }),
+                         "Wear/Report = false"};
+    entries.add("Report", report).help =
+      "Whether wear and fatigue of each steady state are told: columns of "
+      "results.csv, depths per passage in across.csv, fields of "
+      "interface.vtu, and the shakedown map.";
+    entries.add("Hardness", hardness, "Pa").read_by(reports).help =
+      "Of the softer body, for Archard's law.";
+    entries.add("Density", density, "kg/m^3").read_by(reports).help =
+      "By which worn mass is depth.";
+    entries.add("Shear yield stress", shear_yield_stress, "Pa")
+      .read_by(reports)
+      .help = "k, for the indices of fatigue and the shakedown map.";
+    entries.choice("Archard coefficients", archard_scatter, scatters)
+      .read_by(reports)
+      .help = "Where in the scatter of their measurements the coefficients of "
+              "Archard's law are taken; both ends are columns as well.";
+    entries.choice("Catastrophic branch", catastrophic_branch, branches)
+      .read_by(reports)
+      .help =
+      "How the law `usfd` goes on above 77.2 N/mm^2: `continuous`, or "
+      "as programs (`code`) or print (`florence`) have it, with a jump.";
+    entries.choice("Damage threshold", threshold, thresholds)
+      .read_by(reports)
+      .help =
+      "Energy, N, from which on the damage function of T gamma counts a "
+      "passage.";
+  }
+} // namespace RollingContact
