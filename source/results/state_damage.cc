@@ -310,14 +310,17 @@ namespace RollingContact
       for (const Damage::ShakedownLimits &limits : map)
         x.push_back(limits.utilised_friction);
       const auto add = [&](const std::string &label,
-                           double Damage::ShakedownLimits::*limit) {
+                           double Damage::ShakedownLimits::*limit,
+                           const CurveStyle style = CurveStyle::reference) {
         std::vector<double> y;
         for (const Damage::ShakedownLimits &limits : map)
           y.push_back(limits.*limit <= highest_drawn ? limits.*limit
                                                      : std::nan(""));
-        figure.add_curve(label, x, y, CurveStyle::reference);
+        figure.add_curve(label, x, y, style);
       };
-      add("surface yields, 1/\u03bc", &Damage::ShakedownLimits::surface);
+      add("surface yields, 1/\u03bc",
+          &Damage::ShakedownLimits::surface,
+          CurveStyle::thick);
       add("shakedown, point contact",
           &Damage::ShakedownLimits::point_shakedown);
       add("shakedown, line contact", &Damage::ShakedownLimits::line_shakedown);

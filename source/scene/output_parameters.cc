@@ -17,8 +17,11 @@ namespace RollingContact
   void OutputParameters::declare(Entries &entries)
   {
     entries.section("Output").free_on_resume = in_all_scenes;
-    entries.add("Body fields", body_fields).help =
-      "Write bodies.pvd: displacement, stress and von Mises stress.";
+    entries.add("Body fields", body_fields)
+      .read_by({asks<AnalysisTraits>(
+                  [](const auto &analysis) { return !analysis.finds_place; }),
+                "the wheels of a wheelset leave fields of the contact alone"})
+      .help = "Write bodies.pvd: displacement, stress and von Mises stress.";
     entries.add("Contact problem", contact_problem)
       .read_by({asks<AnalysisTraits>(
                   [](const auto &analysis) { return analysis.has_one_state; }),

@@ -2,7 +2,6 @@
 #include <rolling_contact/base/number_text.h>
 #include <rolling_contact/scene/analysis_traits.h>
 #include <rolling_contact/scene/entries.h>
-#include <rolling_contact/scene/scene_parameters.h>
 #include <rolling_contact/scene/wear_parameters.h>
 
 #include <tuple>
@@ -48,9 +47,9 @@ namespace RollingContact
         .read_by(analyses_with_elements())
         .read_by(analyses_of_contact())
         .read_by(scenes_in_3d())
-        .read_by({[](const SceneParameters &scene) {
-                    return !scene.marches() && !scene.analysis.linearises;
-                  },
+        .read_by({asks<AnalysisTraits>([](const auto &analysis) {
+                    return !analysis.marches && !analysis.linearises;
+                  }),
                   "an analysis of steady states reads that section"});
     section.renews = Renews::loads;
     section.varies = in_all_scenes;

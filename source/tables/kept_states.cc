@@ -1,3 +1,4 @@
+#include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/state/state_finder.h>
 #include <rolling_contact/tables/kept_states.h>
@@ -66,6 +67,26 @@ namespace RollingContact
       return false;
     kept.splice(kept.begin(), kept, nearest);
     return true;
+  }
+
+  template <int dim>
+  void KeptStates<dim>::check_number_of_nodes(const WantedMesh &wanted) const
+  {
+    double area = 0., node = 1.;
+    for (const ZoneBox &box : wanted.patch.boxes)
+      {
+        double of_box = 1.;
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          of_box *= box.upper[d] - box.lower[d];
+        area += of_box;
+      }
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      node *= wanted.element_size[d];
+    if (most_nodes && area > *most_nodes * node)
+      throw ConvergenceError(
+        "The profiles touch at places so different that elements for the "
+        "smallest of them would give the patch " +
+        significant(area / node, 3) + " contact nodes.");
   }
 
   template <int dim>
@@ -166,6 +187,7 @@ namespace RollingContact
         return kept.front().steady;
       }
     const WantedMesh wanted = wanted_mesh(scene);
+    check_number_of_nodes(wanted);
     if (!find(bodies, wanted))
       make(scene,
            bodies,

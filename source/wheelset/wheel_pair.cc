@@ -54,6 +54,8 @@ namespace RollingContact
 
     const unsigned int most_elements_on_the_way = 8;
 
+    const double most_nodes_on_the_way = 1500.; ///< of a patch
+
     std::shared_ptr<const Profiles::WheelOnRail>
     profiles_of(const ProfileParameters     &profiles,
                 const double                 radius,
@@ -82,6 +84,7 @@ namespace RollingContact
         mesh.compliance      = Compliance::half_spaces;
         mesh.elements_across_patch =
           std::min(mesh.elements_across_patch, most_elements_on_the_way);
+        states.most_nodes = most_nodes_on_the_way;
       }
     states.tries_last                   = true;
     const std::filesystem::path &folder = scene.inputs->prm_folder;

@@ -6,6 +6,7 @@
 
 #include <list>
 #include <map>
+#include <optional>
 #include <string>
 
 namespace RollingContact
@@ -48,6 +49,11 @@ namespace RollingContact
      * which they are judged by in place of the patch as estimated, and with the
      * edges of that where they have none of their own. */
     bool tries_last = false;
+
+    /** Nodes that a patch as estimated may have, if it is limited: one of the
+     * places where profiles touch may ask for elements that are far too small
+     * for the others. solve() throws ConvergenceError beyond. */
+    std::optional<double> most_nodes;
 
     /** Edges of stick zones stay those of the state that is begun with. */
     bool holds_edges = false;
@@ -100,6 +106,8 @@ namespace RollingContact
     void solve_kept(const PairSpec    &scene,
                     const WantedMesh  &wanted,
                     const unsigned int kind);
+
+    void check_number_of_nodes(const WantedMesh &wanted) const;
 
     void make(const PairSpec             &scene,
               const std::string          &bodies,
