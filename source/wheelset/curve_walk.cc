@@ -13,7 +13,7 @@ namespace RollingContact
     const double       smallest_share = 1e-3; ///< of the way
     const double       far_away       = 4e-3; ///< m, of a bracketed shift
     const unsigned int most_failures  = 12;
-    const double       passing = 1e-3, arriving = 1e-4; ///< residuals
+    const double       passing        = 1e-3; ///< residual
 
     std::string name_of(const CurveCase &acting)
     {
@@ -73,7 +73,7 @@ namespace RollingContact
     return true;
   }
 
-  void CurveWalk::go_to(const CurveCase &target)
+  void CurveWalk::go_to(const CurveCase &target, const double residual)
   {
     if (!gear.carries(target))
       throw ConvergenceError("Wheelset, " + name_of(target) + ": " +
@@ -86,7 +86,7 @@ namespace RollingContact
       {
         const double    next   = std::min(1., share + step);
         const CurveCase acting = CurveCase::between(from, target, next);
-        gear.ask_for(next < 1. ? passing : arriving);
+        gear.ask_for(next < 1. ? passing : residual);
         bool done = step_to(acting);
         if (!done && (step < 30 * smallest_share || n_failures >= 3))
           {

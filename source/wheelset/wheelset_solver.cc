@@ -10,6 +10,9 @@ namespace RollingContact
   {
     /// m, between shifts at which other equilibria are looked for
     const double search_step = 5e-4, search_range = 8e-3;
+
+    /// residual with which the bodies of the scene begin
+    const double closed_on_the_way = 1e-4;
   } // namespace
 
   WheelsetSolver::WheelsetSolver(const Situation &scene)
@@ -31,7 +34,7 @@ namespace RollingContact
   {
     if (n_found == 0)
       walk.begin();
-    walk.go_to(cases.at(n_found++));
+    walk.go_to(cases.at(n_found++), closed_on_the_way);
     std::vector<FoundEquilibrium> found = refined(rough.now());
     if (n_found == cases.size() && wheelset.searches && !wheelset.shift &&
         !wheelset.yaw && !wheelset.is_bogie)

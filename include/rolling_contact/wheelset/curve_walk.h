@@ -29,10 +29,12 @@ namespace RollingContact
     void begin();
 
     /**
-     * Go on to a case; the equilibrium is there then. Throws ConvergenceError
+     * Go on to a case; the equilibrium is there then, closed to a residual.
+     * Throws ConvergenceError
      * that says where the walk ended and why.
      */
-    void go_to(const CurveCase &target);
+    void go_to(const CurveCase &target,
+               const double     residual = Equilibrium::tolerance);
 
   private:
     bool step_to(const CurveCase &acting);
