@@ -20,6 +20,7 @@ namespace RollingContact
     /// of a step, and differences where those fail over the usual ones
     const unsigned int most_halvings = 6;
     const unsigned int few_steps     = 4; ///< that bring it closer by a fifth
+    const double       nearly_closed = 1e-4; ///< over the axle load
     const double       finer         = 0.05;
 
     /// over the axle load: from where steps that are cut to this share do not
@@ -239,7 +240,8 @@ namespace RollingContact
         if (f.lpNorm<Eigen::Infinity>() <= least)
           return at;
         norms.push_back(f.norm());
-        if (k >= few_steps && norms[k] > 0.8 * norms[k - few_steps])
+        if (k >= few_steps && norms[k] > nearly_closed &&
+            norms[k] > 0.8 * norms[k - few_steps])
           return not_closer_than(f);
         if (!jacobian)
           {
@@ -348,7 +350,13 @@ namespace RollingContact
   bool Equilibrium::polish()
   {
     pair.hold_edges(true);
-    const auto found = newton(state.acting, all(), state, 1e-8, 12);
+    auto found = newton(state.acting, all(), state, 1e-8, 12);
+    if (!found)
+      {
+        // derivatives of steps across edges mislead where edges are held
+        jacobian.reset();
+        found = newton(state.acting, all(), state, 1e-8, 12);
+      }
     if (found)
       state = *found;
     pair.hold_edges(false);

@@ -191,11 +191,11 @@ BOOST_AUTO_TEST_CASE(every_entry_is_described)
 namespace
 {
   /** A section as a new analysis brings it. */
-  struct WearParameters
+  struct PloughingParameters
   {
     void declare(Entries &entries)
     {
-      entries.section("Wear").read_by_analyses("wear");
+      entries.section("Ploughing").read_by_analyses("ploughing");
       entries.add("Rate", rate, "m^2/N").at_least(0.).help =
         "Depth that is worn over the work of friction on an area.";
     }
@@ -203,22 +203,22 @@ namespace
     void check() const
     {
       if (rate == 0.)
-        throw InputError("Wear/Rate = 0: nothing wears.");
+        throw InputError("Ploughing/Rate = 0: nothing ploughs.");
     }
 
     double rate = 1.;
   };
 
-  AnalysisTraits wear()
+  AnalysisTraits ploughing()
   {
     AnalysisTraits traits;
-    traits.name     = "wear";
-    traits.help     = "how surfaces wear";
-    traits.sections = {"Wear"};
-    traits.own_section.emplace(WearParameters());
+    traits.name     = "ploughing";
+    traits.help     = "how surfaces are ploughed";
+    traits.sections = {"Ploughing"};
+    traits.own_section.emplace(PloughingParameters());
     traits.rules = {[](const SceneParameters &scene) {
       if (scene.wheel.rigid)
-        throw InputError("Wheel/Rigid = true: nothing wears.");
+        throw InputError("Wheel/Rigid = true: nothing ploughs.");
     }};
     return traits;
   }
@@ -230,28 +230,29 @@ BOOST_AUTO_TEST_CASE(an_analysis_brings_its_section)
 {
   SceneParameters scene;
   scene.contact.normal_load = 1e4;
-  const Entries entries     = scene.declare({AnalysisTraits(), wear()});
-  entries.find("Wear/Rate").read("2");
-  BOOST_TEST(scene.own<WearParameters>().rate == 2.);
-  const auto unused = unused_entries(scene, {{"Wear/Rate", "2"}});
+  const Entries entries     = scene.declare({AnalysisTraits(), ploughing()});
+  entries.find("Ploughing/Rate").read("2");
+  BOOST_TEST(scene.own<PloughingParameters>().rate == 2.);
+  const auto unused = unused_entries(scene, {{"Ploughing/Rate", "2"}});
   BOOST_REQUIRE(unused.size() == 1u);
-  BOOST_TEST(unused[0] == "Wear/Rate = 2 has no effect: Analysis = wear reads "
-                          "that section, not quasi-static.");
-  entries.find("Analysis").read("wear");
-  BOOST_TEST(unused_entries(scene, {{"Wear/Rate", "2"}}).empty());
+  BOOST_TEST(unused[0] ==
+             "Ploughing/Rate = 2 has no effect: Analysis = ploughing reads "
+             "that section, not quasi-static.");
+  entries.find("Analysis").read("ploughing");
+  BOOST_TEST(unused_entries(scene, {{"Ploughing/Rate", "2"}}).empty());
   SceneEntries copy{Situation(scene)};
-  copy.set("Wear/Rate", "0");
-  BOOST_TEST(copy.unit("Wear/Rate") == "m^2/N");
-  BOOST_TEST(scene.own<WearParameters>().rate == 2.);
+  copy.set("Ploughing/Rate", "0");
+  BOOST_TEST(copy.unit("Ploughing/Rate") == "m^2/N");
+  BOOST_TEST(scene.own<PloughingParameters>().rate == 2.);
   BOOST_TEST(complaint([&]() { scene.check(); }) == "");
   scene.wheel.rigid = true;
   BOOST_TEST(complaint([&]() { scene.check(); }) ==
-             "Wheel/Rigid = true: nothing wears.");
+             "Wheel/Rigid = true: nothing ploughs.");
   entries.find("Analysis").read("quasi-static");
   BOOST_TEST(complaint([&]() { scene.check(); }) == "");
-  scene.own<WearParameters>().rate = 0.; // refused wherever it stands
+  scene.own<PloughingParameters>().rate = 0.; // refused wherever it stands
   BOOST_TEST(complaint([&]() { scene.check(); }) ==
-             "Wear/Rate = 0: nothing wears.");
+             "Ploughing/Rate = 0: nothing ploughs.");
 }
 
 /** A value that is none leaves the scene as it was, at the price of a text. */
