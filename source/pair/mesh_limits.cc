@@ -134,15 +134,34 @@ namespace RollingContact
   }
 
   template <int dim>
+  double contact_nodes(const Grading<dim> &grading)
+  {
+    const double surely = 0.9, size_x = grading.element_size_x,
+                 size_y = grading.element_size_y;
+    if (dim == 2)
+      return surely * 2 * grading.semi_axis_x() / size_x;
+    const double ellipse = numbers::PI * grading.semi_axis_x() *
+                           grading.zone_y / (size_x * size_y),
+                 countable = 1e6;
+    if (grading.zone_boxes.empty() || ellipse > countable)
+      return surely * ellipse;
+    // boxes overlap, and may be far from each other
+    const auto along = grading.zone_along(), across = grading.zone_across();
+    double     n = 0.;
+    for (double x = along[0] + size_x / 2; x < along[1]; x += size_x)
+      for (double y = across[0] + size_y / 2; y < across[1]; y += size_y)
+        n +=
+          std::any_of(grading.zone_boxes.begin(),
+                      grading.zone_boxes.end(),
+                      [&](const ZoneBox &box) { return box.contains(x, y); });
+    return surely * n;
+  }
+
+  template <int dim>
   void check_contact_memory(const PairSpec &scene, const Grading<dim> &grading)
   {
-    const double surely = 0.9;
-    const double nodes =
-      dim == 2 ? 2 * grading.semi_axis_x() / grading.element_size_x
-               : numbers::PI * grading.semi_axis_x() * grading.zone_y /
-                   (grading.element_size_x * grading.element_size_y);
     const int components = scene.contact.friction_coefficient > 0. ? dim : 1;
-    check_contact_memory(surely * nodes * components);
+    check_contact_memory(contact_nodes(grading) * components);
   }
 
   template void
@@ -151,6 +170,8 @@ namespace RollingContact
   end_at_side(const PairSpec &, const PatchEstimate &, Grading<3> &);
   template CellCount cells_to_mesh(const PairSpec &, const Grading<2> &);
   template CellCount cells_to_mesh(const PairSpec &, const Grading<3> &);
+  template double    contact_nodes(const Grading<2> &);
+  template double    contact_nodes(const Grading<3> &);
   template void      check_contact_memory(const PairSpec &, const Grading<2> &);
   template void      check_contact_memory(const PairSpec &, const Grading<3> &);
   template void      check_element_size(const PairSpec &, const Grading<2> &);

@@ -58,26 +58,19 @@ namespace RollingContact
       return rise.empty() ? F() : one(rise);
     }
 
-    bool wears(S s)
-    {
-      return s.scene && StateDamage::is_asked(*s.scene, s.problem);
-    }
-
     /** By the law of this number in Damage::wear_laws(). */
     template <int number>
     F wear_rate(S s)
     {
-      if (!wears(s) || (number == 0 && !s.scene->contact.speed))
-        return {};
       const Damage::WearLaw &law = Damage::wear_laws().at(number);
-      return one(StateDamage(*s.scene, s.problem, s.state).rates(law));
+      return s.damage() && s.damage()->can_tell(law)
+               ? one(s.damage()->rates(law))
+               : F();
     }
 
     F surface_index(S s)
     {
-      if (!wears(s))
-        return {};
-      return one(StateDamage(*s.scene, s.problem, s.state).surface_indices());
+      return s.damage() ? one(s.damage()->surface_indices()) : F();
     }
 
     F gap(S s)
@@ -118,6 +111,14 @@ namespace RollingContact
       recovered_tractions =
         RollingContact::recovered_tractions(tangential(), state);
     return *recovered_tractions;
+  }
+
+  const StateDamage *NodalState::damage() const
+  {
+    if (!state_damage && scene && StateDamage::is_asked(*scene, problem))
+      state_damage =
+        std::make_shared<const StateDamage>(*scene, problem, state);
+    return state_damage.get();
   }
 
   F NodalQuantity::of(const NodalState &state) const

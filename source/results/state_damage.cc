@@ -53,15 +53,11 @@ namespace RollingContact
 
   std::vector<WearLaw> StateDamage::laws() const
   {
-    std::vector<WearLaw> all = Damage::wear_laws();
-    if (!scene.contact.speed)
-      all.erase(std::remove_if(all.begin(),
-                               all.end(),
-                               [](const WearLaw &law) {
-                                 return law.rate == &Damage::archard_rate;
-                               }),
-                all.end());
-    return all;
+    std::vector<WearLaw> told;
+    for (const WearLaw &law : Damage::wear_laws())
+      if (can_tell(law))
+        told.push_back(law);
+    return told;
   }
 
   std::vector<double> StateDamage::rates(const WearLaw &law) const
@@ -91,7 +87,7 @@ namespace RollingContact
   {
     if (!(line.width > 0.))
       return 0.;
-    Damage::NodeLine of_line{{line.y, line.width}, {}, {}};
+    Damage::NodeLine of_line;
     for (const unsigned int i : line.nodes)
       {
         of_line.nodes.push_back(nodes[i]);

@@ -1,4 +1,5 @@
 #include <rolling_contact/base/stopwatch.h>
+#include <rolling_contact/pair/mesh_limits.h>
 #include <rolling_contact/tables/kept_bodies.h>
 
 namespace RollingContact
@@ -42,8 +43,7 @@ namespace RollingContact
   namespace
   {
     template <int dim>
-    std::array<double, 2> element_size(const PairSpec      &scene,
-                                       const PatchEstimate &patch)
+    WantedMesh mesh_for(const PairSpec &scene, const PatchEstimate &patch)
     {
       const Grading<dim> grading =
         make_grading<dim>(scene,
@@ -51,7 +51,9 @@ namespace RollingContact
                           patch,
                           scene.mesh.elements_across_patch,
                           scene.mesh.offset());
-      return {{grading.element_size_x, grading.element_size_y}};
+      return {patch,
+              {{grading.element_size_x, grading.element_size_y}},
+              contact_nodes(grading)};
     }
   } // namespace
 
@@ -60,9 +62,8 @@ namespace RollingContact
     if (!bodies_touch(scene))
       return {};
     const PatchEstimate patch = estimate_patch(scene);
-    return {patch,
-            scene.dimension == 2 ? element_size<2>(scene, patch)
-                                 : element_size<3>(scene, patch)};
+    return scene.dimension == 2 ? mesh_for<2>(scene, patch)
+                                : mesh_for<3>(scene, patch);
   }
 
   template void solve_on_kept_bodies(const PairSpec &, SteadyState<2> &);

@@ -70,32 +70,17 @@ namespace RollingContact
   }
 
   template <int dim>
-  void KeptStates<dim>::check_number_of_nodes(const WantedMesh &wanted) const
-  {
-    double area = 0., node = 1.;
-    for (const ZoneBox &box : wanted.patch.boxes)
-      {
-        double of_box = 1.;
-        for (unsigned int d = 0; d < dim - 1; ++d)
-          of_box *= box.upper[d] - box.lower[d];
-        area += of_box;
-      }
-    for (unsigned int d = 0; d < dim - 1; ++d)
-      node *= wanted.element_size[d];
-    if (most_nodes && area > *most_nodes * node)
-      throw ConvergenceError(
-        "The profiles touch at places so different that elements for the "
-        "smallest of them would give the patch " +
-        significant(area / node, 3) + " contact nodes.");
-  }
-
-  template <int dim>
   void KeptStates<dim>::make(const PairSpec             &scene,
                              const std::string          &bodies,
                              const WantedMesh           &wanted,
                              const std::vector<ZoneBox> &other_patches,
                              const std::string          &why)
   {
+    if (wanted.n_nodes > most_nodes)
+      throw ConvergenceError(
+        "The profiles touch at places so different that elements for the "
+        "smallest of them would give " +
+        significant(wanted.n_nodes, 3) + " contact nodes.");
     if (kept.size() == most_kept)
       kept.pop_back();
     ++n_made;
@@ -187,7 +172,6 @@ namespace RollingContact
         return kept.front().steady;
       }
     const WantedMesh wanted = wanted_mesh(scene);
-    check_number_of_nodes(wanted);
     if (!find(bodies, wanted))
       make(scene,
            bodies,

@@ -25,7 +25,7 @@ namespace RollingContact
 
     /// over the axle load: from where steps that are cut to this share do not
     /// lead, and what an edge changes
-    const double largest_at_start = 0.3, little_of_step = 0.2,
+    const double largest_at_start = 0.3, smallest_first = 0.2,
                  largest_jump = 1e-2;
 
     /// of central differences: m, rad, 1, 1, 1/m, and m of the rails
@@ -86,11 +86,6 @@ namespace RollingContact
     if (rail_stiffness > 0.)
       result.push_back(3);
     return result;
-  }
-
-  double Equilibrium::held_apart(const WheelsetPlace &place) const
-  {
-    return rail_stiffness * (place.rails[0] - place.rails[1]) / 2;
   }
 
   Equilibrium::Unknowns Equilibrium::unknowns_of(const WheelsetState &at) const
@@ -165,9 +160,9 @@ namespace RollingContact
                      at.place.on_rail(0) * right.force_x +
                      at.place.on_rail(1) * left.force_x + at.yaw_moment,
                    right.axle_torque + left.axle_torque - acting.axle_torque,
-                   rail_stiffness > 0.
-                     ? (right.force_y - left.force_y) / 2 + held_apart(at.place)
-                     : 0.};
+                   rail_stiffness > 0. ? (right.force_y - left.force_y) / 2 +
+                                           rail_stiffness * scales[3] * x[3]
+                                       : 0.};
     at.residual /= W;
     return at;
   }
@@ -262,7 +257,7 @@ namespace RollingContact
             std::min(share,
                      limits[active[i]] / std::max(std::abs(step[i]), 1e-300));
         // a flange that is far in the rail
-        if (k == 0 && !wheelset.shift && share < little_of_step &&
+        if (k == 0 && !wheelset.shift && share < smallest_first &&
             f.lpNorm<Eigen::Infinity>() > largest_at_start)
           {
             reason = "the balances are off by " +
@@ -371,10 +366,11 @@ namespace RollingContact
     Eigen::Matrix<double, 4, 6> result = Eigen::Matrix<double, 4, 6>::Zero();
     const Unknowns              x      = unknowns_of(state);
     const auto residual = [&](const unsigned int j, const double change) {
-      Unknowns  moved  = x;
-      CurveCase acting = state.acting;
+      Unknowns           moved   = x;
+      CurveCase          acting  = state.acting;
+      const unsigned int unknown = j == 5 ? 3 : j;
       if (j < 3 || j == 5)
-        moved[std::min(j, 3u)] += change / scales[std::min(j, 3u)];
+        moved[unknown] += change / scales[unknown];
       // the frame does not turn with the wheelset
       if (j == 4)
         acting.curvature += change;

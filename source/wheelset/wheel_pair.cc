@@ -54,7 +54,7 @@ namespace RollingContact
 
     const unsigned int most_elements_on_the_way = 8;
 
-    const double most_nodes_on_the_way = 800.; ///< of a patch
+    const double most_nodes_on_the_way = 1500.;
 
     std::shared_ptr<const Profiles::WheelOnRail>
     profiles_of(const ProfileParameters     &profiles,

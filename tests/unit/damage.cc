@@ -11,7 +11,6 @@
 
 #include <array>
 #include <numeric>
-#include <random>
 
 using namespace RollingContact;
 using boost::test_tools::tolerance;
@@ -36,7 +35,6 @@ namespace
     const References::Carter    carter(contact, radius, mu, creepage);
     const double                length = 2 * half_width / n_nodes;
     NodeLine                    line;
-    line.place = {0., 1e-3};
     for (unsigned int i = 0; i < n_nodes; ++i)
       {
         const double x = -half_width + (i + 0.5) * length;
@@ -57,11 +55,6 @@ namespace
       if (one.name == name)
         return one;
     throw std::runtime_error(name);
-  }
-
-  double sum(const std::vector<double> &values)
-  {
-    return std::accumulate(values.begin(), values.end(), 0.);
   }
 } // namespace
 
@@ -174,24 +167,6 @@ BOOST_AUTO_TEST_CASE(british_rail_research_against_t_gamma)
   BOOST_TEST(std::abs(t_gamma / brr - 1) < 1. / 6);
 }
 
-BOOST_AUTO_TEST_CASE(constants_out_of_bounds)
-{
-  BOOST_CHECK_NO_THROW(DamageParameters().check());
-  DamageParameters parameters;
-  parameters.hardness = 0;
-  CHECK_INPUT_ERROR(parameters.check(),
-                    "Hardness is 0 Pa: it must be finite and positive");
-  parameters         = {};
-  parameters.density = -7850;
-  CHECK_INPUT_ERROR(parameters.check(), "Density is -7850 kg/m^3");
-  parameters                    = {};
-  parameters.shear_yield_stress = std::nan("");
-  CHECK_INPUT_ERROR(parameters.check(), "Shear yield stress is nan Pa");
-  parameters                      = {};
-  parameters.worn_mass_per_energy = -1;
-  CHECK_INPUT_ERROR(parameters.check(), "Worn mass per energy is -1 kg/J");
-}
-
 BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE(lines)
@@ -240,11 +215,9 @@ BOOST_AUTO_TEST_CASE(carter)
           for (std::size_t i = 0; i < line.nodes.size(); ++i)
             e += line.nodes[i].power * line.lengths[i];
           BOOST_TEST(e == energy, tolerance(5e-3));
-          const double depth = depth_per_passage(line, law("t-gamma")),
-                       area  = worn_area({line.place}, {depth});
-          BOOST_TEST(7850 * area == 5.3e-9 * e * line.place.width,
-                     tolerance(1e-14));
-          BOOST_TEST(7850 * area == 5.3e-9 * energy * 1e-3, tolerance(5e-3));
+          const double depth = depth_per_passage(line, law("t-gamma"));
+          BOOST_TEST(7850 * depth == 5.3e-9 * e, tolerance(1e-14));
+          BOOST_TEST(7850 * depth == 5.3e-9 * energy, tolerance(5e-3));
         }
     }
 }
@@ -269,142 +242,6 @@ BOOST_AUTO_TEST_CASE(wheel_and_errors)
   line.lengths.pop_back();
   CHECK_INPUT_ERROR(depth_per_passage(line, law("usfd")),
                     "Number of lengths is 9: it must be 10");
-  CHECK_INPUT_ERROR(worn_area({{0., 1.}}, {}), "Number of depths is 0");
-}
-
-BOOST_AUTO_TEST_SUITE_END()
-
-BOOST_AUTO_TEST_SUITE(deposits)
-
-namespace
-{
-  /** Lines in unequal steps, with widths as lines across have them. */
-  std::vector<LinePlace> uneven_lines(std::mt19937 &random, const int n)
-  {
-    std::uniform_real_distribution<double> step(0.2e-3, 1e-3);
-    std::vector<LinePlace>                 lines(n);
-    lines[0].y = -3e-3;
-    for (int k = 1; k < n; ++k)
-      lines[k].y = lines[k - 1].y + step(random);
-    for (int k = 0; k < n; ++k)
-      lines[k].width =
-        (lines[std::min(k + 1, n - 1)].y - lines[std::max(k - 1, 0)].y) / 2;
-    return lines;
-  }
-
-  std::vector<double> equal_steps(const double from, const double to, int n)
-  {
-    std::vector<double> points(n);
-    for (int j = 0; j < n; ++j)
-      points[j] = from + (to - from) * j / (n - 1);
-    return points;
-  }
-} // namespace
-
-// finer, coarser, shifted, and points that do not reach over the lines
-BOOST_AUTO_TEST_CASE(areas_are_kept)
-{
-  std::mt19937                           random(7);
-  std::uniform_real_distribution<double> depth(0., 1e-8);
-  for (int round = 0; round < 20; ++round)
-    {
-      const auto          lines = uneven_lines(random, 12);
-      std::vector<double> depths, areas;
-      for (const LinePlace &line : lines)
-        {
-          depths.push_back(depth(random));
-          areas.push_back(depths.back() * line.width);
-        }
-      const double total = worn_area(lines, depths);
-      for (const auto &[from, to, n] :
-           std::vector<std::tuple<double, double, int>>{{-0.03, 0.03, 2001},
-                                                        {-0.03, 0.03, 21},
-                                                        {-1e-3, 1e-3, 50},
-                                                        {0.01, 0.02, 9},
-                                                        {-0.02, -0.01, 9}})
-        {
-          const auto deposited =
-            deposit(lines, areas, equal_steps(from, to, n));
-          BOOST_TEST(sum(deposited) == total, tolerance(1e-12));
-          BOOST_TEST(*std::min_element(deposited.begin(), deposited.end()) >=
-                     0.);
-        }
-      BOOST_TEST(sum(deposit(lines, areas, {0.})) == total, tolerance(1e-12));
-    }
-}
-
-// the moment of each area is kept as well, as hats reproduce straight lines
-BOOST_AUTO_TEST_CASE(places_are_kept)
-{
-  const std::vector<LinePlace> lines{{-1e-3, 0.5e-3}, {0., 1e-3}, {1e-3, 1e-3}};
-  const auto                   points = equal_steps(-5e-3, 5e-3, 77);
-  for (const int k : {1, 2})
-    {
-      std::vector<double> areas(3, 0.);
-      areas[k]             = 2e-12;
-      const auto deposited = deposit(lines, areas, points);
-      BOOST_TEST(sum(deposited) == 2e-12, tolerance(1e-12));
-      const double moment =
-        std::inner_product(points.begin(), points.end(), deposited.begin(), 0.);
-      BOOST_TEST(std::abs(moment - lines[k].y * 2e-12) < 1e-12 * 2e-12);
-    }
-}
-
-// a constant depth stays one, also where the outer lines were left out, and
-// between lines the depth is linear
-BOOST_AUTO_TEST_CASE(depths_are_those_of_the_lines)
-{
-  std::vector<LinePlace> lines;
-  std::vector<double>    constant, rising;
-  for (int k = 0; k < 9; ++k)
-    {
-      lines.push_back({k * 1e-3, 1e-3});
-      constant.push_back(5e-9 * 1e-3);
-      rising.push_back(k * 1e-9 * 1e-3);
-    }
-  const double step      = 0.05e-3;
-  const auto   points    = equal_steps(-2e-3, 10e-3, 241);
-  const auto   deposited = deposit(lines, constant, points),
-             slope       = deposit(lines, rising, points);
-  for (std::size_t j = 0; j < points.size(); ++j)
-    if (points[j] > 1e-4 && points[j] < 7.9e-3)
-      {
-        BOOST_TEST(deposited[j] / step == 5e-9, tolerance(1e-11));
-        const double phase = std::remainder(points[j], 1e-3);
-        if (std::abs(phase) > 1.01 * step)
-          BOOST_TEST(slope[j] / step == points[j] * 1e-6, tolerance(1e-11));
-      }
-  // the last line has its full width outwards
-  BOOST_TEST(deposited[200] / step == 5e-9 * (1 - 0.05 / 6), tolerance(1e-9));
-  BOOST_TEST(deposited[210] / step == 2.5e-9, tolerance(1e-9));
-  BOOST_TEST(deposited[221] == 0.);
-
-  // with half their width the outer lines end where they are
-  lines.front().width = lines.back().width = 0.5e-3;
-  constant.front() = constant.back() = 5e-9 * 0.5e-3;
-  const auto ends                    = deposit(lines, constant, points);
-  BOOST_TEST(sum(ends) == 5e-9 * 8e-3, tolerance(1e-12));
-  for (const int j : {39, 201})
-    BOOST_TEST(ends[j] == 0.);
-  for (const int j : {41, 199})
-    BOOST_TEST(ends[j] / step == 5e-9, tolerance(1e-9));
-
-  // one line alone: a hat of its width
-  const auto alone = deposit({{4e-3, 1e-3}}, {6e-12}, points);
-  BOOST_TEST(sum(alone) == 6e-12, tolerance(1e-12));
-  BOOST_TEST(alone[110] / step == 3e-9, tolerance(1e-9));
-}
-
-BOOST_AUTO_TEST_CASE(bad_lines)
-{
-  const std::vector<LinePlace> lines{{0., 1e-3}, {1e-3, 1e-3}};
-  CHECK_INPUT_ERROR(deposit(lines, {1.}, {0.}), "Number of areas is 1");
-  CHECK_INPUT_ERROR(deposit(lines, {1., 1.}, {}), "Number of abscissae is 0");
-  CHECK_INPUT_ERROR(deposit(lines, {1., 1.}, {1., 1.}),
-                    "Abscissa is 1 m: it must be larger than that before it");
-  CHECK_INPUT_ERROR(deposit({{0., 1.}, {-1., 1.}}, {1., 1.}, {0.}),
-                    "Place of a line is -1 m");
-  CHECK_INPUT_ERROR(deposit({{0., 0.}}, {1.}, {0.}), "Width of a line is 0 m");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -39,13 +39,6 @@ namespace RollingContact::Damage
 
     ArchardScatter     archard_scatter     = ArchardScatter::middle;
     CatastrophicBranch catastrophic_branch = CatastrophicBranch::continuous;
-
-    /**
-     * Throws InputError, naming the value and what is allowed, unless hardness,
-     * density and shear yield stress are positive, the worn mass per energy is
-     * not negative, and all are finite.
-     */
-    void check() const;
   };
 } // namespace RollingContact::Damage
 

@@ -50,6 +50,13 @@ namespace RollingContact
   void check_element_size(const PairSpec &scene, const Grading<dim> &grading);
 
   /**
+   * How many nodes of the contact a mesh will have, by the zone and the size of
+   * its elements alone; there will be somewhat more.
+   */
+  template <int dim>
+  double contact_nodes(const Grading<dim> &grading);
+
+  /**
    * Throws MemoryError if the dense matrices of contact space with so many
    * unknowns, W of each body and of the pair and products of it, do not fit
    * into 70 % of the free memory.
@@ -57,9 +64,8 @@ namespace RollingContact
   void check_contact_memory(const double n_unknowns);
 
   /**
-   * Check the memory of the contact problem before a mesh is made, by the size
-   * of the zone and of its elements alone, which counts somewhat fewer nodes
-   * than there will be. Throws InputError.
+   * Check the memory of the contact problem before a mesh is made, by its
+   * contact_nodes(). Throws InputError.
    */
   template <int dim>
   void check_contact_memory(const PairSpec &scene, const Grading<dim> &grading);

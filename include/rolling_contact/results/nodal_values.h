@@ -4,12 +4,15 @@
 #include <rolling_contact/contact/recovered_tractions.h>
 #include <rolling_contact/scene/pair_spec.h>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace RollingContact
 {
+  class StateDamage;
+
   /**
    * A state of the contact, with what its fields have in common, found once
    * when it is asked for. Keeps references.
@@ -30,6 +33,9 @@ namespace RollingContact
 
     const RecoveredTractions &recovered() const;
 
+    /** None unless Wear/Report asks for it. */
+    const StateDamage *damage() const;
+
     const ContactProblem &problem;
     const ContactState   &state;
     const bool            step_is_known;
@@ -38,6 +44,8 @@ namespace RollingContact
   private:
     mutable std::optional<TangentialProblem>  tangential_problem;
     mutable std::optional<RecoveredTractions> recovered_tractions;
+
+    mutable std::shared_ptr<const StateDamage> state_damage;
   };
 
   /**

@@ -17,18 +17,22 @@ namespace RollingContact
   class StateDamage
   {
   public:
-    /**
-     * Nothing is told of states without friction, of time steps, and of those
-     * that did not converge. Keeps references.
-     */
+    /** For states of which it is_asked(). Keeps references. */
     StateDamage(const PairSpec       &scene,
                 const ContactProblem &problem,
                 const ContactState   &state);
 
-    /** Whether there is anything to tell. */
+    /** Whether it is to be told: not without friction, not of time steps. */
     static bool is_asked(const PairSpec &scene, const ContactProblem &problem);
 
-    /** Laws that can be told: Archard's asks for Contact/Speed. */
+    /** Archard's law asks for Contact/Speed. */
+    bool can_tell(const Damage::WearLaw &law) const
+    {
+      return law.rate != &Damage::archard_rate ||
+             scene.contact.speed.has_value();
+    }
+
+    /** The laws that can be told. */
     std::vector<Damage::WearLaw> laws() const;
 
     /** Worn depth of the rail per metre rolled over each node. Units: m/m. */

@@ -34,12 +34,13 @@ namespace RollingContact
 
   /**
    * What a state would have of its own: its patch as estimated, none without
-   * contact, and the sizes of its elements. Units: m.
+   * contact, the sizes of its elements (m), and the nodes of its contact.
    */
   struct WantedMesh
   {
     PatchEstimate         patch;
     std::array<double, 2> element_size{};
+    double                n_nodes = 0.;
   };
 
   WantedMesh wanted_mesh(const PairSpec &scene);

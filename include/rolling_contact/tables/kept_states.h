@@ -4,9 +4,9 @@
 #include <rolling_contact/tables/kept_bodies.h>
 #include <rolling_contact/tables/quiet_context.h>
 
+#include <limits>
 #include <list>
 #include <map>
-#include <optional>
 #include <string>
 
 namespace RollingContact
@@ -50,10 +50,10 @@ namespace RollingContact
      * edges of that where they have none of their own. */
     bool tries_last = false;
 
-    /** Nodes that a patch as estimated may have, if it is limited: one of the
-     * places where profiles touch may ask for elements that are far too small
-     * for the others. solve() throws ConvergenceError beyond. */
-    std::optional<double> most_nodes;
+    /** Most contact nodes of bodies that are made: one of the places where
+     * profiles touch may ask for elements that are far too small for the
+     * others. solve() throws ConvergenceError beyond. */
+    double most_nodes = std::numeric_limits<double>::infinity();
 
     /** Edges of stick zones stay those of the state that is begun with. */
     bool holds_edges = false;
@@ -106,8 +106,6 @@ namespace RollingContact
     void solve_kept(const PairSpec    &scene,
                     const WantedMesh  &wanted,
                     const unsigned int kind);
-
-    void check_number_of_nodes(const WantedMesh &wanted) const;
 
     void make(const PairSpec             &scene,
               const std::string          &bodies,

@@ -29,9 +29,9 @@ namespace RollingContact
     void begin();
 
     /**
-     * Go on to a case; the equilibrium is there then, closed to a residual.
-     * Throws ConvergenceError
-     * that says where the walk ended and why.
+     * Go on to a case; the equilibrium is there then, closed to a residual
+     * (over the axle load). Throws ConvergenceError that says where the walk
+     * ended and why.
      */
     void go_to(const CurveCase &target,
                const double     residual = Equilibrium::tolerance);

@@ -139,13 +139,13 @@ namespace RollingContact
      * of bodies to another. */
     double accepted = tolerance;
 
-    /** Largest residual that solve() asks for. */
+    /** Largest residual that solve() asks for, over the axle load. */
     double enough = tolerance;
 
     unsigned int n_steps = 0; ///< of Newton's method
 
   private:
-    /** Which of the three balances and unknowns take part. */
+    /** Which of the balances and unknowns take part. */
     using Active = std::vector<unsigned int>;
 
     using Unknowns = Eigen::Vector4d;
@@ -154,9 +154,6 @@ namespace RollingContact
 
     /** The balances that take part, with or without that of lateral forces. */
     Active all(const bool with_shift = true) const;
-
-    /** What presses the rails apart, by their springs. Units: N. */
-    double held_apart(const WheelsetPlace &place) const;
 
     /** Nothing if a wheel has no state there. @p aside: see WheelsetPlace. */
     std::optional<WheelsetState> evaluate(const CurveCase &acting,
