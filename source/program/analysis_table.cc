@@ -8,6 +8,7 @@
 #include <rolling_contact/analyses/study_kind.h>
 #include <rolling_contact/analyses/transient.h>
 #include <rolling_contact/base/choices.h>
+#include <rolling_contact/evolution/profile_evolution.h>
 #include <rolling_contact/program/analysis_table.h>
 #include <rolling_contact/tables/table.h>
 #include <rolling_contact/wheelset/curve_stability.h>
@@ -29,7 +30,8 @@ namespace RollingContact
                                                  stability_in_curves_kind(),
                                                  stability_map_in_curves_kind(),
                                                  limit_cycle_kind(),
-                                                 wheelset_kind()};
+                                                 wheelset_kind(),
+                                                 profile_evolution_kind()};
     return kinds;
   }
 

@@ -76,6 +76,14 @@ namespace RollingContact
       "patches that are slender along it, and as long as wide on those of "
       "profiles that are wider. 0.8 times as many serve the forces as well, "
       "the spin moment less.";
+    entries.add("Least elements y", least_elements_y, "1")
+      .between(0, 1000)
+      .read_by(scenes_in_3d())
+      .help =
+      "Least number of elements across a patch that is slender along the "
+      "rolling direction, as those of flanges are, and across each of several "
+      "patches, where Elements across patch y is 0. 0: 6, and 10 where wear "
+      "is told, whose depths are those of lines of nodes.";
     const auto read_offset = [this](const std::string &text) {
       patch_offset = offset_of(text);
     };

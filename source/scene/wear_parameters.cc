@@ -53,10 +53,17 @@ namespace RollingContact
                   "an analysis of steady states reads that section"});
     section.renews = Renews::loads;
     section.varies = in_all_scenes;
-    const Reader reports{asks<WearParameters>(
-                           [](const auto &wear) { return wear.report; }),
+    const Reader reports{[](const SceneParameters &scene) {
+                           return scene.wear.report ||
+                                  scene.analysis.wears_profiles;
+                         },
                          "Wear/Report = false"};
-    entries.add("Report", report).help =
+    entries.add("Report", report)
+      .read_by({asks<AnalysisTraits>([](const auto &analysis) {
+                  return !analysis.wears_profiles;
+                }),
+                "an evolution of profiles tells of its own wear"})
+      .help =
       "Whether wear and fatigue of each steady state are told: columns of "
       "results.csv, depths per passage in across.csv, fields of "
       "interface.vtu, and the shakedown map.";

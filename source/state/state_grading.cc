@@ -8,6 +8,19 @@ namespace RollingContact
 {
   namespace
   {
+    /// across a slender patch, unless there are fewer along it
+    const unsigned int usual_least = 6;
+
+    /// where depths of wear are those of lines of nodes
+    const unsigned int least_with_wear = 10;
+
+    /** Mesh/Least elements y; 0 where the usual number will do. */
+    unsigned int least_asked(const PairSpec &scene)
+    {
+      const unsigned int given = scene.mesh.least_elements_y;
+      return given == 0 && scene.wear.report ? least_with_wear : given;
+    }
+
     /**
      * As many as along x, but on a patch that is slender along x fewer: long
      * thin elements make tractions worse; on wider patches more, so that slip
@@ -15,29 +28,32 @@ namespace RollingContact
      * as small ones as along x on those of profiles, as their pressure varies
      * across more than that of an ellipse.
      */
-    unsigned int elements_across_y(const PatchEstimate &patch,
+    unsigned int elements_across_y(const PairSpec      &scene,
+                                   const PatchEstimate &patch,
                                    const unsigned int   elements_across_patch)
     {
-      const double       longest = 1.9; // over the width of an element
-      const double       widest  = 1.5; // over its length
-      const unsigned int least   = 6;
-      const double       enough  = std::floor(longest * elements_across_patch *
-                                       patch.half_width_y / patch.half_width_x);
-      if (patch.half_width_y > patch.half_width_x)
-        return std::ceil(elements_across_patch *
-                         std::max(1.,
-                                  patch.half_width_y / patch.half_width_x /
-                                    (patch.boxes.empty() ? widest : 1.)));
-      return std::min<unsigned int>(elements_across_patch,
-                                    std::max<double>(least, enough));
+      const double longest = 1.9; // over the width of an element
+      const double widest  = 1.5; // over its length
+      const double ratio   = patch.half_width_y / patch.half_width_x;
+      double       n       = elements_across_patch;
+      if (ratio > 1.)
+        n = std::ceil(
+          n * std::max(1., ratio / (patch.boxes.empty() ? widest : 1.)));
+      else
+        n = std::min(n,
+                     std::max<double>(usual_least,
+                                      std::floor(longest * n * ratio)));
+      return std::max<double>(n, least_asked(scene));
     }
 
     /**
      * Give the shortest of several patches at least half the elements along x
-     * that the longest should have, and the narrowest at least six across.
+     * that the longest should have, and the narrowest at least the usual number
+     * across.
      */
     template <int dim>
-    void resolve_smallest_patch(const PatchEstimate &patch,
+    void resolve_smallest_patch(const PairSpec      &scene,
+                                const PatchEstimate &patch,
                                 const unsigned int   elements_across_patch,
                                 Grading<dim>        &grading)
     {
@@ -45,7 +61,9 @@ namespace RollingContact
         std::min(grading.element_size_x,
                  4 * patch.shortest_x / elements_across_patch);
       grading.element_size_y =
-        std::min(grading.element_size_y, 2 * patch.narrowest_y / 6);
+        std::min(grading.element_size_y,
+                 2 * patch.narrowest_y /
+                   std::max(usual_least, least_asked(scene)));
     }
 
     /**
@@ -95,7 +113,7 @@ namespace RollingContact
     const unsigned int    elements_y =
       mesh.elements_across_patch_y > 0
            ? mesh.elements_across_patch_y
-           : elements_across_y(patch, elements_across_patch);
+           : elements_across_y(scene, patch, elements_across_patch);
     const double factor =
       mesh.candidate_zone > 0. ? mesh.candidate_zone : demands.zone;
     const auto zone = [&](const double half_width, const double size) {
@@ -106,7 +124,7 @@ namespace RollingContact
     grading.element_size_x  = 2 * half_width / elements_across_patch;
     grading.element_size_y  = 2 * patch.half_width_y / elements_y;
     if (!patch.boxes.empty())
-      resolve_smallest_patch(patch, elements_across_patch, grading);
+      resolve_smallest_patch(scene, patch, elements_across_patch, grading);
     grading.zone_x   = zone(half_width, grading.element_size_x);
     grading.upstream = demands.one_direction ? -scene.contact.flow() : 0;
     grading.zone_y   = zone(patch.half_width_y, grading.element_size_y);

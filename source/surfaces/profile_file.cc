@@ -16,27 +16,9 @@ namespace RollingContact::Profiles
 {
   namespace
   {
-    enum class Format
-    {
-      columns,
-      simpack,
-      miniprof
-    };
-
-    const std::size_t least_points = 10, most_points = 10'000;
+    const std::size_t least_points = 10;
 
     const std::size_t most_bytes = 20'000'000;
-
-    Format format_of(const std::filesystem::path &file)
-    {
-      const std::string ending =
-        boost::to_lower_copy(file.extension().string());
-      if (ending == ".prr" || ending == ".prw")
-        return Format::simpack;
-      if (ending == ".ban" || ending == ".whl")
-        return Format::miniprof;
-      return Format::columns;
-    }
 
     std::string at_line(const std::filesystem::path &file,
                         const std::size_t            line)
@@ -91,6 +73,16 @@ namespace RollingContact::Profiles
     }
 
   } // namespace
+
+  ProfileFormat format_of(const std::filesystem::path &file)
+  {
+    const std::string ending = boost::to_lower_copy(file.extension().string());
+    if (ending == ".prr" || ending == ".prw")
+      return ProfileFormat::simpack;
+    if (ending == ".ban" || ending == ".whl")
+      return ProfileFormat::miniprof;
+    return ProfileFormat::columns;
+  }
 
   std::vector<std::array<double, 2>>
   read_columns(const std::filesystem::path &file, const std::string &columns)
@@ -240,14 +232,14 @@ namespace RollingContact::Profiles
     std::vector<MeasuredPoint> points;
     switch (format_of(file))
       {
-        case Format::columns:
+        case ProfileFormat::columns:
           for (const auto &row : read_columns(file, "y and z"))
             points.push_back({options.unit * row[0], options.unit * row[1]});
           break;
-        case Format::simpack:
+        case ProfileFormat::simpack:
           points = SimpackFile(file).points();
           break;
-        case Format::miniprof:
+        case ProfileFormat::miniprof:
           points = read_miniprof(file, options.unit);
           break;
       }
@@ -255,9 +247,10 @@ namespace RollingContact::Profiles
       throw InputError(file.string() + ": " + std::to_string(points.size()) +
                        " points found; a profile needs " +
                        std::to_string(least_points) + " or more.");
-    if (points.size() > most_points)
+    if (points.size() > most_profile_points)
       throw InputError(file.string() + ": " + std::to_string(points.size()) +
-                       " points found; at most " + std::to_string(most_points) +
+                       " points found; at most " +
+                       std::to_string(most_profile_points) +
                        " are taken, a point every 0.02 mm of a profile.");
     for (MeasuredPoint &point : points)
       {

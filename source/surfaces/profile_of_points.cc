@@ -71,21 +71,11 @@ namespace RollingContact::Profiles
      */
     void check_crossings(const Points &points, const std::string &name)
     {
-      const auto side =
-        [&](const std::size_t a, const std::size_t b, const std::size_t c) {
-          return (points[b].y - points[a].y) * (points[c].z - points[a].z) -
-                 (points[b].z - points[a].z) * (points[c].y - points[a].y);
-        };
-      for (std::size_t i = 0; i + 1 < points.size(); ++i)
-        for (std::size_t j = i + 2; j + 1 < points.size(); ++j)
-          if (side(i, i + 1, j) * side(i, i + 1, j + 1) < 0. &&
-              side(j, j + 1, i) * side(j, j + 1, i + 1) < 0.)
-            throw InputError(
-              name +
-              ": the profile crosses itself between "
-              "points " +
-              std::to_string(i + 1) + " and " + std::to_string(j + 2) +
-              ": they must follow each other along the section.");
+      if (const auto found = first_crossing(points))
+        throw InputError(name + ": the profile crosses itself between points " +
+                         std::to_string(found->first + 1) + " and " +
+                         std::to_string(found->second + 2) +
+                         ": they must follow each other along the section.");
     }
 
     [[noreturn]] void refuse_way_up(const std::string &name,
@@ -200,6 +190,22 @@ namespace RollingContact::Profiles
         }
     }
   } // namespace
+
+  std::optional<std::pair<std::size_t, std::size_t>>
+  first_crossing(const std::vector<MeasuredPoint> &points)
+  {
+    const auto side =
+      [&](const std::size_t a, const std::size_t b, const std::size_t c) {
+        return (points[b].y - points[a].y) * (points[c].z - points[a].z) -
+               (points[b].z - points[a].z) * (points[c].y - points[a].y);
+      };
+    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+      for (std::size_t j = i + 2; j + 1 < points.size(); ++j)
+        if (side(i, i + 1, j) * side(i, i + 1, j + 1) < 0. &&
+            side(j, j + 1, i) * side(j, j + 1, i + 1) < 0.)
+          return std::make_pair(i, j);
+    return {};
+  }
 
   ProfileCurve profile_of_points(std::vector<MeasuredPoint> points,
                                  const ProfileKind          kind,

@@ -8,11 +8,6 @@
 
 namespace RollingContact
 {
-  namespace
-  {
-    const std::size_t most_kept = 4;
-  } // namespace
-
   template <int dim>
   double KeptStates<dim>::Kept::misfit(const WantedMesh &wanted) const
   {
@@ -81,7 +76,7 @@ namespace RollingContact
         "The profiles touch at places so different that elements for the "
         "smallest of them would give " +
         significant(wanted.n_nodes, 3) + " contact nodes.");
-    if (kept.size() == most_kept)
+    if (kept.size() >= most_kept)
       kept.pop_back();
     ++n_made;
     why_new                   = why;

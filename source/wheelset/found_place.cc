@@ -97,8 +97,8 @@ namespace RollingContact
     void check_wheelset(const SceneParameters &scene)
     {
       check_found_place(scene);
-      const auto refuse = [](const std::string &text) {
-        throw InputError("Analysis = wheelset: " + text);
+      const auto refuse = [&](const std::string &text) {
+        throw InputError("Analysis = " + scene.analysis.name + ": " + text);
       };
       if (scene.profiles.has_true_sections() || scene.wheel.is_from_file() ||
           scene.rail.is_from_file())

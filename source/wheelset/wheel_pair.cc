@@ -54,6 +54,8 @@ namespace RollingContact
 
     const unsigned int most_elements_on_the_way = 8;
 
+    const unsigned int least_across_on_the_way = 6;
+
     const double most_nodes_on_the_way = 1500.;
 
     std::shared_ptr<const Profiles::WheelOnRail>
@@ -84,7 +86,8 @@ namespace RollingContact
         mesh.compliance      = Compliance::half_spaces;
         mesh.elements_across_patch =
           std::min(mesh.elements_across_patch, most_elements_on_the_way);
-        states.most_nodes = most_nodes_on_the_way;
+        mesh.least_elements_y = least_across_on_the_way;
+        states.most_nodes     = most_nodes_on_the_way;
       }
     states.tries_last                   = true;
     const std::filesystem::path &folder = scene.inputs->prm_folder;
@@ -107,6 +110,13 @@ namespace RollingContact
         sides[1].bodies   = "the left wheel on its rail";
       }
     sides[1].profiles = profiles_of(left.profiles, left.wheel.radius, folder);
+  }
+
+  void WheelPair::set_profiles(
+    const std::array<std::shared_ptr<const Profiles::WheelOnRail>, 2> &both)
+  {
+    for (unsigned int wheel = 0; wheel < 2; ++wheel)
+      sides[wheel].profiles = both[wheel];
   }
 
   void WheelPair::swap_sides()
@@ -166,6 +176,25 @@ namespace RollingContact
                     load);
   }
 
+  PairSpec WheelPair::scene_as_right_hand(const unsigned int   wheel,
+                                          const WheelsetPlace &place,
+                                          const double         roll,
+                                          const double         curvature,
+                                          const double         load) const
+  {
+    const Profiles::WheelsetPosition position{place.on_rail(wheel),
+                                              roll,
+                                              place.yaw};
+    return wheel == 0
+             ? scene_as(sides[0], false, position, place, curvature, load)
+             : scene_as(sides[1],
+                        false,
+                        Profiles::mirrored(position),
+                        place.mirrored(),
+                        -curvature,
+                        load);
+  }
+
   SteadyState<3> &WheelPair::checked(const unsigned int wheel,
                                      const unsigned int kind,
                                      const PairSpec    &scene)
@@ -191,17 +220,8 @@ namespace RollingContact
                                   const double         curvature,
                                   const double         load)
   {
-    const Profiles::WheelsetPosition position{place.on_rail(wheel),
-                                              roll,
-                                              place.yaw};
-    const PairSpec                   scene =
-      wheel == 0 ? scene_as(sides[0], false, position, place, curvature, load)
-                                   : scene_as(sides[1],
-                            false,
-                            Profiles::mirrored(position),
-                            place.mirrored(),
-                            -curvature,
-                            load);
+    const PairSpec scene =
+      scene_as_right_hand(wheel, place, roll, curvature, load);
     const WheelState found = wheel_state(scene, checked(wheel, wheel, scene));
     return wheel == 0 ? found : found.mirrored();
   }

@@ -48,11 +48,12 @@ namespace RollingContact
     EntrySection &section = entries.section("Wheelset");
     section.read_by(
       {&place_is_found,
-       "Analysis = wheelset reads that section, and stability and stability "
-       "map with Stability/Wheel"});
+       "Analysis = wheelset and profile evolution read that section, and "
+       "stability and stability map with Stability/Wheel"});
     section.renews = Renews::loads;
     section.varies = asks<AnalysisTraits>([](const auto &analysis) {
-      return analysis.has_many_states && analysis.takes_found_place;
+      return analysis.wears_profiles ||
+             (analysis.has_many_states && analysis.takes_found_place);
     });
     entries
       .choice("Vehicle",

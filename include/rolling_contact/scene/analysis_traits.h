@@ -65,6 +65,8 @@ namespace RollingContact
     bool until_periodic = false;
     /** Section Accuracy study gives the meshes, or the time steps. */
     bool has_own_meshes = false;
+    /** Profiles wear from state to state. */
+    bool wears_profiles = false;
     /** The analysis has one steady state, whose contact problem may be written.
      */
     bool has_one_state = false;

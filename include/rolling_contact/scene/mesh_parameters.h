@@ -79,6 +79,7 @@ namespace RollingContact
     std::optional<double> target_error;
     unsigned int          elements_across_patch   = 48;
     unsigned int          elements_across_patch_y = 0;
+    unsigned int          least_elements_y        = 0; ///< 0: automatic
     /** None: aligned. Units: elements. */
     std::optional<double> patch_offset   = 0.;
     double                candidate_zone = 0.;

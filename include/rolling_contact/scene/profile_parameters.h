@@ -77,6 +77,9 @@ namespace RollingContact
 
     Profiles::ProfileCurve wheel(const std::filesystem::path &prm_folder) const;
 
+    /** The tangent of the angle by which a rail is turned inwards. */
+    double slope_of_inclination() const;
+
     /** In its place in the track. */
     Profiles::ProfileCurve rail(const std::filesystem::path &prm_folder) const;
 
@@ -191,8 +194,6 @@ namespace RollingContact
     void declare_wheelset(Entries &entries);
 
     void declare_table(Entries &entries);
-
-    double slope_of_inclination() const;
 
     /** The head of the rail that is named; of a file, that of a 60E1. */
     Profiles::ProfileCurve nominal_rail() const;

@@ -5,7 +5,9 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace RollingContact::Profiles
@@ -28,6 +30,28 @@ namespace RollingContact::Profiles
   };
 
   /**
+   * How points stand in a file: columns y and z, SIMPACK (endings prr and prw)
+   * or MiniProf (ban and whl).
+   */
+  enum class ProfileFormat
+  {
+    columns,
+    simpack,
+    miniprof
+  };
+
+  /**
+   * The format of a file by the ending of its name, in any case; columns for
+   * all others.
+   */
+  ProfileFormat format_of(const std::filesystem::path &file);
+
+  /**
+   * Largest number of points in a file of a profile.
+   */
+  constexpr std::size_t most_profile_points = 10'000;
+
+  /**
    * Measured points, as they stand in a file but for its own units, mirrors,
    * shifts and turns. Units: m.
    */
@@ -47,9 +71,8 @@ namespace RollingContact::Profiles
   read_columns(const std::filesystem::path &file, const std::string &columns);
 
   /**
-   * The points of a file: columns y and z of read_columns(), SIMPACK (endings
-   * prr and prw) or MiniProf (ban and whl) with z upwards. Throws InputError,
-   * naming file and line.
+   * The points of a file, see format_of(): columns are those of read_columns(),
+   * MiniProf has z upwards. Throws InputError, naming file and line.
    */
   std::vector<MeasuredPoint> read_points(const std::filesystem::path &file,
                                          const FileOptions           &options);
@@ -62,6 +85,14 @@ namespace RollingContact::Profiles
   ProfileCurve read_profile(const std::filesystem::path &file,
                             const ProfileKind            kind,
                             const FileOptions           &options);
+
+  /**
+   * The numbers of the points, of which each is the first of a side of the
+   * polygon through all, where two sides cross; none if the polygon does not
+   * cross itself.
+   */
+  std::optional<std::pair<std::size_t, std::size_t>>
+  first_crossing(const std::vector<MeasuredPoint> &points);
 
   /**
    * The checks and the smoothing of read_profile() on points; @p name is that

@@ -58,6 +58,9 @@ namespace RollingContact
     /** Edges of stick zones stay those of the state that is begun with. */
     bool holds_edges = false;
 
+    /** So many sets of bodies are kept, those that were used last. */
+    std::size_t most_kept = 4;
+
     /** Why the last state made bodies; empty if it did not. */
     std::string why_new;
 

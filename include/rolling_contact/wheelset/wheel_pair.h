@@ -86,6 +86,16 @@ namespace RollingContact
               const WheelsetParameters &wheelset,
               const bool                roughly);
 
+    /** Profiles of wheels and rails, right and left, in place of those that
+     * were read; bodies that are kept do not know them. */
+    void set_profiles(
+      const std::array<std::shared_ptr<const Profiles::WheelOnRail>, 2> &both);
+
+    const Profiles::WheelOnRail &profiles(const unsigned int wheel) const
+    {
+      return *sides[wheel].profiles;
+    }
+
     /** Exchange the sides, as in a mirror. */
     void swap_sides();
 
@@ -115,6 +125,15 @@ namespace RollingContact
                       const WheelsetPlace &place,
                       const double         curvature,
                       const double         load) const;
+
+    /** That scene as of a right-hand wheel, the mirror image of a left one. */
+    PairSpec scene_as_right_hand(const unsigned int   wheel,
+                                 const WheelsetPlace &place,
+                                 const double         curvature,
+                                 const double         load) const
+    {
+      return scene_as_right_hand(wheel, place, roll(place), curvature, load);
+    }
 
     /**
      * The state of that scene, there until the next one is asked for. Throws as
@@ -154,6 +173,12 @@ namespace RollingContact
                       const WheelsetPlace              &place,
                       const double                      curvature,
                       const double                      load) const;
+
+    PairSpec scene_as_right_hand(const unsigned int   wheel,
+                                 const WheelsetPlace &place,
+                                 const double         roll,
+                                 const double         curvature,
+                                 const double         load) const;
 
     SteadyState<3> &checked(const unsigned int wheel,
                             const unsigned int kind,

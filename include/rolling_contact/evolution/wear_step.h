@@ -1,0 +1,94 @@
+#ifndef rolling_contact_evolution_wear_step_h
+#define rolling_contact_evolution_wear_step_h
+
+#include <rolling_contact/evolution/duty_row.h>
+#include <rolling_contact/evolution/evolution_parameters.h>
+
+#include <memory>
+#include <vector>
+
+namespace RollingContact
+{
+  /**
+   * All rows of a duty on the same surfaces.
+   */
+  using DutyStates = std::vector<DutyState>;
+
+  /**
+   * A step of the wear of profiles under a duty,
+   *
+   *   h(s) = sum_j w_j L D_j p_j(h),
+   *
+   * with D_j the wear of row j over its pressure as it is at the beginning:
+   * implicit in the pressures, each of which is that of a contact with a
+   * compliance added, see WearingContact::depths_at_end(), so that any step is
+   * stable. Of order 1; two half steps give its error, and with the whole one
+   * extrapolated order 2.
+   */
+  class WearStep
+  {
+  public:
+    /** Keeps references. */
+    WearStep(const EvolutionParameters   &section,
+             const std::vector<DutyCase> &duty);
+
+    /** The balances of all rows on these surfaces. Throws as
+     * DutyRow::stand_on() does. */
+    DutyStates stand_on(const RunningSurfaces &surfaces);
+
+    /** What wears of these surfaces over a part of the whole way. */
+    RunningSurfaces::Amounts worn(const RunningSurfaces &surfaces,
+                                  const DutyStates      &states,
+                                  const double           share) const;
+
+    /** Without feedback: explicit. */
+    RunningSurfaces::Amounts worn_at_once(const RunningSurfaces &surfaces,
+                                          const DutyStates      &states,
+                                          const double           share) const;
+
+    /** A step of the whole and two of half the way, extrapolated. */
+    struct Found
+    {
+      RunningSurfaces::Amounts amounts;
+      double error; ///< misplaced depth of two halves, m
+      double                   depth; ///< largest, m
+    };
+
+    /** Throws ConvergenceError or InputError where the surfaces half way have
+     * no balance. */
+    Found find(const RunningSurfaces &surfaces,
+               const DutyStates      &states,
+               const double           share);
+
+    unsigned int n_states() const;
+
+    unsigned int n_bodies() const
+    {
+      return kept.n_made;
+    }
+
+  private:
+    /** The way of a row for a share of the whole. */
+    WearingWay way_of(const DutyRow &row, const double share) const;
+
+    /** What a contact wears by depths of the rail for a passage. */
+    RunningSurfaces::Amounts
+    amounts_of(const RunningSurfaces     &surfaces,
+               const WearingContact      &contact,
+               const WearingWay          &way,
+               const std::vector<double> &depths) const;
+
+    /** Depths of both bodies under the lines of a contact. Units: m. */
+    std::vector<double>
+    depths_of_others(const RunningSurfaces          &surfaces,
+                     const WearingContact           &contact,
+                     const RunningSurfaces::Amounts &others) const;
+
+    const EvolutionParameters            &section;
+    std::vector<std::unique_ptr<DutyRow>> rows;
+    KeptStates<3>                         kept;
+    unsigned int                          n_solved = 0;
+  };
+} // namespace RollingContact
+
+#endif

@@ -1,0 +1,155 @@
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/number_text.h>
+#include <rolling_contact/evolution/evolution_parameters.h>
+#include <rolling_contact/scene/entries.h>
+
+#include <algorithm>
+#include <tuple>
+
+namespace RollingContact
+{
+  namespace
+  {
+    const std::vector<NamedValue<WearingBodies>> named_bodies{
+      {"wheel", WearingBodies::wheel},
+      {"rail", WearingBodies::rail},
+      {"both", WearingBodies::both}};
+
+    [[noreturn]] void refuse(const std::string &entry, const std::string &what)
+    {
+      throw InputError("Evolution/" + entry + what);
+    }
+
+    void check_above_zero(const std::string           &entry,
+                          const std::optional<double> &value,
+                          const std::string           &unit)
+    {
+      if (value && !(*value > 0.))
+        refuse(entry, " = " + text_of(*value) + ": give " + unit + " above 0.");
+    }
+
+    void check_given(const std::string           &entry,
+                     const std::optional<double> &value,
+                     const bool                   is_wanted,
+                     const std::string           &unit)
+    {
+      check_above_zero(entry, value, unit);
+      if (is_wanted && !value)
+        refuse(entry, " is empty: give " + unit + ", which end the evolution.");
+      if (!is_wanted && value)
+        refuse(entry,
+               " = " + text_of(*value) +
+                 ": it has no effect on bodies that do not wear; leave it "
+                 "empty, or see Evolution/Bodies.");
+    }
+  } // namespace
+
+  const Damage::WearLaw &EvolutionParameters::wear_law() const
+  {
+    const auto &laws = Damage::wear_laws();
+    return *std::find_if(laws.begin(), laws.end(), [&](const auto &it) {
+      return it.name == law;
+    });
+  }
+
+  void EvolutionParameters::check() const
+  {
+    for (const auto &[entry, value] :
+         {std::tuple("Tolerance", tolerance),
+          std::tuple("Largest step", largest_step)})
+      if (!(value >= 1e-8 && value <= 1e-3))
+        refuse(entry,
+               " = " + text_of(value) + ": give a depth from 1e-8 to 1e-3 m.");
+    if (!(smoothing >= 0. && smoothing <= 0.02))
+      refuse("Smoothing", " = " + text_of(smoothing) + ": give 0 to 0.02 m.");
+    for (const auto &[entry, value] :
+         {std::pair("Largest depth", largest_depth),
+          std::pair("Least flange thickness", least_thickness),
+          std::pair("Largest flange height", largest_height),
+          std::pair("Least qR", least_qr)})
+      check_above_zero(entry, value, "metres");
+    if (!wears_wheel())
+      for (const auto &[entry, value] :
+           {std::pair("Least flange thickness", least_thickness),
+            std::pair("Largest flange height", largest_height),
+            std::pair("Least qR", least_qr)})
+        if (value)
+          refuse(entry,
+                 " = " + text_of(*value) +
+                   ": wheels do not wear; leave it empty, or see "
+                   "Evolution/Bodies.");
+  }
+
+  void EvolutionParameters::check_way() const
+  {
+    check_given("Distance", distance, wears_wheel(), "metres");
+    check_given("Passages", passages, wears_rail(), "passages of wheelsets");
+  }
+
+  void EvolutionParameters::declare(Entries &entries)
+  {
+    EntrySection &section = entries.section("Evolution");
+    section.read_by_analyses("profile evolution");
+    declare_duty(entries);
+    declare_steps(entries);
+    declare_ends(entries);
+  }
+
+  void EvolutionParameters::declare_duty(Entries &entries)
+  {
+    entries.add("File of rows", file_of_rows).help =
+      "CSV file of the duty, relative to the scene: columns are entries of "
+      "sections Wheelset and Contact, `share` of the distance, and `name`; "
+      "empty: the scene itself all the way.";
+    entries.add("Both directions", both_directions).help =
+      "Each row runs as often to one side as to the other, so that both wheels "
+      "have one profile, and both rails; false: each side has its own.";
+    entries.choice("Bodies", bodies, named_bodies).help = "What wears.";
+    std::vector<NamedValue<std::string>> laws;
+    for (const Damage::WearLaw &it : Damage::wear_laws())
+      laws.push_back({it.name, it.name});
+    entries.choice("Law", law, laws).help =
+      "By which it wears, with the constants of section Wear.";
+    entries.add("Distance", distance, "m").help =
+      "That the wheels roll, of wheels that wear.";
+    entries.add("Passages", passages, "1").help =
+      "Of wheelsets over the rails, of rails that wear.";
+  }
+
+  void EvolutionParameters::declare_steps(Entries &entries)
+  {
+    entries.add("Tolerance", tolerance, "m").help =
+      "By how much the depth of a step may differ from that of two half steps; "
+      "what is worn is extrapolated from both and much nearer.";
+    entries.add("Largest step", largest_step, "m").help =
+      "Largest depth of a step.";
+    entries.add("Equal steps", equal_steps, "1").help =
+      "So many steps of the same length in place of those that the tolerance "
+      "gives; 0: none.";
+    entries
+      .choice("Scheme",
+              is_implicit,
+              std::vector<NamedValue<bool>>{{"implicit", true},
+                                            {"explicit", false}})
+      .help =
+      "How a step takes the wear that it makes: `implicit` is stable at "
+      "any step; `explicit` oscillates beyond a few micrometres, and is "
+      "there to compare.";
+    entries.add("Smoothing", smoothing, "m").help =
+      "How far what wears in a step is spread to both sides, as far as the "
+      "states of a duty are apart; never less than a line of nodes. Profiles "
+      "themselves are not smoothed.";
+  }
+
+  void EvolutionParameters::declare_ends(Entries &entries)
+  {
+    entries.add("Largest depth", largest_depth, "m").help =
+      "Depth at which it ends; empty: none.";
+    entries.add("Least flange thickness", least_thickness, "m").help =
+      "Sd at which it ends, see doc/evolution.md; empty: none.";
+    entries.add("Largest flange height", largest_height, "m").help =
+      "Sh at which it ends; empty: none.";
+    entries.add("Least qR", least_qr, "m").help =
+      "qR at which it ends; empty: none.";
+  }
+} // namespace RollingContact

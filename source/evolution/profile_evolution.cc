@@ -1,0 +1,249 @@
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/interrupt.h>
+#include <rolling_contact/base/text.h>
+#include <rolling_contact/evolution/profile_evolution.h>
+#include <rolling_contact/wheelset/found_place.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace RollingContact
+{
+  namespace
+  {
+    /// depth of the first step over the tolerance of its error
+    const double first_depth = 4.;
+
+    /// of the error over the tolerance, beyond which a step is taken again
+    const double too_far = 4.;
+
+    const double safety = 0.9, most_growth = 2., least_growth = 0.25;
+
+    /// of the way: shorter steps end the evolution
+    const double least_share = 1e-5;
+
+    /// what is left of the way over that of a step, which is taken with it
+    const double remainder = 1.01;
+
+    RunningSurfaces surfaces_of(const Situation           &scene,
+                                const EvolutionParameters &section)
+    {
+      const WheelsetParameters &wheelset =
+        scene.inputs->own<WheelsetParameters>();
+      const auto             &folder = scene.inputs->prm_folder;
+      const ProfileParameters left   = wheelset.left_profiles(scene.profiles);
+      std::vector<RunningSurfaces::Side> sides{
+        {{scene.profiles.wheel(folder), scene.profiles.rail(folder)}}};
+      if (!section.both_directions)
+        sides.push_back({{left.wheel(folder), left.rail(folder)}});
+      const double radius = scene.wheel.radius;
+      return RunningSurfaces(sides,
+                             {{radius,
+                               wheelset.left_wheel_radius.value_or(radius)}},
+                             scene.profiles.tape_circle());
+    }
+  } // namespace
+
+  ProfileEvolution::ProfileEvolution(const Situation &scene,
+                                     RunContext      &context)
+    : scene(scene)
+    , section(scene.inputs->own<EvolutionParameters>())
+    , context(context)
+    , duty(read_duty(scene))
+    , surfaces(surfaces_of(scene, section))
+    , step(section, duty)
+    , report(scene, section, duty, surfaces, context)
+  {}
+
+  std::string ProfileEvolution::place() const
+  {
+    std::string text;
+    if (section.wears_wheel())
+      text = "after " +
+             significant(now.share * section.distance.value() / 1e3, 6) + " km";
+    if (section.wears_rail())
+      text += (text.empty() ? "after " : " and ") +
+              significant(now.share * section.passages.value(), 6) +
+              " passages";
+    return text;
+  }
+
+  double ProfileEvolution::first_share(const DutyStates &states) const
+  {
+    if (section.equal_steps > 0)
+      return 1. / section.equal_steps;
+    const double depth =
+      surfaces.largest_depth(step.worn_at_once(surfaces, states, 1.));
+    if (!(depth > 0.))
+      return 1.;
+    return std::min({1.,
+                     first_depth * section.tolerance / depth,
+                     section.largest_step / depth});
+  }
+
+  void ProfileEvolution::take_step(DutyStates &states, double &share)
+  {
+    for (;;)
+      {
+        throw_if_interrupted();
+        std::string why;
+        try
+          {
+            WearStep::Found found   = step.find(surfaces, states, share);
+            const bool      will_do = section.equal_steps > 0 ||
+                                 (found.error <= too_far * section.tolerance &&
+                                  found.depth <= 1.5 * section.largest_step);
+            if (will_do)
+              {
+                RunningSurfaces next         = surfaces.worn(found.amounts);
+                DutyStates      states_there = step.stand_on(next);
+                surfaces                     = std::move(next);
+                states                       = std::move(states_there);
+                const double there           = now.share + share;
+                now                          = {now.step + 1,
+                       there > 1. - 1e-12 ? 1. : there,
+                                                found.error,
+                                                found.depth};
+                return;
+              }
+            why = "it would be off by " + millimetres(found.error, 3);
+          }
+        catch (const ConvergenceError &error)
+          {
+            why = error.what();
+          }
+        catch (const InputError &error)
+          {
+            why = error.what();
+          }
+        share /= 2;
+        if (section.equal_steps > 0 || share < least_share)
+          throw ConvergenceError("The evolution of profiles ends " + place() +
+                                 ", as no step beyond has a balance: " + why);
+        context.log.detail("A shorter step, as " + why);
+      }
+  }
+
+  std::string ProfileEvolution::limit_reached() const
+  {
+    const std::vector<WornSide> lost = report.worn(surfaces);
+    for (const WornSide &side : lost)
+      {
+        for (const BodyWear &body : side.bodies)
+          if (section.largest_depth && body.depth >= *section.largest_depth)
+            return "Evolution/Largest depth is reached " + place();
+        if (!side.flange)
+          {
+            if (section.wears_wheel() &&
+                (section.least_thickness || section.largest_height ||
+                 section.least_qr))
+              return "the wheel has no flange to be measured " + place();
+            continue;
+          }
+        if (section.least_thickness &&
+            side.flange->thickness <= *section.least_thickness)
+          return "Evolution/Least flange thickness is reached " + place();
+        if (section.largest_height &&
+            side.flange->height >= *section.largest_height)
+          return "Evolution/Largest flange height is reached " + place();
+        if (section.least_qr && side.flange->qr <= *section.least_qr)
+          return "Evolution/Least qR is reached " + place();
+      }
+    return "";
+  }
+
+  std::string ProfileEvolution::march(DutyStates &states)
+  {
+    double share = first_share(states);
+    while (now.share < 1.)
+      {
+        if (now.share + remainder * share >= 1.)
+          share = 1. - now.share;
+        take_step(states, share);
+        report.add(now, surfaces, states);
+        context.log.message("Step " + std::to_string(now.step) + ", " +
+                            place() + ": " + millimetres(now.depth, 3) +
+                            " deep, off by " + millimetres(now.error, 2) +
+                            " before extrapolation.");
+        if (section.equal_steps == 0)
+          share *=
+            std::clamp(safety * std::min(std::sqrt(section.tolerance /
+                                                   std::max(now.error, 1e-12)),
+                                         section.largest_step /
+                                           std::max(now.depth, 1e-12)),
+                       least_growth,
+                       most_growth);
+        const std::string limit = limit_reached();
+        if (!limit.empty())
+          return limit;
+      }
+    return "the whole way, " + place();
+  }
+
+  void ProfileEvolution::run()
+  {
+    PhaseTimer::Scope phase(context.timer, Phase::contact_solve);
+    DutyStates        states = step.stand_on(surfaces);
+    report.add(now, surfaces, states);
+    try
+      {
+        report.finish(march(states));
+      }
+    catch (const ConvergenceError &)
+      {
+        report.finish("as no step beyond was found, " + place());
+        throw;
+      }
+    context.report.set_finding("states",
+                               std::to_string(step.n_states()) + " on " +
+                                 std::to_string(step.n_bodies()) +
+                                 " sets of bodies besides those of balances");
+  }
+
+  namespace
+  {
+    void check_evolution(const SceneParameters &scene)
+    {
+      const EvolutionParameters &section = scene.own<EvolutionParameters>();
+      section.check_way();
+      const WheelsetParameters &wheelset = scene.own<WheelsetParameters>();
+      if (section.both_directions &&
+          (!wheelset.left_wheel_profile.empty() ||
+           !wheelset.left_rail_profile.empty() || wheelset.left_wheel_radius))
+        throw InputError(
+          "Evolution/Both directions = true: both sides wear alike; leave "
+          "profiles and radius of the left side empty (section Wheelset), or "
+          "set it to false.");
+      if (wheelset.cases().size() > 1)
+        throw InputError("Wheelset/Curve radius has several values: give those "
+                         "of a duty as rows of Evolution/File of rows.");
+      const auto &law = section.wear_law();
+      if (law.rate == &Damage::archard_rate && !scene.contact.speed)
+        throw InputError("Evolution/Law = archard asks for Contact/Speed.");
+    }
+
+    std::unique_ptr<Analysis> make_evolution(const Situation &scene,
+                                             RunContext      &context)
+    {
+      return std::make_unique<ProfileEvolution>(scene, context);
+    }
+  } // namespace
+
+  AnalysisKind profile_evolution_kind()
+  {
+    AnalysisKind kind;
+    kind.name = "profile evolution";
+    kind.help =
+      "how profiles of wheels and rails wear under a duty, see section "
+      "Evolution";
+    kind.in_2d = kind.in_3d = &make_evolution;
+    kind.sections           = {"Wheelset", "Evolution"};
+    kind.own_section.emplace(EvolutionParameters());
+    kind.on_ranks       = false;
+    kind.finds_place    = true;
+    kind.wears_profiles = true;
+    kind.rules          = rules_of_wheelsets();
+    kind.rules.push_back(&check_evolution);
+    return kind;
+  }
+} // namespace RollingContact

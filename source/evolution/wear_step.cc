@@ -1,0 +1,178 @@
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/evolution/wear_step.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace RollingContact
+{
+  namespace
+  {
+    /// least size of an element over that of a mesh of its own
+    const double smallest_element = 0.75;
+
+    double interpolated(const std::vector<double> &arc,
+                        const std::vector<double> &values,
+                        const double               s)
+    {
+      const std::size_t end =
+        std::upper_bound(arc.begin(), arc.end(), s) - arc.begin();
+      if (end == 0 || end == arc.size())
+        return 0.;
+      const double share = (s - arc[end - 1]) / (arc[end] - arc[end - 1]);
+      return (1 - share) * values[end - 1] + share * values[end];
+    }
+  } // namespace
+
+  WearStep::WearStep(const EvolutionParameters   &section,
+                     const std::vector<DutyCase> &duty)
+    : section(section)
+    , kept(nullptr, Verbosity::quiet, smallest_element)
+  {
+    std::size_t n_kinds = 0;
+    for (const DutyCase &row : duty)
+      {
+        rows.push_back(std::make_unique<DutyRow>(row));
+        n_kinds += rows.back()->n_contacts();
+      }
+    kept.tries_last = true;
+    kept.most_kept  = n_kinds;
+  }
+
+  DutyStates WearStep::stand_on(const RunningSurfaces &surfaces)
+  {
+    DutyStates   found;
+    unsigned int kind = 0;
+    for (const auto &row : rows)
+      {
+        const auto refuse = [&](const std::string &why) {
+          throw ConvergenceError("Duty, " + row->row.name + ": " + why);
+        };
+        try
+          {
+            found.push_back(
+              row->stand_on(surfaces, section.wear_law(), kept, kind));
+          }
+        catch (const ConvergenceError &error)
+          {
+            refuse(error.what());
+          }
+        catch (const InputError &error)
+          {
+            refuse(error.what());
+          }
+        kind += row->n_contacts();
+        n_solved += row->n_contacts();
+      }
+    return found;
+  }
+
+  WearingWay WearStep::way_of(const DutyRow &row, const double share) const
+  {
+    const double of_row = share * row.row.share;
+    return {section.wears_wheel() ? of_row * section.distance.value() : 0.,
+            section.wears_rail() ? of_row * section.passages.value() : 0.};
+  }
+
+  RunningSurfaces::Amounts
+  WearStep::worn_at_once(const RunningSurfaces &surfaces,
+                         const DutyStates      &states,
+                         const double           share) const
+  {
+    RunningSurfaces::Amounts total = surfaces.nothing();
+    for (std::size_t j = 0; j < rows.size(); ++j)
+      for (const WearingContact &contact : states[j].contacts)
+        total = sum(std::move(total),
+                    1.,
+                    amounts_of(surfaces,
+                               contact,
+                               way_of(*rows[j], share),
+                               contact.depths()));
+    return total;
+  }
+
+  RunningSurfaces::Amounts
+  WearStep::amounts_of(const RunningSurfaces     &surfaces,
+                       const WearingContact      &contact,
+                       const WearingWay          &way,
+                       const std::vector<double> &depths) const
+  {
+    RunningSurfaces::Amounts found = surfaces.nothing();
+    const std::size_t        side  = surfaces.side_of(contact.wheel);
+    for (unsigned int body = 0; body < 2; ++body)
+      if (body == 0 ? section.wears_wheel() : section.wears_rail())
+        found[side][body] = contact.amounts(
+          surfaces.curve(side, body), body, way, depths, section.smoothing);
+    return found;
+  }
+
+  std::vector<double>
+  WearStep::depths_of_others(const RunningSurfaces          &surfaces,
+                             const WearingContact           &contact,
+                             const RunningSurfaces::Amounts &others) const
+  {
+    std::vector<double> found(contact.lines().size(), 0.);
+    const std::size_t   side = surfaces.side_of(contact.wheel);
+    for (unsigned int body = 0; body < 2; ++body)
+      {
+        const auto  depths = surfaces.depths(others, side, body);
+        const auto &arc    = surfaces.curve(side, body).arc_lengths();
+        for (std::size_t k = 0; k < found.size(); ++k)
+          if (const auto &place = contact.lines()[k].place[body])
+            found[k] += std::max(0., interpolated(arc, depths, *place));
+      }
+    return found;
+  }
+
+  RunningSurfaces::Amounts WearStep::worn(const RunningSurfaces &surfaces,
+                                          const DutyStates      &states,
+                                          const double           share) const
+  {
+    const RunningSurfaces::Amounts at_once =
+      worn_at_once(surfaces, states, share);
+    if (!section.is_implicit)
+      return at_once;
+    RunningSurfaces::Amounts total = surfaces.nothing();
+    for (std::size_t j = 0; j < rows.size(); ++j)
+      {
+        const WearingWay way = way_of(*rows[j], share);
+        for (const WearingContact &contact : states[j].contacts)
+          {
+            const auto own =
+              amounts_of(surfaces, contact, way, contact.depths());
+            const auto others =
+              depths_of_others(surfaces, contact, sum(at_once, -1., own));
+            total = sum(std::move(total),
+                        1.,
+                        amounts_of(surfaces,
+                                   contact,
+                                   way,
+                                   contact.depths_at_end(way, others)));
+          }
+      }
+    return total;
+  }
+
+  WearStep::Found WearStep::find(const RunningSurfaces &surfaces,
+                                 const DutyStates      &states,
+                                 const double           share)
+  {
+    const auto whole  = worn(surfaces, states, share);
+    const auto first  = worn(surfaces, states, share / 2);
+    const auto middle = surfaces.worn(first);
+    const auto both = sum(first, 1., worn(middle, stand_on(middle), share / 2));
+    const auto difference = sum(both, -1., whole);
+    const auto amounts    = sum(both, 1., difference);
+    return {amounts,
+            surfaces.misplaced_depth(difference, amounts),
+            surfaces.largest_depth(amounts)};
+  }
+
+  unsigned int WearStep::n_states() const
+  {
+    unsigned int sum = n_solved;
+    for (const auto &row : rows)
+      sum += row->n_states();
+    return sum;
+  }
+} // namespace RollingContact

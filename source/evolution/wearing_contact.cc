@@ -1,0 +1,164 @@
+#include <rolling_contact/base/constants.h>
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/evolution/wearing_contact.h>
+#include <rolling_contact/results/state_damage.h>
+#include <rolling_contact/state/state_finder.h>
+#include <rolling_contact/surfaces/wear_deposit.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace RollingContact
+{
+  namespace
+  {
+    /// force of a line over the largest one, below which it has none
+    const double least_force = 1e-3;
+  } // namespace
+
+  double WearingWay::factor(const unsigned int body,
+                            const double       rolling_radius) const
+  {
+    return body == 0 ? distance / (2 * pi * rolling_radius) : passages;
+  }
+
+  WearingContact::WearingContact(const PairSpec        &scene,
+                                 SteadyState<3>         steady,
+                                 const Damage::WearLaw &law,
+                                 const unsigned int     wheelset,
+                                 const unsigned int     wheel,
+                                 const double           portion)
+    : wheelset(wheelset)
+    , wheel(wheel)
+    , portion(portion)
+    , scene(scene)
+    , steady(std::move(steady))
+  {
+    creep_work   = this->steady.result.creep_work;
+    max_pressure = this->steady.result.max_pressure;
+    find_lines(law);
+  }
+
+  void WearingContact::find_lines(const Damage::WearLaw &law)
+  {
+    const StateDamage damage(scene, steady.problem, steady.state);
+    double            worn = 0., moment = 0.;
+    for (const LineAcross &line : lines_across(steady))
+      {
+        const double depth = damage.depth(line, law, scene.wear);
+        WearingLine  wearing{
+          {{scene.frame->wheel_arc_length(line.y),
+            scene.frame->covers(line.y)
+               ? std::make_optional(scene.frame->rail_arc_length(line.y))
+               : std::nullopt}},
+          line.width,
+          line.load,
+          line.load > 0. ? depth / line.load : 0.,
+          rolling_radius(scene, line.y).value_or(scene.wheel.radius),
+          line.nodes};
+        if (wearing.place[0] && depth > 0.)
+          {
+            const auto &curve = scene.frame->wheel_on_rail().wheel_profile();
+            worn += depth * line.width;
+            moment += depth * line.width * curve.at(*wearing.place[0]).y;
+          }
+        all.push_back(wearing);
+      }
+    centre_of_wear = worn > 0. ? moment / worn : std::nan("");
+    // what a patch that grows over a line wears there: as the next line to it
+    std::vector<std::size_t> loaded;
+    for (std::size_t k = 0; k < all.size(); ++k)
+      if (all[k].load > 0.)
+        loaded.push_back(k);
+    for (std::size_t k = 0; !loaded.empty() && k < all.size(); ++k)
+      if (all[k].load == 0.)
+        {
+          const auto distance = [&](const std::size_t other) {
+            return k > other ? k - other : other - k;
+          };
+          const std::size_t nearest =
+            *std::min_element(loaded.begin(),
+                              loaded.end(),
+                              [&](const auto a, const auto b) {
+                                return distance(a) < distance(b);
+                              });
+          all[k].depth_over_load = all[nearest].depth_over_load;
+        }
+  }
+
+  std::vector<double> WearingContact::depths() const
+  {
+    std::vector<double> found;
+    for (const WearingLine &line : all)
+      found.push_back(line.depth_over_load * line.load);
+    return found;
+  }
+
+  std::vector<double>
+  WearingContact::depths_at_end(const WearingWay          &way,
+                                const std::vector<double> &others) const
+  {
+    double largest = 0.;
+    for (const WearingLine &line : all)
+      largest = std::max(largest, line.load * line.width);
+    SteadyState<3>    worn = steady;
+    const std::size_t first =
+      worn.problem.n_tangential() * worn.problem.n_nodes();
+    DenseMatrix W = worn.problem.operators.W();
+    for (std::size_t k = 0; k < all.size(); ++k)
+      {
+        const WearingLine &line = all[k];
+        if (!(line.width > 0.))
+          continue;
+        const double force = line.load * line.width;
+        double       C     = portion * line.depth_over_load / line.width *
+                   (way.factor(0, line.radius) + way.factor(1, line.radius));
+        if (force > least_force * largest)
+          C += others[k] / force;
+        else
+          for (const unsigned int i : line.nodes)
+            worn.problem.loads.gap[i] += others[k];
+        for (const unsigned int i : line.nodes)
+          for (const unsigned int j : line.nodes)
+            W(first + i, first + j) += C;
+      }
+    worn.problem.operators.set_compliance(std::move(W));
+    solve_contact(scene, demands_of_kept_bodies(), worn);
+    if (!worn.solver.converged)
+      {
+        worn.state              = steady.state;
+        worn.state.holds_scheme = true;
+        solve_contact(scene, demands_of_kept_bodies(), worn);
+      }
+    if (!worn.solver.converged)
+      throw ConvergenceError(
+        "The contact at the end of a step of wear: " +
+        shortfall(worn.solver, scene.solver.controls.tolerance));
+    std::vector<double> found;
+    const auto          lines = lines_across(worn);
+    for (std::size_t k = 0; k < all.size(); ++k)
+      found.push_back(all[k].depth_over_load * lines[k].load);
+    return found;
+  }
+
+  std::vector<double>
+  WearingContact::amounts(const Profiles::ProfileCurve &curve,
+                          const unsigned int            body,
+                          const WearingWay             &way,
+                          const std::vector<double>    &depths,
+                          const double                  smoothing) const
+  {
+    std::vector<Profiles::WearLine> lines;
+    double                          width = smoothing;
+    for (std::size_t k = 0; k < all.size(); ++k)
+      if (all[k].place[body] && all[k].width > 0.)
+        {
+          width = std::max(width, all[k].width);
+          lines.push_back(
+            {*all[k].place[body],
+             all[k].width,
+             portion * way.factor(body, all[k].radius) * depths[k]});
+        }
+    return Profiles::smoothed(curve, Profiles::deposited(curve, lines), width);
+  }
+} // namespace RollingContact
