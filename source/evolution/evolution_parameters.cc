@@ -133,12 +133,15 @@ namespace RollingContact
                                             {"explicit", false}})
       .help =
       "How a step takes the wear that it makes: `implicit` is stable at "
-      "any step; `explicit` oscillates beyond a few micrometres, and is "
+      "any step; `explicit` oscillates where steps are deep, and is "
       "there to compare.";
     entries.add("Smoothing", smoothing, "m").help =
       "How far what wears in a step is spread to both sides, as far as the "
       "states of a duty are apart; never less than a line of nodes. Profiles "
       "themselves are not smoothed.";
+    entries.add("Threads", threads, "1").resumed_if(in_all_scenes).help =
+      "So many rows of the duty are solved at once; 0: as many as there are "
+      "processors. Results do not depend on it.";
   }
 
   void EvolutionParameters::declare_ends(Entries &entries)

@@ -40,7 +40,7 @@ namespace RollingContact
             depth.push_back(
               std::hypot(points[i].y - first.y, points[i].z - first.z) / mm);
           }
-        const std::string label = text_of_way(shown[k].first);
+        const std::string label = text_of_way(shown[k].first, 3);
         sections.add_curve(label, y, z);
         depths.add_curve("", at, depth);
       }

@@ -203,6 +203,28 @@ namespace RollingContact
     shown.push_back({point.share, surfaces});
   }
 
+  void EvolutionReport::save(EvolutionState &state) const
+  {
+    state.results = context.results.csv();
+    state.rows    = rows.csv();
+    for (const auto &[share, surfaces] : shown)
+      {
+        state.shares.push_back(share);
+        state.curves.push_back(surfaces.curves());
+      }
+  }
+
+  void EvolutionReport::restore(const EvolutionState &state)
+  {
+    const auto names = [](const std::string &name, std::size_t) {
+      return std::any(name);
+    };
+    context.results.restore(state.results, evolution_state_file, {});
+    rows.restore(state.rows, evolution_state_file, {{"row", names}});
+    for (std::size_t k = 0; k < state.shares.size(); ++k)
+      shown.push_back({state.shares[k], before.with(state.curves[k])});
+  }
+
   Profiles::ProfileCurve
   EvolutionReport::section_of(const Profiles::ProfileCurve &curve,
                               const unsigned int            body) const
@@ -215,9 +237,10 @@ namespace RollingContact
     return turned.shifted(-top.y, -top.z);
   }
 
-  std::string EvolutionReport::text_of_way(const double share) const
+  std::string EvolutionReport::text_of_way(const double       share,
+                                           const unsigned int digits) const
   {
-    return significant(way(share), 6) +
+    return significant(way(share), digits) +
            (section.wears_wheel() ? " km" : " passages");
   }
 
@@ -266,6 +289,29 @@ namespace RollingContact
                                  : share * section.passages.value();
   }
 
+  void EvolutionReport::state_error() const
+  {
+    double largest = 0.;
+    for (std::size_t k = 0; k < context.results.n_rows(); ++k)
+      {
+        const double depth =
+          context.results.number(k, "step_depth_m").value_or(0.);
+        if (depth > 0.)
+          largest =
+            std::max(largest,
+                     context.results.number(k, "step_error_m").value_or(0.) /
+                       depth);
+      }
+    if (largest > 0.)
+      context.report.errors.push_back(
+        {"wear of a step",
+         largest,
+         "its depth",
+         "a step against two halves, of both of which it is extrapolated",
+         true,
+         "without what meshes, laws and duty are off"});
+  }
+
   void EvolutionReport::finish(const std::string &why_ended)
   {
     const auto &[share, surfaces] = shown.back();
@@ -310,6 +356,7 @@ namespace RollingContact
                                        text);
           }
     context.report.set_finding("end", why_ended);
+    state_error();
     if (scene.inputs->output.plot && shown.size() > 1)
       {
         plot_over_way();

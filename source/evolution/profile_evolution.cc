@@ -1,7 +1,9 @@
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/files.h>
 #include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/evolution/profile_evolution.h>
+#include <rolling_contact/scene/known_entries.h>
 #include <rolling_contact/wheelset/found_place.h>
 
 #include <algorithm>
@@ -154,25 +156,25 @@ namespace RollingContact
 
   std::string ProfileEvolution::march(DutyStates &states)
   {
-    double share = first_share(states);
     while (now.share < 1.)
       {
-        if (now.share + remainder * share >= 1.)
-          share = 1. - now.share;
-        take_step(states, share);
+        if (now.share + remainder * next_share >= 1.)
+          next_share = 1. - now.share;
+        take_step(states, next_share);
         report.add(now, surfaces, states);
         context.log.message("Step " + std::to_string(now.step) + ", " +
                             place() + ": " + millimetres(now.depth, 3) +
                             " deep, off by " + millimetres(now.error, 2) +
                             " before extrapolation.");
         if (section.equal_steps == 0)
-          share *=
+          next_share *=
             std::clamp(safety * std::min(std::sqrt(section.tolerance /
                                                    std::max(now.error, 1e-12)),
                                          section.largest_step /
                                            std::max(now.depth, 1e-12)),
                        least_growth,
                        most_growth);
+        save();
         const std::string limit = limit_reached();
         if (!limit.empty())
           return limit;
@@ -180,11 +182,51 @@ namespace RollingContact
     return "the whole way, " + place();
   }
 
+  void ProfileEvolution::save() const
+  {
+    EvolutionState state;
+    state.duty       = duty_text();
+    state.now        = now;
+    state.next_share = next_share;
+    report.save(state);
+    context.folder.write_atomically(evolution_state_file, text_of(state));
+  }
+
+  void ProfileEvolution::restore()
+  {
+    const EvolutionState state =
+      read_evolution_state(context.folder.get_path() / evolution_state_file);
+    if (state.duty != duty_text() ||
+        state.curves.back().size() != surfaces.n_sides())
+      throw InputError("Cannot resume the evolution in \"" +
+                       context.folder.get_path().string() +
+                       "\": Evolution/File of rows has changed since. Start "
+                       "it without --resume.");
+    report.restore(state);
+    now        = state.now;
+    next_share = state.next_share;
+    surfaces   = report.last_surfaces();
+  }
+
+  std::string ProfileEvolution::duty_text() const
+  {
+    return section.file_of_rows.empty()
+             ? ""
+             : read_bytes(scene.inputs->prm_folder / section.file_of_rows);
+  }
+
   void ProfileEvolution::run()
   {
     PhaseTimer::Scope phase(context.timer, Phase::contact_solve);
-    DutyStates        states = step.stand_on(surfaces);
-    report.add(now, surfaces, states);
+    if (context.resume)
+      restore();
+    DutyStates states = step.stand_on(surfaces);
+    if (!context.resume)
+      {
+        report.add(now, surfaces, states);
+        next_share = first_share(states);
+        save();
+      }
     try
       {
         report.finish(march(states));
@@ -197,7 +239,10 @@ namespace RollingContact
     context.report.set_finding("states",
                                std::to_string(step.n_states()) + " on " +
                                  std::to_string(step.n_bodies()) +
-                                 " sets of bodies besides those of balances");
+                                 " sets of bodies, " +
+                                 std::to_string(step.n_threads()) +
+                                 (step.n_threads() == 1 ? " thread"
+                                                        : " threads"));
   }
 
   namespace
@@ -244,6 +289,12 @@ namespace RollingContact
     kind.wears_profiles = true;
     kind.rules          = rules_of_wheelsets();
     kind.rules.push_back(&check_evolution);
+    kind.resumption = [](const Situation &scene) {
+      return RunFolder::Resumption{entries_free_on_resume(*scene.inputs),
+                                   evolution_state_file,
+                                   {},
+                                   {}};
+    };
     return kind;
   }
 } // namespace RollingContact

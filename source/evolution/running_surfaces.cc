@@ -26,6 +26,14 @@ namespace RollingContact
     make_pairs();
   }
 
+  RunningSurfaces RunningSurfaces::with(const std::vector<Side> &curves) const
+  {
+    RunningSurfaces other = *this;
+    other.sides           = curves;
+    other.make_pairs();
+    return other;
+  }
+
   void RunningSurfaces::make_pairs()
   {
     const auto pair_of = [&](const unsigned int wheel) {
@@ -89,24 +97,22 @@ namespace RollingContact
         {
           const double all = sum_of(amounts[side][body]);
           if (all > 0.)
-            largest =
-              std::max(largest,
-                       sum_of(difference[side][body]) / all *
-                         largest_depth(amounts, side, body));
+            largest = std::max(largest,
+                               sum_of(difference[side][body]) / all *
+                                 largest_depth(amounts, side, body));
         }
     return largest;
   }
 
   RunningSurfaces RunningSurfaces::worn(const Amounts &amounts) const
   {
-    RunningSurfaces next = *this;
+    std::vector<Side> next = sides;
     for (std::size_t side = 0; side < sides.size(); ++side)
       for (unsigned int body = 0; body < 2; ++body)
-        next.sides[side][body] = Profiles::worn(sides[side][body],
-                                                wheel_and_rail[body],
-                                                amounts[side][body]);
-    next.make_pairs();
-    return next;
+        next[side][body] = Profiles::worn(sides[side][body],
+                                          wheel_and_rail[body],
+                                          amounts[side][body]);
+    return with(next);
   }
 
   RunningSurfaces::Amounts sum(RunningSurfaces::Amounts        a,

@@ -1,4 +1,5 @@
-#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/ordered_work.h>
+#include <rolling_contact/base/platform.h>
 #include <rolling_contact/evolution/wear_step.h>
 
 #include <algorithm>
@@ -8,9 +9,6 @@ namespace RollingContact
 {
   namespace
   {
-    /// least size of an element over that of a mesh of its own
-    const double smallest_element = 0.75;
-
     double interpolated(const std::vector<double> &arc,
                         const std::vector<double> &values,
                         const double               s)
@@ -27,43 +25,32 @@ namespace RollingContact
   WearStep::WearStep(const EvolutionParameters   &section,
                      const std::vector<DutyCase> &duty)
     : section(section)
-    , kept(nullptr, Verbosity::quiet, smallest_element)
   {
-    std::size_t n_kinds = 0;
     for (const DutyCase &row : duty)
-      {
-        rows.push_back(std::make_unique<DutyRow>(row));
-        n_kinds += rows.back()->n_contacts();
-      }
-    kept.tries_last = true;
-    kept.most_kept  = n_kinds;
+      rows.push_back(std::make_unique<DutyRow>(row));
+    reserve_blas_memory(n_threads());
+  }
+
+  void WearStep::for_rows(const std::function<void(std::size_t)> &task,
+                          const std::function<void(std::size_t)> &follow) const
+  {
+    do_in_order(
+      rows.size(), n_threads(), [&]() { return task; }, follow);
+  }
+
+  unsigned int WearStep::n_threads() const
+  {
+    return section.threads > 0 ? section.threads : n_host_cpus();
   }
 
   DutyStates WearStep::stand_on(const RunningSurfaces &surfaces)
   {
-    DutyStates   found;
-    unsigned int kind = 0;
-    for (const auto &row : rows)
-      {
-        const auto refuse = [&](const std::string &why) {
-          throw ConvergenceError("Duty, " + row->row.name + ": " + why);
-        };
-        try
-          {
-            found.push_back(
-              row->stand_on(surfaces, section.wear_law(), kept, kind));
-          }
-        catch (const ConvergenceError &error)
-          {
-            refuse(error.what());
-          }
-        catch (const InputError &error)
-          {
-            refuse(error.what());
-          }
-        kind += row->n_contacts();
-        n_solved += row->n_contacts();
-      }
+    DutyStates found(rows.size());
+    for_rows(
+      [&](const std::size_t j) {
+        found[j] = rows[j]->stand_on(surfaces, section.wear_law());
+      },
+      [](std::size_t) {});
     return found;
   }
 
@@ -132,24 +119,30 @@ namespace RollingContact
       worn_at_once(surfaces, states, share);
     if (!section.is_implicit)
       return at_once;
-    RunningSurfaces::Amounts total = surfaces.nothing();
-    for (std::size_t j = 0; j < rows.size(); ++j)
-      {
+    RunningSurfaces::Amounts              total = surfaces.nothing();
+    std::vector<RunningSurfaces::Amounts> of_rows(rows.size());
+    for_rows(
+      [&](const std::size_t j) {
         const WearingWay way = way_of(*rows[j], share);
+        of_rows[j]           = surfaces.nothing();
         for (const WearingContact &contact : states[j].contacts)
           {
             const auto own =
               amounts_of(surfaces, contact, way, contact.depths());
             const auto others =
               depths_of_others(surfaces, contact, sum(at_once, -1., own));
-            total = sum(std::move(total),
-                        1.,
-                        amounts_of(surfaces,
-                                   contact,
-                                   way,
-                                   contact.depths_at_end(way, others)));
+            of_rows[j] = sum(std::move(of_rows[j]),
+                             1.,
+                             amounts_of(surfaces,
+                                        contact,
+                                        way,
+                                        contact.depths_at_end(way, others)));
           }
-      }
+      },
+      [&](const std::size_t j) {
+        total = sum(std::move(total), 1., of_rows[j]);
+        of_rows[j].clear();
+      });
     return total;
   }
 
@@ -170,9 +163,17 @@ namespace RollingContact
 
   unsigned int WearStep::n_states() const
   {
-    unsigned int sum = n_solved;
+    unsigned int sum = 0;
     for (const auto &row : rows)
       sum += row->n_states();
+    return sum;
+  }
+
+  unsigned int WearStep::n_bodies() const
+  {
+    unsigned int sum = 0;
+    for (const auto &row : rows)
+      sum += row->n_bodies();
     return sum;
   }
 } // namespace RollingContact

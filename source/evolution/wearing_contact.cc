@@ -2,7 +2,7 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/evolution/wearing_contact.h>
 #include <rolling_contact/results/state_damage.h>
-#include <rolling_contact/state/state_finder.h>
+#include <rolling_contact/solvers/normal_active_set.h>
 #include <rolling_contact/surfaces/wear_deposit.h>
 
 #include <algorithm>
@@ -22,24 +22,53 @@ namespace RollingContact
     return body == 0 ? distance / (2 * pi * rolling_radius) : passages;
   }
 
+  namespace
+  {
+    /** The normal contact of a state, whose traction is part of the gap. */
+    ContactProblem normal_contact(const ContactProblem &problem,
+                                  const ContactState   &state)
+    {
+      const ContactOperators &all = problem.operators;
+      const std::size_t       n   = problem.n_nodes(),
+                        first     = problem.n_tangential() * n;
+      ContactProblem normal;
+      normal.operators = ContactOperators(all.positions(),
+                                          all.H(),
+                                          all.W().block(first, first, n, n));
+      normal.operators.set_frames(all.frames());
+      normal.loads.gap =
+        sum(problem.loads.gap,
+            1.,
+            all.normal_displacement_of_traction(state.traction));
+      normal.loads.normal_load = all.load(state.pressure);
+      return normal;
+    }
+  } // namespace
+
   WearingContact::WearingContact(const PairSpec        &scene,
-                                 SteadyState<3>         steady,
+                                 const SteadyState<3>  &steady,
                                  const Damage::WearLaw &law,
                                  const unsigned int     wheelset,
                                  const unsigned int     wheel,
                                  const double           portion)
-    : wheelset(wheelset)
+    : creep_work(steady.result.creep_work)
+    , max_pressure(steady.result.max_pressure)
+    , wheelset(wheelset)
     , wheel(wheel)
     , portion(portion)
-    , scene(scene)
-    , steady(std::move(steady))
+    , normal(normal_contact(steady.problem, steady.state))
+    , state(open_state(normal))
+    , controls(scene.solver.controls)
   {
-    creep_work   = this->steady.result.creep_work;
-    max_pressure = this->steady.result.max_pressure;
-    find_lines(law);
+    state.pressure = steady.state.pressure;
+    state.approach = steady.state.approach;
+    find_lines(scene, steady, law);
+    fill_lines_without_load();
   }
 
-  void WearingContact::find_lines(const Damage::WearLaw &law)
+  void WearingContact::find_lines(const PairSpec        &scene,
+                                  const SteadyState<3>  &steady,
+                                  const Damage::WearLaw &law)
   {
     const StateDamage damage(scene, steady.problem, steady.state);
     double            worn = 0., moment = 0.;
@@ -65,7 +94,10 @@ namespace RollingContact
         all.push_back(wearing);
       }
     centre_of_wear = worn > 0. ? moment / worn : std::nan("");
-    // what a patch that grows over a line wears there: as the next line to it
+  }
+
+  void WearingContact::fill_lines_without_load()
+  {
     std::vector<std::size_t> loaded;
     for (std::size_t k = 0; k < all.size(); ++k)
       if (all[k].load > 0.)
@@ -101,10 +133,8 @@ namespace RollingContact
     double largest = 0.;
     for (const WearingLine &line : all)
       largest = std::max(largest, line.load * line.width);
-    SteadyState<3>    worn = steady;
-    const std::size_t first =
-      worn.problem.n_tangential() * worn.problem.n_nodes();
-    DenseMatrix W = worn.problem.operators.W();
+    ContactProblem worn = normal;
+    DenseMatrix    W    = normal.operators.W();
     for (std::size_t k = 0; k < all.size(); ++k)
       {
         const WearingLine &line = all[k];
@@ -117,27 +147,26 @@ namespace RollingContact
           C += others[k] / force;
         else
           for (const unsigned int i : line.nodes)
-            worn.problem.loads.gap[i] += others[k];
+            worn.loads.gap[i] += others[k];
         for (const unsigned int i : line.nodes)
           for (const unsigned int j : line.nodes)
-            W(first + i, first + j) += C;
+            W(i, j) += C;
       }
-    worn.problem.operators.set_compliance(std::move(W));
-    solve_contact(scene, demands_of_kept_bodies(), worn);
-    if (!worn.solver.converged)
-      {
-        worn.state              = steady.state;
-        worn.state.holds_scheme = true;
-        solve_contact(scene, demands_of_kept_bodies(), worn);
-      }
-    if (!worn.solver.converged)
-      throw ConvergenceError(
-        "The contact at the end of a step of wear: " +
-        shortfall(worn.solver, scene.solver.controls.tolerance));
+    worn.operators.set_compliance(std::move(W));
+    ContactState       there  = state;
+    const SolverReport report = NormalActiveSet(controls).solve(worn, there);
+    if (!report.converged)
+      throw ConvergenceError("The contact at the end of a step of wear: " +
+                             shortfall(report, controls.tolerance));
     std::vector<double> found;
-    const auto          lines = lines_across(worn);
-    for (std::size_t k = 0; k < all.size(); ++k)
-      found.push_back(all[k].depth_over_load * lines[k].load);
+    for (const WearingLine &line : all)
+      {
+        double force = 0.;
+        for (const unsigned int i : line.nodes)
+          force += normal.operators.areas()[i] * there.pressure[i];
+        found.push_back(
+          line.width > 0. ? line.depth_over_load * force / line.width : 0.);
+      }
     return found;
   }
 

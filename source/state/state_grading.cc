@@ -57,13 +57,13 @@ namespace RollingContact
                                 const unsigned int   elements_across_patch,
                                 Grading<dim>        &grading)
     {
-      grading.element_size_x =
-        std::min(grading.element_size_x,
-                 4 * patch.shortest_x / elements_across_patch);
-      grading.element_size_y =
-        std::min(grading.element_size_y,
-                 2 * patch.narrowest_y /
-                   std::max(usual_least, least_asked(scene)));
+      const auto refine = [&](double &size, const double wanted) {
+        size = std::min(size, std::max(wanted, scene.mesh.finest_share * size));
+      };
+      refine(grading.element_size_x,
+             4 * patch.shortest_x / elements_across_patch);
+      refine(grading.element_size_y,
+             2 * patch.narrowest_y / std::max(usual_least, least_asked(scene)));
     }
 
     /**

@@ -61,7 +61,11 @@ namespace RollingContact
   {
     if (!bodies_touch(scene))
       return {};
-    const PatchEstimate patch = estimate_patch(scene);
+    return wanted_mesh(scene, estimate_patch(scene));
+  }
+
+  WantedMesh wanted_mesh(const PairSpec &scene, const PatchEstimate &patch)
+  {
     return scene.dimension == 2 ? mesh_for<2>(scene, patch)
                                 : mesh_for<3>(scene, patch);
   }

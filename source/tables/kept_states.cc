@@ -32,6 +32,36 @@ namespace RollingContact
   }
 
   template <int dim>
+  double KeptStates<dim>::Kept::elements_across() const
+  {
+    return 2 * steady.result.half_width_x / steady.grading.element_size_x;
+  }
+
+  template <int dim>
+  typename std::list<typename KeptStates<dim>::Kept>::iterator
+  KeptStates<dim>::last_of(const unsigned int kind, const std::string &bodies)
+  {
+    auto last = kept.end();
+    for (auto it = kept.begin(); it != kept.end(); ++it)
+      if ((bodies.empty() || it->bodies == bodies) &&
+          it->used.count(kind) > 0 &&
+          (last == kept.end() || it->used.at(kind) > last->used.at(kind)))
+        last = it;
+    return last;
+  }
+
+  template <int dim>
+  bool KeptStates<dim>::reaches_all(const PairSpec    &scene,
+                                    const unsigned int kind)
+  {
+    const auto last = last_of(kind);
+    if (last == kept.end() || last->reaches(wanted_mesh(scene)))
+      return true;
+    kept.erase(last);
+    return false;
+  }
+
+  template <int dim>
   bool KeptStates<dim>::Kept::take(const unsigned int next)
   {
     if (next == kind)
@@ -45,6 +75,19 @@ namespace RollingContact
     steady.state            = found->second;
     steady.solver.converged = true; // as a start
     return true;
+  }
+
+  template <int dim>
+  WantedMesh KeptStates<dim>::fitted(PairSpec &scene) const
+  {
+    WantedMesh wanted = wanted_mesh(scene);
+    for (const double share : {0.4, 0.6, 0.8, 1.})
+      if (wanted.n_nodes > enough_nodes)
+        {
+          scene.mesh.finest_share = share;
+          wanted                  = wanted_mesh(scene, wanted.patch);
+        }
+    return wanted;
   }
 
   template <int dim>
@@ -88,8 +131,13 @@ namespace RollingContact
     SteadyState<dim> steady =
       solve_steady_state<dim>(scene, demands, context.run);
     steady.pair->release_statics();
-    kept.push_front(
-      {bodies, wanted.element_size, wanted.patch.boxes, std::move(steady), 0});
+    kept.push_front({bodies,
+                     wanted.element_size,
+                     wanted.patch.boxes,
+                     std::move(steady),
+                     0.,
+                     0});
+    kept.front().made = kept.front().elements_across();
     kept.front().patches.insert(kept.front().patches.end(),
                                 other_patches.begin(),
                                 other_patches.end());
@@ -137,21 +185,19 @@ namespace RollingContact
                                       const std::string &bodies,
                                       const unsigned int kind)
   {
-    auto last = kept.end();
-    for (auto it = kept.begin(); it != kept.end(); ++it)
-      if (it->bodies == bodies && it->used.count(kind) > 0 &&
-          (last == kept.end() || it->used.at(kind) > last->used.at(kind)))
-        last = it;
+    const auto last = last_of(kind, bodies);
     if (last == kept.end() || !last->take(kind))
       return false;
     kept.splice(kept.begin(), kept, last);
     SteadyState<dim> &steady = last->steady;
     solve_from_here(scene, steady);
-    const double made = 2 * steady.result.half_width_x /
-                        steady.grading.element_size_x,
-                 asked = scene.mesh.elements_across_patch;
+    // of several patches the smallest decides on the elements
+    const double now  = last->elements_across(),
+                 most = std::max<double>(last->made,
+                                         scene.mesh.elements_across_patch);
     return steady.solver.converged && !zone_too_small(steady) &&
-           made >= smallest * asked && made <= asked / smallest;
+           now >= smallest * scene.mesh.elements_across_patch &&
+           now <= most / smallest;
   }
 
   template <int dim>
@@ -166,9 +212,10 @@ namespace RollingContact
         kept.front().used[kind] = n_solved;
         return kept.front().steady;
       }
-    const WantedMesh wanted = wanted_mesh(scene);
+    PairSpec         fitting = scene;
+    const WantedMesh wanted  = fitted(fitting);
     if (!find(bodies, wanted))
-      make(scene,
+      make(fitting,
            bodies,
            wanted,
            {},
@@ -197,7 +244,7 @@ namespace RollingContact
                 ? std::vector<ZoneBox>()
                 : kept.front().patches;
             kept.pop_front();
-            make(scene, bodies, wanted, patches, why);
+            make(fitting, bodies, wanted, patches, why);
           }
       }
     kept.front().kind       = kind;

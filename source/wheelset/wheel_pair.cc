@@ -226,6 +226,19 @@ namespace RollingContact
     return wheel == 0 ? found : found.mirrored();
   }
 
+  bool WheelPair::reaches_all(const WheelsetPlace         &place,
+                              const double                 curvature,
+                              const std::array<double, 2> &loads)
+  {
+    bool does = true;
+    for (unsigned int wheel = 0; wheel < 2; ++wheel)
+      does =
+        states.reaches_all(
+          scene_as_right_hand(wheel, place, curvature, loads[wheel]), wheel) &&
+        does;
+    return does;
+  }
+
   BothWheels WheelPair::solve(const WheelsetPlace         &place,
                               const double                 curvature,
                               const std::array<double, 2> &loads)

@@ -8,7 +8,6 @@
 #include <rolling_contact/surfaces/contact_search.h>
 #include <rolling_contact/surfaces/nominal_profiles.h>
 #include <rolling_contact/surfaces/profile_file.h>
-#include <rolling_contact/surfaces/profile_measures.h>
 #include <rolling_contact/surfaces/smoothing_spline.h>
 
 #include <cmath>
@@ -541,39 +540,6 @@ BOOST_AUTO_TEST_CASE(profiles_the_wrong_way_round_are_refused_with_the_cure)
   BOOST_TEST(contains(refusal(rail, ProfileKind::rail, 1e3, 1e3), "File unit"));
   std::swap(rail[100], rail[110]);
   BOOST_TEST(contains(refusal(rail, ProfileKind::rail, 1., 1.), "crosses"));
-}
-
-/** The drawing has a flange of 28 mm by 32.5 mm. */
-BOOST_AUTO_TEST_CASE(the_flange_of_s1002_has_the_measures_of_its_drawing)
-{
-  const ProfileCurve curve = s1002();
-  const auto         part  = [&](const std::size_t from, const std::size_t to) {
-    const auto &points = curve.points();
-    return ProfileCurve({points.begin() + from, points.begin() + to});
-  };
-  const std::size_t n     = curve.points().size();
-  const auto        found = flange_measures(curve);
-  BOOST_TEST_REQUIRE(found.has_value());
-  BOOST_TEST(std::abs(found->height - 28 * mm) < 1e-8);
-  BOOST_TEST(std::abs(found->thickness - 32.5 * mm) < 1e-3 * mm);
-  BOOST_TEST(std::abs(found->qr - 10.794 * mm) < 1e-3 * mm);
-  // moved, as with a radius counted from elsewhere, they are the same
-  const auto moved = flange_measures(curve.shifted(0., 3 * mm));
-  BOOST_TEST_REQUIRE(moved.has_value());
-  BOOST_TEST(std::abs(moved->height - found->height) < 1e-12);
-  BOOST_TEST(std::abs(moved->thickness - found->thickness) < 1e-12);
-  BOOST_TEST(std::abs(moved->qr - found->qr) < 1e-12);
-  // without its back, from a plane; its own back counts where it has one
-  const auto front = flange_measures(part(40, n)),
-             other = flange_measures(part(40, n), -65 * mm);
-  BOOST_TEST_REQUIRE((front && other));
-  BOOST_TEST(std::abs(front->thickness - found->thickness) < 2e-9);
-  BOOST_TEST(std::abs(other->thickness + 5 * mm - found->thickness) < 2e-9);
-  BOOST_TEST(flange_measures(curve, -65 * mm)->thickness == found->thickness);
-  // what has no flange, or ends before the tape circle
-  BOOST_TEST(!flange_measures(rail_head("60E1")).has_value());
-  BOOST_TEST(!flange_measures(part(0, 300)).has_value());
-  BOOST_TEST(!flange_measures(part(300, n)).has_value());
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -33,25 +33,20 @@ namespace RollingContact
     DutyRow &operator=(const DutyRow &) = delete;
 
     /**
-     * The balance on these surfaces. @p states keeps the bodies of all rows,
-     * in which the kinds of this one begin with @p first_kind. Throws
-     * ConvergenceError, naming the row, if there is none, InputError if a wheel
-     * is not on its rail any more.
+     * The balance on these surfaces. Throws ConvergenceError, naming the row,
+     * if there is none.
      */
     DutyState stand_on(const RunningSurfaces &surfaces,
-                       const Damage::WearLaw &law,
-                       KeptStates<3>         &states,
-                       const unsigned int     first_kind);
-
-    /** How many kinds of states a row has. */
-    unsigned int n_contacts() const
-    {
-      return 2 * gear.n_wheelsets();
-    }
+                       const Damage::WearLaw &law);
 
     unsigned int n_states() const
     {
-      return gear.n_states();
+      return n_solved + gear.n_states();
+    }
+
+    unsigned int n_bodies() const
+    {
+      return states.n_made + gear.n_bodies();
     }
 
     const DutyCase &row;
@@ -59,10 +54,23 @@ namespace RollingContact
   private:
     void balance();
 
+    /** Whether the bodies of all wheels have nodes wherever they touch. */
+    bool reaches_all();
+
+    DutyState state_on(const RunningSurfaces &surfaces,
+                       const Damage::WearLaw &law);
+
+    /** The contact of a wheel of the gear, 0 the right-hand one. */
+    const SteadyState<3> &solved(const PairSpec    &scene,
+                                 const unsigned int wheel,
+                                 const unsigned int kind);
+
     const bool               is_mirrored; ///< solved as a curve to the right
     const WheelsetParameters wheelset;    ///< as it is solved
     RunningGear              gear;
+    KeptStates<3>            states;
     bool                     has_begun = false;
+    unsigned int             n_solved  = 0;
   };
 } // namespace RollingContact
 

@@ -1,6 +1,7 @@
 #ifndef rolling_contact_evolution_evolution_report_h
 #define rolling_contact_evolution_evolution_report_h
 
+#include <rolling_contact/evolution/evolution_state.h>
 #include <rolling_contact/evolution/wear_step.h>
 #include <rolling_contact/run/figure.h>
 #include <rolling_contact/run/run_context.h>
@@ -30,17 +31,6 @@ namespace RollingContact
   };
 
   /**
-   * How far an evolution has come, and by which step. Units: 1, m.
-   */
-  struct EvolutionPoint
-  {
-    unsigned int step  = 0;
-    double       share = 0.; ///< of the way
-    double       error = 0.; ///< of the step, see WearStep::Found
-    double       depth = 0.; ///< of the step
-  };
-
-  /**
    * What an evolution of profiles is told by: results.csv with a row for each
    * step and side, duty.csv with one for each row of the duty at each step, a
    * file of each profile at each step, and evolution.svg.
@@ -61,8 +51,16 @@ namespace RollingContact
              const RunningSurfaces &surfaces,
              const DutyStates      &states);
 
-    /** Rows of a run that is continued, from its files. */
-    void restore();
+    /** What there is so far, in a state. */
+    void save(EvolutionState &state) const;
+
+    /** As it was saved. */
+    void restore(const EvolutionState &state);
+
+    const RunningSurfaces &last_surfaces() const
+    {
+      return shown.back().second;
+    }
 
     /** Once all are there, or as far as it came. */
     void finish(const std::string &why_ended);
@@ -113,7 +111,11 @@ namespace RollingContact
     void add_work_of_rows(Figure &figure) const;
 
     /** "60000 km", or passages. */
-    std::string text_of_way(const double share) const;
+    std::string text_of_way(const double       share,
+                            const unsigned int digits = 6) const;
+
+    /** How far the worst step is off. */
+    void state_error() const;
 
     /** The part of the way in km rolled, or in passages. */
     double way(const double share) const;

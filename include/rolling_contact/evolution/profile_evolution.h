@@ -35,6 +35,14 @@ namespace RollingContact
 
     std::string place() const;
 
+    /** The state of the run, after each step. */
+    void save() const;
+
+    void restore();
+
+    /** The file of rows as it is. */
+    std::string duty_text() const;
+
     const Situation            &scene;
     const EvolutionParameters  &section;
     RunContext                 &context;
@@ -43,6 +51,7 @@ namespace RollingContact
     WearStep                    step;
     EvolutionReport             report;
     EvolutionPoint              now;
+    double                      next_share = 0.;
   };
 
   AnalysisKind profile_evolution_kind();

@@ -40,6 +40,14 @@ namespace RollingContact
                              const std::array<double, 2> &radii,
                              const double                 tape_circle);
 
+    /** The same with other curves, as they are. */
+    RunningSurfaces with(const std::vector<Side> &curves) const;
+
+    const std::vector<Side> &curves() const
+    {
+      return sides;
+    }
+
     std::size_t n_sides() const
     {
       return sides.size();

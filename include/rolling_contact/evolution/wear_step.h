@@ -4,6 +4,7 @@
 #include <rolling_contact/evolution/duty_row.h>
 #include <rolling_contact/evolution/evolution_parameters.h>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -50,7 +51,7 @@ namespace RollingContact
     struct Found
     {
       RunningSurfaces::Amounts amounts;
-      double error; ///< misplaced depth of two halves, m
+      double                   error; ///< misplaced depth of two halves, m
       double                   depth; ///< largest, m
     };
 
@@ -62,12 +63,15 @@ namespace RollingContact
 
     unsigned int n_states() const;
 
-    unsigned int n_bodies() const
-    {
-      return kept.n_made;
-    }
+    unsigned int n_bodies() const;
+
+    unsigned int n_threads() const;
 
   private:
+    /** Tasks of rows in threads, and in their order what follows each. */
+    void for_rows(const std::function<void(std::size_t)> &task,
+                  const std::function<void(std::size_t)> &follow) const;
+
     /** The way of a row for a share of the whole. */
     WearingWay way_of(const DutyRow &row, const double share) const;
 
@@ -86,8 +90,6 @@ namespace RollingContact
 
     const EvolutionParameters            &section;
     std::vector<std::unique_ptr<DutyRow>> rows;
-    KeptStates<3>                         kept;
-    unsigned int                          n_solved = 0;
   };
 } // namespace RollingContact
 

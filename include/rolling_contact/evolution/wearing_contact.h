@@ -47,10 +47,10 @@ namespace RollingContact
     /**
      * @p wheelset, @p wheel: which one it is, 0 the right-hand one; @p
      * portion: of the way of its row that is on this contact, as of several
-     * that wear the same profile. Takes the state.
+     * that wear the same profile.
      */
     WearingContact(const PairSpec        &scene,
-                   SteadyState<3>         steady,
+                   const SteadyState<3>  &steady,
                    const Damage::WearLaw &law,
                    const unsigned int     wheelset,
                    const unsigned int     wheel,
@@ -72,7 +72,8 @@ namespace RollingContact
      * for nodes of the same line i, 0 else: c_i F_i / b_i is the depth of the
      * rail for a passage, b_i the width and F_i the force of the line, w the
      * portion of the distance D and of the n passages, and d_i (m) the depth
-     * that others make. Lines without force have that as a gap. Throws
+     * that others make. Lines without force have that as a gap. The traction
+     * stays, which pressures depend on little, if at all. Throws
      * ConvergenceError if there is no such state. Units: m.
      */
     std::vector<double> depths_at_end(const WearingWay          &way,
@@ -88,17 +89,26 @@ namespace RollingContact
                                 const std::vector<double>    &depths,
                                 const double                  smoothing) const;
 
-    /** Of the state. Units: N, Pa, m. */
-    double creep_work, max_pressure, centre_of_wear;
+    /** Of the state. Units: N, Pa. */
+    const double creep_work, max_pressure;
+
+    /** Across the wheel's profile, NaN without wear. Units: m. */
+    double centre_of_wear = 0.;
 
     const unsigned int wheelset, wheel;
     const double       portion;
 
   private:
-    void find_lines(const Damage::WearLaw &law);
+    void find_lines(const PairSpec        &scene,
+                    const SteadyState<3>  &steady,
+                    const Damage::WearLaw &law);
 
-    PairSpec                 scene;
-    SteadyState<3>           steady;
+    /** Lines that have no load wear as the next one that has. */
+    void fill_lines_without_load();
+
+    ContactProblem           normal; ///< under the traction of the state
+    ContactState             state;  ///< of that
+    SolverControls           controls;
     std::vector<WearingLine> all;
   };
 } // namespace RollingContact

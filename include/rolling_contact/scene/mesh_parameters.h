@@ -80,6 +80,10 @@ namespace RollingContact
     unsigned int          elements_across_patch   = 48;
     unsigned int          elements_across_patch_y = 0;
     unsigned int          least_elements_y        = 0; ///< 0: automatic
+
+    /** Least size of elements that the smallest of several patches asks for,
+     * over that of the whole. Not an entry. */
+    double finest_share = 0.;
     /** None: aligned. Units: elements. */
     std::optional<double> patch_offset   = 0.;
     double                candidate_zone = 0.;

@@ -44,6 +44,9 @@ namespace RollingContact
   };
 
   WantedMesh wanted_mesh(const PairSpec &scene);
+
+  /** With its patch as estimated. */
+  WantedMesh wanted_mesh(const PairSpec &scene, const PatchEstimate &patch);
 } // namespace RollingContact
 
 #endif

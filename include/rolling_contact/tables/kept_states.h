@@ -55,6 +55,14 @@ namespace RollingContact
      * others. solve() throws ConvergenceError beyond. */
     double most_nodes = std::numeric_limits<double>::infinity();
 
+    /** Whether the bodies of the last state of a kind have nodes wherever the
+     * profiles of a scene touch as estimated; they are forgotten if not. */
+    bool reaches_all(const PairSpec &scene, const unsigned int kind);
+
+    /** Where elements for the smallest of several patches would give more
+     * contact nodes, it gets fewer of them, as far as those of the whole. */
+    double enough_nodes = std::numeric_limits<double>::infinity();
+
     /** Edges of stick zones stay those of the state that is begun with. */
     bool holds_edges = false;
 
@@ -77,6 +85,7 @@ namespace RollingContact
       std::array<double, 2> element_size; ///< wanted, m
       std::vector<ZoneBox>  patches;      ///< where profiles touch
       SteadyState<dim>      steady;
+      double                made; ///< elements across the patch at first
       unsigned int          kind; ///< of that state
 
       /** When a kind had its last state here. */
@@ -90,6 +99,9 @@ namespace RollingContact
 
       bool reaches(const WantedMesh &wanted) const;
 
+      /** Elements across the patch of the state as it is. */
+      double elements_across() const;
+
       /** Go on with states of this kind, which there are. */
       bool take(const unsigned int kind);
     };
@@ -97,10 +109,18 @@ namespace RollingContact
     /** Solve from the state as it is. */
     void solve_from_here(const PairSpec &scene, SteadyState<dim> &steady) const;
 
+    /** Those of the last state of a kind, or of all that are kept the end. */
+    typename std::list<Kept>::iterator last_of(const unsigned int kind,
+                                               const std::string &bodies = "");
+
     /** Whether the state is there, on the bodies of the last of its kind. */
     bool solve_on_last(const PairSpec    &scene,
                        const std::string &bodies,
                        const unsigned int kind);
+
+    /** The mesh of a state, and the scene with what it takes to have no more
+     * than enough_nodes. */
+    WantedMesh fitted(PairSpec &scene) const;
 
     /** Whether one serves; it is the first then. */
     bool find(const std::string &bodies, const WantedMesh &wanted);

@@ -96,6 +96,12 @@ namespace RollingContact
       return *sides[wheel].profiles;
     }
 
+    /** See KeptStates::enough_nodes. */
+    void limit_nodes(const double enough)
+    {
+      states.enough_nodes = enough;
+    }
+
     /** Exchange the sides, as in a mirror. */
     void swap_sides();
 
@@ -109,6 +115,12 @@ namespace RollingContact
      * if one of them is not found, InputError if a wheel is not on its rail.
      */
     BothWheels solve(const WheelsetPlace         &place,
+                     const double                 curvature,
+                     const std::array<double, 2> &loads);
+
+    /** Whether the bodies of both wheels have nodes wherever their profiles
+     * touch, see KeptStates::reaches_all(). */
+    bool reaches_all(const WheelsetPlace         &place,
                      const double                 curvature,
                      const std::array<double, 2> &loads);
 
