@@ -289,7 +289,8 @@ namespace RollingContact
     kind.wears_profiles = true;
     kind.rules          = rules_of_wheelsets();
     kind.rules.push_back(&check_evolution);
-    kind.resumption = [](const Situation &scene) {
+    kind.check_situation = [](const Situation &scene) { read_duty(scene); };
+    kind.resumption      = [](const Situation &scene) {
       return RunFolder::Resumption{entries_free_on_resume(*scene.inputs),
                                    evolution_state_file,
                                    {},

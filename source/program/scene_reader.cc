@@ -191,6 +191,8 @@ namespace RollingContact
     std::optional<TablePlan> table;
     if (scene.analysis.has_many_states)
       table = plan_table(input.scene); // all states of it are possible
+    if (const auto check = analysis_kind(scene.analysis.name).check_situation)
+      check(input.scene);
     input.warnings =
       unused_entries(scene, changed_entries(entries, file, settings));
     const auto doubts =

@@ -24,6 +24,11 @@ namespace RollingContact
                                                 RunContext &);
 
     Maker in_2d, in_3d;
+
+    /** Throws InputError if what the scene names, as rows of a file, is not
+     * possible; null if that cannot be. */
+    void (*check_situation)(const Situation &) = nullptr;
+
     /** What --resume goes on with; none if it cannot. */
     std::function<RunFolder::Resumption(const Situation &)> resumption = {};
   };
