@@ -15,7 +15,7 @@ namespace RollingContact
 
     /// nodes of contacts on the way to a balance and of those that wear: crests
     /// of worn profiles that touch alone have few lines
-    const double enough_on_the_way = 400., enough_of_wear = 800.;
+    const double enough_on_the_way = 300., enough_of_wear = 500.;
 
     /// least size of an element over that of a mesh of its own
     const double smallest_element = 0.75;

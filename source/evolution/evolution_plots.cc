@@ -10,7 +10,7 @@ namespace RollingContact
   {
     const std::size_t most_curves = 6; ///< of profiles, and of rows of a duty
 
-    /** Of n, the first, the last and some between. */
+    /** The first and the last of n numbers, and some between. */
     std::vector<std::size_t> some_of(const std::size_t n)
     {
       const std::size_t        m = std::min(n, most_curves);

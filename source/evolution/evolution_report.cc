@@ -43,7 +43,7 @@ namespace RollingContact
       return place.covers(0.) ? wheel.at(place(0.)).z : 0.;
     }
 
-    /** That of a rail in its place, as far below its top as the gauge is. */
+    /** The gauge face of a rail in its place, so far below its top. */
     double y_of_gauge_face(const Profiles::ProfileCurve &rail,
                            const double                  gauge_height)
     {

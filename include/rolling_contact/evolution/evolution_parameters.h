@@ -41,7 +41,7 @@ namespace RollingContact
       return bodies != WearingBodies::wheel;
     }
 
-    /** That of wear_laws() which is chosen. */
+    /** The law of wear_laws() with this name. */
     const Damage::WearLaw &wear_law() const;
 
     std::string   file_of_rows; ///< of the duty

@@ -40,7 +40,7 @@ namespace RollingContact
                              const std::array<double, 2> &radii,
                              const double                 tape_circle);
 
-    /** The same with other curves, as they are. */
+    /** A wheelset and rails with these curves, as they are. */
     RunningSurfaces with(const std::vector<Side> &curves) const;
 
     const std::vector<Side> &curves() const
@@ -53,7 +53,7 @@ namespace RollingContact
       return sides.size();
     }
 
-    /** That of a wheel, 0 the right-hand one. */
+    /** The number of the side of a wheel, 0 the right-hand one. */
     std::size_t side_of(const unsigned int wheel) const
     {
       return sides.size() == 1 ? 0 : wheel;

@@ -89,7 +89,7 @@ namespace RollingContact
                                 const std::vector<double>    &depths,
                                 const double                  smoothing) const;
 
-    /** Of the state. Units: N, Pa. */
+    /** T gamma and the peak pressure. Units: N, Pa. */
     const double creep_work, max_pressure;
 
     /** Across the wheel's profile, NaN without wear. Units: m. */

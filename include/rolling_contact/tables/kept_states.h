@@ -66,7 +66,7 @@ namespace RollingContact
     /** Edges of stick zones stay those of the state that is begun with. */
     bool holds_edges = false;
 
-    /** So many sets of bodies are kept, those that were used last. */
+    /** How many sets of bodies are kept: the ones that were used last. */
     std::size_t most_kept = 4;
 
     /** Why the last state made bodies; empty if it did not. */
@@ -109,7 +109,7 @@ namespace RollingContact
     /** Solve from the state as it is. */
     void solve_from_here(const PairSpec &scene, SteadyState<dim> &steady) const;
 
-    /** Those of the last state of a kind, or of all that are kept the end. */
+    /** The bodies of the last state of a kind; the end if there are none. */
     typename std::list<Kept>::iterator last_of(const unsigned int kind,
                                                const std::string &bodies = "");
 

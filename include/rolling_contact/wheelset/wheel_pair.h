@@ -138,7 +138,8 @@ namespace RollingContact
                       const double         curvature,
                       const double         load) const;
 
-    /** That scene as of a right-hand wheel, the mirror image of a left one. */
+    /** The scene of a wheel as of a right-hand one, the mirror image of a left
+     * one. */
     PairSpec scene_as_right_hand(const unsigned int   wheel,
                                  const WheelsetPlace &place,
                                  const double         curvature,
