@@ -60,8 +60,10 @@ namespace RollingContact
       if (!(value >= 1e-8 && value <= 1e-3))
         refuse(entry,
                " = " + text_of(value) + ": give a depth from 1e-8 to 1e-3 m.");
-    if (!(smoothing >= 0. && smoothing <= 0.02))
-      refuse("Smoothing", " = " + text_of(smoothing) + ": give 0 to 0.02 m.");
+    if (smoothing && !(*smoothing >= 0. && *smoothing <= 0.02))
+      refuse("Smoothing",
+             " = " + text_of(*smoothing) +
+               ": give 0 to 0.02 m, or `automatic`.");
     for (const auto &[entry, value] :
          {std::pair("Largest depth", largest_depth),
           std::pair("Least flange thickness", least_thickness),
@@ -135,10 +137,12 @@ namespace RollingContact
       "How a step takes the wear that it makes: `implicit` is stable at "
       "any step; `explicit` oscillates where steps are deep, and is "
       "there to compare.";
-    entries.add("Smoothing", smoothing, "m").help =
-      "How far what wears in a step is spread to both sides, as far as the "
-      "states of a duty are apart; never less than a line of nodes. Profiles "
-      "themselves are not smoothed.";
+    entries.add_automatic("Smoothing", smoothing, "m").help =
+      "How far what wears in a step is spread to both sides; never less than a "
+      "line of nodes. `automatic`: half of the largest distance between places "
+      "that wear by the rows of the duty, of those less than 5 mm apart, as "
+      "states between them would wear what is between. Profiles themselves are "
+      "not smoothed.";
     entries.add("Threads", threads, "1").resumed_if(in_all_scenes).help =
       "So many rows of the duty are solved at once; 0: as many as there are "
       "processors. Results do not depend on it.";

@@ -9,6 +9,9 @@ namespace RollingContact
 {
   namespace
   {
+    /// m: tread and flange, between which nothing wears
+    const double far_apart = 5e-3;
+
     double interpolated(const std::vector<double> &arc,
                         const std::vector<double> &values,
                         const double               s)
@@ -61,11 +64,29 @@ namespace RollingContact
             section.wears_rail() ? of_row * section.passages.value() : 0.};
   }
 
+  double WearStep::smoothing(const DutyStates &states) const
+  {
+    if (section.smoothing)
+      return *section.smoothing;
+    std::vector<double> centres;
+    for (const DutyState &state : states)
+      for (const WearingContact &contact : state.contacts)
+        if (std::isfinite(contact.centre_of_wear))
+          centres.push_back(contact.centre_of_wear);
+    std::sort(centres.begin(), centres.end());
+    double largest = 0.;
+    for (std::size_t k = 1; k < centres.size(); ++k)
+      if (centres[k] - centres[k - 1] < far_apart)
+        largest = std::max(largest, centres[k] - centres[k - 1]);
+    return largest / 2;
+  }
+
   RunningSurfaces::Amounts
   WearStep::worn_at_once(const RunningSurfaces &surfaces,
                          const DutyStates      &states,
                          const double           share) const
   {
+    const double             width = smoothing(states);
     RunningSurfaces::Amounts total = surfaces.nothing();
     for (std::size_t j = 0; j < rows.size(); ++j)
       for (const WearingContact &contact : states[j].contacts)
@@ -74,7 +95,8 @@ namespace RollingContact
                     amounts_of(surfaces,
                                contact,
                                way_of(*rows[j], share),
-                               contact.depths()));
+                               contact.depths(),
+                               width));
     return total;
   }
 
@@ -82,14 +104,15 @@ namespace RollingContact
   WearStep::amounts_of(const RunningSurfaces     &surfaces,
                        const WearingContact      &contact,
                        const WearingWay          &way,
-                       const std::vector<double> &depths) const
+                       const std::vector<double> &depths,
+                       const double               smoothing) const
   {
     RunningSurfaces::Amounts found = surfaces.nothing();
     const std::size_t        side  = surfaces.side_of(contact.wheel);
     for (unsigned int body = 0; body < 2; ++body)
       if (body == 0 ? section.wears_wheel() : section.wears_rail())
         found[side][body] = contact.amounts(
-          surfaces.curve(side, body), body, way, depths, section.smoothing);
+          surfaces.curve(side, body), body, way, depths, smoothing);
     return found;
   }
 
@@ -119,6 +142,7 @@ namespace RollingContact
       worn_at_once(surfaces, states, share);
     if (!section.is_implicit)
       return at_once;
+    const double                          width = smoothing(states);
     RunningSurfaces::Amounts              total = surfaces.nothing();
     std::vector<RunningSurfaces::Amounts> of_rows(rows.size());
     for_rows(
@@ -128,7 +152,7 @@ namespace RollingContact
         for (const WearingContact &contact : states[j].contacts)
           {
             const auto own =
-              amounts_of(surfaces, contact, way, contact.depths());
+              amounts_of(surfaces, contact, way, contact.depths(), width);
             const auto others =
               depths_of_others(surfaces, contact, sum(at_once, -1., own));
             of_rows[j] = sum(std::move(of_rows[j]),
@@ -136,7 +160,8 @@ namespace RollingContact
                              amounts_of(surfaces,
                                         contact,
                                         way,
-                                        contact.depths_at_end(way, others)));
+                                        contact.depths_at_end(way, others),
+                                        width));
           }
       },
       [&](const std::size_t j) {

@@ -52,12 +52,12 @@ namespace RollingContact
     std::optional<double> distance; ///< that the wheels roll
     std::optional<double> passages; ///< of wheelsets over the rails
 
-    double       tolerance    = 5e-6; ///< of the depth of a step
-    double       largest_step = 1e-4; ///< of depth
-    unsigned int equal_steps  = 0;    ///< in place of these; 0: none
-    bool         is_implicit  = true;
-    double       smoothing    = 0.; ///< width of the kernel, least
-    unsigned int threads      = 0;  ///< 0: as many as processors
+    double                tolerance    = 5e-6; ///< of the depth of a step
+    double                largest_step = 1e-4; ///< of depth
+    unsigned int          equal_steps  = 0;    ///< in place of these; 0: none
+    bool                  is_implicit  = true;
+    std::optional<double> smoothing;   ///< least width of the kernel
+    unsigned int          threads = 0; ///< 0: as many as processors
 
     /** Where it ends before the distance. */
     std::optional<double> largest_depth, least_thickness, largest_height,

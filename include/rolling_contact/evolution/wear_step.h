@@ -61,6 +61,10 @@ namespace RollingContact
                const DutyStates      &states,
                const double           share);
 
+    /** Evolution/Smoothing, or half of the largest distance of neighbouring
+     * centres of wear that are less than 5 mm apart. Units: m. */
+    double smoothing(const DutyStates &states) const;
+
     unsigned int n_states() const;
 
     unsigned int n_bodies() const;
@@ -76,11 +80,11 @@ namespace RollingContact
     WearingWay way_of(const DutyRow &row, const double share) const;
 
     /** What a contact wears by depths of the rail for a passage. */
-    RunningSurfaces::Amounts
-    amounts_of(const RunningSurfaces     &surfaces,
-               const WearingContact      &contact,
-               const WearingWay          &way,
-               const std::vector<double> &depths) const;
+    RunningSurfaces::Amounts amounts_of(const RunningSurfaces     &surfaces,
+                                        const WearingContact      &contact,
+                                        const WearingWay          &way,
+                                        const std::vector<double> &depths,
+                                        const double smoothing) const;
 
     /** Depths of both bodies under the lines of a contact. Units: m. */
     std::vector<double>
