@@ -62,12 +62,13 @@ namespace
       kept.tries_last = true;
     }
 
-    WearingContact on(const RunningSurfaces &surfaces)
+    WearingContact on(const RunningSurfaces &surfaces,
+                      const double           portion = 1.)
     {
       pair.set_profiles(surfaces.wheels_on_rails());
       PairSpec now = pair.scene_as_right_hand(0, {3 * mm, -2e-3, 0.}, 0., 60e3);
       now.wear.report = true;
-      return WearingContact(now, kept.solve(now, "bodies"), law, 0, 0, 1.);
+      return WearingContact(now, kept.solve(now, "bodies"), law, 0, 0, portion);
     }
 
     /** The amounts that the wheel loses on a way. */
@@ -216,6 +217,60 @@ BOOST_AUTO_TEST_CASE(the_end_of_a_short_way_is_that_of_the_state)
   const auto   now = contact.depths(), there = contact.depths_at_end({}, none);
   const double largest = *std::max_element(now.begin(), now.end());
   BOOST_TEST(largest_difference(now, there) < 1e-6 * largest);
+}
+
+BOOST_AUTO_TEST_CASE(a_contact_feels_what_both_bodies_lose)
+{
+  WheelInItsPlace      wheel;
+  const WearingContact whole = wheel.on(wheel.surfaces),
+                       half  = wheel.on(wheel.surfaces, 0.5);
+  const std::vector<double> none(whole.lines().size(), 0.);
+  const double              distance = wheel.distance_for(40 * um),
+               passages              = distance / (2 * pi * r0);
+  const auto   of_wheel = whole.depths_at_end({distance, 0.}, none);
+  const double largest  = *std::max_element(of_wheel.begin(), of_wheel.end()),
+               before   = [&]() {
+                 const auto depths = whole.depths();
+                 return *std::max_element(depths.begin(), depths.end());
+               }();
+  BOOST_TEST(largest < 0.8 * before);
+  // radii of lines are within 0.5 % of r0
+  BOOST_TEST(
+    largest_difference(of_wheel, whole.depths_at_end({0., passages}, none)) <
+    5e-3 * largest);
+  BOOST_TEST(
+    largest_difference(of_wheel,
+                       whole.depths_at_end({distance / 2, passages / 2},
+                                           none)) < 5e-3 * largest);
+  BOOST_TEST(
+    largest_difference(of_wheel, half.depths_at_end({2 * distance, 0.}, none)) <
+    1e-6 * largest);
+}
+
+BOOST_AUTO_TEST_CASE(a_wider_kernel_makes_wear_shallower)
+{
+  WheelInItsPlace      wheel;
+  const WearingContact contact = wheel.on(wheel.surfaces);
+  const auto           deepest = [&](const double smoothing) {
+    auto amounts  = wheel.surfaces.nothing();
+    amounts[0][0] = contact.amounts(
+      wheel.surfaces.curve(0, 0), 0, {1e6, 0.}, contact.depths(), smoothing);
+    return wheel.surfaces.largest_depth(amounts);
+  };
+  BOOST_TEST(deepest(6 * mm) < 0.9 * deepest(0.));
+  BOOST_TEST(deepest(0.1 * mm) == deepest(0.)); // a line is wider
+}
+
+BOOST_AUTO_TEST_CASE(what_is_misplaced_is_a_share_of_the_depth)
+{
+  WheelInItsPlace wheel;
+  const auto      amounts = wheel.worn(wheel.surfaces, 1e6, false);
+  const auto      tenth   = sum(wheel.surfaces.nothing(), -0.1, amounts);
+  BOOST_TEST(wheel.surfaces.misplaced_depth(tenth, amounts) ==
+               0.1 * wheel.surfaces.largest_depth(amounts),
+             boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(
+    wheel.surfaces.misplaced_depth(wheel.surfaces.nothing(), amounts) == 0.);
 }
 
 // Depth that others make all over a contact lets it come down and no more; in
