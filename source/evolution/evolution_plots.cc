@@ -1,4 +1,5 @@
 #include <rolling_contact/base/constants.h>
+#include <rolling_contact/base/text.h>
 #include <rolling_contact/evolution/evolution_report.h>
 
 #include <algorithm>
@@ -40,7 +41,11 @@ namespace RollingContact
             depth.push_back(
               std::hypot(points[i].y - first.y, points[i].z - first.z) / mm);
           }
-        const std::string label = text_of_way(shown[k].first, 3);
+        const double      gone = way(shown[k].first);
+        const std::string label =
+          (gone < 100. ? significant(gone, 3)
+                       : std::to_string(std::lround(gone))) +
+          (section.wears_wheel() ? " km" : " passages");
         sections.add_curve(label, y, z);
         depths.add_curve("", at, depth);
       }

@@ -237,10 +237,9 @@ namespace RollingContact
     return turned.shifted(-top.y, -top.z);
   }
 
-  std::string EvolutionReport::text_of_way(const double       share,
-                                           const unsigned int digits) const
+  std::string EvolutionReport::text_of_way(const double share) const
   {
-    return significant(way(share), digits) +
+    return significant(way(share), 6) +
            (section.wears_wheel() ? " km" : " passages");
   }
 

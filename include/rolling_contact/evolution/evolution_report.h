@@ -111,8 +111,7 @@ namespace RollingContact
     void add_work_of_rows(Figure &figure) const;
 
     /** "60000 km", or passages. */
-    std::string text_of_way(const double       share,
-                            const unsigned int digits = 6) const;
+    std::string text_of_way(const double share) const;
 
     /** How far the worst step is off. */
     void state_error() const;
