@@ -350,9 +350,9 @@ namespace RollingContact
                       ", Sd " + millimetres(lost[side].flange->thickness, 4) +
                       ", qR " + millimetres(lost[side].flange->qr, 4);
             const std::string of = ending(side);
-            context.report.set_finding(bodies_by_name[body] +
-                                         (of.empty() ? of : of.substr(1, 1)),
-                                       text);
+            context.report.set_finding(
+              bodies_by_name[body] + (of.empty() ? of : ' ' + of.substr(1, 1)),
+              text);
           }
     context.report.set_finding("end", why_ended);
     state_error();
