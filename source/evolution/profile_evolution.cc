@@ -156,7 +156,8 @@ namespace RollingContact
 
   std::string ProfileEvolution::march(DutyStates &states)
   {
-    while (now.share < 1.)
+    std::string limit = limit_reached();
+    while (now.share < 1. && limit.empty())
       {
         if (now.share + remainder * next_share >= 1.)
           next_share = 1. - now.share;
@@ -175,11 +176,9 @@ namespace RollingContact
                        least_growth,
                        most_growth);
         save();
-        const std::string limit = limit_reached();
-        if (!limit.empty())
-          return limit;
+        limit = limit_reached();
       }
-    return "the whole way, " + place();
+    return limit.empty() ? "the whole way, " + place() : limit;
   }
 
   void ProfileEvolution::save() const
