@@ -27,6 +27,10 @@ namespace RollingContact
         throw InputError(place + quotable(entry) +
                          " is no column of a duty; take entries of sections "
                          "Wheelset and Contact, `share` and `name`.");
+      if (entry == "Wheelset/Left wheel radius")
+        throw InputError(place + entry +
+                         " is no column of a duty: all rows wear the same "
+                         "wheels; give it in the scene.");
       entries.check_variable(entry, place);
     }
 

@@ -1,5 +1,6 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/number_text.h>
+#include <rolling_contact/base/text.h>
 #include <rolling_contact/evolution/evolution_parameters.h>
 #include <rolling_contact/scene/entries.h>
 
@@ -50,6 +51,17 @@ namespace RollingContact
     return *std::find_if(laws.begin(), laws.end(), [&](const auto &it) {
       return it.name == law;
     });
+  }
+
+  std::string EvolutionParameters::text_of_way(const double share) const
+  {
+    std::string text;
+    if (wears_wheel())
+      text = significant(share * distance.value() / 1e3, 6) + " km";
+    if (wears_rail())
+      text += (text.empty() ? "" : " and ") +
+              significant(share * passages.value(), 6) + " passages";
+    return text;
   }
 
   void EvolutionParameters::check() const

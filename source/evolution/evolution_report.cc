@@ -1,7 +1,8 @@
+#include <fmt/format.h>
+
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/evolution/evolution_report.h>
-#include <rolling_contact/surfaces/conicity.h>
 #include <rolling_contact/surfaces/profile_writer.h>
 
 #include <cmath>
@@ -56,14 +57,6 @@ namespace RollingContact
         (depth - points[k - 1].z) / (points[k].z - points[k - 1].z);
       return points[k - 1].y + share * (points[k].y - points[k - 1].y);
     }
-
-    std::string numbered(const std::string &name, const unsigned int number)
-    {
-      const std::string digits = std::to_string(number);
-      return name + '_' +
-             std::string(digits.size() < 3 ? 3 - digits.size() : 0, '0') +
-             digits;
-    }
   } // namespace
 
   EvolutionReport::EvolutionReport(const Situation             &scene,
@@ -115,10 +108,10 @@ namespace RollingContact
       table.set("passages", point.share * section.passages.value());
   }
 
-  void EvolutionReport::add_side(const EvolutionPoint  &point,
-                                 const RunningSurfaces &surfaces,
-                                 const std::size_t      side,
-                                 const WornSide        &worn)
+  void EvolutionReport::add_side(const EvolutionPoint             &point,
+                                 const std::size_t                 side,
+                                 const WornSide                   &worn,
+                                 const Profiles::RadiusDifference &difference)
   {
     ResultsTable &table = context.results;
     set_way(point, table);
@@ -141,7 +134,6 @@ namespace RollingContact
         table.set("flange_thickness_m", worn.flange->thickness);
         table.set("qr_m", worn.flange->qr);
       }
-    const auto difference = radius_difference(surfaces.wheels_on_rails());
     for (const auto &[column, conicity] :
          {std::pair("conicity_harmonic",
                     Profiles::harmonic_conicity(difference, amplitude)),
@@ -192,10 +184,11 @@ namespace RollingContact
                             const DutyStates      &states)
   {
     const std::vector<WornSide> lost = worn(surfaces);
+    const auto difference = radius_difference(surfaces.wheels_on_rails());
     for (std::size_t side = 0; side < lost.size(); ++side)
-      add_side(point, surfaces, side, lost[side]);
+      add_side(point, side, lost[side], difference);
     add_duty(point, states);
-    write_profiles(numbered("", point.step),
+    write_profiles(fmt::format("_{:03}", point.step),
                    {{".txt", ".txt"}},
                    Profiles::ProfileFormat::columns,
                    point.share,
@@ -237,24 +230,16 @@ namespace RollingContact
     return turned.shifted(-top.y, -top.z);
   }
 
-  std::string EvolutionReport::text_of_way(const double share) const
-  {
-    return significant(way(share), 6) +
-           (section.wears_wheel() ? " km" : " passages");
-  }
-
   std::string EvolutionReport::title_of(const Profiles::ProfileCurve &curve,
                                         const unsigned int            body,
+                                        const double                  radius,
                                         const double share) const
   {
     const std::string what =
-      bodies_by_name[body] + " after " + text_of_way(share) + "; ";
+      bodies_by_name[body] + " after " + section.text_of_way(share) + "; ";
     if (body == 0)
-      {
-        const double radius = scene.wheel.radius;
-        return what + "radius at the tape circle " +
-               significant(radius + z_at_tape_circle(curve), 7) + " m";
-      }
+      return what + "radius at the tape circle " +
+             significant(radius + z_at_tape_circle(curve), 7) + " m";
     return what + "gauge " +
            significant(2 * y_of_gauge_face(curve, scene.profiles.gauge_height),
                        7) +
@@ -275,10 +260,14 @@ namespace RollingContact
             const auto &curve = surfaces.curve(side, body);
             context.folder.write_atomically(
               bodies_by_name[body] + name + ending(side) + endings[body],
-              Profiles::profile_text(section_of(curve, body),
-                                     wheel_and_rail[body],
-                                     format,
-                                     title_of(curve, body, share)));
+              Profiles::profile_text(
+                section_of(curve, body),
+                wheel_and_rail[body],
+                format,
+                title_of(curve,
+                         body,
+                         surfaces.wheels_on_rails()[side]->wheel_radius(),
+                         share)));
           }
   }
 

@@ -59,15 +59,7 @@ namespace RollingContact
 
   std::string ProfileEvolution::place() const
   {
-    std::string text;
-    if (section.wears_wheel())
-      text = "after " +
-             significant(now.share * section.distance.value() / 1e3, 6) + " km";
-    if (section.wears_rail())
-      text += (text.empty() ? "after " : " and ") +
-              significant(now.share * section.passages.value(), 6) +
-              " passages";
-    return text;
+    return "after " + section.text_of_way(now.share);
   }
 
   double ProfileEvolution::first_share(const DutyStates &states) const
@@ -195,12 +187,11 @@ namespace RollingContact
   {
     const EvolutionState state =
       read_evolution_state(context.folder.get_path() / evolution_state_file);
-    if (state.duty != duty_text() ||
-        state.curves.back().size() != surfaces.n_sides())
+    if (state.duty != duty_text() || !surfaces.has_curves(state.curves.front()))
       throw InputError("Cannot resume the evolution in \"" +
                        context.folder.get_path().string() +
-                       "\": Evolution/File of rows has changed since. Start "
-                       "it without --resume.");
+                       "\": Evolution/File of rows or a file of profiles has "
+                       "changed since. Start it without --resume.");
     report.restore(state);
     now        = state.now;
     next_share = state.next_share;
@@ -236,12 +227,8 @@ namespace RollingContact
         throw;
       }
     context.report.set_finding("states",
-                               std::to_string(step.n_states()) + " on " +
-                                 std::to_string(step.n_bodies()) +
-                                 " sets of bodies, " +
-                                 std::to_string(step.n_threads()) +
-                                 (step.n_threads() == 1 ? " thread"
-                                                        : " threads"));
+                               std::to_string(step.n_states()) + ", threads " +
+                                 std::to_string(step.n_threads()));
   }
 
   namespace

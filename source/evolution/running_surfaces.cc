@@ -26,6 +26,26 @@ namespace RollingContact
     make_pairs();
   }
 
+  bool RunningSurfaces::has_curves(const std::vector<Side> &curves) const
+  {
+    const auto are_equal = [](const auto &a, const auto &b) {
+      return std::equal(a.points().begin(),
+                        a.points().end(),
+                        b.points().begin(),
+                        b.points().end(),
+                        [](const auto &one, const auto &other) {
+                          return one.y == other.y && one.z == other.z;
+                        });
+    };
+    return std::equal(sides.begin(),
+                      sides.end(),
+                      curves.begin(),
+                      curves.end(),
+                      [&](const Side &a, const Side &b) {
+                        return are_equal(a[0], b[0]) && are_equal(a[1], b[1]);
+                      });
+  }
+
   RunningSurfaces RunningSurfaces::with(const std::vector<Side> &curves) const
   {
     RunningSurfaces other = *this;

@@ -43,7 +43,9 @@ namespace RollingContact
 
   unsigned int WearStep::n_threads() const
   {
-    return section.threads > 0 ? section.threads : n_host_cpus();
+    const unsigned int most =
+      section.threads > 0 ? section.threads : n_host_cpus();
+    return std::min<std::size_t>(most, rows.size());
   }
 
   DutyStates WearStep::stand_on(const RunningSurfaces &surfaces)
@@ -191,14 +193,6 @@ namespace RollingContact
     unsigned int sum = 0;
     for (const auto &row : rows)
       sum += row->n_states();
-    return sum;
-  }
-
-  unsigned int WearStep::n_bodies() const
-  {
-    unsigned int sum = 0;
-    for (const auto &row : rows)
-      sum += row->n_bodies();
     return sum;
   }
 } // namespace RollingContact

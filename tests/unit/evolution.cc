@@ -297,8 +297,12 @@ BOOST_AUTO_TEST_CASE(implicit_steps_are_of_order_one_and_extrapolated_of_two)
   const double    distance = wheel.distance_for(20 * um);
   const auto      exact    = wheel.worn_in_steps(distance, 16, true, true);
   const auto      off = [&](const unsigned int n, const bool extrapolated) {
-    return mean_difference(wheel.worn_in_steps(distance, n, true, extrapolated),
-                           exact);
+    const double mean =
+      mean_difference(wheel.worn_in_steps(distance, n, true, extrapolated),
+                      exact);
+    BOOST_TEST_MESSAGE(n << (extrapolated ? " extrapolated" : " implicit")
+                         << " steps, m: " << mean);
+    return mean;
   };
   double before = off(2, false);
   for (const unsigned int n : {4, 8})
@@ -322,7 +326,11 @@ BOOST_AUTO_TEST_CASE(implicit_steps_are_stable_where_explicit_ones_are_not)
     WheelInItsPlace wheel;
     const double    before = wheel.on(wheel.surfaces).max_pressure;
     wheel.worn_in_steps(3 * wheel.distance_for(depth), 3, is_implicit);
-    return wheel.on(*wheel.last).max_pressure / before;
+    const double after = wheel.on(*wheel.last).max_pressure;
+    BOOST_TEST_MESSAGE((is_implicit ? "implicit" : "explicit")
+                       << ": peak pressure over that before "
+                       << after / before);
+    return after / before;
   };
   BOOST_TEST(peak_pressure(true) < 0.8);
   BOOST_TEST(peak_pressure(false) > 1.2);

@@ -44,11 +44,6 @@ namespace RollingContact
       return n_solved + gear.n_states();
     }
 
-    unsigned int n_bodies() const
-    {
-      return states.n_made + gear.n_bodies();
-    }
-
     const DutyCase &row;
 
   private:

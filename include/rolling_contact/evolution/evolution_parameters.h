@@ -41,6 +41,9 @@ namespace RollingContact
       return bodies != WearingBodies::wheel;
     }
 
+    /** A share of the way, "60000 km", "1e+06 passages", or both. */
+    std::string text_of_way(const double share) const;
+
     /** The law of wear_laws() with this name. */
     const Damage::WearLaw &wear_law() const;
 

@@ -5,6 +5,7 @@
 #include <rolling_contact/evolution/wear_step.h>
 #include <rolling_contact/run/figure.h>
 #include <rolling_contact/run/run_context.h>
+#include <rolling_contact/surfaces/conicity.h>
 #include <rolling_contact/surfaces/profile_measures.h>
 
 #include <optional>
@@ -66,10 +67,10 @@ namespace RollingContact
     void finish(const std::string &why_ended);
 
   private:
-    void add_side(const EvolutionPoint  &point,
-                  const RunningSurfaces &surfaces,
-                  const std::size_t      side,
-                  const WornSide        &worn);
+    void add_side(const EvolutionPoint             &point,
+                  const std::size_t                 side,
+                  const WornSide                   &worn,
+                  const Profiles::RadiusDifference &difference);
 
     void add_duty(const EvolutionPoint &point, const DutyStates &states);
 
@@ -85,6 +86,7 @@ namespace RollingContact
     /** What to read the file of a curve with, for its comment. */
     std::string title_of(const Profiles::ProfileCurve &curve,
                          const unsigned int            body,
+                         const double                  radius,
                          const double                  share) const;
 
     /** In its own axes, as a file of a profile has it. */
@@ -109,9 +111,6 @@ namespace RollingContact
                      const bool                      changes) const;
 
     void add_work_of_rows(Figure &figure) const;
-
-    /** "60000 km", or passages. */
-    std::string text_of_way(const double share) const;
 
     /** How far the worst step is off. */
     void state_error() const;

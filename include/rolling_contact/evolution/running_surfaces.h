@@ -43,6 +43,9 @@ namespace RollingContact
     /** A wheelset and rails with these curves, as they are. */
     RunningSurfaces with(const std::vector<Side> &curves) const;
 
+    /** Whether these are its curves, point by point. */
+    bool has_curves(const std::vector<Side> &curves) const;
+
     const std::vector<Side> &curves() const
     {
       return sides;

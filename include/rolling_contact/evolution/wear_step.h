@@ -67,8 +67,6 @@ namespace RollingContact
 
     unsigned int n_states() const;
 
-    unsigned int n_bodies() const;
-
     unsigned int n_threads() const;
 
   private:

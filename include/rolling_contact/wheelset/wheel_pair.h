@@ -91,11 +91,6 @@ namespace RollingContact
     void set_profiles(
       const std::array<std::shared_ptr<const Profiles::WheelOnRail>, 2> &both);
 
-    const Profiles::WheelOnRail &profiles(const unsigned int wheel) const
-    {
-      return *sides[wheel].profiles;
-    }
-
     /** See KeptStates::enough_nodes. */
     void limit_nodes(const double enough)
     {
