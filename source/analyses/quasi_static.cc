@@ -132,6 +132,7 @@ namespace RollingContact
     review.add(steady);
     review.warn(steady);
     note_state(steady, context.report);
+    note_hot_friction(scene, steady, context.report);
     note_profiles(scene, steady, context.report);
     if constexpr (dim == 3)
       note_damage(scene, steady, context.report);

@@ -162,15 +162,23 @@ namespace RollingContact
     return -power;
   }
 
+  std::vector<unsigned int> nodes_at_border(const std::vector<bool>   &border,
+                                            const ContactProblem      &problem,
+                                            const std::vector<double> &pressure)
+  {
+    const auto &defined = problem.operators.slip_operator().defined();
+    std::vector<unsigned int> found;
+    for (unsigned int i = 0; i < problem.n_nodes(); ++i)
+      if (pressure[i] > 0. &&
+          (border[i] || (problem.n_tangential() > 0 && !defined[i])))
+        found.push_back(i);
+    return found;
+  }
+
   bool reaches_border(const std::vector<bool>   &border,
                       const ContactProblem      &problem,
                       const std::vector<double> &pressure)
   {
-    const auto &defined = problem.operators.slip_operator().defined();
-    for (unsigned int i = 0; i < problem.n_nodes(); ++i)
-      if (pressure[i] > 0. &&
-          (border[i] || (problem.n_tangential() > 0 && !defined[i])))
-        return true;
-    return false;
+    return !nodes_at_border(border, problem, pressure).empty();
   }
 } // namespace RollingContact

@@ -169,6 +169,9 @@ namespace RollingContact
                   const std::string side = k == 0 ? "right_" : "left_";
                   rows.set(side + "creep_work_J/m", contact.creep_work);
                   rows.set(side + "max_pressure_Pa", contact.max_pressure);
+                  rows.set(side + "flash_temperature_K", contact.flash.largest);
+                  rows.set(side + "mean_flash_temperature_K",
+                           contact.flash.mean);
                   rows.set_if(!std::isnan(contact.centre_of_wear),
                               side + "centre_of_wear_y_m",
                               contact.centre_of_wear);

@@ -60,6 +60,9 @@ namespace RollingContact
     , state(open_state(normal))
     , controls(scene.solver.controls)
   {
+    if (const auto rise =
+          patch_temperature(scene, steady.problem, steady.state))
+      flash = *rise;
     state.pressure = steady.state.pressure;
     state.approach = steady.state.approach;
     find_lines(scene, steady, law);

@@ -16,6 +16,7 @@ namespace RollingContact
     found.kind             = scene.contact.slip_operator;
     found.beta             = std::abs(pair_constants(scene).dundurs_beta);
     found.varying_friction = !scene.surfaces.friction_share.empty() ||
+                             !scene.contact.friction_over_temperature.empty() ||
                              scene.contact.friction_memory_length > 0.;
     found.spin =
       scene.contact.creepages.spin != 0. || scene.contact.forces.moment;

@@ -34,6 +34,11 @@ namespace RollingContact
     const double of_change_of_level = 1.3, least_of_halving = 1. / 3;
 
     /**
+     * Weight of the load on slip that turns, where every node slides.
+     */
+    const double of_turning_slip = 0.125;
+
+    /**
      * The circumstances without what is estimated or added by itself.
      */
     BoundCircumstances of_mesh_alone(BoundCircumstances found)
@@ -77,8 +82,10 @@ namespace RollingContact
         const bool   plane  = found.dim == 2;
         const double weight = plane ? 0.4 + 0.6 * mesh.first_order : 0.2,
                      share = plane ? 0.05 : 0.1, most = *mesh.force;
-        if (!estimate.sticks || change == unknown)
+        if (change == unknown)
           return most;
+        if (estimate.load_on_turning_slip)
+          return std::min(most, change + of_turns());
         const double told =
           std::min(most, std::sqrt(weight * change * most) + share * most);
         return plane || !found.spin
@@ -86,6 +93,13 @@ namespace RollingContact
                  : std::max(told,
                             std::min(of_second_order * change,
                                      most_under_spin * most));
+      }
+
+      /** What nodes that all slide may miss, over mu N. */
+      double of_turns() const
+      {
+        return of_turning_slip * *estimate.load_on_turning_slip /
+               result.normal_force;
       }
 
       /**
@@ -174,8 +188,9 @@ namespace RollingContact
           (estimate.across.dissipation +
            (estimate.bulk ? estimate.bulk->dissipation : 0.)) /
             result.dissipation +
-          *mesh.force + residual +
-          of_growth_on_heat * found.growth / found.friction;
+          (estimate.load_on_turning_slip ? of_elements_on_force()
+                                         : *mesh.force) +
+          residual + of_growth_on_heat * found.growth / found.friction;
     }
 
     ErrorBounds Estimated::bounds() const

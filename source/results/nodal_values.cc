@@ -1,5 +1,5 @@
 #include <rolling_contact/contact/resultants.h>
-#include <rolling_contact/results/flash_temperature.h>
+#include <rolling_contact/pair/friction_heat.h>
 #include <rolling_contact/results/nodal_values.h>
 #include <rolling_contact/results/state_damage.h>
 
@@ -41,7 +41,11 @@ namespace RollingContact
 
     F friction(S s)
     {
-      return friction_falls(s) ? one(s.tangential().friction) : F();
+      const bool follows_heat =
+        s.scene && s.problem.n_tangential() > 0 &&
+        !s.scene->contact.friction_over_temperature.empty();
+      return friction_falls(s) || follows_heat ? one(s.tangential().friction)
+                                               : F();
     }
 
     F sliding_speed(S s)

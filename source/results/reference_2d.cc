@@ -98,7 +98,8 @@ namespace RollingContact
                           steady.pair->bodies().twins(),
                           {}};
     if (std::abs(constants.dundurs_beta) < 1e-12 &&
-        steady.problem.n_tangential() > 0 && !steady.problem.loads.friction_law)
+        steady.problem.n_tangential() > 0 &&
+        scene.contact.has_constant_friction())
       reference.carter.emplace(reference.hertz,
                                constants.relative_radius,
                                scene.contact.friction_coefficient,

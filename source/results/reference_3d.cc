@@ -78,7 +78,7 @@ namespace RollingContact
       scene.contact.friction_coefficient,
       scene.contact.flow()};
     const bool is_constant = scene.contact.friction_coefficient > 0. &&
-                             !scene.contact.falling_friction();
+                             scene.contact.has_constant_friction();
     Reference3D reference{conditions.hertz, {}};
     for (const Theory &theory : theories())
       if (is_constant || !theory.named.saturates)

@@ -1,6 +1,7 @@
 #include <rolling_contact/contact/invariants.h>
 #include <rolling_contact/contact/patch_area.h>
 #include <rolling_contact/contact/uniqueness.h>
+#include <rolling_contact/pair/friction_heat.h>
 #include <rolling_contact/results/error_bounds.h>
 #include <rolling_contact/results/nodal_values.h>
 #include <rolling_contact/results/profile_columns.h>
@@ -122,6 +123,31 @@ namespace RollingContact
                                       field->values().end()));
     }
 
+    /**
+     * Where the heat of friction goes, and how hot it makes the patch in the
+     * mean and at most.
+     */
+    template <int dim>
+    void set_heat_columns(const PairSpec         &scene,
+                          const SteadyState<dim> &steady,
+                          ResultsTable           &table)
+    {
+      const auto flash = patch_temperature(scene, steady.problem, steady.state);
+      if (!flash)
+        return;
+      const HeatFlows flows =
+        heat_flows(scene,
+                   steady.problem,
+                   steady.state,
+                   steady.result.dissipation *
+                     std::abs(scene.contact.rolling_speed()));
+      table.set("mean_flash_temperature_K", flash->mean);
+      table.set("surface_temperature_K",
+                contact_temperature(scene) + flash->largest);
+      table.set("heat_to_wheel_W", flows.wheel);
+      table.set("heat_to_rail_W", flows.rail);
+    }
+
     void set_solver_columns(const SolverReport &solver, ResultsTable &table)
     {
       table.set("residual_normal", solver.residual.normal);
@@ -138,17 +164,16 @@ namespace RollingContact
     }
 
     /**
-     * Where friction falls.
+     * Where friction follows the slip or its own heat.
      */
     template <int dim>
     void set_falling_friction_columns(const SteadyState<dim> &steady,
                                       ResultsTable           &table)
     {
-      if (!steady.problem.loads.friction_law ||
-          steady.problem.n_tangential() == 0)
-        return;
-      table.set("friction_rounds", steady.solver.friction_rounds);
-      if (!steady.restored)
+      if (steady.solver.friction_rounds > 0)
+        table.set("friction_rounds", steady.solver.friction_rounds);
+      if (steady.problem.loads.friction_law && !steady.restored &&
+          steady.problem.n_tangential() > 0)
         table.set("several_solutions_ratio",
                   uniqueness(steady.problem, steady.state).ratio);
     }
@@ -266,7 +291,10 @@ namespace RollingContact
     if (steady.problem.operators.time_scaling().rate == 0.)
       set_bound_columns(scene, steady, table);
     if (solved)
-      set_field_columns(scene, steady, table);
+      {
+        set_field_columns(scene, steady, table);
+        set_heat_columns(scene, steady, table);
+      }
     set_solver_columns(steady.solver, table);
     set_falling_friction_columns(steady, table);
     const Invariants found =

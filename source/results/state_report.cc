@@ -1,6 +1,7 @@
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/contact/patch_area.h>
 #include <rolling_contact/contact/recovered_tractions.h>
+#include <rolling_contact/pair/friction_heat.h>
 #include <rolling_contact/results/linearity_check.h>
 #include <rolling_contact/results/reference_2d.h>
 #include <rolling_contact/results/result_error.h>
@@ -24,8 +25,8 @@ namespace RollingContact
               (solver.corrections == 1 ? " correction" : " corrections") +
               " of the compliance";
     if (solver.friction_rounds > 0)
-      text += ", friction law in " + std::to_string(solver.friction_rounds) +
-              " rounds";
+      text +=
+        ", friction in " + std::to_string(solver.friction_rounds) + " rounds";
     return text + "; natural residual " +
            scientific(solver.residual.normal, 2) + " normal, " +
            scientific(solver.residual.tangential, 2) + " tangential";
@@ -67,6 +68,30 @@ namespace RollingContact
                            5)) +
         "; stick on " + significant(100 * areas.stick / areas.contact, 3) +
         " % of the patch");
+  }
+
+  template <int dim>
+  void note_hot_friction(const PairSpec         &scene,
+                         const SteadyState<dim> &steady,
+                         RunReport              &report)
+  {
+    if (scene.contact.friction_over_temperature.empty() ||
+        !(steady.result.friction_force > 0.))
+      return;
+    const auto rise  = flash_temperature(scene, steady.problem, steady.state);
+    double     least = scene.contact.friction_coefficient, most = 0.;
+    for (std::size_t i = 0; i < rise.size(); ++i)
+      if (steady.state.pressure[i] > 0.)
+        {
+          least = std::min(least, steady.problem.loads.friction[i]);
+          most  = std::max(most, steady.problem.loads.friction[i]);
+        }
+    const double touch = contact_temperature(scene);
+    report.set_finding(
+      "heat",
+      "surfaces of " + significant(touch, 4) + " to " +
+        significant(touch + *std::max_element(rise.begin(), rise.end()), 4) +
+        " K, mu from " + significant(most, 3) + " to " + significant(least, 3));
   }
 
   namespace
@@ -296,6 +321,10 @@ namespace RollingContact
                            context.log);
   }
 
+  template void
+  note_hot_friction(const PairSpec &, const SteadyState<2> &, RunReport &);
+  template void
+  note_hot_friction(const PairSpec &, const SteadyState<3> &, RunReport &);
   template void note_state(const SteadyState<2> &, RunReport &);
   template void note_state(const SteadyState<3> &, RunReport &);
   template class StateReview<2>;

@@ -132,6 +132,9 @@ namespace RollingContact
       .help = "For flash temperatures.";
     entries.add("Heat capacity", heat_capacity, "J/(kg K)").at_least(0.).help =
       "For flash temperatures.";
+    entries.add("Temperature", temperature, "K").at_least(150.).help =
+      "Of the body away from the contact, which the flash temperature adds to; "
+      "20 degrees Celsius are 293.15 K.";
     const std::string what =
       section == "Wheel"
         ? "name: radius in m, angle from the contact in degrees (towards +x), "

@@ -4,6 +4,7 @@
 #include <rolling_contact/scene/analysis_traits.h>
 #include <rolling_contact/scene/contact_parameters.h>
 #include <rolling_contact/scene/entries.h>
+#include <rolling_contact/scene/hot_friction.h>
 #include <rolling_contact/scene/mesh_parameters.h>
 #include <rolling_contact/scene/profile_parameters.h>
 #include <rolling_contact/scene/study_parameters.h>
@@ -115,6 +116,11 @@ namespace RollingContact
       "reduced, else node.";
     entries.add("Friction memory", friction_memory, "s").at_least(0.).help =
       "Delay of `patch mean`; a tenth of it is the longest time step.";
+    entries.add("Friction over temperature", friction_over_temperature).help =
+      "How mu follows the temperature of the surfaces in a steady state: "
+      "temperatures in K with the share of mu there, linear in between, as "
+      "293: 1, 573: 1, 1073: 0.5; empty for none. `Temperature` of `Wheel` and "
+      "`Rail` and the flash temperature at `Speed` are that of the surfaces.";
   }
 
   void ContactParameters::declare_rolling(Entries &entries)
@@ -298,7 +304,8 @@ namespace RollingContact
   void ContactParameters::check(const unsigned int dimension,
                                 const bool         needs_load) const
   {
-    const Roughness understood(roughness);
+    const Roughness   understood(roughness);
+    const HotFriction hot(friction_over_temperature);
     check_load(needs_load);
     check_friction_law();
     if (rolling_speed() == 0.)

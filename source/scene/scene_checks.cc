@@ -27,6 +27,24 @@ namespace RollingContact
         "free or mass.");
   }
 
+  void SceneParameters::check_hot_friction() const
+  {
+    const std::string &hot = contact.friction_over_temperature;
+    if (hot.empty() || contact.friction_coefficient == 0.)
+      return;
+    const std::string given = "Contact/Friction over temperature = " + hot;
+    if (marches() || analysis.until_periodic || analysis.linearises)
+      throw InputError(given + ": Analysis = " + analysis.name +
+                       " does not know how surfaces become hot and cold while "
+                       "they vibrate; leave it empty, or find the steady state "
+                       "with Analysis = quasi-static.");
+    if (!contact.speed && analysis.has_contact)
+      throw InputError(given +
+                       " and Contact/Speed is empty: how hot friction makes "
+                       "the surfaces depends on the rolling speed V in m/s; "
+                       "give it.");
+  }
+
   void SceneParameters::check_speed() const
   {
     if (contact.speed || !contact.falling_friction() ||

@@ -124,6 +124,7 @@ namespace RollingContact
     if (marches())
       time.check(contact, dimension, prm_folder);
     check_speed();
+    check_hot_friction();
     if (contact.forces.any())
       check_forces("Contact/Longitudinal force, Lateral force or Spin moment",
                    contact.forces.y || contact.forces.moment);

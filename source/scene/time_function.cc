@@ -223,10 +223,16 @@ namespace RollingContact
                  "at t = " + significant(time, 6) + " s it is not finite.");
         return result;
       }
+    return value_between(points, time);
+  }
+
+  double value_between(const std::vector<std::pair<double, double>> &points,
+                       const double                                  x)
+  {
     const auto next =
       std::upper_bound(points.begin(),
                        points.end(),
-                       time,
+                       x,
                        [](const double                     t,
                           const std::pair<double, double> &point) {
                          return t < point.first;
@@ -235,8 +241,8 @@ namespace RollingContact
       return points.front().second;
     if (next == points.end())
       return points.back().second;
-    const auto &[t0, first] = *(next - 1);
-    const double weight     = (time - t0) / (next->first - t0);
+    const auto &[x0, first] = *(next - 1);
+    const double weight     = (x - x0) / (next->first - x0);
     return (1 - weight) * first + weight * next->second;
   }
 

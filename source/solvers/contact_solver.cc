@@ -44,6 +44,17 @@ namespace RollingContact
     history.insert(history.end(), part.history.begin(), part.history.end());
   }
 
+  void SolverReport::add_friction_round(const SolverReport &part)
+  {
+    solver        = part.solver;
+    used_fallback = part.used_fallback;
+    edges_settled = part.edges_settled;
+    residual      = part.residual;
+    reason        = part.reason;
+    add_work(part);
+    ++friction_rounds;
+  }
+
   namespace
   {
     /**

@@ -25,17 +25,6 @@ namespace RollingContact
     /// decay speeds after which nothing of a law is left to change
     const double fast = 1e9;
 
-    void add_outer_iteration(const SolverReport &fixed_mu, SolverReport &report)
-    {
-      report.solver        = fixed_mu.solver;
-      report.used_fallback = fixed_mu.used_fallback;
-      report.edges_settled = fixed_mu.edges_settled;
-      report.add_work(fixed_mu);
-      ++report.friction_rounds;
-      report.residual = fixed_mu.residual;
-      report.reason   = fixed_mu.reason;
-    }
-
     /**
      * The largest mu that the law gives a node: at rest, or sliding fast if mu
      * rises.
@@ -145,7 +134,7 @@ namespace RollingContact
     state.friction              = friction;
     state.holds_friction        = true;
     const SolverReport fixed_mu = fixed_mu_solver->solve(problem, state);
-    add_outer_iteration(fixed_mu, report);
+    report.add_friction_round(fixed_mu);
     if (!fixed_mu.converged)
       return false;
     state.holds_friction        = false;

@@ -1,8 +1,10 @@
 #include <rolling_contact/base/text.h>
+#include <rolling_contact/pair/friction_heat.h>
 #include <rolling_contact/solvers/compliance_update.h>
 #include <rolling_contact/solvers/force_control.h>
 #include <rolling_contact/state/steady_state.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -25,6 +27,63 @@ namespace RollingContact
         scene.solver.controls,
         steady.problem,
         steady.state);
+    }
+
+    /**
+     * With mu of each node as the temperature there has it, which friction
+     * makes: where it is hotter there is less friction, if mu falls, and less
+     * heat, so that rounds approach each other; half the way where they do not.
+     */
+    template <int dim>
+    void solve_hot(const PairSpec     &scene,
+                   const StateDemands &demands,
+                   SteadyState<dim>   &steady)
+    {
+      const double       settled     = 1e-9;
+      const unsigned int most_rounds = 60, n_whole = 20;
+      const auto   cold     = steady.pair->friction_at_nodes(scene.contact, 0.);
+      auto        &friction = steady.problem.loads.friction;
+      SolverReport rounds;
+      for (unsigned int k = 0; k < most_rounds && !rounds.converged; ++k)
+        {
+          solve_once(scene, demands, steady);
+          rounds.add_friction_round(steady.solver);
+          if (!steady.solver.converged)
+            break;
+          const auto hot    = hot_friction(scene,
+                                        cold,
+                                        flash_temperature(scene,
+                                                          steady.problem,
+                                                          steady.state));
+          double     change = 0.;
+          for (std::size_t i = 0; i < hot.size(); ++i)
+            change = std::max(change, std::abs(hot[i] - friction[i]));
+          rounds.converged =
+            change <= settled * scene.contact.friction_coefficient;
+          if (rounds.converged)
+            break;
+          for (std::size_t i = 0; i < hot.size(); ++i)
+            friction[i] += (k < n_whole ? 1. : 0.5) * (hot[i] - friction[i]);
+        }
+      if (!rounds.converged && steady.solver.converged)
+        rounds.reason = "friction and the temperature of the surfaces did not "
+                        "settle: Contact/Friction over temperature may change "
+                        "too steeply";
+      steady.solver = rounds;
+    }
+
+    /**
+     * A solve at constant mu, or rounds of them where mu follows the heat.
+     */
+    template <int dim>
+    void solve_with_friction(const PairSpec     &scene,
+                             const StateDemands &demands,
+                             SteadyState<dim>   &steady)
+    {
+      scene.contact.friction_over_temperature.empty() ||
+          steady.problem.n_tangential() == 0
+        ? solve_once(scene, demands, steady)
+        : solve_hot(scene, demands, steady);
     }
 
     /**
@@ -51,7 +110,7 @@ namespace RollingContact
              too_much               = std::numeric_limits<double>::infinity();
       for (unsigned int k = 0; k < max_rounds; ++k)
         {
-          solve_once(scene, demands, steady);
+          solve_with_friction(scene, demands, steady);
           if (!steady.solver.converged)
             return;
           const Resultants found = resultants(steady.problem, steady.state);
@@ -96,7 +155,7 @@ namespace RollingContact
     const auto solve = [&]() {
       steady.problem.loads.inclined_load
         ? solve_inclined(scene, demands, steady)
-        : solve_once(scene, demands, steady);
+        : solve_with_friction(scene, demands, steady);
       return steady.solver;
     };
     if (!steady.problem.loads.forces.any())

@@ -1,4 +1,5 @@
 #include <rolling_contact/contact/halved_problem.h>
+#include <rolling_contact/contact/node_lines.h>
 #include <rolling_contact/solvers/newton_system.h>
 #include <rolling_contact/state/estimate_errors.h>
 
@@ -150,14 +151,46 @@ namespace RollingContact
       return state;
     }
 
-    bool any_sticks(const ContactProblem &problem, const ContactState &state)
+    /**
+     * |s_i - s_j| / min(|s_i|, |s_j|), at most 1.
+     */
+    double
+    turn(const NodalField &slip, const unsigned int i, const unsigned int j)
+    {
+      double change = 0.;
+      for (unsigned int c = 0; c < slip.n_components(); ++c)
+        change = std::hypot(change, slip(c, i) - slip(c, j));
+      const double smaller = std::min(slip.norm_at(i), slip.norm_at(j));
+      return change < smaller ? change / smaller : 1.;
+    }
+
+    /**
+     * ErrorEstimate::load_on_turning_slip.
+     */
+    std::optional<double> load_on_turning_slip(const ContactProblem &problem,
+                                               const ContactState   &state)
     {
       if (problem.n_tangential() == 0)
-        return false;
-      const auto states =
-        node_states(tangential_problem(problem, state), state);
-      return std::find(states.begin(), states.end(), NodeState::stick) !=
-             states.end();
+        return {};
+      const TangentialProblem tangential = tangential_problem(problem, state);
+      const auto              states     = node_states(tangential, state);
+      if (std::find(states.begin(), states.end(), NodeState::stick) !=
+          states.end())
+        return {};
+      const NodalField    slip = tangential.mean_slip(state);
+      std::vector<double> turns(problem.n_nodes(), 0.);
+      for (unsigned int axis = 0; axis < problem.n_tangential(); ++axis)
+        for (const auto &line : node_lines(problem.operators, axis))
+          for (std::size_t k = 1; k < line.size(); ++k)
+            if (const unsigned int i = line[k - 1], j = line[k];
+                states[i] == NodeState::slip && states[j] == NodeState::slip)
+              for (const unsigned int node : {i, j})
+                turns[node] = std::max(turns[node], turn(slip, i, j));
+      double sum = 0.;
+      for (unsigned int i = 0; i < problem.n_nodes(); ++i)
+        sum += problem.operators.areas()[i] * state.pressure[i] *
+               std::pow(turns[i], 2);
+      return sum;
     }
   } // namespace
 
@@ -185,8 +218,8 @@ namespace RollingContact
           last       = &half.problem;
           last_state = std::move(*state);
         }
-    estimate.sticks = any_sticks(problem, steady.state);
-    estimate.bulk   = changes_by_bulk(
+    estimate.load_on_turning_slip = load_on_turning_slip(problem, steady.state);
+    estimate.bulk                 = changes_by_bulk(
       scene, steady, *last, last == &problem ? steady.state : last_state);
     steady.estimate = estimate;
   }

@@ -115,6 +115,7 @@ namespace RollingContact
     bool         is_grown    = false; ///< by more than the zone's elements
     unsigned int n_resized   = 0;
     unsigned int enlargement = 0; ///< of the zone, in elements
+    unsigned int n_around    = 1; ///< elements, at places that are reached
   };
 
   template <int dim>
@@ -126,8 +127,23 @@ namespace RollingContact
                        first =
                          patch.boxes.empty() ? std::max(1u, asked / 8) : 1,
                        next = enlargement == 0 ? first : 2 * enlargement;
+    // where patches are, nodes all around them would be of no use elsewhere
+    if (!patch.boxes.empty() && enlargement > 0)
+      {
+        n_around *= 2;
+        for (const unsigned int i :
+             nodes_at_border(steady.pair->trace().border_nodes(),
+                             steady.problem,
+                             steady.state.pressure))
+          {
+            const auto &at = steady.problem.operators.positions()[i];
+            patch.boxes.push_back(
+              ZoneBox{at, at}.grown(n_around * grading.element_size_x,
+                                    n_around * grading.element_size_y));
+          }
+      }
     // a zone that is a little too small needs no larger elements
-    if (patch.boxes.empty() && next > std::max(first, asked / 2))
+    else if (patch.boxes.empty() && next > std::max(first, asked / 2))
       {
         patch.half_width_x *= 1.5;
         patch.half_width_y *= 1.5;

@@ -268,6 +268,13 @@ def state_2d(folder):
     check_summary(folder, row, False)
     field = check_fields(os.path.join(folder, "interface.vtu"), row)
     near(f"{folder}: hottest place", row["flash_temperature_K"], max(field["flash_temperature"]), 1e-6)
+    near(f"{folder}: bodies of 20 degrees", row["surface_temperature_K"], 293.15 + row["flash_temperature_K"], 1e-6)
+    for body in ("wheel", "rail"):
+        near(f"{folder}: half of the heat", row[f"heat_to_{body}_W"], row["dissipation_J/m"] * 20 / 2, 1e-6)
+    touching = [k for k, p in enumerate(field["pressure"]) if p > 0]
+    near(f"{folder}: mean of the temperature", row["mean_flash_temperature_K"],
+         sum(field["flash_temperature"][k] * field["area"][k] for k in touching) / sum(field["area"][k] for k in touching),
+         1e-6)
     # a band of even heat, a half of it for each body, at 20 m/s: 2 q sqrt(l / (pi k rho c V))
     slips = 2 * row["half_width_x_m"] * (1 - row["stick_area_m2"] / row["contact_area_m2"])
     heat = row["dissipation_J/m"] * 20 / (2 * slips * WIDTH)

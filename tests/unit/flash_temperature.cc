@@ -5,8 +5,10 @@
 #include "scene_run.h"
 #include "time_run.h"
 
+#include <rolling_contact/pair/friction_heat.h>
 #include <rolling_contact/references/moving_heat_source.h>
-#include <rolling_contact/results/flash_temperature.h>
+#include <rolling_contact/results/error_bounds.h>
+#include <rolling_contact/scene/hot_friction.h>
 
 #include <algorithm>
 #include <cmath>
@@ -136,6 +138,105 @@ BOOST_AUTO_TEST_CASE(full_sliding_of_two_discs)
   const double place =
     run.steady.problem.operators.positions()[hottest - rise.begin()][0];
   BOOST_TEST(std::abs(place / a - at) < 0.06);
+}
+
+/**
+ * Bodies of unlike temperature and no sliding: the surfaces have the mean
+ * weighted by e = sqrt(k rho c), and the heat is what flows into a half-space
+ * whose surface is suddenly at that.
+ */
+BOOST_AUTO_TEST_CASE(of_bodies_that_are_not_equally_warm)
+{
+  SceneRun<2> run(standard<2>, [](SceneParameters &scene) {
+    scene.contact.creepages.x        = 0.;
+    scene.contact.speed              = 40.;
+    scene.wheel.temperature          = 400.;
+    scene.rail.temperature           = 250.;
+    scene.rail.thermal_conductivity  = 200.;
+    scene.mesh.elements_across_patch = 48;
+  });
+  // e of the rail is twice that of the wheel
+  BOOST_TEST(contact_temperature(run.situation()) == 300.,
+             boost::test_tools::tolerance(1e-12));
+  const auto flows =
+    heat_flows(run.situation(), run.steady.problem, run.steady.state, 0.);
+  BOOST_TEST(flows.wheel == -flows.rail);
+  const double e = std::sqrt(50. * 7800. * 460.),
+               a = run.steady.result.half_width_x, V = 40., n = 20000.;
+  double sum = 0.; // of the flux e (400 - 300)/sqrt(pi t) over the patch
+  for (double k = 0.5; k < n; ++k)
+    sum += e * 100. / std::sqrt(pi * k / n * 2 * a / V) * 2 * a / n;
+  BOOST_TEST(flows.rail == 0.02 * sum, boost::test_tools::tolerance(0.03));
+  const auto shared =
+    heat_flows(run.situation(), run.steady.problem, run.steady.state, 900.);
+  BOOST_TEST(shared.wheel - flows.wheel == 300.,
+             boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(shared.rail - flows.rail == 600.,
+             boost::test_tools::tolerance(1e-9));
+}
+
+/**
+ * Where mu follows the temperature, each node has the mu of its own.
+ */
+BOOST_AUTO_TEST_CASE(friction_that_becomes_less_where_it_is_hot)
+{
+  const std::string text = "300: 1, 400: 0.9, 1200: 0.3";
+  const auto        make = [&](const double creepage, const std::string &hot) {
+    return std::make_unique<SceneRun<2>>(
+      standard<2>, [&](SceneParameters &scene) {
+        scene.contact.creepages.x               = creepage;
+        scene.contact.speed                     = 40.;
+        scene.contact.friction_over_temperature = hot;
+        scene.mesh.elements_across_patch        = 32;
+      });
+  };
+  for (const double creepage : {0.002, 0.01, 0.05})
+    {
+      const auto        run = make(creepage, text), cold = make(creepage, "");
+      const auto        rise = flash_temperature(run->situation(),
+                                          run->steady.problem,
+                                          run->steady.state);
+      const HotFriction law(text);
+      double            total = 0.;
+      for (unsigned int i = 0; i < rise.size(); ++i)
+        {
+          const double mu = 0.3 * law.share(293.15 + rise[i]);
+          BOOST_TEST(run->steady.problem.loads.friction[i] == mu,
+                     boost::test_tools::tolerance(1e-7));
+          const double p = run->steady.state.pressure[i];
+          BOOST_TEST(std::abs(run->steady.state.traction(0, i)) <=
+                     mu * p * (1 + 1e-6));
+          total += mu * p * run->steady.problem.operators.areas()[i];
+        }
+      BOOST_TEST(std::abs(run->steady.result.force_x) <
+                 std::abs(cold->steady.result.force_x));
+      BOOST_TEST(run->steady.solver.friction_rounds > 2u);
+      BOOST_TEST(!error_bounds(run->situation(), run->steady).force);
+      if (creepage == 0.05)
+        BOOST_TEST(std::abs(run->steady.result.force_x) == total,
+                   boost::test_tools::tolerance(1e-6));
+    }
+  // friction that does not change where it is this hot
+  const auto same = make(0.01, "293: 1, 3000: 1"), cold = make(0.01, "");
+  BOOST_TEST(same->steady.result.force_x == cold->steady.result.force_x,
+             boost::test_tools::tolerance(1e-9));
+}
+
+BOOST_AUTO_TEST_CASE(friction_over_temperature_as_it_is_written)
+{
+  const HotFriction law("300: 1, 500 : 0.6");
+  BOOST_TEST(law.share(100.) == 1.);
+  BOOST_TEST(law.share(400.) == 0.8, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(law.share(900.) == 0.6, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(HotFriction("").is_constant());
+  for (const char *wrong : {"0.3",
+                            "300 1",
+                            "20: 1, 300: 0.5",
+                            "300: 1, 300: 2",
+                            "300: 0",
+                            "300: -1",
+                            "300: x"})
+    BOOST_CHECK_THROW(HotFriction{wrong}, InputError);
 }
 
 BOOST_AUTO_TEST_CASE(what_there_is_no_temperature_of)

@@ -78,9 +78,15 @@ namespace RollingContact
                      const NodalField       &slip);
 
   /**
-   * True if a node touches whose surroundings are not all on the trace: the
-   * candidate zone is too small for the patch.
+   * The nodes that touch and whose surroundings are not all on the trace: where
+   * there are any, the candidate zone is too small for the patch.
    */
+  std::vector<unsigned int>
+  nodes_at_border(const std::vector<bool>   &border,
+                  const ContactProblem      &problem,
+                  const std::vector<double> &pressure);
+
+  /** True if there are nodes_at_border(). */
   bool reaches_border(const std::vector<bool>   &border,
                       const ContactProblem      &problem,
                       const std::vector<double> &pressure);

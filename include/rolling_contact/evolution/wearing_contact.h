@@ -3,6 +3,7 @@
 
 #include <rolling_contact/damage/wear_laws.h>
 #include <rolling_contact/evolution/running_surfaces.h>
+#include <rolling_contact/pair/friction_heat.h>
 #include <rolling_contact/tables/kept_states.h>
 
 #include <array>
@@ -91,6 +92,8 @@ namespace RollingContact
 
     /** T gamma and the peak pressure. Units: N, Pa. */
     const double creep_work, max_pressure;
+
+    PatchTemperature flash; ///< zero where that is not known
 
     /** Across the wheel's profile, NaN without wear. Units: m. */
     double centre_of_wear = 0.;

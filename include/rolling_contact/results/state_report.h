@@ -24,6 +24,15 @@ namespace RollingContact
   void note_state(const SteadyState<dim> &steady, RunReport &report);
 
   /**
+   * Tell how hot friction makes the surfaces and what mu has become there, if
+   * it follows their temperature.
+   */
+  template <int dim>
+  void note_hot_friction(const PairSpec         &scene,
+                         const SteadyState<dim> &steady,
+                         RunReport              &report);
+
+  /**
    * Write tractions.svg: p/p0 and q/(mu p0) along the patch of a 2D state, with
    * Hertz and, where it applies, Carter.
    */

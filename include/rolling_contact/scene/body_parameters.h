@@ -78,9 +78,10 @@ namespace RollingContact
     BodyModel     model;
     ModeModel     modes = ModeModel::mesh;
     DamperEntries dampers;
-    double        thermal_conductivity = 50.;  ///< W/(m K)
-    double        heat_capacity        = 460.; ///< J/(kg K)
-    std::string   velocity_points;             ///< see read_velocity_points()
+    double        thermal_conductivity = 50.;    ///< W/(m K)
+    double        heat_capacity        = 460.;   ///< J/(kg K)
+    double        temperature          = 293.15; ///< far from the contact, K
+    std::string   velocity_points;               ///< see read_velocity_points()
 
   protected:
     /**

@@ -33,6 +33,14 @@ namespace RollingContact
     std::shared_ptr<const FrictionLaw> falling_friction() const;
 
     /**
+     * Whether mu follows neither the slip nor the temperature.
+     */
+    bool has_constant_friction() const
+    {
+      return !falling_friction() && friction_over_temperature.empty();
+    }
+
+    /**
      * The creepages with x and y as they follow from creepage_size, if that is
      * given.
      */
@@ -66,6 +74,7 @@ namespace RollingContact
     /** How such a law follows vibration: `automatic` or a FrictionResponse. */
     std::string friction_response = "automatic";
     double      friction_memory   = 60e-6; ///< of `patch mean`, s
+    std::string friction_over_temperature; ///< as HotFriction takes it
     Creepages   creepages;
     /**
      * Length of creepages.x and y together, which follow from it and the angle

@@ -218,6 +218,8 @@ namespace RollingContact
 
     void check_speed() const;
 
+    void check_hot_friction() const;
+
     void check_mesh_files() const;
   };
 } // namespace RollingContact

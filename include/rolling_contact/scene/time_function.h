@@ -86,6 +86,13 @@ namespace RollingContact
     std::shared_ptr<dealii::FunctionParser<1>> expression;
     bool                                       depends_on_time = false;
   };
+
+  /**
+   * The value at @p x of points with rising abscissae: linear between them,
+   * constant beyond. There is at least one.
+   */
+  double value_between(const std::vector<std::pair<double, double>> &points,
+                       const double                                  x);
 } // namespace RollingContact
 
 #endif

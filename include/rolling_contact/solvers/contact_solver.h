@@ -24,7 +24,7 @@ namespace RollingContact
     unsigned int tangential_solves = 0;
     unsigned int passes            = 0; ///< of normal and tangential solves
     unsigned int corrections       = 0; ///< of an approximate compliance
-    unsigned int friction_rounds   = 0; ///< of velocity-dependent friction
+    unsigned int friction_rounds   = 0; ///< of friction that follows
     unsigned int force_rounds      = 0; ///< states tried for asked forces
 
     NaturalResidual              residual;
@@ -41,6 +41,12 @@ namespace RollingContact
      * Count the work of a part, whose history follows what is there.
      */
     void add_work(const SolverReport &part);
+
+    /**
+     * Count a solve with the mu that the one before left behind, whose verdict
+     * but convergence becomes that of this report.
+     */
+    void add_friction_round(const SolverReport &part);
 
     /** For Boost.Serialization. A member not listed here does not compile. */
     template <typename Archive>

@@ -40,8 +40,13 @@ namespace RollingContact
   struct ErrorEstimate
   {
     unsigned int n_positions = 0; ///< of every second node, that were solved
-    bool         sticks      = false; ///< whether any node does
-    ValueChanges across;              ///< largest over the positions
+    ValueChanges across;          ///< largest over the positions
+
+    /** Where no node sticks, the load of each times the square of how much the
+     * slip changes to its neighbours, over the smaller of both and at most 1:
+     * what may rest between nodes, or be told wrongly by them. None where a
+     * node sticks. Units: N. */
+    std::optional<double> load_on_turning_slip;
 
     /** None where it is not known. */
     std::optional<ValueChanges> bulk;
