@@ -2,6 +2,7 @@
 
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/ranks.h>
+#include <rolling_contact/run/results_table.h>
 #include <rolling_contact/tables/session.h>
 
 namespace RollingContact::Bindings
@@ -57,6 +58,21 @@ namespace RollingContact::Bindings
           state.fields = std::make_shared<const Fields>(session->problem(),
                                                         session->state());
         return state;
+      }
+
+      py::dict row() const
+      {
+        ResultsTable table;
+        session->add_row(table);
+        py::dict found;
+        for (const std::string &column : table.columns())
+          if (const auto number = table.number(0, column))
+            found[column.c_str()] = *number;
+          else if (const std::string text = table.text(0, column); text.empty())
+            found[column.c_str()] = py::none();
+          else
+            found[column.c_str()] = text;
+        return found;
       }
 
       unsigned int n_bodies_made() const
@@ -341,6 +357,14 @@ namespace RollingContact::Bindings
         "contradict each other, ConvergenceError; the session may be used "
         "further. With check=False a state that did not converge is returned "
         "and says so.")
+      .def("row",
+           &PySession::row,
+           "The columns of results.csv of the state that was solved last, as a "
+           "dict: their names end with units, what is not known is None, what "
+           "is true or false 1 or 0. With Wear/Report the wear and fatigue of "
+           "the state, with Contact/Speed its temperatures, see doc/output.md. "
+           "Raises RuntimeError if no state that touches was solved, or an "
+           "entry was set since.")
       .def_property_readonly("n_bodies_made",
                              &PySession::n_bodies_made,
                              "How many sets of bodies were made so far.")

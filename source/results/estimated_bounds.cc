@@ -81,7 +81,8 @@ namespace RollingContact
         // a patch have edges at many places of the mesh
         const bool   plane  = found.dim == 2;
         const double weight = plane ? 0.4 + 0.6 * mesh.first_order : 0.2,
-                     share = plane ? 0.05 : 0.1, most = *mesh.force;
+                     share  = plane ? 0.05 + 0.1 * mesh.first_order : 0.1,
+                     most   = *mesh.force;
         if (change == unknown)
           return most;
         if (estimate.load_on_turning_slip)

@@ -310,6 +310,12 @@ namespace RollingContact
     return std::visit(CellNumber(), cell(row, column));
   }
 
+  std::string ResultsTable::text(const std::size_t  row,
+                                 const std::string &column) const
+  {
+    return std::visit(CellText{9}, cell(row, column));
+  }
+
   std::string ResultsTable::csv_of(const Row &row) const
   {
     std::string line;

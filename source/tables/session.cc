@@ -6,6 +6,7 @@
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/input/prm_text.h>
 #include <rolling_contact/results/error_bounds.h>
+#include <rolling_contact/results/result_row.h>
 #include <rolling_contact/scene/scene_entries.h>
 #include <rolling_contact/state/estimate_errors.h>
 #include <rolling_contact/tables/kept_states.h>
@@ -30,12 +31,15 @@ namespace RollingContact
     /** Solve a scene whose bodies touch. */
     virtual void solve(const Situation &scene, const std::string &bodies) = 0;
 
+    virtual void add_row(ResultsTable &table) = 0;
+
     virtual unsigned int n_made() const = 0;
 
     SceneEntries          entries;
     SessionState          found;
     const ContactProblem *problem = nullptr;
     const ContactState   *state   = nullptr;
+    bool is_changed = false; ///< entries, since the state was solved
   };
 
   namespace
@@ -66,6 +70,13 @@ namespace RollingContact
         report(scene, states.solve(scene, bodies));
       }
 
+      void add_row(ResultsTable &table) override
+      {
+        const RunContext &run = states.context.run;
+        RunContext own{run.folder, table, run.report, run.timer, run.log};
+        add_result_row(entries.situation(), *steady, own);
+      }
+
       unsigned int n_made() const override
       {
         return states.n_made;
@@ -74,13 +85,15 @@ namespace RollingContact
     private:
       void report(const Situation &scene, SteadyState<dim> &steady);
 
-      KeptStates<dim> states;
+      KeptStates<dim>   states;
+      SteadyState<dim> *steady = nullptr; ///< solved last
     };
 
     template <int dim>
     void Bodies<dim>::report(const Situation &scene, SteadyState<dim> &steady)
     {
       estimate_errors(scene, steady);
+      this->steady     = &steady;
       problem          = &steady.problem;
       state            = &steady.state;
       found            = session_state(scene, steady);
@@ -147,6 +160,7 @@ namespace RollingContact
                        ": a session keeps its dimension; make another one.");
     implementation->entries.check(entry, value, "");
     implementation->entries.set(entry, value);
+    implementation->is_changed = true;
   }
 
   void Session::set(const std::string &entry, const double value)
@@ -158,8 +172,9 @@ namespace RollingContact
   {
     const Stopwatch watch;
     throw_if_interrupted();
-    implementation->found   = SessionState();
-    implementation->problem = nullptr;
+    implementation->found      = SessionState();
+    implementation->problem    = nullptr;
+    implementation->is_changed = false;
     implementation->entries.check_scene();
     const Situation &scene = implementation->entries.situation();
     refuse_what_is_for_one_state(scene);
@@ -184,6 +199,15 @@ namespace RollingContact
   {
     problem();
     return *implementation->state;
+  }
+
+  void Session::add_row(ResultsTable &table) const
+  {
+    problem();
+    if (implementation->is_changed)
+      throw std::logic_error("An entry was given another value since the state "
+                             "was solved: solve it again.");
+    implementation->add_row(table);
   }
 
   unsigned int Session::n_bodies_made() const

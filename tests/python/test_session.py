@@ -50,6 +50,27 @@ class States(Case):
         self.assertNotAlmostEqual(state.stick_area / state.contact_area, 1.0, 2)
         self.assertEqual(state.creepages, (0.001, -0.0007, 0.4))
 
+    def test_has_the_row_of_the_program(self):
+        settings = {"Contact/Speed": 20, "Wear/Report": "true"}
+        session = rc.Session(PATCH_3D, settings)
+        with self.assertRaises(RuntimeError):
+            session.row()
+        session.solve()
+        found, row = session.row(), rows_of_program(PATCH_3D, settings)[0]
+        self.assertEqual(set(found), set(row))
+        for column, text in row.items():
+            if column in ("wall_s", "iterations") or column.startswith(("residual", "invariant", "energy")):
+                continue
+            if isinstance(found[column], float):
+                self.assert_close(found[column], float({"true": 1, "false": 0}.get(text, text)), 1e-6)
+            else:
+                self.assertEqual(found[column] or "", text)
+        self.assertGreater(found["flash_temperature_K"], 0)
+        self.assertGreater(found["wear_brr_mm2/km"], 0)
+        session["Contact/Creepage y"] = 0.0012
+        with self.assertRaises(RuntimeError):
+            session.row()
+
     def test_keeps_its_bodies(self):
         session = rc.Session(PATCH_3D)
         self.assertEqual(session.n_bodies_made, 0)

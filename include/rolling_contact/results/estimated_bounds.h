@@ -13,18 +13,17 @@ namespace RollingContact
    * the worst place of a mesh. Of the elements across the patch, E is what
    * every second node changes and m the bound without growth and residual:
    *   min(m, sqrt(w E m) + v m)
-   * with v = 0.05 and w = 1 where m is of first order, 0.4 where of a higher in
-   * 2D, and w = 0.2 and v = 0.1 in 3D, under spin at least E / 3 but at most
-   * 2 m; m alone where nothing is told by every second node. Where nothing
-   * sticks it is min(m, E + R/8) with R = sum P_i t_i^2 / N, the nodes' loads
-   * P_i and how much their slip changes to their neighbours, over the smaller
-   * of both and at most 1: a stick zone smaller than an element is not seen.
-   * With levels of refinement E is not above what the
-   * last level changed, nor below a third of itself, and the sum at least 1.3
-   * times that. What is missing in the bulk comes to it, 0.8 times, and 1.3
-   * times under a given approach, whose load has it in full. The weights hold
-   * 99 % of one set of random scenes and are judged on others, see
-   * doc/accuracy.md.
+   * with w = 1 and v = 0.15 where m is of first order, w = 0.4 and v = 0.05
+   * where of a higher in 2D, and w = 0.2 and v = 0.1 in 3D, under spin at least
+   * E / 3 but at most 2 m; m alone where nothing is told by every second node.
+   * Where nothing sticks it is min(m, E + R/8) with R = sum P_i t_i^2 / N, the
+   * nodes' loads P_i and how much their slip changes to their neighbours, over
+   * the smaller of both and at most 1: a stick zone smaller than an element is
+   * not seen. With levels of refinement E is not above what the last level
+   * changed, nor below a third of itself, and the sum at least 1.3 times that.
+   * What is missing in the bulk comes to it, 0.8 times, and 1.3 times under a
+   * given approach, whose load has it in full. The weights hold 99 % of one set
+   * of random scenes and are judged on others, see doc/accuracy.md.
    */
   ErrorBounds estimated_bounds(const BoundCircumstances &found,
                                const ErrorEstimate      &estimate,

@@ -126,6 +126,10 @@ namespace RollingContact
     std::optional<double> number(const std::size_t  row,
                                  const std::string &column) const;
 
+    /** A cell as it stands in the file, but not quoted; empty if it was never
+     * set. */
+    std::string text(const std::size_t row, const std::string &column) const;
+
     /** The value of a cell that was set with a text; null if it has none of
      * this type. */
     template <typename Value>

@@ -35,6 +35,8 @@ namespace RollingContact
     double      seconds = 0.; ///< wall time, with bodies
   };
 
+  class ResultsTable;
+
   template <int dim>
   struct SteadyState;
 
@@ -103,6 +105,12 @@ namespace RollingContact
      * Pressure, traction and approach of that state.
      */
     const ContactState &state() const;
+
+    /**
+     * Add the row that results.csv would have of that state. Throws
+     * std::logic_error if there is none, or an entry was set since.
+     */
+    void add_row(ResultsTable &table) const;
 
     /**
      * How many sets of bodies were made so far.
