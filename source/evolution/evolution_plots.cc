@@ -60,7 +60,7 @@ namespace RollingContact
             const std::string of    = body == 0 ? "wheel" : "rail";
             const std::string label = "y, to the field side (mm)";
             Figure            sections("Worn " + of, label, "height (mm)"),
-              depths("", label, "depth along the normal (mm)");
+              depths("", label, "depth (mm)");
             add_profiles(sections, depths, side, body);
             sections.add_panel(depths);
             sections.draw(context, "worn_" + of + ending(side));

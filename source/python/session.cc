@@ -2,7 +2,6 @@
 
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/ranks.h>
-#include <rolling_contact/run/results_table.h>
 #include <rolling_contact/tables/session.h>
 
 namespace RollingContact::Bindings
@@ -62,16 +61,9 @@ namespace RollingContact::Bindings
 
       py::dict row() const
       {
-        ResultsTable table;
-        session->add_row(table);
         py::dict found;
-        for (const std::string &column : table.columns())
-          if (const auto number = table.number(0, column))
-            found[column.c_str()] = *number;
-          else if (const std::string text = table.text(0, column); text.empty())
-            found[column.c_str()] = py::none();
-          else
-            found[column.c_str()] = text;
+        for (const auto &[column, value] : session->row())
+          found[column.c_str()] = value;
         return found;
       }
 

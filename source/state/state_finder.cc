@@ -7,6 +7,7 @@
 #include <rolling_contact/pair/split_choice.h>
 #include <rolling_contact/state/state_finder.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace RollingContact
@@ -137,9 +138,9 @@ namespace RollingContact
                              steady.state.pressure))
           {
             const auto &at = steady.problem.operators.positions()[i];
-            patch.boxes.push_back(
-              ZoneBox{at, at}.grown(n_around * grading.element_size_x,
-                                    n_around * grading.element_size_y));
+            patch.boxes.push_back(ZoneBox{at, at}.grown(
+              std::min(n_around * grading.element_size_x, patch.half_width_x),
+              n_around * grading.element_size_y));
           }
       }
     // a zone that is a little too small needs no larger elements

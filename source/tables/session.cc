@@ -201,13 +201,26 @@ namespace RollingContact
     return *implementation->state;
   }
 
-  void Session::add_row(ResultsTable &table) const
+  std::vector<Session::NamedValue> Session::row() const
   {
     problem();
     if (implementation->is_changed)
       throw std::logic_error("An entry was given another value since the state "
                              "was solved: solve it again.");
+    ResultsTable table;
     implementation->add_row(table);
+    std::vector<NamedValue> found;
+    for (const std::string &column : table.columns())
+      {
+        const std::string text = table.text(0, column);
+        if (const auto number = table.number(0, column))
+          found.emplace_back(column, *number);
+        else if (text.empty())
+          found.emplace_back(column, std::monostate());
+        else
+          found.emplace_back(column, text);
+      }
+    return found;
   }
 
   unsigned int Session::n_bodies_made() const

@@ -11,6 +11,9 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <variant>
+#include <vector>
 
 namespace RollingContact
 {
@@ -34,8 +37,6 @@ namespace RollingContact
     std::string new_bodies;   ///< why bodies were made; empty if they were kept
     double      seconds = 0.; ///< wall time, with bodies
   };
-
-  class ResultsTable;
 
   template <int dim>
   struct SteadyState;
@@ -106,11 +107,16 @@ namespace RollingContact
      */
     const ContactState &state() const;
 
+    /** A column of results.csv with its value: none, a number, a text. */
+    using NamedValue =
+      std::pair<std::string, std::variant<std::monostate, double, std::string>>;
+
     /**
-     * Add the row that results.csv would have of that state. Throws
-     * std::logic_error if there is none, or an entry was set since.
+     * The row that results.csv would have of that state; what is true or false
+     * is 1 or 0. Throws std::logic_error if there is none, or an entry was set
+     * since.
      */
-    void add_row(ResultsTable &table) const;
+    std::vector<NamedValue> row() const;
 
     /**
      * How many sets of bodies were made so far.
