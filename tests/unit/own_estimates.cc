@@ -347,6 +347,31 @@ BOOST_AUTO_TEST_CASE(take_what_the_last_level_changed_for_what_it_is)
 }
 
 /**
+ * Where every node slides the change on every second node counts in full, with
+ * an eighth of the load on slip that turns, and never more than what is known
+ * of the mesh.
+ */
+BOOST_AUTO_TEST_CASE(take_sliding_for_what_every_second_node_says)
+{
+  ErrorEstimate estimate;
+  estimate.n_positions          = 4;
+  estimate.load_on_turning_slip = 40.;
+  estimate.bulk                 = ValueChanges();
+  Resultants result;
+  result.normal_force   = 10e3;
+  result.friction_force = 3e3;
+  result.half_width_x = result.max_pressure = result.dissipation = 1.;
+  const auto bound = [&](const double change) {
+    estimate.across.force = change;
+    return *estimated_bounds(of_twins(3), estimate, result).force;
+  };
+  const auto tolerance = boost::test_tools::tolerance(1e-9);
+  BOOST_TEST(bound(3.) == 1e-3 + 40. / 8 / 10e3, tolerance);
+  BOOST_TEST(bound(6.) - bound(3.) == 1e-3, tolerance);
+  BOOST_TEST(bound(3e3) == *error_bounds(of_twins(3)).force, tolerance);
+}
+
+/**
  * Edges left to upwind 2 have its error, by their share.
  */
 BOOST_AUTO_TEST_CASE(know_which_edges_are_left_to_upwind_2)
