@@ -87,6 +87,9 @@ namespace RollingContact
           return most;
         if (estimate.load_on_turning_slip)
           return std::min(most, change + of_turns());
+        // its errors come near to what is known of it, whatever E says
+        if (found.kind == SlipOperatorKind::upwind_1)
+          return most;
         const double told =
           std::min(most, std::sqrt(weight * change * most) + share * most);
         return plane || !found.spin

@@ -372,6 +372,26 @@ BOOST_AUTO_TEST_CASE(take_sliding_for_what_every_second_node_says)
 }
 
 /**
+ * The error of upwind 1 comes near to what is known of it, whatever every
+ * second node says.
+ */
+BOOST_AUTO_TEST_CASE(know_that_upwind_1_is_as_bad_as_it_is)
+{
+  BoundCircumstances found = of_twins(2);
+  found.kind               = SlipOperatorKind::upwind_1;
+  ErrorEstimate estimate;
+  estimate.n_positions  = 2;
+  estimate.across.force = 1e-6;
+  estimate.bulk         = ValueChanges();
+  Resultants result;
+  result.normal_force = result.friction_force = result.half_width_x =
+    result.max_pressure = result.dissipation = 1.;
+  BOOST_TEST(*estimated_bounds(found, estimate, result).force ==
+               *error_bounds(found).force,
+             boost::test_tools::tolerance(1e-9));
+}
+
+/**
  * Edges left to upwind 2 have its error, by their share.
  */
 BOOST_AUTO_TEST_CASE(know_which_edges_are_left_to_upwind_2)
