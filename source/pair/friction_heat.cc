@@ -3,7 +3,6 @@
 #include <rolling_contact/contact/tangential_problem.h>
 #include <rolling_contact/pair/friction_heat.h>
 #include <rolling_contact/references/moving_heat_source.h>
-#include <rolling_contact/scene/hot_friction.h>
 
 #include <algorithm>
 #include <array>
@@ -139,10 +138,10 @@ namespace RollingContact
   }
 
   std::vector<double> hot_friction(const PairSpec            &scene,
+                                   const HotFriction         &law,
                                    const std::vector<double> &cold,
                                    const std::vector<double> &rise)
   {
-    const HotFriction   law(scene.contact.friction_over_temperature);
     const double        base     = contact_temperature(scene);
     std::vector<double> friction = cold;
     for (std::size_t i = 0; i < rise.size(); ++i)

@@ -150,7 +150,7 @@ namespace RollingContact
       {"traction_bound", "Pa", [](S s) { return one(s.tangential().bound); }},
       {"friction_coefficient", "1", &friction},
       {"sliding_speed", "m/s", &sliding_speed, false, true},
-      {"flash_temperature", "K", &temperature, false, false, true},
+      {"flash_temperature", "K", &temperature},
       {"wear_rate_archard", "1", &wear_rate<0>, false, true},
       {"wear_rate_usfd", "1", &wear_rate<1>, false, true},
       {"wear_rate_t_gamma", "1", &wear_rate<2>, false, true},

@@ -104,26 +104,6 @@ namespace RollingContact
     }
 
     /**
-     * The largest values of the fields that have a column.
-     */
-    template <int dim>
-    void set_field_columns(const PairSpec         &scene,
-                           const SteadyState<dim> &steady,
-                           ResultsTable           &table)
-    {
-      const NodalState state(steady.problem,
-                             steady.state,
-                             !steady.restored,
-                             &scene);
-      for (const NodalQuantity &quantity : nodal_quantities())
-        if (const auto field =
-              quantity.has_column ? quantity.of(state) : std::nullopt)
-          table.set(quantity.column(),
-                    *std::max_element(field->values().begin(),
-                                      field->values().end()));
-    }
-
-    /**
      * Where the heat of friction goes, and how hot it makes the patch in the
      * mean and at most.
      */
@@ -141,6 +121,7 @@ namespace RollingContact
                    steady.state,
                    steady.result.dissipation *
                      std::abs(scene.contact.rolling_speed()));
+      table.set("flash_temperature_K", flash->largest);
       table.set("mean_flash_temperature_K", flash->mean);
       table.set("surface_temperature_K",
                 contact_temperature(scene) + flash->largest);
@@ -291,10 +272,7 @@ namespace RollingContact
     if (steady.problem.operators.time_scaling().rate == 0.)
       set_bound_columns(scene, steady, table);
     if (solved)
-      {
-        set_field_columns(scene, steady, table);
-        set_heat_columns(scene, steady, table);
-      }
+      set_heat_columns(scene, steady, table);
     set_solver_columns(steady.solver, table);
     set_falling_friction_columns(steady, table);
     const Invariants found =

@@ -78,20 +78,21 @@ namespace RollingContact
     if (scene.contact.friction_over_temperature.empty() ||
         !(steady.result.friction_force > 0.))
       return;
-    const auto rise  = flash_temperature(scene, steady.problem, steady.state);
-    double     least = scene.contact.friction_coefficient, most = 0.;
-    for (std::size_t i = 0; i < rise.size(); ++i)
+    const auto &friction = steady.problem.loads.friction;
+    const auto  flash = patch_temperature(scene, steady.problem, steady.state);
+    double      least = scene.contact.friction_coefficient, most = 0.;
+    for (std::size_t i = 0; i < friction.size(); ++i)
       if (steady.state.pressure[i] > 0.)
         {
-          least = std::min(least, steady.problem.loads.friction[i]);
-          most  = std::max(most, steady.problem.loads.friction[i]);
+          least = std::min(least, friction[i]);
+          most  = std::max(most, friction[i]);
         }
     const double touch = contact_temperature(scene);
-    report.set_finding(
-      "heat",
-      "surfaces of " + significant(touch, 4) + " to " +
-        significant(touch + *std::max_element(rise.begin(), rise.end()), 4) +
-        " K, mu from " + significant(most, 3) + " to " + significant(least, 3));
+    report.set_finding("heat",
+                       "surfaces of " + significant(touch, 4) + " to " +
+                         significant(touch + (flash ? flash->largest : 0.), 4) +
+                         " K, mu from " + significant(most, 3) + " to " +
+                         significant(least, 3));
   }
 
   namespace

@@ -1,10 +1,8 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/number_text.h>
-#include <rolling_contact/base/text.h>
+#include <rolling_contact/input/text_table.h>
 #include <rolling_contact/scene/hot_friction.h>
 #include <rolling_contact/scene/time_function.h>
-
-#include <sstream>
 
 namespace RollingContact
 {
@@ -25,18 +23,15 @@ namespace RollingContact
 
   HotFriction::HotFriction(const std::string &text)
   {
-    std::istringstream list(text);
-    for (std::string part; std::getline(list, part, ',');)
+    if (text.empty())
+      return;
+    for (const std::string &part : cells_of(text, ','))
       {
-        const std::size_t colon       = part.find(':');
-        const auto        temperature = colon == std::string::npos
-                                          ? std::nullopt
-                                          : number_of(trimmed(part.substr(0, colon)));
-        const auto        share       = colon == std::string::npos
-                                          ? std::nullopt
-                                          : number_of(trimmed(part.substr(colon + 1)));
-        if (!temperature || !share)
-          reject_hot_friction(text, "\"" + trimmed(part) + "\" is no pair.");
+        const auto pair        = cells_of(part, ':');
+        const auto temperature = number(pair.front());
+        const auto share       = number(pair.back());
+        if (pair.size() != 2 || !temperature || !share)
+          reject_hot_friction(text, "\"" + part + "\" is no pair.");
         if (!(*temperature >= coldest))
           reject_hot_friction(text,
                               text_of(*temperature) +

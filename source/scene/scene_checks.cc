@@ -33,12 +33,12 @@ namespace RollingContact
     if (hot.empty() || contact.friction_coefficient == 0.)
       return;
     const std::string given = "Contact/Friction over temperature = " + hot;
-    if (marches() || analysis.until_periodic || analysis.linearises)
+    if (marches() || analysis.linearises)
       throw InputError(given + ": Analysis = " + analysis.name +
                        " does not know how surfaces become hot and cold while "
                        "they vibrate; leave it empty, or find the steady state "
                        "with Analysis = quasi-static.");
-    if (!contact.speed && analysis.has_contact)
+    if (!contact.speed)
       throw InputError(given +
                        " and Contact/Speed is empty: how hot friction makes "
                        "the surfaces depends on the rolling speed V in m/s; "

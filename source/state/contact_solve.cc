@@ -35,7 +35,8 @@ namespace RollingContact
      * heat, so that rounds approach each other; half the way where they do not.
      */
     template <int dim>
-    void solve_hot(const PairSpec     &scene,
+    void solve_hot(const HotFriction  &law,
+                   const PairSpec     &scene,
                    const StateDemands &demands,
                    SteadyState<dim>   &steady)
     {
@@ -51,6 +52,7 @@ namespace RollingContact
           if (!steady.solver.converged)
             break;
           const auto hot    = hot_friction(scene,
+                                        law,
                                         cold,
                                         flash_temperature(scene,
                                                           steady.problem,
@@ -80,10 +82,10 @@ namespace RollingContact
                              const StateDemands &demands,
                              SteadyState<dim>   &steady)
     {
-      scene.contact.friction_over_temperature.empty() ||
-          steady.problem.n_tangential() == 0
+      const HotFriction law(scene.contact.friction_over_temperature);
+      law.is_constant() || steady.problem.n_tangential() == 0
         ? solve_once(scene, demands, steady)
-        : solve_hot(scene, demands, steady);
+        : solve_hot(law, scene, demands, steady);
     }
 
     /**

@@ -234,6 +234,12 @@ BOOST_AUTO_TEST_CASE(friction_over_temperature_as_it_is_written)
                             "20: 1, 300: 0.5",
                             "300: 1, 300: 2",
                             "300: 0",
+                            "300: inf",
+                            "inf: 1",
+                            "300: nan",
+                            "300:",
+                            "300: 1,",
+                            ",",
                             "300: -1",
                             "300: x"})
     BOOST_CHECK_THROW(HotFriction{wrong}, InputError);

@@ -2,6 +2,7 @@
 #define rolling_contact_pair_friction_heat_h
 
 #include <rolling_contact/contact/contact_state.h>
+#include <rolling_contact/scene/hot_friction.h>
 #include <rolling_contact/scene/pair_spec.h>
 
 #include <optional>
@@ -72,10 +73,11 @@ namespace RollingContact
 
   /**
    * mu of each node where it follows the temperature of the surfaces: that of
-   * the scene at each node, @p cold, times the share of HotFriction. @p rise is
-   * the flash temperature.
+   * the scene at each node, @p cold, times the share of the @p law. @p rise is
+   * the flash temperature, K.
    */
   std::vector<double> hot_friction(const PairSpec            &scene,
+                                   const HotFriction         &law,
                                    const std::vector<double> &cold,
                                    const std::vector<double> &rise);
 } // namespace RollingContact

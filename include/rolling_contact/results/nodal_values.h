@@ -69,14 +69,6 @@ namespace RollingContact
      */
     bool of_step = false;
 
-    /** Its largest value is a column of results.csv, name_unit. */
-    bool has_column = false;
-
-    std::string column() const
-    {
-      return name + '_' + unit;
-    }
-
     /** The field of a state, if it has one. */
     std::optional<NodalField> of(const NodalState &state) const;
   };
