@@ -2,7 +2,7 @@
 
 #include <rolling_contact/algebra/fourier.h>
 
-#include <functional>
+#include <algorithm>
 #include <mutex>
 
 namespace RollingContact::Signals
@@ -71,6 +71,63 @@ namespace RollingContact::Signals
     for (double &value : values)
       value /= static_cast<double>(n);
     return values;
+  }
+
+  namespace
+  {
+    using Sums = std::vector<std::complex<double>>;
+
+    Sums sums_of_grid(std::vector<double> values,
+                      const std::size_t   n_x,
+                      const std::size_t   n_y)
+    {
+      Sums sums(n_y * (n_x / 2 + 1));
+      run([&]() {
+        return fftw_plan_dft_r2c_2d(
+          n_y, n_x, values.data(), fftw_data(sums), FFTW_ESTIMATE);
+      });
+      return sums;
+    }
+  } // namespace
+
+  EvenToeplitz::EvenToeplitz(
+    const std::size_t                                  n_x,
+    const std::size_t                                  n_y,
+    const std::function<double(const int, const int)> &entry)
+    : n_x(n_x)
+    , n_y(n_y)
+    , wide(2 * n_x)
+    , high(2 * n_y)
+  {
+    std::vector<double> circle(wide * high, 0.);
+    for (std::size_t j = 0; j < n_y; ++j)
+      for (std::size_t i = 0; i < n_x; ++i)
+        {
+          const double value = entry(i, j);
+          for (const std::size_t row : {j, (high - j) % high})
+            for (const std::size_t place : {i, (wide - i) % wide})
+              circle[row * wide + place] = value;
+        }
+    for (const auto &sum : sums_of_grid(std::move(circle), wide, high))
+      factors.push_back(sum.real() / (wide * high));
+  }
+
+  std::vector<double>
+  EvenToeplitz::multiply(const std::vector<double> &values) const
+  {
+    std::vector<double> circle(wide * high, 0.), result;
+    for (std::size_t j = 0; j < n_y; ++j)
+      std::copy_n(&values[n_x * j], n_x, &circle[wide * j]);
+    Sums sums = sums_of_grid(circle, wide, high);
+    for (std::size_t k = 0; k < sums.size(); ++k)
+      sums[k] *= factors[k];
+    run([&]() {
+      return fftw_plan_dft_c2r_2d(
+        high, wide, fftw_data(sums), circle.data(), FFTW_ESTIMATE);
+    });
+    for (std::size_t j = 0; j < n_y; ++j)
+      result.insert(result.end(), &circle[wide * j], &circle[wide * j + n_x]);
+    return result;
   }
 
   std::vector<double> cosine_amplitudes(std::vector<double> values)

@@ -324,23 +324,12 @@ namespace RollingContact
     figure.draw(context, "steering");
   }
 
-  namespace
-  {
-    std::unique_ptr<Analysis> make_contact_table(const Situation &scene,
-                                                 RunContext      &context)
-    {
-      return std::make_unique<ContactTable>(scene, context);
-    }
-  } // namespace
-
   AnalysisKind contact_table_kind()
   {
-    AnalysisKind kind;
-    kind.name = "contact table";
-    kind.help =
-      "where rigid wheel and rail profiles touch, see section Profiles";
-    kind.in_2d = kind.in_3d = &make_contact_table;
-    kind.sections           = {"Contact table"};
+    AnalysisKind kind = kind_of<ContactTable>(
+      "contact table",
+      "where rigid wheel and rail profiles touch, see section Profiles");
+    kind.sections   = {"Contact table"};
     kind.has_bodies = kind.has_contact = false;
     kind.on_ranks                      = false;
     kind.rules                         = {&check_rigid_profiles};

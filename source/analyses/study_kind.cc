@@ -12,8 +12,8 @@ namespace RollingContact
                                          RunContext      &context)
     {
       return scene.inputs->study.varies_time_step
-               ? make_analysis<TimeStudy, dim>(scene, context)
-               : make_analysis<AccuracyStudy, dim>(scene, context);
+               ? make_analysis<TimeStudy<dim>>(scene, context)
+               : make_analysis<AccuracyStudy<dim>>(scene, context);
     }
 
     void check_study(const SceneParameters &scene)

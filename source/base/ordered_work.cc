@@ -1,6 +1,8 @@
 #include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/base/ordered_work.h>
 #include <rolling_contact/base/platform.h>
+#include <rolling_contact/base/ranks.h>
+#include <rolling_contact/base/relayed_exception.h>
 
 #include <algorithm>
 #include <condition_variable>
@@ -139,5 +141,42 @@ namespace RollingContact
     if (failure)
       std::rethrow_exception(failure);
     throw_if_interrupted();
+  }
+
+  namespace
+  {
+    unsigned int rank_of(const std::size_t task)
+    {
+      return task % Ranks::count();
+    }
+  } // namespace
+
+  bool is_done_here(const std::size_t task)
+  {
+    return rank_of(task) == Ranks::rank();
+  }
+
+  void do_on_ranks(const std::size_t                       n_tasks,
+                   const unsigned int                      n_threads,
+                   const std::function<void(std::size_t)> &task,
+                   const std::function<void(std::size_t, unsigned int)> &follow)
+  {
+    std::vector<std::size_t> own;
+    for (std::size_t k = 0; k < n_tasks; ++k)
+      if (is_done_here(k))
+        own.push_back(k);
+    std::vector<RelayedException> failures(n_tasks);
+    const auto                    work = [&](const std::size_t k) {
+      failures[own[k]] = caught_from([&]() { task(own[k]); });
+    };
+    Ranks::apart([&]() {
+      do_in_order(
+        own.size(), n_threads, [&]() { return work; }, [](std::size_t) {});
+    });
+    for (std::size_t k = 0; k < n_tasks; ++k)
+      {
+        Ranks::on(rank_of(k), [&]() { rethrow(failures[k]); });
+        follow(k, rank_of(k));
+      }
   }
 } // namespace RollingContact

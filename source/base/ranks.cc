@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 
 namespace RollingContact
 {
@@ -22,13 +23,14 @@ namespace RollingContact
 
       bool started_here = false;
       bool inside_on    = false;
+      bool is_apart     = false; ///< others are as if they were not there
 
       bool is_on()
       {
         int initialised = 0, finalised = 0;
         MPI_Initialized(&initialised);
         MPI_Finalized(&finalised);
-        return initialised != 0 && finalised == 0;
+        return initialised != 0 && finalised == 0 && !is_apart;
       }
 
       /** The number in an environment variable; 0 if there is none. */
@@ -55,15 +57,6 @@ namespace RollingContact
           throw std::logic_error("The other ranks wait in Ranks::on(): there "
                                  "is no collective inside it.");
         return true;
-      }
-
-      double reduced(const double value, const MPI_Op operation)
-      {
-        double result = value;
-        if (has_others())
-          MPI_Allreduce(
-            &value, &result, 1, MPI_DOUBLE, operation, communicator());
-        return result;
       }
 
       /** Calls action(pointer to the entries, their number) piece by piece. */
@@ -103,6 +96,18 @@ namespace RollingContact
             if (done == 0 && n >= n_eager_tests)
               std::this_thread::sleep_for(std::chrono::microseconds(100));
           }
+      }
+
+      double reduced(const double value, const MPI_Op operation)
+      {
+        double result = value;
+        if (!has_others())
+          return result;
+        MPI_Request request;
+        MPI_Iallreduce(
+          &value, &result, 1, MPI_DOUBLE, operation, communicator(), &request);
+        sleep_until_done(request);
+        return result;
       }
 
       /** Throw the exception of one rank on all. Collective. */
@@ -245,6 +250,16 @@ namespace RollingContact
         relayed = {};
       if (first < count())
         rethrow_on_all_ranks(relayed, static_cast<unsigned int>(first));
+    }
+
+    void apart(const std::function<void()> &action)
+    {
+      on_all([&]() {
+        const bool was_apart = std::exchange(is_apart, true);
+        const auto relayed   = caught_from(action);
+        is_apart             = was_apart;
+        rethrow(relayed);
+      });
     }
 
     bool others_wait()

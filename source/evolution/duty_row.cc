@@ -123,7 +123,7 @@ namespace RollingContact
     for (unsigned int i = 0; i < n; ++i)
       gear.wheels(i).set_profiles(both);
     balance();
-    DutyState found{gear.now(), {}};
+    DutyState found;
     found.contacts.reserve(2 * n);
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int k = 0; k < 2; ++k)
@@ -141,9 +141,14 @@ namespace RollingContact
                                       is_mirrored ? 1 - k : k,
                                       1. / (n * 2 / surfaces.n_sides()));
         }
-    if (is_mirrored)
-      for (WheelsetState &state : found.running.wheelsets)
-        state = state.mirrored();
+    for (const WearingContact &contact : found.contacts)
+      found.summary.wheels.push_back(contact.told);
+    const double side = is_mirrored ? -1. : 1.;
+    for (const WheelsetState &state : gear.now().wheelsets)
+      found.summary.wheelsets.push_back({side * state.acting.curvature,
+                                         side * state.place.shift,
+                                         side * state.place.yaw,
+                                         state.largest_residual()});
     return found;
   }
 } // namespace RollingContact

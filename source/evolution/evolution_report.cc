@@ -3,6 +3,8 @@
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/evolution/evolution_report.h>
+#include <rolling_contact/evolution/profile_film.h>
+#include <rolling_contact/run/pvd.h>
 #include <rolling_contact/surfaces/profile_writer.h>
 
 #include <cmath>
@@ -42,20 +44,6 @@ namespace RollingContact
     {
       const Profiles::ArcLengthAtY place(wheel);
       return place.covers(0.) ? wheel.at(place(0.)).z : 0.;
-    }
-
-    /** The gauge face of a rail in its place, so far below its top. */
-    double y_of_gauge_face(const Profiles::ProfileCurve &rail,
-                           const double                  gauge_height)
-    {
-      const double depth  = rail.at(rail.highest()).z + gauge_height;
-      const auto  &points = rail.points();
-      std::size_t  k      = 1;
-      while (k + 1 < points.size() && points[k].z > depth)
-        ++k;
-      const double share =
-        (depth - points[k - 1].z) / (points[k].z - points[k - 1].z);
-      return points[k - 1].y + share * (points[k].y - points[k - 1].y);
     }
   } // namespace
 
@@ -149,34 +137,34 @@ namespace RollingContact
                                  const DutyStates     &states)
   {
     for (std::size_t j = 0; j < states.size(); ++j)
-      for (std::size_t i = 0; i < states[j].running.wheelsets.size(); ++i)
+      for (std::size_t i = 0; i < states[j].summary.wheelsets.size(); ++i)
         {
-          const WheelsetState &state = states[j].running.wheelsets[i];
+          const DutySummary           &summary = states[j].summary;
+          const DutySummary::Wheelset &state   = summary.wheelsets[i];
           set_way(point, rows);
           rows.set("row", duty[j].name);
           rows.set("share", duty[j].share);
-          if (states[j].running.wheelsets.size() > 1)
+          if (summary.wheelsets.size() > 1)
             rows.set("wheelset", i == 0 ? "leading" : "trailing");
-          rows.set_if(state.acting.curvature != 0.,
+          rows.set_if(state.curvature != 0.,
                       "curve_radius_m",
-                      1 / state.acting.curvature);
-          rows.set("lateral_shift_m", state.place.shift);
-          rows.set("yaw_rad", state.place.yaw);
+                      1 / state.curvature);
+          rows.set("lateral_shift_m", state.shift);
+          rows.set("yaw_rad", state.yaw);
           for (unsigned int k = 0; k < 2; ++k)
-            for (const WearingContact &contact : states[j].contacts)
-              if (contact.wheel == k && contact.wheelset == i)
+            for (const WearingWheel &wheel : summary.wheels)
+              if (wheel.wheel == k && wheel.wheelset == i)
                 {
                   const std::string side = k == 0 ? "right_" : "left_";
-                  rows.set(side + "creep_work_J/m", contact.creep_work);
-                  rows.set(side + "max_pressure_Pa", contact.max_pressure);
-                  rows.set(side + "flash_temperature_K", contact.flash.largest);
-                  rows.set(side + "mean_flash_temperature_K",
-                           contact.flash.mean);
-                  rows.set_if(!std::isnan(contact.centre_of_wear),
+                  rows.set(side + "creep_work_J/m", wheel.creep_work);
+                  rows.set(side + "max_pressure_Pa", wheel.max_pressure);
+                  rows.set(side + "flash_temperature_K", wheel.flash.largest);
+                  rows.set(side + "mean_flash_temperature_K", wheel.flash.mean);
+                  rows.set_if(!std::isnan(wheel.centre_of_wear),
                               side + "centre_of_wear_y_m",
-                              contact.centre_of_wear);
+                              wheel.centre_of_wear);
                 }
-          rows.set("residual", state.largest_residual());
+          rows.set("residual", state.residual);
           rows.end_row();
         }
     rows.flush();
@@ -197,6 +185,29 @@ namespace RollingContact
                    point.share,
                    surfaces);
     shown.push_back({point.share, surfaces});
+    if (scene.inputs->output.interface_fields)
+      add_to_film();
+  }
+
+  void EvolutionReport::add_to_film()
+  {
+    std::vector<PvdBlock> film;
+    for (std::size_t k = 0; k < shown.size(); ++k)
+      for (unsigned int side = 0; side < before.n_sides(); ++side)
+        for (unsigned int body = 0; body < 2; ++body)
+          if (wears(body))
+            {
+              const std::string name = bodies_by_name[body] + ending(side),
+                                file = fmt::format("{}_{:03}.vtu", name, k);
+              film.push_back(
+                {way(shown[k].first), 2 * side + body, name, file});
+              if (k + 1 == shown.size())
+                context.folder.write_atomically(
+                  file,
+                  worn_strip(before.curve(side, body),
+                             shown[k].second.curve(side, body)));
+            }
+    write_pvd(film, context.folder, "profiles.pvd");
   }
 
   void EvolutionReport::save(EvolutionState &state) const
@@ -244,7 +255,9 @@ namespace RollingContact
       return what + "radius at the tape circle " +
              significant(radius + z_at_tape_circle(curve), 7) + " m";
     return what + "gauge " +
-           significant(2 * y_of_gauge_face(curve, scene.profiles.gauge_height),
+           significant(2 *
+                         Profiles::y_of_gauge_face(curve,
+                                                   scene.profiles.gauge_height),
                        7) +
            " m";
   }

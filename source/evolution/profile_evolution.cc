@@ -252,25 +252,16 @@ namespace RollingContact
       if (law.rate == &Damage::archard_rate && !scene.contact.speed)
         throw InputError("Evolution/Law = archard asks for Contact/Speed.");
     }
-
-    std::unique_ptr<Analysis> make_evolution(const Situation &scene,
-                                             RunContext      &context)
-    {
-      return std::make_unique<ProfileEvolution>(scene, context);
-    }
   } // namespace
 
   AnalysisKind profile_evolution_kind()
   {
-    AnalysisKind kind;
-    kind.name = "profile evolution";
-    kind.help =
+    AnalysisKind kind = kind_of<ProfileEvolution>(
+      "profile evolution",
       "how profiles of wheels and rails wear under a duty, see section "
-      "Evolution";
-    kind.in_2d = kind.in_3d = &make_evolution;
-    kind.sections           = {"Wheelset", "Evolution"};
+      "Evolution");
+    kind.sections = {"Wheelset", "Evolution"};
     kind.own_section.emplace(EvolutionParameters());
-    kind.on_ranks       = false;
     kind.finds_place    = true;
     kind.wears_profiles = true;
     kind.rules          = rules_of_wheelsets();

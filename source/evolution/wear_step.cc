@@ -1,3 +1,4 @@
+#include <rolling_contact/base/broadcast.h>
 #include <rolling_contact/base/ordered_work.h>
 #include <rolling_contact/base/platform.h>
 #include <rolling_contact/evolution/wear_step.h>
@@ -28,17 +29,13 @@ namespace RollingContact
   WearStep::WearStep(const EvolutionParameters   &section,
                      const std::vector<DutyCase> &duty)
     : section(section)
+    , duty(duty)
+    , rows(duty.size())
   {
-    for (const DutyCase &row : duty)
-      rows.push_back(std::make_unique<DutyRow>(row));
+    for (std::size_t j = 0; j < duty.size(); ++j)
+      if (is_done_here(j))
+        rows[j] = std::make_unique<DutyRow>(duty[j]);
     reserve_blas_memory(n_threads());
-  }
-
-  void WearStep::for_rows(const std::function<void(std::size_t)> &task,
-                          const std::function<void(std::size_t)> &follow) const
-  {
-    do_in_order(
-      rows.size(), n_threads(), [&]() { return task; }, follow);
   }
 
   unsigned int WearStep::n_threads() const
@@ -51,17 +48,21 @@ namespace RollingContact
   DutyStates WearStep::stand_on(const RunningSurfaces &surfaces)
   {
     DutyStates found(rows.size());
-    for_rows(
+    do_on_ranks(
+      rows.size(),
+      n_threads(),
       [&](const std::size_t j) {
         found[j] = rows[j]->stand_on(surfaces, section.wear_law());
       },
-      [](std::size_t) {});
+      [&](const std::size_t j, const unsigned int rank) {
+        Ranks::broadcast(found[j].summary, rank);
+      });
     return found;
   }
 
-  WearingWay WearStep::way_of(const DutyRow &row, const double share) const
+  WearingWay WearStep::way_of(const std::size_t row, const double share) const
   {
-    const double of_row = share * row.row.share;
+    const double of_row = share * duty[row].share;
     return {section.wears_wheel() ? of_row * section.distance.value() : 0.,
             section.wears_rail() ? of_row * section.passages.value() : 0.};
   }
@@ -72,9 +73,9 @@ namespace RollingContact
       return *section.smoothing;
     std::vector<double> centres;
     for (const DutyState &state : states)
-      for (const WearingContact &contact : state.contacts)
-        if (std::isfinite(contact.centre_of_wear))
-          centres.push_back(contact.centre_of_wear);
+      for (const WearingWheel &wheel : state.summary.wheels)
+        if (std::isfinite(wheel.centre_of_wear))
+          centres.push_back(wheel.centre_of_wear);
     std::sort(centres.begin(), centres.end());
     double largest = 0.;
     for (std::size_t k = 1; k < centres.size(); ++k)
@@ -83,23 +84,53 @@ namespace RollingContact
     return largest / 2;
   }
 
+  RunningSurfaces::Amounts WearStep::total_of(
+    const RunningSurfaces                                      &surfaces,
+    const std::function<RunningSurfaces::Amounts(std::size_t)> &of_row) const
+  {
+    RunningSurfaces::Amounts              total = surfaces.nothing();
+    std::vector<RunningSurfaces::Amounts> of_rows(rows.size());
+    do_on_ranks(
+      rows.size(),
+      n_threads(),
+      [&](const std::size_t j) { of_rows[j] = of_row(j); },
+      [&](const std::size_t j, const unsigned int rank) {
+        Ranks::broadcast(of_rows[j], rank);
+        total = sum(std::move(total), 1., of_rows[j]);
+        of_rows[j].clear();
+      });
+    return total;
+  }
+
+  RunningSurfaces::Amounts WearStep::worn_by(
+    const RunningSurfaces                                            &surfaces,
+    const DutyState                                                  &state,
+    const WearingWay                                                 &way,
+    const std::function<std::vector<double>(const WearingContact &)> &depths_of,
+    const double smoothing) const
+  {
+    RunningSurfaces::Amounts found = surfaces.nothing();
+    for (const WearingContact &contact : state.contacts)
+      found =
+        sum(std::move(found),
+            1.,
+            amounts_of(surfaces, contact, way, depths_of(contact), smoothing));
+    return found;
+  }
+
   RunningSurfaces::Amounts
   WearStep::worn_at_once(const RunningSurfaces &surfaces,
                          const DutyStates      &states,
                          const double           share) const
   {
-    const double             width = smoothing(states);
-    RunningSurfaces::Amounts total = surfaces.nothing();
-    for (std::size_t j = 0; j < rows.size(); ++j)
-      for (const WearingContact &contact : states[j].contacts)
-        total = sum(std::move(total),
-                    1.,
-                    amounts_of(surfaces,
-                               contact,
-                               way_of(*rows[j], share),
-                               contact.depths(),
-                               width));
-    return total;
+    const double width = smoothing(states);
+    return total_of(surfaces, [&](const std::size_t j) {
+      return worn_by(surfaces,
+                     states[j],
+                     way_of(j, share),
+                     std::mem_fn(&WearingContact::depths),
+                     width);
+    });
   }
 
   RunningSurfaces::Amounts
@@ -110,7 +141,7 @@ namespace RollingContact
                        const double               smoothing) const
   {
     RunningSurfaces::Amounts found = surfaces.nothing();
-    const std::size_t        side  = surfaces.side_of(contact.wheel);
+    const std::size_t        side  = surfaces.side_of(contact.told.wheel);
     for (unsigned int body = 0; body < 2; ++body)
       if (body == 0 ? section.wears_wheel() : section.wears_rail())
         found[side][body] = contact.amounts(
@@ -124,7 +155,7 @@ namespace RollingContact
                              const RunningSurfaces::Amounts &others) const
   {
     std::vector<double> found(contact.lines().size(), 0.);
-    const std::size_t   side = surfaces.side_of(contact.wheel);
+    const std::size_t   side = surfaces.side_of(contact.told.wheel);
     for (unsigned int body = 0; body < 2; ++body)
       {
         const auto  depths = surfaces.depths(others, side, body);
@@ -144,33 +175,21 @@ namespace RollingContact
       worn_at_once(surfaces, states, share);
     if (!section.is_implicit)
       return at_once;
-    const double                          width = smoothing(states);
-    RunningSurfaces::Amounts              total = surfaces.nothing();
-    std::vector<RunningSurfaces::Amounts> of_rows(rows.size());
-    for_rows(
-      [&](const std::size_t j) {
-        const WearingWay way = way_of(*rows[j], share);
-        of_rows[j]           = surfaces.nothing();
-        for (const WearingContact &contact : states[j].contacts)
-          {
-            const auto own =
-              amounts_of(surfaces, contact, way, contact.depths(), width);
-            const auto others =
-              depths_of_others(surfaces, contact, sum(at_once, -1., own));
-            of_rows[j] = sum(std::move(of_rows[j]),
-                             1.,
-                             amounts_of(surfaces,
-                                        contact,
-                                        way,
-                                        contact.depths_at_end(way, others),
-                                        width));
-          }
-      },
-      [&](const std::size_t j) {
-        total = sum(std::move(total), 1., of_rows[j]);
-        of_rows[j].clear();
-      });
-    return total;
+    const double width = smoothing(states);
+    return total_of(surfaces, [&](const std::size_t j) {
+      const WearingWay way = way_of(j, share);
+      return worn_by(
+        surfaces,
+        states[j],
+        way,
+        [&](const WearingContact &contact) {
+          const auto own =
+            amounts_of(surfaces, contact, way, contact.depths(), width);
+          return contact.depths_at_end(
+            way, depths_of_others(surfaces, contact, sum(at_once, -1., own)));
+        },
+        width);
+    });
   }
 
   WearStep::Found WearStep::find(const RunningSurfaces &surfaces,
@@ -183,16 +202,19 @@ namespace RollingContact
     const auto both = sum(first, 1., worn(middle, stand_on(middle), share / 2));
     const auto difference = sum(both, -1., whole);
     const auto amounts    = sum(both, 1., difference);
-    return {amounts,
-            surfaces.misplaced_depth(difference, amounts),
-            surfaces.largest_depth(amounts)};
+    Found      found{amounts,
+                surfaces.misplaced_depth(difference, amounts),
+                surfaces.largest_depth(amounts)};
+    Ranks::broadcast(found); // or ranks might go different ways
+    return found;
   }
 
   unsigned int WearStep::n_states() const
   {
-    unsigned int sum = 0;
+    double sum = 0.;
     for (const auto &row : rows)
-      sum += row->n_states();
-    return sum;
+      if (row)
+        sum += row->n_states();
+    return Ranks::sum(sum);
   }
 } // namespace RollingContact

@@ -51,10 +51,11 @@ namespace RollingContact
                                  const unsigned int     wheelset,
                                  const unsigned int     wheel,
                                  const double           portion)
-    : creep_work(steady.result.creep_work)
-    , max_pressure(steady.result.max_pressure)
-    , wheelset(wheelset)
-    , wheel(wheel)
+    : told{wheelset,
+           wheel,
+           steady.result.creep_work,
+           steady.result.max_pressure,
+           {}}
     , portion(portion)
     , normal(normal_contact(steady.problem, steady.state))
     , state(open_state(normal))
@@ -62,7 +63,7 @@ namespace RollingContact
   {
     if (const auto rise =
           patch_temperature(scene, steady.problem, steady.state))
-      flash = *rise;
+      told.flash = *rise;
     state.pressure = steady.state.pressure;
     state.approach = steady.state.approach;
     find_lines(scene, steady, law);
@@ -96,7 +97,7 @@ namespace RollingContact
           }
         all.push_back(wearing);
       }
-    centre_of_wear = worn > 0. ? moment / worn : std::nan("");
+    told.centre_of_wear = worn > 0. ? moment / worn : std::nan("");
   }
 
   void WearingContact::fill_lines_without_load()

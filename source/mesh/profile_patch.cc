@@ -3,7 +3,7 @@
 #include <rolling_contact/mesh/gap_lines.h>
 #include <rolling_contact/mesh/profile_patch.h>
 #include <rolling_contact/references/contact_modulus.h>
-#include <rolling_contact/references/half_space_pressure.h>
+#include <rolling_contact/surfaces/half_space_pressure.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,9 +14,6 @@ namespace RollingContact
 {
   namespace
   {
-    using References::ContactGrid;
-    using References::HalfSpacePressure;
-
     ContactGrid grid_on(const ZoneBox &box, const std::size_t n_along)
     {
       const double widest = 5e-4, width = box.upper[1] - box.lower[1];
@@ -106,8 +103,8 @@ namespace RollingContact
             }
         try
           {
-            solution.state = References::half_space_pressure(
-              grid, gap, modulus, load, approach, shares);
+            solution.state =
+              half_space_pressure(grid, gap, modulus, load, approach, shares);
           }
         catch (const std::runtime_error &error)
           {

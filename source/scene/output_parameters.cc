@@ -33,7 +33,8 @@ namespace RollingContact
       .help = "Write contact_problem.h5: compliance, contact matrix, slip "
               "operator, loads and solution of the discrete contact.";
     entries.add("Interface fields", interface_fields).help =
-      "Write interface.pvd: pressure, traction, slip, gap, state.";
+      "Write interface.pvd: pressure, traction, slip, gap, state; of profiles "
+      "that wear profiles.pvd.";
     entries.add("Plot", plot).help =
       "Write plots as SVG, each with its data and gnuplot script: tractions "
       "in 2D, profiles, curves, histories, maps, modes.";

@@ -178,23 +178,27 @@ namespace RollingContact::Profiles
             rail.curvature(rail_s)};
   }
 
+  double y_of_gauge_face(const ProfileCurve &rail, const double gauge_height)
+  {
+    const double top   = rail.highest();
+    const double depth = rail.at(top).z + gauge_height;
+    if (!(rail.points().front().z > depth))
+      throw InputError(
+        "Profiles/Gauge height = " + significant(gauge_height, 6) +
+        " m: the rail's profile ends above it on the gauge side "
+        "(first points).");
+    const auto below = [&](const double s) { return rail.at(s).z - depth; };
+    return rail.at(root(below, 0., below(0.), top, below(top))).y;
+  }
+
   ProfileCurve placed_rail(const ProfileCurve &section,
                            const double        inclination,
                            const double        gauge,
                            const double        gauge_height)
   {
     const ProfileCurve inclined = section.turned(-std::atan(inclination));
-    const double       top      = inclined.highest();
-    const double       depth    = inclined.at(top).z + gauge_height;
-    if (!(inclined.points().front().z > depth))
-      throw InputError(
-        "Profiles/Gauge height = " + significant(gauge_height, 6) +
-        " m: the rail's profile ends above it on the gauge side "
-        "(first points).");
-    const auto below = [&](const double s) { return inclined.at(s).z - depth; };
-    const double face = root(below, 0., below(0.), top, below(top));
-    return inclined.shifted(gauge / 2 - inclined.at(face).y,
-                            -inclined.at(top).z);
+    return inclined.shifted(gauge / 2 - y_of_gauge_face(inclined, gauge_height),
+                            -inclined.at(inclined.highest()).z);
   }
 
   WheelsetPosition mirrored(const WheelsetPosition &position)

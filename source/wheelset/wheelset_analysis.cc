@@ -54,24 +54,13 @@ namespace RollingContact
       }
   }
 
-  namespace
-  {
-    std::unique_ptr<Analysis> make_wheelset(const Situation &scene,
-                                            RunContext      &context)
-    {
-      return std::make_unique<WheelsetAnalysis>(scene, context);
-    }
-  } // namespace
-
   AnalysisKind wheelset_kind()
   {
-    AnalysisKind kind;
-    kind.name = "wheelset";
-    kind.help =
+    AnalysisKind kind = kind_of<WheelsetAnalysis>(
+      "wheelset",
       "where a wheelset or a bogie runs in balance, on straight track and in "
-      "curves, see section Wheelset";
-    kind.in_2d = kind.in_3d = &make_wheelset;
-    kind.sections           = {"Wheelset"};
+      "curves, see section Wheelset");
+    kind.sections = {"Wheelset"};
     kind.own_section.emplace(WheelsetParameters());
     kind.on_ranks    = false;
     kind.finds_place = true;

@@ -8,8 +8,8 @@
 #include <rolling_contact/contact/patch_area.h>
 #include <rolling_contact/contact/patches.h>
 #include <rolling_contact/mesh/profile_patch.h>
-#include <rolling_contact/references/half_space_pressure.h>
 #include <rolling_contact/references/hertz_ellipse.h>
+#include <rolling_contact/surfaces/half_space_pressure.h>
 #include <rolling_contact/surfaces/nominal_profiles.h>
 
 #include <algorithm>
@@ -264,21 +264,18 @@ BOOST_AUTO_TEST_CASE(half_spaces_press_on_the_ellipse_of_hertz)
     References::hertz_ellipse(load, A, B, steel);
   const std::size_t n = 48;
   const double      a = 1.3 * hertz.half_width_x, b = 1.3 * hertz.half_width_y;
-  const References::ContactGrid grid{
-    n, n, -a + a / n, -b + b / n, 2 * a / n, 2 * b / n};
+  const ContactGrid grid{n, n, -a + a / n, -b + b / n, 2 * a / n, 2 * b / n};
   std::vector<double> gap;
   for (std::size_t j = 0; j < n; ++j)
     for (std::size_t i = 0; i < n; ++i)
       gap.push_back(A * std::pow(grid.x(i), 2) + B * std::pow(grid.y(j), 2));
-  const auto under =
-    References::half_space_pressure(grid, gap, steel, load, 0.);
+  const auto under = half_space_pressure(grid, gap, steel, load, 0.);
   BOOST_TEST(under.approach == hertz.approach,
              boost::test_tools::tolerance(2e-3));
   BOOST_TEST(*std::max_element(under.pressure.begin(), under.pressure.end()) ==
                hertz.max_pressure,
              boost::test_tools::tolerance(5e-3));
-  const auto at =
-    References::half_space_pressure(grid, gap, steel, {}, hertz.approach);
+  const auto at = half_space_pressure(grid, gap, steel, {}, hertz.approach);
   BOOST_TEST(at.load == load, boost::test_tools::tolerance(3e-3));
 }
 

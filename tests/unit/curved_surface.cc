@@ -7,7 +7,7 @@
 #include <rolling_contact/contact/invariants.h>
 #include <rolling_contact/contact/patches.h>
 #include <rolling_contact/pair/profile_surface.h>
-#include <rolling_contact/references/half_space_pressure.h>
+#include <rolling_contact/surfaces/half_space_pressure.h>
 
 #include <algorithm>
 #include <cmath>
@@ -55,17 +55,15 @@ namespace
 BOOST_AUTO_TEST_CASE(half_spaces_know_the_direction_of_the_load)
 {
   // with one share for all the load is that of a plane over the share
-  const References::ContactGrid grid{
-    20, 20, -3.8 * mm, -3.8 * mm, 0.4 * mm, 0.4 * mm};
+  const ContactGrid   grid{20, 20, -3.8 * mm, -3.8 * mm, 0.4 * mm, 0.4 * mm};
   const double        modulus = 1.15e11, share = 0.6, load = 9e3;
   std::vector<double> gap, shares(400, share);
   for (std::size_t j = 0; j < grid.n_y; ++j)
     for (std::size_t i = 0; i < grid.n_x; ++i)
       gap.push_back((std::pow(grid.x(i), 2) + std::pow(grid.y(j), 2)) /
                     (2 * 0.3));
-  const auto plane =
-               References::half_space_pressure(grid, gap, modulus, load, 0.),
-             inclined = References::half_space_pressure(
+  const auto plane    = half_space_pressure(grid, gap, modulus, load, 0.),
+             inclined = half_space_pressure(
                grid, gap, modulus, share * load, 0., shares);
   BOOST_TEST(inclined.load == share * plane.load,
              boost::test_tools::tolerance(1e-9));
@@ -76,9 +74,8 @@ BOOST_AUTO_TEST_CASE(half_spaces_know_the_direction_of_the_load)
   // with shares of its own, each node is on its own surface
   for (std::size_t i = 0; i < shares.size(); ++i)
     shares[i] = 1 - 0.1 * grid.y(i / grid.n_x) / mm / 4;
-  const auto turned =
-    References::half_space_pressure(grid, gap, modulus, load, 0., shares);
-  double sum = 0.;
+  const auto turned = half_space_pressure(grid, gap, modulus, load, 0., shares);
+  double     sum    = 0.;
   for (std::size_t i = 0; i < shares.size(); ++i)
     sum += shares[i] * turned.pressure[i] * grid.size_x * grid.size_y;
   BOOST_TEST(sum == load, boost::test_tools::tolerance(1e-9));

@@ -172,7 +172,7 @@ BOOST_AUTO_TEST_CASE(a_step_takes_off_what_its_law_says)
       loads += line.load * line.width;
     }
   radius /= loads;
-  BOOST_TEST(area == 5.3e-9 * contact.creep_work / 7850. * distance /
+  BOOST_TEST(area == 5.3e-9 * contact.told.creep_work / 7850. * distance /
                        (2 * pi * radius),
              boost::test_tools::tolerance(5e-3));
   BOOST_TEST(Profiles::worn_area(wheel.surfaces.curve(0, 0),

@@ -70,6 +70,31 @@ BOOST_AUTO_TEST_CASE(transforms_are_what_they_say)
     }
 }
 
+/** Against the sums over the matrix, on grids that are not square. */
+BOOST_AUTO_TEST_CASE(even_toeplitz_multiplies_as_its_matrix_does)
+{
+  const auto entry = [](const int along, const int across) {
+    return 1. / (1 + along * along + 3 * across);
+  };
+  for (const auto &[n_x, n_y] : {std::pair(5, 3), {4, 7}, {1, 2}})
+    {
+      std::vector<double> values;
+      for (int k = 0; k < n_x * n_y; ++k)
+        values.push_back(std::sin(k) + (k == 0 ? 4. : 0.));
+      const auto product = EvenToeplitz(n_x, n_y, entry).multiply(values);
+      BOOST_TEST(product.size() == values.size());
+      for (int i = 0; i < n_x * n_y; ++i)
+        {
+          double sum = 0.;
+          for (int k = 0; k < n_x * n_y; ++k)
+            sum +=
+              entry(std::abs(i % n_x - k % n_x), std::abs(i / n_x - k / n_x)) *
+              values[k];
+          BOOST_TEST(std::abs(product[i] - sum) < 1e-14);
+        }
+    }
+}
+
 /** Long waves pass unshifted, short ones go, in between the gain is said. */
 BOOST_AUTO_TEST_CASE(low_pass_has_its_gain_and_no_phase)
 {

@@ -2,6 +2,7 @@
 #define rolling_contact_algebra_fourier_h
 
 #include <complex>
+#include <functional>
 #include <vector>
 
 namespace RollingContact::Signals
@@ -31,6 +32,27 @@ namespace RollingContact::Signals
    */
   std::vector<double>
   values_of_cosine_amplitudes(std::vector<double> amplitudes);
+
+  /**
+   * A symmetric matrix whose entries depend on how many places of a grid of
+   * n_x times n_y are between two, along and across, whichever comes first: its
+   * products cost Fourier transforms of the grid, four times as large.
+   */
+  class EvenToeplitz
+  {
+  public:
+    /** @p entry: for distances along and across, not negative. */
+    EvenToeplitz(const std::size_t                                  n_x,
+                 const std::size_t                                  n_y,
+                 const std::function<double(const int, const int)> &entry);
+
+    /** The product with values row by row, x running fastest. */
+    std::vector<double> multiply(const std::vector<double> &values) const;
+
+  private:
+    const std::size_t   n_x, n_y, wide, high; ///< of the larger grid
+    std::vector<double> factors;              ///< of its Fourier sums
+  };
 } // namespace RollingContact::Signals
 
 #endif

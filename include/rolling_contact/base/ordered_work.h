@@ -20,6 +20,22 @@ namespace RollingContact
     const unsigned int                                       n_threads,
     const std::function<std::function<void(std::size_t)>()> &make_worker,
     const std::function<void(std::size_t)>                  &follow);
+
+  /**
+   * Do the tasks 0, 1, ..., @p n_tasks - 1, each on one of the ranks, which is
+   * always the same one for a number, in several threads of each; and then for
+   * each in this order, on all ranks, what follows it, which is told the rank
+   * that did it. Throws on all ranks what the lowest task that fails threw.
+   * Collective; the tasks are not.
+   */
+  void
+  do_on_ranks(const std::size_t                                     n_tasks,
+              const unsigned int                                    n_threads,
+              const std::function<void(std::size_t)>               &task,
+              const std::function<void(std::size_t, unsigned int)> &follow);
+
+  /** Whether do_on_ranks() does a task on this rank. */
+  bool is_done_here(const std::size_t task);
 } // namespace RollingContact
 
 #endif

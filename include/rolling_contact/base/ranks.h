@@ -77,6 +77,10 @@ namespace RollingContact
      * of them is thrown on all ranks, as by on(). Collective. */
     void on_all(const std::function<void()> &action);
 
+    /** Run the action on every rank as if it were the only one, with work of
+     * its own, and throw as on_all() does. Collective. */
+    void apart(const std::function<void()> &action);
+
     /** Whether this call is made inside the action of an on(), while the other
      * ranks wait. */
     bool others_wait();

@@ -10,11 +10,40 @@
 namespace RollingContact
 {
   /**
-   * The balance of a row of the duty and the contacts of its wheels.
+   * Where the wheelsets of a row are, as seen by the scene, how far they are
+   * off their balances over the axle load, and what their wheels do.
+   * Units: 1/m, m, rad, 1.
+   */
+  struct DutySummary
+  {
+    struct Wheelset
+    {
+      double curvature, shift, yaw, residual;
+
+      template <class Archive>
+      void serialize(Archive &archive, const unsigned int)
+      {
+        archive &curvature &shift &yaw &residual;
+      }
+    };
+
+    std::vector<Wheelset>     wheelsets;
+    std::vector<WearingWheel> wheels;
+
+    template <class Archive>
+    void serialize(Archive &archive, const unsigned int)
+    {
+      archive &wheelsets &wheels;
+    }
+  };
+
+  /**
+   * The balance of a row of the duty and the contacts of its wheels, which only
+   * the rank has that found them.
    */
   struct DutyState
   {
-    RunningState                running; ///< as seen by the scene
+    DutySummary                 summary;
     std::vector<WearingContact> contacts;
   };
 

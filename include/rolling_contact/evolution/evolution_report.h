@@ -93,6 +93,9 @@ namespace RollingContact
     Profiles::ProfileCurve section_of(const Profiles::ProfileCurve &curve,
                                       const unsigned int            body) const;
 
+    /** The last profiles, and profiles.pvd for all of them over the way. */
+    void add_to_film();
+
     void plot_over_way() const;
 
     void plot_profiles() const;

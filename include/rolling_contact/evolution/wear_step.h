@@ -33,8 +33,8 @@ namespace RollingContact
     WearStep(const EvolutionParameters   &section,
              const std::vector<DutyCase> &duty);
 
-    /** The balances of all rows on these surfaces. Throws as
-     * DutyRow::stand_on() does. */
+    /** The balances of all rows on these surfaces, see DutyState. Throws as
+     * DutyRow::stand_on() does. Collective, as are all that find something. */
     DutyStates stand_on(const RunningSurfaces &surfaces);
 
     /** What wears of these surfaces over a part of the whole way. */
@@ -53,6 +53,12 @@ namespace RollingContact
       RunningSurfaces::Amounts amounts;
       double                   error; ///< misplaced depth of two halves, m
       double                   depth; ///< largest, m
+
+      template <class Archive>
+      void serialize(Archive &archive, const unsigned int)
+      {
+        archive &amounts &error &depth;
+      }
     };
 
     /** Throws ConvergenceError or InputError where the surfaces half way have
@@ -70,12 +76,22 @@ namespace RollingContact
     unsigned int n_threads() const;
 
   private:
-    /** Tasks of rows in threads, and in their order what follows each. */
-    void for_rows(const std::function<void(std::size_t)> &task,
-                  const std::function<void(std::size_t)> &follow) const;
+    /** What all rows wear together. Collective. */
+    RunningSurfaces::Amounts total_of(
+      const RunningSurfaces                                      &surfaces,
+      const std::function<RunningSurfaces::Amounts(std::size_t)> &of_row) const;
+
+    /** What a row wears, if depths of the rail for a passage are those. */
+    RunningSurfaces::Amounts
+    worn_by(const RunningSurfaces &surfaces,
+            const DutyState       &state,
+            const WearingWay      &way,
+            const std::function<std::vector<double>(const WearingContact &)>
+                        &depths_of,
+            const double smoothing) const;
 
     /** The way of a row for a share of the whole. */
-    WearingWay way_of(const DutyRow &row, const double share) const;
+    WearingWay way_of(const std::size_t row, const double share) const;
 
     /** What a contact wears by depths of the rail for a passage. */
     RunningSurfaces::Amounts amounts_of(const RunningSurfaces     &surfaces,
@@ -91,7 +107,8 @@ namespace RollingContact
                      const RunningSurfaces::Amounts &others) const;
 
     const EvolutionParameters            &section;
-    std::vector<std::unique_ptr<DutyRow>> rows;
+    const std::vector<DutyCase>          &duty;
+    std::vector<std::unique_ptr<DutyRow>> rows; ///< null on other ranks
   };
 } // namespace RollingContact
 

@@ -40,6 +40,27 @@ namespace RollingContact
   };
 
   /**
+   * What is told of a wheel that wears, and of its rail: which one it is, 0 the
+   * right-hand one, T gamma, the peak pressure, the flash temperature, zero
+   * where that is not known, and the middle of what it wears across its
+   * profile, NaN without wear. Units: N, Pa, K, m.
+   */
+  struct WearingWheel
+  {
+    unsigned int     wheelset, wheel;
+    double           creep_work, max_pressure;
+    PatchTemperature flash;
+    double           centre_of_wear = 0.;
+
+    template <class Archive>
+    void serialize(Archive &archive, const unsigned int)
+    {
+      archive &wheelset &wheel &creep_work &max_pressure;
+      archive &flash.largest &flash.mean &centre_of_wear;
+    }
+  };
+
+  /**
    * The contact of a wheel of a row of the duty, and what its lines wear.
    */
   class WearingContact
@@ -90,16 +111,7 @@ namespace RollingContact
                                 const std::vector<double>    &depths,
                                 const double                  smoothing) const;
 
-    /** T gamma and the peak pressure. Units: N, Pa. */
-    const double creep_work, max_pressure;
-
-    PatchTemperature flash; ///< zero where that is not known
-
-    /** Across the wheel's profile, NaN without wear. Units: m. */
-    double centre_of_wear = 0.;
-
-    const unsigned int wheelset, wheel;
-    const double       portion;
+    WearingWheel told;
 
   private:
     void find_lines(const PairSpec        &scene,
@@ -109,8 +121,9 @@ namespace RollingContact
     /** Lines that have no load wear as the next one that has. */
     void fill_lines_without_load();
 
-    ContactProblem           normal; ///< under the traction of the state
-    ContactState             state;  ///< of that
+    const double             portion; ///< of the way
+    ContactProblem           normal;  ///< under the traction of the state
+    ContactState             state;   ///< of that
     SolverControls           controls;
     std::vector<WearingLine> all;
   };

@@ -33,26 +33,32 @@ namespace RollingContact
     std::function<RunFolder::Resumption(const Situation &)> resumption = {};
   };
 
-  template <template <int> class Kind, int dim>
+  template <class Kind>
   std::unique_ptr<Analysis> make_analysis(const Situation &scene,
                                           RunContext      &context)
   {
-    return std::make_unique<Kind<dim>>(scene, context);
+    return std::make_unique<Kind>(scene, context);
   }
 
   /**
-   * The analysis of a class, with traits of a steady rolling state, which is
-   * not resumed.
+   * The analysis of a class, of one for each dimension or of one for both, with
+   * traits of a steady rolling state, which is not resumed.
    */
-  template <template <int> class Kind>
+  template <class In2D, class In3D = In2D>
   AnalysisKind kind_of(const std::string &name, const std::string &help)
   {
     AnalysisKind kind;
     kind.name  = name;
     kind.help  = help;
-    kind.in_2d = &make_analysis<Kind, 2>;
-    kind.in_3d = &make_analysis<Kind, 3>;
+    kind.in_2d = &make_analysis<In2D>;
+    kind.in_3d = &make_analysis<In3D>;
     return kind;
+  }
+
+  template <template <int> class Kind>
+  AnalysisKind kind_of(const std::string &name, const std::string &help)
+  {
+    return kind_of<Kind<2>, Kind<3>>(name, help);
   }
 } // namespace RollingContact
 

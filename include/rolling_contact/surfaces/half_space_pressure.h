@@ -1,11 +1,11 @@
-#ifndef rolling_contact_references_half_space_pressure_h
-#define rolling_contact_references_half_space_pressure_h
+#ifndef rolling_contact_surfaces_half_space_pressure_h
+#define rolling_contact_surfaces_half_space_pressure_h
 
 #include <cstddef>
 #include <optional>
 #include <vector>
 
-namespace RollingContact::References
+namespace RollingContact
 {
   /**
    * Equal rectangles in the plane of contact, n_x along x and n_y along y, with
@@ -52,7 +52,7 @@ namespace RollingContact::References
    * the integral of share times p. The influence
    * of a rectangle is Love's (1929); solved by the constrained conjugate
    * gradients of Polonsky and Keer (Wear 231, 1999) until pressures change by
-   * less than 1e-4 of their sum. Costs the square of the number of rectangles.
+   * less than 1e-4 of their sum, each of which costs a few Fourier transforms.
    * Throws std::runtime_error if that takes more than 1000 rounds.
    */
   HalfSpacePressure half_space_pressure(const ContactGrid         &grid,
@@ -61,6 +61,6 @@ namespace RollingContact::References
                                         const std::optional<double> &load,
                                         const double                 approach,
                                         const std::vector<double> &shares = {});
-} // namespace RollingContact::References
+} // namespace RollingContact
 
 #endif

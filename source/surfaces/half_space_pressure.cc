@@ -1,13 +1,13 @@
-#include <Eigen/Dense>
-
-#include <rolling_contact/references/half_space_pressure.h>
+#include <rolling_contact/algebra/fourier.h>
+#include <rolling_contact/base/constants.h>
+#include <rolling_contact/surfaces/half_space_pressure.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
 
-namespace RollingContact::References
+namespace RollingContact
 {
   namespace
   {
@@ -21,61 +21,24 @@ namespace RollingContact::References
     }
 
     /**
-     * What a pressure of 1 Pa on one rectangle moves the middle of the others,
-     * a Toeplitz matrix kept by distances across and, behind and ahead, along.
+     * What a pressure of 1 Pa on one rectangle moves the middle of another, so
+     * many rectangles along and across away. Units: m/Pa.
      */
-    class Influence
+    double influence_at(const ContactGrid &grid,
+                        const double       contact_modulus,
+                        const int          along,
+                        const int          across)
     {
-    public:
-      Influence(const ContactGrid &grid, const double contact_modulus)
-        : grid(grid)
-      {
-        const double constant = 1 / (std::acos(-1.) * contact_modulus);
-        const int    n_x      = grid.n_x;
-        rows.resize(2 * n_x - 1, grid.n_y);
-        for (std::size_t j = 0; j < grid.n_y; ++j)
-          for (int i = 0; i < n_x; ++i)
-            {
-              const double left   = (i - 0.5) * grid.size_x,
-                           right  = (i + 0.5) * grid.size_x,
-                           lower  = (j - 0.5) * grid.size_y,
-                           higher = (j + 0.5) * grid.size_y;
-              rows(n_x - 1 + i, j) =
-                constant * (integral_to_corner(right, higher) -
-                            integral_to_corner(left, higher) -
-                            integral_to_corner(right, lower) +
-                            integral_to_corner(left, lower));
-              rows(n_x - 1 - i, j) = rows(n_x - 1 + i, j);
-            }
-      }
-
-      /**
-       * The displacements under these pressures. Units: Pa to m.
-       */
-      std::vector<double> multiply(const std::vector<double> &pressure) const
-      {
-        std::vector<double> result(pressure.size(), 0.);
-        for (std::size_t from = 0; from < pressure.size(); ++from)
-          if (pressure[from] != 0.)
-            add(from, pressure[from], result);
-        return result;
-      }
-
-    private:
-      void add(const std::size_t    from,
-               const double         pressure,
-               std::vector<double> &result) const
-      {
-        const std::size_t at_x = from % grid.n_x, at_y = from / grid.n_x;
-        for (std::size_t j = 0; j < grid.n_y; ++j)
-          Eigen::Map<Eigen::VectorXd>(&result[grid.n_x * j], grid.n_x) +=
-            pressure * rows.col(j > at_y ? j - at_y : at_y - j)
-                         .segment(grid.n_x - 1 - at_x, grid.n_x);
-      }
-
-      const ContactGrid grid;
-      Eigen::MatrixXd   rows; ///< along x, a column for each distance across
-    };
+      const double left   = (along - 0.5) * grid.size_x,
+                   right  = (along + 0.5) * grid.size_x,
+                   lower  = (across - 0.5) * grid.size_y,
+                   higher = (across + 0.5) * grid.size_y;
+      return (integral_to_corner(right, higher) -
+              integral_to_corner(left, higher) -
+              integral_to_corner(right, lower) +
+              integral_to_corner(left, lower)) /
+             (pi * contact_modulus);
+    }
 
     /**
      * Polonsky and Keer's iteration.
@@ -89,7 +52,11 @@ namespace RollingContact::References
                 const std::optional<double> &load,
                 const double                 approach,
                 const std::vector<double>   &shares)
-        : influence(grid, contact_modulus)
+        : influence(grid.n_x,
+                    grid.n_y,
+                    [&](const int along, const int across) {
+                      return influence_at(grid, contact_modulus, along, across);
+                    })
         , shares(shares)
         , area(grid.size_x * grid.size_y)
         , gap(gap)
@@ -167,13 +134,13 @@ namespace RollingContact::References
       {
         for (std::size_t i = 0; i < shares.size(); ++i)
           pressure[i] /= shares[i];
-        std::vector<double> result = influence.multiply(pressure);
+        std::vector<double> result = influence.multiply(std::move(pressure));
         for (std::size_t i = 0; i < shares.size(); ++i)
           result[i] /= shares[i];
         return result;
       }
 
-      const Influence             influence;
+      const Signals::EvenToeplitz influence;
       const std::vector<double>  &shares;
       const double                area;
       const std::vector<double>  &gap;
@@ -256,4 +223,4 @@ namespace RollingContact::References
       found.pressure[i] /= shares[i];
     return found;
   }
-} // namespace RollingContact::References
+} // namespace RollingContact
