@@ -3,26 +3,30 @@
 #include <rolling_contact/algebra/fourier.h>
 
 #include <algorithm>
+#include <functional>
 #include <mutex>
 
 namespace RollingContact::Signals
 {
   namespace
   {
-    /**
-     * Make a plan, execute it and destroy it. Of FFTW's functions only
-     * fftw_execute() may be called by several threads at once.
-     */
+    using Plan = std::shared_ptr<std::remove_pointer_t<fftw_plan>>;
+
+    /** Of FFTW's functions only fftw_execute() may be called by several threads
+     * at once. */
+    Plan planned(const std::function<fftw_plan()> &make_plan)
+    {
+      static std::mutex                 planner;
+      const std::lock_guard<std::mutex> alone(planner);
+      return Plan(make_plan(), [](const fftw_plan plan) {
+        const std::lock_guard<std::mutex> alone(planner);
+        fftw_destroy_plan(plan);
+      });
+    }
+
     void run(const std::function<fftw_plan()> &make_plan)
     {
-      static std::mutex planner;
-      const fftw_plan   plan = [&]() {
-        const std::lock_guard<std::mutex> alone(planner);
-        return make_plan();
-      }();
-      fftw_execute(plan);
-      const std::lock_guard<std::mutex> alone(planner);
-      fftw_destroy_plan(plan);
+      fftw_execute(planned(make_plan).get());
     }
 
     fftw_complex *fftw_data(std::vector<std::complex<double>> &values)
@@ -73,22 +77,26 @@ namespace RollingContact::Signals
     return values;
   }
 
-  namespace
+  /** The larger grid, its Fourier sums, and the way there and back. */
+  struct EvenToeplitz::Circle
   {
-    using Sums = std::vector<std::complex<double>>;
-
-    Sums sums_of_grid(std::vector<double> values,
-                      const std::size_t   n_x,
-                      const std::size_t   n_y)
-    {
-      Sums sums(n_y * (n_x / 2 + 1));
-      run([&]() {
+    Circle(const int n_x, const int n_y)
+      : values(n_x * n_y, 0.)
+      , sums(n_y * (n_x / 2 + 1))
+      , there(planned([&]() {
         return fftw_plan_dft_r2c_2d(
           n_y, n_x, values.data(), fftw_data(sums), FFTW_ESTIMATE);
-      });
-      return sums;
-    }
-  } // namespace
+      }))
+      , back(planned([&]() {
+        return fftw_plan_dft_c2r_2d(
+          n_y, n_x, fftw_data(sums), values.data(), FFTW_ESTIMATE);
+      }))
+    {}
+
+    std::vector<double>               values;
+    std::vector<std::complex<double>> sums;
+    const Plan                        there, back;
+  };
 
   EvenToeplitz::EvenToeplitz(
     const std::size_t                                  n_x,
@@ -98,35 +106,33 @@ namespace RollingContact::Signals
     , n_y(n_y)
     , wide(2 * n_x)
     , high(2 * n_y)
+    , circle(std::make_shared<Circle>(wide, high))
   {
-    std::vector<double> circle(wide * high, 0.);
     for (std::size_t j = 0; j < n_y; ++j)
       for (std::size_t i = 0; i < n_x; ++i)
         {
           const double value = entry(i, j);
           for (const std::size_t row : {j, (high - j) % high})
             for (const std::size_t place : {i, (wide - i) % wide})
-              circle[row * wide + place] = value;
+              circle->values[row * wide + place] = value;
         }
-    for (const auto &sum : sums_of_grid(std::move(circle), wide, high))
+    fftw_execute(circle->there.get());
+    for (const auto &sum : circle->sums)
       factors.push_back(sum.real() / (wide * high));
   }
 
-  std::vector<double>
-  EvenToeplitz::multiply(const std::vector<double> &values) const
+  std::vector<double> EvenToeplitz::multiply(const std::vector<double> &values)
   {
-    std::vector<double> circle(wide * high, 0.), result;
+    std::vector<double> &all = circle->values, result;
+    std::fill(all.begin(), all.end(), 0.);
     for (std::size_t j = 0; j < n_y; ++j)
-      std::copy_n(&values[n_x * j], n_x, &circle[wide * j]);
-    Sums sums = sums_of_grid(circle, wide, high);
-    for (std::size_t k = 0; k < sums.size(); ++k)
-      sums[k] *= factors[k];
-    run([&]() {
-      return fftw_plan_dft_c2r_2d(
-        high, wide, fftw_data(sums), circle.data(), FFTW_ESTIMATE);
-    });
+      std::copy_n(&values[n_x * j], n_x, &all[wide * j]);
+    fftw_execute(circle->there.get());
+    for (std::size_t k = 0; k < factors.size(); ++k)
+      circle->sums[k] *= factors[k];
+    fftw_execute(circle->back.get());
     for (std::size_t j = 0; j < n_y; ++j)
-      result.insert(result.end(), &circle[wide * j], &circle[wide * j + n_x]);
+      result.insert(result.end(), &all[wide * j], &all[wide * j + n_x]);
     return result;
   }
 

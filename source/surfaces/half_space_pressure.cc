@@ -130,7 +130,7 @@ namespace RollingContact
       double advance();
 
       /** What pressures times shares move, over the shares. */
-      std::vector<double> displacement(std::vector<double> pressure) const
+      std::vector<double> displacement(std::vector<double> pressure)
       {
         for (std::size_t i = 0; i < shares.size(); ++i)
           pressure[i] /= shares[i];
@@ -140,7 +140,7 @@ namespace RollingContact
         return result;
       }
 
-      const Signals::EvenToeplitz influence;
+      Signals::EvenToeplitz       influence;
       const std::vector<double>  &shares;
       const double                area;
       const std::vector<double>  &gap;

@@ -327,7 +327,7 @@ namespace RollingContact
     if (found || !closest)
       return found;
     for (const unsigned int balance : active)
-      if (std::abs(closest->residual[balance]) > accepted)
+      if (std::abs(closest->residual[balance]) > std::max(accepted, enough))
         return {};
     return closest;
   }

@@ -14,7 +14,7 @@ namespace RollingContact
   {
     WheelsetState from = start;
     from.place.shift   = shift;
-    return newton_or_held(acting, all(false), from, 0.3 * tolerance);
+    return newton_or_held(acting, all(false), from, 0.3 * enough);
   }
 
   bool Equilibrium::bracket(const CurveCase     &acting,
@@ -61,9 +61,8 @@ namespace RollingContact
         }
       if (std::abs(found->residual[0]) < std::abs(best.residual[0]))
         best = *found;
-      return std::abs(found->residual[0]) < 0.5 * tolerance
-               ? 0.
-               : found->residual[0];
+      return std::abs(found->residual[0]) < 0.5 * enough ? 0.
+                                                         : found->residual[0];
     };
     std::uintmax_t rounds = 40;
     boost::math::tools::toms748_solve(
@@ -75,7 +74,7 @@ namespace RollingContact
       [](const double a, const double b) { return std::abs(a - b) < 1e-11; },
       rounds);
     jacobian.reset();
-    if (lost || best.largest_residual() > accepted)
+    if (lost || best.largest_residual() > std::max(accepted, enough))
       {
         if (!lost)
           reason = "the lateral forces jump by " +

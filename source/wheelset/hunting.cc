@@ -89,8 +89,10 @@ namespace RollingContact
 
   std::optional<double> Hunting::critical_speed(const double most) const
   {
+    // springs without dashpots grow by rounding
     const auto grows = [&](const double speed) {
-      return eigenvalues(speed).front().real() > 0.;
+      const auto first = eigenvalues(speed).front();
+      return first.real() > 1e-9 * std::abs(first);
     };
     const unsigned int n    = 400;
     double             last = most / n;

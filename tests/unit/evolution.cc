@@ -324,9 +324,9 @@ BOOST_AUTO_TEST_CASE(implicit_steps_are_stable_where_explicit_ones_are_not)
   const double depth         = 100 * um;
   const auto   peak_pressure = [&](const bool is_implicit) {
     WheelInItsPlace wheel;
-    const double    before = wheel.on(wheel.surfaces).max_pressure;
+    const double    before = wheel.on(wheel.surfaces).told.max_pressure;
     wheel.worn_in_steps(3 * wheel.distance_for(depth), 3, is_implicit);
-    const double after = wheel.on(*wheel.last).max_pressure;
+    const double after = wheel.on(*wheel.last).told.max_pressure;
     BOOST_TEST_MESSAGE((is_implicit ? "implicit" : "explicit")
                        << ": peak pressure over that before "
                        << after / before);
@@ -342,18 +342,22 @@ BOOST_AUTO_TEST_CASE(long_wear_levels_what_it_is_linear_in)
   wheel.worn_in_steps(wheel.distance_for(1 * mm), 20, true, true);
   std::vector<double>  loads;
   const WearingContact contact = wheel.on(*wheel.last);
+  // where the wheel comes down as a whole, inclined lines lose less
   for (const WearingLine &line : contact.lines())
     if (line.load > 0.)
-      loads.push_back(line.load);
-  BOOST_TEST_REQUIRE(loads.size() > 20);
+      loads.push_back(
+        line.load /
+        std::cos(wheel.last->curve(0, 0).at(line.place[0].value()).angle));
+  BOOST_TEST_REQUIRE(loads.size() > 40);
   double mean = 0., square = 0.;
-  // less lines at the edges, which still move
-  const std::size_t edge = 4;
+  // less those at the edges, which have worn for a part of the way
+  const std::size_t edge = loads.size() / 4;
   for (std::size_t k = edge; k + edge < loads.size(); ++k)
     mean += loads[k] / (loads.size() - 2 * edge);
   for (std::size_t k = edge; k + edge < loads.size(); ++k)
     square += std::pow(loads[k] / mean - 1, 2) / (loads.size() - 2 * edge);
-  BOOST_TEST(std::sqrt(square) < 0.04);
+  BOOST_TEST_MESSAGE("line loads off their mean, rms: " << std::sqrt(square));
+  BOOST_TEST(std::sqrt(square) < 0.015);
 }
 
 BOOST_AUTO_TEST_CASE(a_state_is_read_as_it_was_written)

@@ -3,6 +3,7 @@
 
 #include <complex>
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace RollingContact::Signals
@@ -47,11 +48,14 @@ namespace RollingContact::Signals
                  const std::function<double(const int, const int)> &entry);
 
     /** The product with values row by row, x running fastest. */
-    std::vector<double> multiply(const std::vector<double> &values) const;
+    std::vector<double> multiply(const std::vector<double> &values);
 
   private:
-    const std::size_t   n_x, n_y, wide, high; ///< of the larger grid
-    std::vector<double> factors;              ///< of its Fourier sums
+    struct Circle;
+
+    const std::size_t       n_x, n_y, wide, high; ///< of the larger grid
+    std::shared_ptr<Circle> circle;
+    std::vector<double>     factors; ///< of its Fourier sums
   };
 } // namespace RollingContact::Signals
 
