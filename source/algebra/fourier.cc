@@ -12,8 +12,8 @@ namespace RollingContact::Signals
   {
     using Plan = std::shared_ptr<std::remove_pointer_t<fftw_plan>>;
 
-    /** Of FFTW's functions only fftw_execute() may be called by several threads
-     * at once. */
+    /** A plan by FFTW, which makes and destroys one at a time; several threads
+     * may execute theirs at once. */
     Plan planned(const std::function<fftw_plan()> &make_plan)
     {
       static std::mutex                 planner;
