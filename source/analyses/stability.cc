@@ -33,7 +33,8 @@ namespace RollingContact
     StateDemands stability_demands()
     {
       StateDemands demands;
-      demands.pair.modes = true;
+      demands.pair.modes       = true;
+      demands.pair.bulk_errors = true;
       return demands;
     }
 
