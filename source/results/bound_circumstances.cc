@@ -18,6 +18,7 @@ namespace RollingContact
     found.varying_friction = !scene.surfaces.friction_share.empty() ||
                              !scene.contact.friction_over_temperature.empty() ||
                              scene.contact.friction_memory_length > 0.;
+    found.falling_friction = scene.contact.falling_friction() != nullptr;
     found.spin =
       scene.contact.creepages.spin != 0. || scene.contact.forces.moment;
     found.refined             = scene.mesh.rim_levels > 0;

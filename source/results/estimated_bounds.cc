@@ -87,11 +87,13 @@ namespace RollingContact
           return most;
         if (estimate.load_on_turning_slip)
           return std::min(most, change + of_turns());
-        // its errors come near to what is known of it, whatever E says
-        if (found.kind == SlipOperatorKind::upwind_1)
-          return most;
+        // errors that come near to what is known of them, whatever E says
+        const bool is_near = found.kind == SlipOperatorKind::upwind_1 ||
+                             (!plane && found.falling_friction);
         const double told =
-          std::min(most, std::sqrt(weight * change * most) + share * most);
+          is_near
+            ? most
+            : std::min(most, std::sqrt(weight * change * most) + share * most);
         return plane || !found.spin
                  ? told
                  : std::max(told,

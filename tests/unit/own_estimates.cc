@@ -199,6 +199,42 @@ BOOST_AUTO_TEST_CASE(know_that_a_slender_patch_slides_everywhere)
 }
 
 /**
+ * Friction that falls with the sliding speed, in a patch that hardly sticks
+ * under spin: every second node tells less than what is wrong.
+ */
+BOOST_AUTO_TEST_CASE(know_that_falling_friction_hides_from_every_second_node)
+{
+  const Change change = [](SceneParameters &scene) {
+    scene.dimension                    = 3;
+    scene.wheel.radius                 = 0.375148555;
+    scene.rail.shape                   = "disc";
+    scene.rail.radius                  = 0.520515487;
+    scene.wheel.lateral_radius         = 1.21922051;
+    scene.rail.lateral_radius          = 1.21922051;
+    scene.wheel.width                  = 0.1;
+    scene.rail.width                   = 0.1;
+    scene.contact.normal_load          = 25649.5928;
+    scene.contact.creepages            = {0., 0., 1.80656897};
+    scene.contact.friction_coefficient = 0.193838073;
+    scene.contact.speed                = 35.3154768;
+    scene.contact.friction_law         = "exponential";
+    scene.contact.kinetic_friction     = 0.0991168651;
+    scene.contact.friction_decay_speed = 0.184398519;
+    scene.mesh.elements_across_patch   = 8;
+    scene.mesh.growth                  = 0.612989312;
+    scene.mesh.patch_offset            = -0.0166195092;
+  };
+  const EstimatedRun<3> run(change), reference(change, true);
+  const double          error = std::abs(
+    run.steady.result.force_y / run.steady.result.friction_force -
+    reference.steady.result.force_y / reference.steady.result.friction_force);
+  BOOST_TEST_MESSAGE("error " << error << ", bound " << *run.bounds().force);
+  BOOST_TEST(error > 0.01);
+  BOOST_TEST(error <= *run.bounds().force);
+  BOOST_TEST(*run.bounds().force < 3 * error);
+}
+
+/**
  * Under an approach the load lacks what the bulk does.
  */
 BOOST_AUTO_TEST_CASE(bound_the_load_under_an_approach)

@@ -29,6 +29,7 @@ namespace RollingContact
     bool   expected          = false; ///< before there is a state
     double incompressibility = 0.;    ///< up to nu = 0.45; 1 at nu = 0.5
     bool   varying_friction  = false; ///< from place to place, or with a memory
+    bool   falling_friction  = false; ///< with the sliding speed
     bool   refined           = false; ///< lines end at smaller elements
     bool   split             = false; ///< compliance of SplitBody
     bool   approach_given    = false; ///< the load is found, and has an error
