@@ -18,6 +18,7 @@ SOLVERS = {"automatic": 6, "accelerated projection": 1}
 RIM_LEVELS = {0: 8, 1: 1}
 ADAPTIVE_LEVELS = {0: 8, 1: 1, 2: 1}
 FRICTION_LAWS = {"constant": 8, "rational": 1, "exponential": 1}
+FALLING_LAWS = {"rational": 1, "exponential": 1}
 DRIVES = {"creepages": 7, "force": 1}
 PRESSED = {"load": 5, "approach": 1}
 FRICTION = (0.02, 1.2)
@@ -41,6 +42,7 @@ class Scene:
     def __init__(self, number, options):
         self.random = random.Random(f"{options.seed} {number}")
         self.number = number
+        self.laws = FALLING_LAWS if options.falling else FRICTION_LAWS
         drawn = 3 if self.random.random() < 0.2 else 2
         self.dimension = {"both": drawn, "profiles": 3}.get(options.dimension) or int(options.dimension)
         self.entries = dict(ALWAYS)
@@ -133,7 +135,7 @@ class Scene:
             self.entries["Contact/Creepage x"] = share * largest
         else:
             self.draw_direction(share)
-        law = self.kind(FRICTION_LAWS)
+        law = self.kind(self.laws)
         if law != "constant":
             self.entries.update({
                 "Contact/Speed": self.random.uniform(5, 40), "Contact/Friction law": law,
