@@ -16,11 +16,14 @@ namespace RollingContact::Signals
      * may execute theirs at once. */
     Plan planned(const std::function<fftw_plan()> &make_plan)
     {
-      static std::mutex                 planner;
-      const std::lock_guard<std::mutex> alone(planner);
-      return Plan(make_plan(), [](const fftw_plan plan) {
+      static std::mutex planner;
+      const fftw_plan   plan = [&]() {
         const std::lock_guard<std::mutex> alone(planner);
-        fftw_destroy_plan(plan);
+        return make_plan();
+      }();
+      return Plan(plan, [](const fftw_plan done) {
+        const std::lock_guard<std::mutex> alone(planner);
+        fftw_destroy_plan(done);
       });
     }
 
@@ -77,7 +80,7 @@ namespace RollingContact::Signals
     return values;
   }
 
-  /** The larger grid, its Fourier sums, and the way there and back. */
+  /** A vector of the circulant matrix, its Fourier sums, there and back. */
   struct EvenToeplitz::Circle
   {
     Circle(const int n_x, const int n_y)

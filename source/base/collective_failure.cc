@@ -61,10 +61,16 @@ namespace RollingContact
                                      : Consensus::different_failures;
       }
 
+      std::string name_of_rank(const unsigned int rank,
+                               const unsigned int count)
+      {
+        return "rank " + std::to_string(rank) + " of " + std::to_string(count) +
+               ": ";
+      }
+
       std::string name_of_this_rank()
       {
-        return "rank " + std::to_string(rank()) + " of " +
-               std::to_string(count()) + ": ";
+        return name_of_rank(rank(), count());
       }
 
       void print_failure(const std::string &message)
@@ -128,9 +134,18 @@ namespace RollingContact
       {
         const std::string message = "internal error: " + current_message();
         const int         code    = static_cast<int>(ExitCode::internal_error);
-        print_failure(count() > 1 ? name_of_this_rank() + message : message);
-        if (count() > 1)
-          MPI_Abort(communicator(), code);
+        // of all ranks, also where this one works apart() from them
+        int is_on = 0, size = 1, number = 0;
+        MPI_Initialized(&is_on);
+        if (is_on != 0)
+          {
+            MPI_Comm_size(MPI_COMM_WORLD, &size);
+            MPI_Comm_rank(MPI_COMM_WORLD, &number);
+          }
+        print_failure(size > 1 ? name_of_rank(number, size) + message
+                               : message);
+        if (size > 1)
+          MPI_Abort(MPI_COMM_WORLD, code);
         std::_Exit(code);
       }
     } // namespace

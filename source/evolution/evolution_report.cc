@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <rolling_contact/base/constants.h>
+#include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/evolution/evolution_report.h>
 #include <rolling_contact/evolution/profile_film.h>
@@ -201,13 +202,25 @@ namespace RollingContact
                                 file = fmt::format("{}_{:03}.vtu", name, k);
               film.push_back(
                 {way(shown[k].first), 2 * side + body, name, file});
-              if (k + 1 == shown.size())
-                context.folder.write_atomically(
-                  file,
-                  worn_strip(before.curve(side, body),
-                             shown[k].second.curve(side, body)));
+              if (k >= n_filmed)
+                write_strip(file, shown[k].second, side, body);
             }
+    n_filmed = shown.size();
     write_pvd(film, context.folder, "profiles.pvd");
+  }
+
+  void EvolutionReport::write_strip(const std::string     &file,
+                                    const RunningSurfaces &surfaces,
+                                    const unsigned int     side,
+                                    const unsigned int     body) const
+  {
+    const double tape_circle =
+      surfaces.wheels_on_rails()[side]->tape_circle_place();
+    context.folder.write_atomically(file,
+                                    worn_strip(before.curve(side, body),
+                                               surfaces.curve(side, body),
+                                               body == 0 ? tape_circle : 0.,
+                                               side == 0 ? 1. : -1.));
   }
 
   void EvolutionReport::save(EvolutionState &state) const
@@ -254,12 +267,18 @@ namespace RollingContact
     if (body == 0)
       return what + "radius at the tape circle " +
              significant(radius + z_at_tape_circle(curve), 7) + " m";
-    return what + "gauge " +
-           significant(2 *
-                         Profiles::y_of_gauge_face(curve,
-                                                   scene.profiles.gauge_height),
-                       7) +
-           " m";
+    try
+      {
+        return what + "gauge " +
+               significant(2 * Profiles::y_of_gauge_face(
+                                 curve, scene.profiles.gauge_height),
+                           7) +
+               " m";
+      }
+    catch (const InputError &)
+      {
+        return what + "its gauge face ends above the gauge height";
+      }
   }
 
   void

@@ -5,6 +5,7 @@
 
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/files.h>
+#include <rolling_contact/base/ranks.h>
 #include <rolling_contact/evolution/evolution_state.h>
 
 #include <sstream>
@@ -75,9 +76,12 @@ namespace RollingContact
   {
     try
       {
-        EvolutionState                  state;
-        std::vector<Numbers>            curves;
-        std::istringstream              stream(read_bytes(file));
+        EvolutionState       state;
+        std::vector<Numbers> curves;
+        std::string          bytes;
+        Ranks::on_root([&]() { bytes = read_bytes(file); });
+        Ranks::broadcast(bytes);
+        std::istringstream              stream(bytes);
         boost::archive::binary_iarchive archive(stream);
         pass(archive, state, curves);
         for (const Numbers &numbers : curves)

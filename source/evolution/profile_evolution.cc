@@ -1,6 +1,7 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/files.h>
 #include <rolling_contact/base/interrupt.h>
+#include <rolling_contact/base/ranks.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/evolution/profile_evolution.h>
 #include <rolling_contact/scene/known_entries.h>
@@ -208,6 +209,12 @@ namespace RollingContact
   void ProfileEvolution::run()
   {
     PhaseTimer::Scope phase(context.timer, Phase::contact_solve);
+    std::string       of_root = duty_text();
+    Ranks::broadcast(of_root);
+    if (Ranks::maximum(of_root != duty_text()) > 0.)
+      throw InputError("Evolution/File of rows = " + section.file_of_rows +
+                       ": the ranks read different files; put it where all "
+                       "of them see one.");
     if (context.resume)
       restore();
     DutyStates states = step.stand_on(surfaces);

@@ -18,6 +18,8 @@ namespace RollingContact
     /** What is between two points of the profile. */
     Strip part_of(const Profiles::ProfileCurve &before,
                   const Profiles::ProfileCurve &now,
+                  const double                  middle,
+                  const double                  side,
                   const std::size_t             first)
     {
       Strip part;
@@ -29,9 +31,10 @@ namespace RollingContact
         {
           const std::size_t  i    = first + v / 2;
           const auto        &from = before.points()[i], &to = now.points()[i];
-          const Tensor<1, 3> wear({0., to.y - from.y, from.z - to.z});
-          part.vertices[v] =
-            Point<3>(v % 2 == 0 ? -half_length : half_length, to.y, -to.z);
+          const Tensor<1, 3> wear({0., side * (to.y - from.y), from.z - to.z});
+          part.vertices[v] = Point<3>(v % 2 == 0 ? -half_length : half_length,
+                                      side * (middle + to.y),
+                                      -to.z);
           for (unsigned int d = 0; d < 3; ++d)
             part.data(d, v) = wear[d];
           part.data(3, v) = wear.norm();
@@ -41,11 +44,13 @@ namespace RollingContact
   } // namespace
 
   std::string worn_strip(const Profiles::ProfileCurve &before,
-                         const Profiles::ProfileCurve &now)
+                         const Profiles::ProfileCurve &now,
+                         const double                  middle,
+                         const double                  side)
   {
     std::vector<Strip> strip;
     for (std::size_t i = 0; i + 1 < now.points().size(); ++i)
-      strip.push_back(part_of(before, now, i));
+      strip.push_back(part_of(before, now, middle, side, i));
     DataOutBase::VtkFlags flags;
     flags.print_date_and_time = false;
     flags.physical_units      = {{"wear", "m"}, {"depth", "m"}};

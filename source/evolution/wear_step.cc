@@ -40,9 +40,11 @@ namespace RollingContact
 
   unsigned int WearStep::n_threads() const
   {
-    const unsigned int most =
-      section.threads > 0 ? section.threads : n_host_cpus();
-    return std::min<std::size_t>(most, rows.size());
+    const unsigned int most = section.threads > 0
+                                ? section.threads
+                                : std::max(1u, n_host_cpus() / Ranks::count());
+    const std::size_t own = (rows.size() + Ranks::count() - 1) / Ranks::count();
+    return std::min<std::size_t>(most, own);
   }
 
   DutyStates WearStep::stand_on(const RunningSurfaces &surfaces)

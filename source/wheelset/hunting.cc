@@ -87,12 +87,19 @@ namespace RollingContact
     return all;
   }
 
+  bool Hunting::grows(const std::vector<std::complex<double>> &eigenvalues)
+  {
+    double largest = 0.;
+    for (const auto &value : eigenvalues)
+      largest = std::max(largest, std::abs(value));
+    const auto first = eigenvalues.front();
+    return first.real() > 1e-9 * std::abs(first) + 1e-13 * largest;
+  }
+
   std::optional<double> Hunting::critical_speed(const double most) const
   {
-    // springs without dashpots grow by rounding
     const auto grows = [&](const double speed) {
-      const auto first = eigenvalues(speed).front();
-      return first.real() > 1e-9 * std::abs(first);
+      return Hunting::grows(eigenvalues(speed));
     };
     const unsigned int n    = 400;
     double             last = most / n;

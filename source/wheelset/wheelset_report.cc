@@ -181,7 +181,7 @@ namespace RollingContact
                  critical.value_or(0.));
     context.report.set_finding(
       "hunts",
-      std::string(growth > 0. ? "grows by " : "decays by ") +
+      std::string(Hunting::grows(all) ? "grows by " : "decays by ") +
         significant(std::abs(growth), 4) + " 1/s at " +
         significant(frequency, 4) + " Hz and " + significant(speed, 4) +
         " m/s; " +

@@ -85,6 +85,7 @@ namespace RollingContact
   {
     Equilibrium        &balance = rough.balance(0);
     const WheelsetState here    = balance.now();
+    rough.ask_for(Equilibrium::tolerance);
     for (const double direction : {-1., 1.})
       {
         WheelsetState last = here;

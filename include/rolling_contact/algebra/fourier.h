@@ -35,9 +35,11 @@ namespace RollingContact::Signals
   values_of_cosine_amplitudes(std::vector<double> amplitudes);
 
   /**
-   * A symmetric matrix whose entries depend on how many places of a grid of
-   * n_x times n_y are between two, along and across, whichever comes first: its
-   * products cost Fourier transforms of the grid, four times as large.
+   * A block Toeplitz matrix with Toeplitz blocks, symmetric both along and
+   * across a grid of n_x times n_y places: an entry depends on how many places
+   * along and across two are apart. Its products are those of a circulant
+   * matrix of twice as many places in each direction, by Fourier transforms. To
+   * be used by one thread; copies share their work space.
    */
   class EvenToeplitz
   {
@@ -53,9 +55,10 @@ namespace RollingContact::Signals
   private:
     struct Circle;
 
-    const std::size_t       n_x, n_y, wide, high; ///< of the larger grid
+    const std::size_t       n_x, n_y;
+    const std::size_t       wide, high; ///< of the circulant matrix
     std::shared_ptr<Circle> circle;
-    std::vector<double>     factors; ///< of its Fourier sums
+    std::vector<double>     factors; ///< its eigenvalues
   };
 } // namespace RollingContact::Signals
 

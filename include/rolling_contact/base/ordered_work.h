@@ -26,7 +26,8 @@ namespace RollingContact
    * always the same one for a number, in several threads of each; and then for
    * each in this order, on all ranks, what follows it, which is told the rank
    * that did it. Throws on all ranks what the lowest task that fails threw.
-   * Collective; the tasks are not.
+   * Collective; the tasks are not, see Ranks::apart(). Tasks go on where
+   * another one fails; an interrupt ends them rank by rank.
    */
   void
   do_on_ranks(const std::size_t                                     n_tasks,

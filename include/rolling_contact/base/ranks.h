@@ -78,7 +78,8 @@ namespace RollingContact
     void on_all(const std::function<void()> &action);
 
     /** Run the action on every rank as if it were the only one, with work of
-     * its own, and throw as on_all() does. Collective. */
+     * its own, and throw as on_all() does. Inside each is rank 0 of one and the
+     * root, so that nothing may be written or told there. Collective. */
     void apart(const std::function<void()> &action);
 
     /** Whether this call is made inside the action of an on(), while the other

@@ -34,7 +34,7 @@ namespace RollingContact
   /**
    * What an evolution of profiles is told by: results.csv with a row for each
    * step and side, duty.csv with one for each row of the duty at each step, a
-   * file of each profile at each step, and evolution.svg.
+   * file of each profile at each step, a film of them, and evolution.svg.
    */
   class EvolutionReport
   {
@@ -93,8 +93,14 @@ namespace RollingContact
     Profiles::ProfileCurve section_of(const Profiles::ProfileCurve &curve,
                                       const unsigned int            body) const;
 
-    /** The last profiles, and profiles.pvd for all of them over the way. */
+    /** Strips of the profiles that have none yet, and profiles.pvd. */
     void add_to_film();
+
+    /** See worn_strip(). */
+    void write_strip(const std::string     &file,
+                     const RunningSurfaces &surfaces,
+                     const unsigned int     side,
+                     const unsigned int     body) const;
 
     void plot_over_way() const;
 
@@ -135,6 +141,8 @@ namespace RollingContact
     const RunningSurfaces        before;
     RunContext                  &context;
     ResultsTable                 rows; ///< of the duty
+
+    std::size_t n_filmed = 0; ///< of those that were shown
 
     /** Profiles as they were shown, with the way to there. */
     std::vector<std::pair<double, RunningSurfaces>> shown;

@@ -71,6 +71,7 @@ namespace RollingContact
      * centres of wear that are less than 5 mm apart. Units: m. */
     double smoothing(const DutyStates &states) const;
 
+    /** Of all ranks; collective. */
     unsigned int n_states() const;
 
     unsigned int n_threads() const;
@@ -81,7 +82,8 @@ namespace RollingContact
       const RunningSurfaces                                      &surfaces,
       const std::function<RunningSurfaces::Amounts(std::size_t)> &of_row) const;
 
-    /** What a row wears, if depths of the rail for a passage are those. */
+    /** What a row wears, by the depths of the rail for a passage that @p
+     * depths_of finds for its contacts. */
     RunningSurfaces::Amounts
     worn_by(const RunningSurfaces &surfaces,
             const DutyState       &state,

@@ -8,7 +8,8 @@
 
 namespace RollingContact
 {
-  /** A file of the run folder, shown as block `part` at a time (s). */
+  /** A file of the run folder, shown as block `part` at a time (s, or km or
+   * passages of an evolution). */
   struct PvdBlock
   {
     double       time;

@@ -52,8 +52,8 @@ namespace RollingContact
    * the integral of share times p. The influence
    * of a rectangle is Love's (1929); solved by the constrained conjugate
    * gradients of Polonsky and Keer (Wear 231, 1999) until pressures change by
-   * less than 1e-4 of their sum, each of which costs a few Fourier transforms.
-   * Throws std::runtime_error if that takes more than 1000 rounds.
+   * less than 1e-4 of their sum; a round costs two products by Fourier
+   * transforms. Throws std::runtime_error if that takes more than 1000 rounds.
    */
   HalfSpacePressure half_space_pressure(const ContactGrid         &grid,
                                         const std::vector<double> &gap,

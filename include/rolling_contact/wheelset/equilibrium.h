@@ -136,10 +136,11 @@ namespace RollingContact
     static constexpr double tolerance = 1e-5;
 
     /** Largest residual that will do where forces jump, as they do from one set
-     * of bodies to another. */
+     * of bodies to another, if it is above `enough`. */
     double accepted = tolerance;
 
-    /** Largest residual that solve() asks for, over the axle load. */
+    /** Largest residual that solve() and bracket() ask for, over the axle load.
+     */
     double enough = tolerance;
 
     unsigned int n_steps = 0; ///< of Newton's method

@@ -49,6 +49,10 @@ namespace RollingContact
      */
     std::optional<double> critical_speed(const double most) const;
 
+    /** Whether the least damped of some eigenvalues grows by more than rounding
+     * does, as that of springs without dashpots. */
+    static bool grows(const std::vector<std::complex<double>> &eigenvalues);
+
   private:
     /** Forces by positions, and by velocities. */
     struct Forces
