@@ -71,7 +71,7 @@ namespace RollingContact
      * centres of wear that are less than 5 mm apart. Units: m. */
     double smoothing(const DutyStates &states) const;
 
-    /** Of all ranks; collective. */
+    /** How many states all ranks have solved. Collective. */
     unsigned int n_states() const;
 
     unsigned int n_threads() const;
