@@ -234,9 +234,7 @@ namespace RollingContact
     {
       if (Ranks::count() == 1)
         return;
-      std::string of_root = input.used;
-      Ranks::broadcast(of_root);
-      if (Ranks::maximum(of_root != input.used) > 0.)
+      if (!Ranks::agree(input.used))
         throw InputError("The ranks read different parameters: start them with "
                          "one command line and a file that all of them see.");
       const AnalysisTraits &analysis = input.scene.inputs->analysis;

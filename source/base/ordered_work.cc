@@ -143,17 +143,9 @@ namespace RollingContact
     throw_if_interrupted();
   }
 
-  namespace
+  unsigned int rank_of_task(const std::size_t task)
   {
-    unsigned int rank_of(const std::size_t task)
-    {
-      return task % Ranks::count();
-    }
-  } // namespace
-
-  bool is_done_here(const std::size_t task)
-  {
-    return rank_of(task) == Ranks::rank();
+    return task % Ranks::count();
   }
 
   void do_on_ranks(const std::size_t                       n_tasks,
@@ -163,20 +155,27 @@ namespace RollingContact
   {
     std::vector<std::size_t> own;
     for (std::size_t k = 0; k < n_tasks; ++k)
-      if (is_done_here(k))
+      if (rank_of_task(k) == Ranks::rank())
         own.push_back(k);
     std::vector<RelayedException> failures(n_tasks);
     const auto                    work = [&](const std::size_t k) {
       failures[own[k]] = caught_from([&]() { task(own[k]); });
+      rethrow(failures[own[k]]); // so that this rank begins no other one
     };
     Ranks::apart([&]() {
-      do_in_order(
-        own.size(), n_threads, [&]() { return work; }, [](std::size_t) {});
+      const auto ended = caught_from([&]() {
+        do_in_order(
+          own.size(), n_threads, [&]() { return work; }, [](std::size_t) {});
+      });
+      if (std::all_of(failures.begin(), failures.end(), [](const auto &one) {
+            return one.kind == RelayedException::Kind::nothing;
+          }))
+        rethrow(ended);
     });
     for (std::size_t k = 0; k < n_tasks; ++k)
       {
-        Ranks::on(rank_of(k), [&]() { rethrow(failures[k]); });
-        follow(k, rank_of(k));
+        Ranks::on(rank_of_task(k), [&]() { rethrow(failures[k]); });
+        follow(k, rank_of_task(k));
       }
   }
 } // namespace RollingContact

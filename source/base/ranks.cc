@@ -214,6 +214,13 @@ namespace RollingContact
       broadcast_entries(text, MPI_CHAR, from);
     }
 
+    bool agree(const std::string &text)
+    {
+      std::string of_root = text;
+      broadcast(of_root);
+      return maximum(of_root != text) == 0.;
+    }
+
     void on(const unsigned int rank, const std::function<void()> &action)
     {
       if (count() == 1 || inside_on)

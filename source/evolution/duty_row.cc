@@ -142,7 +142,7 @@ namespace RollingContact
                                       1. / (n * 2 / surfaces.n_sides()));
         }
     for (const WearingContact &contact : found.contacts)
-      found.summary.wheels.push_back(contact.told);
+      found.summary.wheels.push_back(contact.summary);
     const double side = is_mirrored ? -1. : 1.;
     for (const WheelsetState &state : gear.now().wheelsets)
       found.summary.wheelsets.push_back({side * state.acting.curvature,

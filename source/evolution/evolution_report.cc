@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <rolling_contact/base/constants.h>
-#include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/evolution/evolution_report.h>
 #include <rolling_contact/evolution/profile_film.h>
@@ -267,18 +266,10 @@ namespace RollingContact
     if (body == 0)
       return what + "radius at the tape circle " +
              significant(radius + z_at_tape_circle(curve), 7) + " m";
-    try
-      {
-        return what + "gauge " +
-               significant(2 * Profiles::y_of_gauge_face(
-                                 curve, scene.profiles.gauge_height),
-                           7) +
-               " m";
-      }
-    catch (const InputError &)
-      {
-        return what + "its gauge face ends above the gauge height";
-      }
+    const auto face =
+      Profiles::y_of_gauge_face(curve, scene.profiles.gauge_height);
+    return what + (face ? "gauge " + significant(2 * *face, 7) + " m"
+                        : "its gauge face ends above the gauge height");
   }
 
   void

@@ -209,9 +209,7 @@ namespace RollingContact
   void ProfileEvolution::run()
   {
     PhaseTimer::Scope phase(context.timer, Phase::contact_solve);
-    std::string       of_root = duty_text();
-    Ranks::broadcast(of_root);
-    if (Ranks::maximum(of_root != duty_text()) > 0.)
+    if (!Ranks::agree(duty_text()))
       throw InputError("Evolution/File of rows = " + section.file_of_rows +
                        ": the ranks read different files; put it where all "
                        "of them see one.");

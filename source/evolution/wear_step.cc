@@ -33,7 +33,7 @@ namespace RollingContact
     , rows(duty.size())
   {
     for (std::size_t j = 0; j < duty.size(); ++j)
-      if (is_done_here(j))
+      if (rank_of_task(j) == Ranks::rank())
         rows[j] = std::make_unique<DutyRow>(duty[j]);
     reserve_blas_memory(n_threads());
   }
@@ -143,7 +143,7 @@ namespace RollingContact
                        const double               smoothing) const
   {
     RunningSurfaces::Amounts found = surfaces.nothing();
-    const std::size_t        side  = surfaces.side_of(contact.told.wheel);
+    const std::size_t        side  = surfaces.side_of(contact.summary.wheel);
     for (unsigned int body = 0; body < 2; ++body)
       if (body == 0 ? section.wears_wheel() : section.wears_rail())
         found[side][body] = contact.amounts(
@@ -157,7 +157,7 @@ namespace RollingContact
                              const RunningSurfaces::Amounts &others) const
   {
     std::vector<double> found(contact.lines().size(), 0.);
-    const std::size_t   side = surfaces.side_of(contact.told.wheel);
+    const std::size_t   side = surfaces.side_of(contact.summary.wheel);
     for (unsigned int body = 0; body < 2; ++body)
       {
         const auto  depths = surfaces.depths(others, side, body);

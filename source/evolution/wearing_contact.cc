@@ -51,11 +51,11 @@ namespace RollingContact
                                  const unsigned int     wheelset,
                                  const unsigned int     wheel,
                                  const double           portion)
-    : told{wheelset,
-           wheel,
-           steady.result.creep_work,
-           steady.result.max_pressure,
-           {}}
+    : summary{wheelset,
+              wheel,
+              steady.result.creep_work,
+              steady.result.max_pressure,
+              {}}
     , portion(portion)
     , normal(normal_contact(steady.problem, steady.state))
     , state(open_state(normal))
@@ -63,7 +63,7 @@ namespace RollingContact
   {
     if (const auto rise =
           patch_temperature(scene, steady.problem, steady.state))
-      told.flash = *rise;
+      summary.flash = *rise;
     state.pressure = steady.state.pressure;
     state.approach = steady.state.approach;
     find_lines(scene, steady, law);
@@ -97,7 +97,7 @@ namespace RollingContact
           }
         all.push_back(wearing);
       }
-    told.centre_of_wear = worn > 0. ? moment / worn : std::nan("");
+    summary.centre_of_wear = worn > 0. ? moment / worn : std::nan("");
   }
 
   void WearingContact::fill_lines_without_load()

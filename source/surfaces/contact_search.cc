@@ -178,15 +178,13 @@ namespace RollingContact::Profiles
             rail.curvature(rail_s)};
   }
 
-  double y_of_gauge_face(const ProfileCurve &rail, const double gauge_height)
+  std::optional<double> y_of_gauge_face(const ProfileCurve &rail,
+                                        const double        gauge_height)
   {
     const double top   = rail.highest();
     const double depth = rail.at(top).z + gauge_height;
     if (!(rail.points().front().z > depth))
-      throw InputError(
-        "Profiles/Gauge height = " + significant(gauge_height, 6) +
-        " m: the rail's profile ends above it on the gauge side "
-        "(first points).");
+      return {};
     const auto below = [&](const double s) { return rail.at(s).z - depth; };
     return rail.at(root(below, 0., below(0.), top, below(top))).y;
   }
@@ -197,7 +195,13 @@ namespace RollingContact::Profiles
                            const double        gauge_height)
   {
     const ProfileCurve inclined = section.turned(-std::atan(inclination));
-    return inclined.shifted(gauge / 2 - y_of_gauge_face(inclined, gauge_height),
+    const auto         face     = y_of_gauge_face(inclined, gauge_height);
+    if (!face)
+      throw InputError(
+        "Profiles/Gauge height = " + significant(gauge_height, 6) +
+        " m: the rail's profile ends above it on the gauge side "
+        "(first points).");
+    return inclined.shifted(gauge / 2 - *face,
                             -inclined.at(inclined.highest()).z);
   }
 

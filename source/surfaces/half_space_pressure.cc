@@ -134,7 +134,7 @@ namespace RollingContact
       {
         for (std::size_t i = 0; i < shares.size(); ++i)
           pressure[i] /= shares[i];
-        std::vector<double> result = influence.multiply(std::move(pressure));
+        std::vector<double> result = influence.multiply(pressure);
         for (std::size_t i = 0; i < shares.size(); ++i)
           result[i] /= shares[i];
         return result;

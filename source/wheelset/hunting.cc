@@ -98,20 +98,18 @@ namespace RollingContact
 
   std::optional<double> Hunting::critical_speed(const double most) const
   {
-    const auto grows = [&](const double speed) {
-      return Hunting::grows(eigenvalues(speed));
-    };
     const unsigned int n    = 400;
     double             last = most / n;
-    if (grows(last))
+    if (grows(eigenvalues(last)))
       return 0.;
     for (unsigned int k = 2; k <= n; ++k)
       {
         double next = most * k / n;
-        if (grows(next))
+        if (grows(eigenvalues(next)))
           {
             while (next - last > 1e-6 * next)
-              (grows((last + next) / 2) ? next : last) = (last + next) / 2;
+              (grows(eigenvalues((last + next) / 2)) ? next : last) =
+                (last + next) / 2;
             return next;
           }
         last = next;

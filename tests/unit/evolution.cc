@@ -172,7 +172,7 @@ BOOST_AUTO_TEST_CASE(a_step_takes_off_what_its_law_says)
       loads += line.load * line.width;
     }
   radius /= loads;
-  BOOST_TEST(area == 5.3e-9 * contact.told.creep_work / 7850. * distance /
+  BOOST_TEST(area == 5.3e-9 * contact.summary.creep_work / 7850. * distance /
                        (2 * pi * radius),
              boost::test_tools::tolerance(5e-3));
   BOOST_TEST(Profiles::worn_area(wheel.surfaces.curve(0, 0),
@@ -324,9 +324,9 @@ BOOST_AUTO_TEST_CASE(implicit_steps_are_stable_where_explicit_ones_are_not)
   const double depth         = 100 * um;
   const auto   peak_pressure = [&](const bool is_implicit) {
     WheelInItsPlace wheel;
-    const double    before = wheel.on(wheel.surfaces).told.max_pressure;
+    const double    before = wheel.on(wheel.surfaces).summary.max_pressure;
     wheel.worn_in_steps(3 * wheel.distance_for(depth), 3, is_implicit);
-    const double after = wheel.on(*wheel.last).told.max_pressure;
+    const double after = wheel.on(*wheel.last).summary.max_pressure;
     BOOST_TEST_MESSAGE((is_implicit ? "implicit" : "explicit")
                        << ": peak pressure over that before "
                        << after / before);

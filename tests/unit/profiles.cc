@@ -198,6 +198,9 @@ BOOST_AUTO_TEST_CASE(a_rail_is_placed_by_its_gauge_face)
         }
     }
   BOOST_TEST(reaches_gauge);
+  BOOST_TEST(std::abs(y_of_gauge_face(rail, 14 * mm).value() - 717.5 * mm) <
+             1e-12);
+  BOOST_TEST(!y_of_gauge_face(rail, 1.)); // a rail that is worn down to there
 }
 
 // heights of CONTACT under 10 kN less its approach, which is along the normal

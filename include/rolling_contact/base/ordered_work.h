@@ -26,8 +26,8 @@ namespace RollingContact
    * always the same one for a number, in several threads of each; and then for
    * each in this order, on all ranks, what follows it, which is told the rank
    * that did it. Throws on all ranks what the lowest task that fails threw.
-   * Collective; the tasks are not, see Ranks::apart(). Tasks go on where
-   * another one fails; an interrupt ends them rank by rank.
+   * Collective; the tasks are not, see Ranks::apart(). A rank begins no more of
+   * them once one of its own has failed or it is interrupted().
    */
   void
   do_on_ranks(const std::size_t                                     n_tasks,
@@ -35,8 +35,8 @@ namespace RollingContact
               const std::function<void(std::size_t)>               &task,
               const std::function<void(std::size_t, unsigned int)> &follow);
 
-  /** Whether do_on_ranks() does a task on this rank. */
-  bool is_done_here(const std::size_t task);
+  /** The rank on which do_on_ranks() does a task. */
+  unsigned int rank_of_task(const std::size_t task);
 } // namespace RollingContact
 
 #endif

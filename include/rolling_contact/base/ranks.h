@@ -60,6 +60,9 @@ namespace RollingContact
     void broadcast(std::vector<double> &values, const unsigned int from = 0);
     void broadcast(std::string &text, const unsigned int from = 0);
 
+    /** Whether all ranks have the same text. Collective. */
+    bool agree(const std::string &text);
+
     /**
      * Run the action on one rank while the others sleep until it is done. An
      * exception of the action is thrown on all ranks with its message:

@@ -111,7 +111,7 @@ namespace RollingContact
                                 const std::vector<double>    &depths,
                                 const double                  smoothing) const;
 
-    WearingWheel told;
+    WearingWheel summary;
 
   private:
     void find_lines(const PairSpec        &scene,

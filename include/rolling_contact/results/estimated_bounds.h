@@ -19,7 +19,8 @@ namespace RollingContact
    * Where nothing sticks it is min(m, E + R/8) with R = sum P_i t_i^2 / N, the
    * nodes' loads P_i and how much their slip changes to their neighbours, over
    * the smaller of both and at most 1: a stick zone smaller than an element is
-   * not seen. With `upwind 1` it is m where something sticks. With levels of
+   * not seen. With `upwind 1`, and in 3D with friction that falls with the
+   * sliding speed, it is at least m where something sticks. With levels of
    * refinement E is not above what the last level changed, nor below a third of
    * itself, and the sum at least 1.3 times that. What is missing in the bulk
    * comes to it, 0.8 times, and 1.3 times under a given approach, whose load

@@ -149,14 +149,16 @@ namespace RollingContact::Profiles
 
   /**
    * Across, where a rail is @p gauge_height below its highest point on the
-   * gauge side. Throws InputError if it does not reach down to there. Units: m.
+   * gauge side; nothing if it does not reach down to there. Units: m.
    */
-  double y_of_gauge_face(const ProfileCurve &rail, const double gauge_height);
+  std::optional<double> y_of_gauge_face(const ProfileCurve &rail,
+                                        const double        gauge_height);
 
   /**
    * Turn a rail's section inwards by atan(@p inclination) and put it where its
    * highest point has z = 0 and its gauge face is @p gauge / 2 from the middle
-   * of the track, see y_of_gauge_face(). Units: m, 1.
+   * of the track, see y_of_gauge_face(). Throws InputError if there is none.
+   * Units: m, 1.
    */
   ProfileCurve placed_rail(const ProfileCurve &section,
                            const double        inclination,
