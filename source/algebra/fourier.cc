@@ -80,63 +80,155 @@ namespace RollingContact::Signals
     return values;
   }
 
-  /** A vector of the circulant matrix, its Fourier sums, there and back. */
-  struct EvenToeplitz::Circle
+  namespace
   {
-    Circle(const int n_x, const int n_y)
-      : values(n_x * n_y, 0.)
-      , sums(n_y * (n_x / 2 + 1))
-      , there(planned([&]() {
-        return fftw_plan_dft_r2c_2d(
-          n_y, n_x, values.data(), fftw_data(sums), FFTW_ESTIMATE);
-      }))
-      , back(planned([&]() {
-        return fftw_plan_dft_c2r_2d(
-          n_y, n_x, fftw_data(sums), values.data(), FFTW_ESTIMATE);
-      }))
-    {}
+    /** The next number from @p least on that FFTW transforms fast. */
+    std::size_t fast_size(const std::size_t least)
+    {
+      for (std::size_t n = least;; ++n)
+        {
+          std::size_t rest = n;
+          for (const std::size_t prime : {2, 3, 5, 7})
+            while (rest % prime == 0)
+              rest /= prime;
+          if (rest == 1 && n % 2 == 0)
+            return n;
+        }
+    }
+  } // namespace
 
-    std::vector<double>               values;
-    std::vector<std::complex<double>> sums;
-    const Plan                        there, back;
+  /** The grid of the circulant matrices and the transforms on it. */
+  struct GridConvolution::Circle
+  {
+    Circle(const std::size_t n_x, const std::size_t n_y)
+      : wide(fast_size(2 * n_x - 1))
+      , high(fast_size(2 * n_y - 1))
+    {
+      std::vector<double> values(wide * high);
+      Sums                sums(n_sums());
+      there = planned([&]() {
+        return fftw_plan_dft_r2c_2d(high,
+                                    wide,
+                                    values.data(),
+                                    fftw_data(sums),
+                                    FFTW_ESTIMATE | FFTW_UNALIGNED);
+      });
+      back  = planned([&]() {
+        return fftw_plan_dft_c2r_2d(high,
+                                    wide,
+                                    fftw_data(sums),
+                                    values.data(),
+                                    FFTW_ESTIMATE | FFTW_UNALIGNED);
+      });
+    }
+
+    std::size_t n_sums() const
+    {
+      return high * (wide / 2 + 1);
+    }
+
+    Sums sums(std::vector<double> values) const
+    {
+      Sums result(n_sums());
+      fftw_execute_dft_r2c(there.get(), values.data(), fftw_data(result));
+      return result;
+    }
+
+    /** Sums of values on a corner of n_x times n_y places, 0 elsewhere. */
+    Sums sums_of_corner(const double     *values,
+                        const std::size_t n_x,
+                        const std::size_t n_y) const
+    {
+      std::vector<double> all(wide * high, 0.);
+      for (std::size_t j = 0; j < n_y; ++j)
+        std::copy_n(&values[n_x * j], n_x, &all[wide * j]);
+      return sums(std::move(all));
+    }
+
+    /** The values on that corner, to the end of @p result. */
+    void add_corner(Sums                 sums,
+                    const std::size_t    n_x,
+                    const std::size_t    n_y,
+                    std::vector<double> &result) const
+    {
+      std::vector<double> all(wide * high);
+      fftw_execute_dft_c2r(back.get(), fftw_data(sums), all.data());
+      for (std::size_t j = 0; j < n_y; ++j)
+        result.insert(result.end(), &all[wide * j], &all[wide * j] + n_x);
+    }
+
+    const std::size_t wide, high;
+
+  private:
+    Plan there, back;
   };
 
-  EvenToeplitz::EvenToeplitz(
-    const std::size_t                                  n_x,
-    const std::size_t                                  n_y,
-    const std::function<double(const int, const int)> &entry)
+  GridConvolution::GridConvolution(const std::size_t  n_x,
+                                   const std::size_t  n_y,
+                                   const unsigned int n_components,
+                                   const Influence   &influence)
     : n_x(n_x)
     , n_y(n_y)
-    , wide(2 * n_x)
-    , high(2 * n_y)
-    , circle(std::make_shared<Circle>(wide, high))
+    , n_components(n_components)
+    , circle(std::make_shared<const Circle>(n_x, n_y))
   {
-    for (std::size_t j = 0; j < n_y; ++j)
-      for (std::size_t i = 0; i < n_x; ++i)
+    const int wide = circle->wide, high = circle->high, reach_x = n_x - 1,
+              reach_y = n_y - 1;
+    for (unsigned int of = 0; of < n_components; ++of)
+      for (unsigned int by = 0; by < n_components; ++by)
         {
-          const double value = entry(i, j);
-          for (const std::size_t row : {j, (high - j) % high})
-            for (const std::size_t place : {i, (wide - i) % wide})
-              circle->values[row * wide + place] = value;
+          std::vector<double> values(circle->wide * circle->high, 0.);
+          for (int j = -reach_y; j <= reach_y; ++j)
+            for (int i = -reach_x; i <= reach_x; ++i)
+              values[(j + high) % high * wide + (i + wide) % wide] =
+                influence(i, j, of, by) / (circle->wide * circle->high);
+          factors.push_back(circle->sums(std::move(values)));
         }
-    fftw_execute(circle->there.get());
-    for (const auto &sum : circle->sums)
-      factors.push_back(sum.real() / (wide * high));
   }
 
-  std::vector<double> EvenToeplitz::multiply(const std::vector<double> &values)
+  std::vector<double>
+  GridConvolution::multiply(const std::vector<double> &values,
+                            const unsigned int         by_first,
+                            const unsigned int         of_first,
+                            const unsigned int         of_end) const
   {
-    std::vector<double> &all = circle->values, result;
-    std::fill(all.begin(), all.end(), 0.);
-    for (std::size_t j = 0; j < n_y; ++j)
-      std::copy_n(&values[n_x * j], n_x, &all[wide * j]);
-    fftw_execute(circle->there.get());
-    for (std::size_t k = 0; k < factors.size(); ++k)
-      circle->sums[k] *= factors[k];
-    fftw_execute(circle->back.get());
-    for (std::size_t j = 0; j < n_y; ++j)
-      result.insert(result.end(), &all[wide * j], &all[wide * j + n_x]);
+    const std::size_t n = n_x * n_y;
+    std::vector<Sums> products(of_end - of_first, Sums(circle->n_sums(), 0.));
+    for (std::size_t k = 0; k < values.size() / n; ++k)
+      {
+        const Sums sums = circle->sums_of_corner(&values[k * n], n_x, n_y);
+        for (unsigned int of = of_first; of < of_end; ++of)
+          {
+            const Sums &factor  = factors[of * n_components + by_first + k];
+            Sums       &product = products[of - of_first];
+            for (std::size_t m = 0; m < sums.size(); ++m)
+              product[m] += factor[m] * sums[m];
+          }
+      }
+    std::vector<double> result;
+    result.reserve(products.size() * n);
+    for (Sums &product : products)
+      circle->add_corner(std::move(product), n_x, n_y, result);
     return result;
+  }
+
+  std::vector<double> GridConvolution::divide(const std::vector<double> &product,
+                                              const unsigned int component) const
+  {
+    const Sums &factor = factors[component * n_components + component];
+    Sums        sums   = circle->sums_of_corner(product.data(), n_x, n_y);
+    const double n_all = circle->wide * circle->high,
+                 least = 1e-4 * std::abs(factor[0].real());
+    for (std::size_t m = 0; m < sums.size(); ++m)
+      sums[m] /= n_all * n_all * std::max(least, std::abs(factor[m].real()));
+    std::vector<double> result;
+    circle->add_corner(std::move(sums), n_x, n_y, result);
+    return result;
+  }
+
+  std::size_t GridConvolution::memory_consumption() const
+  {
+    return factors.size() * circle->n_sums() * sizeof(std::complex<double>);
   }
 
   std::vector<double> cosine_amplitudes(std::vector<double> values)

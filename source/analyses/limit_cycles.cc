@@ -47,7 +47,7 @@ namespace RollingContact
     modes =
       std::make_unique<RollingModes<dim>>(*bodies.modes,
                                           *bodies.base.pair,
-                                          bodies.base.problem.operators.W());
+                                          bodies.base.problem.operators.W().dense());
     describe_bodies(bodies.base, context);
     note_error_of_step(scene, bodies.base, context.report);
     if (context.resume)

@@ -212,7 +212,7 @@ namespace RollingContact
                                   context);
     const RollingModes<dim> rolling(bodies,
                                     *steady.pair,
-                                    steady.problem.operators.W());
+                                    steady.problem.operators.W().dense());
     PhaseTimer::Scope       phase(context.timer, Phase::eigenvalues);
     const RollingConditions conditions(scene, scene.inputs->stability);
     const Vibrations        vibrations(scene,

@@ -132,7 +132,7 @@ namespace RollingContact
     add("columns Y", inertia, memory.columns, "Time/Inertia = false");
     add("compliance W",
         true,
-        memory_consumption(stepper.current().problem.operators.W()),
+        stepper.current().problem.operators.W().memory_consumption(),
         "");
     add("tangential compliance, B1, B2", slips, 0, "frictionless");
   }

@@ -91,10 +91,10 @@ namespace RollingContact
 
       Values displacements(const int i, const int j) const;
 
-      const std::size_t         n;
-      HalfSpaceInfluence::Table influence;
-      std::vector<Node>         nodes;
-      std::vector<Values>       found; ///< displacements on the grid
+      const std::size_t   n;
+      InfluenceTable      influence;
+      std::vector<Node>   nodes;
+      std::vector<Values> found; ///< displacements on the grid
     };
 
     std::array<double, 2> elements_of(const std::array<double, 2> &half_widths)
@@ -116,9 +116,10 @@ namespace RollingContact
       : size(elements_of(half_widths))
       , last(reached(size, reach))
       , n(force_moments().size())
-      , influence(HalfSpaceInfluence(material, size),
-                  {{last[0] + 1 + elements_of_half,
-                    last[1] + 1 + elements_of_half}})
+      , influence(HalfSpaceInfluence(material, size)
+                    .table({{last[0] + 2u + elements_of_half,
+                             last[1] + 2u + elements_of_half}},
+                           {0, 1, 2}))
     {
       make_nodes();
       for (int i = -last[0] - 1; i <= last[0] + 1; ++i)

@@ -2,7 +2,6 @@
 
 #include <rolling_contact/bodies/half_space_influence.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace RollingContact
@@ -105,42 +104,12 @@ namespace RollingContact
     return W;
   }
 
-  HalfSpaceInfluence::Table::Table(const HalfSpaceInfluence &half_space,
-                                   const std::array<int, 2> &reach)
-    : reach_y(reach[1])
+  InfluenceTable
+  HalfSpaceInfluence::table(const std::array<std::size_t, 2> &n,
+                            const std::vector<unsigned int>  &components) const
   {
-    for (int i = 0; i <= reach[0]; ++i)
-      for (int j = 0; j <= reach[1]; ++j)
-        entries.push_back(
-          half_space.at(i * half_space.size[0], j * half_space.size[1]));
-  }
-
-  DenseMatrix HalfSpaceInfluence::compliance(
-    const std::vector<std::array<double, 2>> &positions,
-    const std::vector<unsigned int>          &components) const
-  {
-    const std::size_t               N = positions.size();
-    std::array<std::vector<int>, 2> index;
-    std::array<int, 2>              reach{};
-    for (unsigned int d = 0; d < 2; ++d)
-      {
-        for (const auto &position : positions)
-          index[d].push_back(
-            std::lround((position[d] - positions[0][d]) / size[d]));
-        const auto ends = std::minmax_element(index[d].begin(), index[d].end());
-        reach[d]        = *ends.second - *ends.first;
-      }
-    const Table table(*this, reach);
-    DenseMatrix W(components.size() * N, components.size() * N);
-    for (std::size_t b = 0; b < components.size(); ++b)
-      for (std::size_t column = 0; column < N; ++column)
-        for (std::size_t a = 0; a < components.size(); ++a)
-          for (std::size_t row = 0; row < N; ++row)
-            W(a * N + row, b * N + column) =
-              table(index[0][row] - index[0][column],
-                    index[1][row] - index[1][column],
-                    components[a],
-                    components[b]);
-    return W;
+    return InfluenceTable(n, [&](const int i, const int j) {
+      return DenseMatrix(at(i * size[0], j * size[1])(components, components));
+    });
   }
 } // namespace RollingContact

@@ -162,27 +162,47 @@ namespace RollingContact
     if (P.size() > 0)
       throw std::logic_error("A split body has the nodes of the interface.");
     analyse();
-    return compliance_of(positions_of(nodes), components);
+    return influence_on(positions_of(nodes), components).dense();
   }
 
-  DenseMatrix
-  SplitBody::compliance_of(const Positions                 &positions,
-                           const std::vector<unsigned int> &components) const
+  std::optional<GridInfluence>
+  SplitBody::grid_influence(const std::vector<SurfaceNode>  &nodes,
+                            const std::vector<unsigned int> &components)
   {
-    DenseMatrix W =
-      HalfSpaceInfluence(material, NodeGrid(positions).element_size)
-        .compliance(positions, components);
+    if (vibrates)
+      return {};
+    analyse();
+    return influence_on(positions_of(nodes), components);
+  }
+
+  GridInfluence
+  SplitBody::influence_on(const Positions                 &positions,
+                          const std::vector<unsigned int> &components) const
+  {
+    const NodeGrid    grid(positions);
+    const NodesOnGrid nodes = nodes_on_grid(positions, grid.element_size);
+    GridInfluence     influence{
+      nodes,
+      HalfSpaceInfluence(material, grid.element_size)
+        .table({{nodes.n[0] + 2, nodes.n[1] + 2}}, components),
+      {},
+      {},
+      {},
+      {}};
     if (is_half_space)
-      return W;
-    const DenseMatrix Phi = shapes_of_moments(positions, components),
-                      added =
-                        S_of_mesh + change +
-                        curvature_correction(*shape,
-                                             material,
-                                             NodeGrid(positions).half_widths,
-                                             fading);
-    W.noalias() += (Phi * added) * Phi.transpose();
-    return W;
+      return influence;
+    influence.shapes    = shapes_of_moments(positions, components);
+    influence.of_shapes = S_of_mesh + change +
+                          curvature_correction(*shape,
+                                               material,
+                                               grid.half_widths,
+                                               fading);
+    for (const ForceMoment &moment : force_moments())
+      {
+        influence.shape_is_normal.push_back(moment.component == 2);
+        influence.shape_is_no_strain.push_back(moment.degree() == 0);
+      }
+    return influence;
   }
 
   std::vector<DenseMatrix> SplitBody::compliance_errors(
@@ -244,7 +264,7 @@ namespace RollingContact
                       inertia,
                       S_of_mesh,
                       shapes_of_moments(positions, components),
-                      compliance_of(positions, components)},
+                      influence_on(positions, components).dense()},
       model.damping);
   }
 

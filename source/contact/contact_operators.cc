@@ -37,7 +37,7 @@ namespace RollingContact
 
   ContactOperators::ContactOperators(Positions    positions,
                                      SparseRows   H,
-                                     DenseMatrix  W,
+                                     ContactCompliance W,
                                      SlipOperator slip_operator,
                                      const NormalTangentialCoupling &coupling,
                                      const NodalForces               forces)
@@ -75,7 +75,7 @@ namespace RollingContact
     return dot(load_areas(), pressure);
   }
 
-  void ContactOperators::set_compliance(DenseMatrix W)
+  void ContactOperators::set_compliance(ContactCompliance W)
   {
     compliance = std::move(W);
     corrected  = false;
@@ -89,6 +89,11 @@ namespace RollingContact
     if (scaling == new_scaling)
       return;
     scaling = new_scaling;
+    if (scaling.rate != 0. && compliance.on_grid())
+      {
+        compliance.make_dense();
+        find_pressure_compliance();
+      }
     find_tangential_norm();
   }
 
@@ -96,8 +101,9 @@ namespace RollingContact
                                  const std::vector<double> &displacement)
   {
     const double error = 1e-11 * norm(displacement);
+    DenseMatrix &W     = compliance.make_dense();
     if (normal_tangential.exists)
-      correct_block(0, forces, displacement, error, compliance);
+      correct_block(0, forces, displacement, error, W);
     else
       {
         const auto correct_part = [&](const std::size_t begin,
@@ -106,7 +112,7 @@ namespace RollingContact
             return std::vector<double>(all.begin() + begin, all.begin() + end);
           };
           correct_block(
-            begin, part(forces), part(displacement), error, compliance);
+            begin, part(forces), part(displacement), error, W);
         };
         correct_part(0, first_normal());
         correct_part(first_normal(), forces.size());
@@ -118,11 +124,10 @@ namespace RollingContact
   std::vector<double> ContactOperators::normal_displacement(
     const std::vector<double> &pressure) const
   {
-    return block_product(compliance,
-                         first_normal(),
-                         first_normal(),
-                         n_nodes(),
-                         contact_matrix.multiply(pressure));
+    return compliance.product(first_normal(),
+                              first_normal(),
+                              n_nodes(),
+                              contact_matrix.multiply(pressure));
   }
 
   std::vector<double> ContactOperators::normal_displacement_of_traction(
@@ -130,22 +135,20 @@ namespace RollingContact
   {
     if (!normal_tangential.exists || n_tangential() == 0)
       return std::vector<double>(n_nodes(), 0.);
-    return block_product(compliance,
-                         first_normal(),
-                         0,
-                         n_nodes(),
-                         contact_matrix.multiply(traction.values()));
+    return compliance.product(first_normal(),
+                              0,
+                              n_nodes(),
+                              contact_matrix.multiply(traction.values()));
   }
 
   NodalField
   ContactOperators::tangential_displacement(const NodalField &traction) const
   {
     return {n_nodes(),
-            block_product(compliance,
-                          0,
-                          0,
-                          first_normal(),
-                          contact_matrix.multiply(traction.values()))};
+            compliance.product(0,
+                               0,
+                               first_normal(),
+                               contact_matrix.multiply(traction.values()))};
   }
 
   NodalField ContactOperators::tangential_displacement_of_pressure(
@@ -154,11 +157,10 @@ namespace RollingContact
     if (!normal_tangential.exists)
       return {n_nodes(), n_tangential()};
     return {n_nodes(),
-            block_product(compliance,
-                          0,
-                          first_normal(),
-                          first_normal(),
-                          contact_matrix.multiply(pressure))};
+            compliance.product(0,
+                               first_normal(),
+                               first_normal(),
+                               contact_matrix.multiply(pressure))};
   }
 
   NodalField ContactOperators::tangential_displacement(
@@ -177,34 +179,26 @@ namespace RollingContact
                                        const std::vector<double> &field) const
   {
     const std::size_t first = c * n_nodes();
-    return block_product(
-      compliance, first, first, n_nodes(), contact_matrix.multiply(field));
-  }
-
-  std::vector<double> ContactOperators::displacement_along(
-    const unsigned int               c,
-    const std::vector<double>       &field,
-    const std::vector<double>       &pressure,
-    const std::vector<unsigned int> &nodes) const
-  {
-    std::vector<double> result(nodes.size(), 0.);
-    const auto          add = [&](const std::size_t first, const auto &values) {
-      const std::vector<double> forces = contact_matrix.multiply(values);
-      for (std::size_t j = 0; j < forces.size(); ++j)
-        if (forces[j] != 0.)
-          for (std::size_t k = 0; k < nodes.size(); ++k)
-            result[k] +=
-              compliance(c * n_nodes() + nodes[k], first + j) * forces[j];
-    };
-    add(c * n_nodes(), field);
-    if (normal_tangential.exists)
-      add(first_normal(), pressure);
-    return result;
+    return compliance.product(first,
+                              first,
+                              n_nodes(),
+                              contact_matrix.multiply(field));
   }
 
   NodalField
   ContactOperators::distortion(const std::size_t          first_column,
                                const std::vector<double> &forces) const
+  {
+    if (const GridCompliance *grid = compliance.on_grid())
+      return {n_nodes(),
+              grid->product(
+                forces, first_column / n_nodes(), 0, n_tangential(), true)};
+    return distortion_by_columns(first_column, forces);
+  }
+
+  NodalField ContactOperators::distortion_by_columns(
+    const std::size_t          first_column,
+    const std::vector<double> &forces) const
   {
     const std::size_t        n = n_nodes(), together = 4;
     std::vector<std::size_t> columns;
@@ -279,10 +273,15 @@ namespace RollingContact
 
   void ContactOperators::find_pressure_compliance()
   {
-    const std::size_t first = first_normal(), n = n_nodes();
+    if (compliance.on_grid())
+      return;
+    const std::size_t                   first = first_normal(), n = n_nodes();
+    const Eigen::Map<const DenseMatrix> W(compliance.data(),
+                                          compliance.rows(),
+                                          compliance.rows());
     W_nn_H = DenseMatrix::Zero(n, n);
     for (std::size_t k = 0; k < n; ++k)
       for (const auto &[j, value] : contact_matrix[k])
-        W_nn_H.col(j) += compliance.col(first + k).segment(first, n) * value;
+        W_nn_H.col(j) += W.col(first + k).segment(first, n) * value;
   }
 } // namespace RollingContact

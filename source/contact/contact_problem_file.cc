@@ -63,11 +63,12 @@ namespace RollingContact
                        const ContactMatrices   matrices,
                        ProblemFile            &file)
     {
-      const std::size_t n = operators.n_nodes(), size = operators.W().rows();
+      const DenseMatrix matrix = operators.W().dense();
+      const std::size_t n = operators.n_nodes(), size = matrix.rows();
       Numbers           W, positions, frames;
       for (std::size_t i = 0; i < size; ++i)
         for (std::size_t j = 0; j < size; ++j)
-          W.push_back(operators.W()(i, j));
+          W.push_back(matrix(i, j));
       for (const auto &[x, y] : operators.positions())
         positions.insert(positions.end(), {x, y});
       for (const SurfaceFrames::Node &node : operators.frames().nodes)

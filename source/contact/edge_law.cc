@@ -70,6 +70,7 @@ namespace RollingContact
       /// What the frictional pressure, as the traction in each direction,
       /// moves the surface beyond what the pressure moves it along the normal.
       std::vector<std::vector<double>> surplus;
+      std::vector<double> moved_along; ///< by it along x, m
     };
 
     EdgeLaw::EdgeLaw(const ContactProblem      &contact,
@@ -92,6 +93,9 @@ namespace RollingContact
 
     void EdgeLaw::find_surplus()
     {
+      const NodalField moved =
+        contact.operators.tangential_displacement_of_pressure(frictional);
+      moved_along.assign(moved.begin(), moved.begin() + contact.n_nodes());
       surplus.clear();
       for (unsigned int c = 0; c < contact.n_tangential(); ++c)
         {
@@ -269,7 +273,7 @@ namespace RollingContact
         {
           const EdgePressure line(contact, run, c);
           edge.pressure[c] = line.equivalent(frictional, surplus[c]);
-          edge.coupling[c] = line.coupling_traction(frictional);
+          edge.coupling[c] = line.coupling_traction(frictional, moved_along);
           add_law(line,
                   given ? edge.pressure[c] : line.on_run(frictional),
                   edge.coupling[c],

@@ -251,7 +251,8 @@ namespace RollingContact
   }
 
   std::vector<double>
-  EdgePressure::coupling_traction(const std::vector<double> &pressure) const
+  EdgePressure::coupling_traction(const std::vector<double> &pressure,
+                                  const std::vector<double> &moved_along) const
   {
     const std::size_t         n = run.nodes.size();
     const std::vector<double> p = on_run(pressure);
@@ -265,19 +266,18 @@ namespace RollingContact
     const double        begin  = patch_edge(x, p);
     const double        end    = patch_edge(x_reversed, p_reversed);
     const double        margin = edge_margin * (x[1] - x[0]);
-    std::vector<double> nodal(operators.n_nodes(), 0.);
+    std::vector<double> moved  = on_run(moved_along);
     for (std::size_t k = 0; k < n; ++k)
-      {
-        if (x[k] > begin + margin && x[k] < end - margin)
-          field[k] = flow * operators.coupling().dundurs_beta / pi * p[k] *
-                     std::log((x[k] - begin) / (end - x[k]));
-        nodal[run.nodes[k]] = field[k];
-      }
+      if (x[k] > begin + margin && x[k] < end - margin)
+        field[k] = flow * operators.coupling().dundurs_beta / pi * p[k] *
+                   std::log((x[k] - begin) / (end - x[k]));
+    for (std::size_t j = 0; j < n; ++j)
+      if (field[j] != 0.)
+        for (std::size_t k = 0; k < n; ++k)
+          moved[k] += compliance(k, j) * field[j];
     // the logarithm of unlike materials leaves a displacement of many powers
     const bool alike = operators.coupling().dundurs_beta == 0.;
-    smooth(without_smooth_part(
-             operators.displacement_along(0, nodal, pressure, run.nodes),
-             alike ? least_degree : most_degree),
+    smooth(without_smooth_part(moved, alike ? least_degree : most_degree),
            p,
            field);
     return field;

@@ -154,6 +154,18 @@ namespace RollingContact
       return R;
     }
 
+    ContactCompliance halved_compliance(const HalvedProblem  &half,
+                                        SparseRows            R,
+                                        const ContactProblem &whole)
+    {
+      const ContactCompliance &W = whole.operators.W();
+      if (const GridCompliance *grid = W.on_grid())
+        return {std::make_shared<const GridCompliance>(
+          grid->parts().halved(half.nodes, R))};
+      return SurfaceCoupling(std::move(R), whole.n_nodes())
+        .to_interface(W.dense());
+    }
+
     template <typename Values>
     Values taken(const Values &all, const std::vector<unsigned int> &nodes)
     {
@@ -207,9 +219,9 @@ namespace RollingContact
     half.problem.operators            = ContactOperators(
       half.trace.nodes,
       contact_matrix(half.trace, matrices, thickness),
-      SurfaceCoupling(weights_of(half, grid, trace, operators.areas()),
-                      whole.n_nodes())
-        .to_interface(operators.W()),
+      halved_compliance(half,
+                        weights_of(half, grid, trace, operators.areas()),
+                        whole),
       whole.n_tangential() > 0
                    ? SlipOperator(half.trace, slip.kind(), matrices, slip.flow_direction())
                    : SlipOperator(slip.kind()),

@@ -24,17 +24,21 @@ namespace RollingContact
 
   namespace
   {
+    DenseMatrix normal_block(const ContactOperators &all)
+    {
+      const std::size_t n = all.n_nodes();
+      return all.W().dense().bottomRightCorner(n, n);
+    }
+
     /** The normal contact of a state, whose traction is part of the gap. */
     ContactProblem normal_contact(const ContactProblem &problem,
                                   const ContactState   &state)
     {
       const ContactOperators &all = problem.operators;
-      const std::size_t       n   = problem.n_nodes(),
-                        first     = problem.n_tangential() * n;
       ContactProblem normal;
       normal.operators = ContactOperators(all.positions(),
                                           all.H(),
-                                          all.W().block(first, first, n, n));
+                                          normal_block(all));
       normal.operators.set_frames(all.frames());
       normal.loads.gap =
         sum(problem.loads.gap,
@@ -138,7 +142,7 @@ namespace RollingContact
     for (const WearingLine &line : all)
       largest = std::max(largest, line.load * line.width);
     ContactProblem worn = normal;
-    DenseMatrix    W    = normal.operators.W();
+    DenseMatrix    W    = normal.operators.W().dense();
     for (std::size_t k = 0; k < all.size(); ++k)
       {
         const WearingLine &line = all[k];

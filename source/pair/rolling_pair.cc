@@ -225,6 +225,42 @@ namespace RollingContact
     return result;
   }
 
+  namespace
+  {
+    /**
+     * Nodes from which on products by Fourier transforms and iterations take
+     * less time than a dense W: those of 20 to 24 elements across.
+     */
+    const std::size_t least_on_grid = 600;
+  } // namespace
+
+  template <int dim>
+  std::optional<GridInfluence> RollingPair<dim>::influence_on_grid() const
+  {
+    if (!body_pair.is_split() || pair_interface.turns_nodes() ||
+        Ranks::count() > 1 || trace().nodes.size() < least_on_grid)
+      return {};
+    std::optional<GridInfluence> pair;
+    for (const Side side : both_sides)
+      {
+        const Side of = body_pair.twins() ? Side::wheel : side;
+        if (!body_pair.body(of))
+          continue;
+        auto body =
+          body_pair.body(of)->grid_influence(pair_interface.nodes[of],
+                                             components);
+        if (!body)
+          return {};
+        if (side == Side::wheel)
+          body->mirror();
+        if (pair)
+          pair->add(*body);
+        else
+          pair = std::move(body);
+      }
+    return pair;
+  }
+
   template <int dim>
   ContactProblem
   RollingPair<dim>::contact_problem(const ContactParameters &contact)
@@ -235,12 +271,14 @@ namespace RollingContact
     check_contact_memory(double(n_nodes) * components.size());
     PerSide<DenseMatrix> W, lacking;
     prepare_bulk_errors();
-    const auto condense = [&](const Side side) {
+    const std::optional<GridInfluence> on_grid  = influence_on_grid();
+    const auto                         condense = [&](const Side side) {
       const SurfaceCoupling &coupling = pair_interface.coupling[side];
       if (!body_pair.body(side) || !body_pair.has_own_body(side))
         return;
-      W[side]       = coupling.turned(body_pair.body(side)->compliance(
-        pair_interface.nodes[side], components, coupling.projection()));
+      if (!on_grid)
+        W[side] = coupling.turned(body_pair.body(side)->compliance(
+          pair_interface.nodes[side], components, coupling.projection()));
       lacking[side] = bulk_errors_of(side);
     };
     for_both_bodies(
@@ -248,13 +286,17 @@ namespace RollingContact
       [&]() { condense(Side::wheel); },
       [&]() { condense(Side::rail); });
     add_bulk_errors(std::move(lacking));
+    if (on_grid)
+      return contact_problem(
+        contact,
+        ContactCompliance(std::make_shared<const GridCompliance>(*on_grid)));
     return contact_problem(contact, added_compliance(std::move(W)));
   }
 
   template <int dim>
   ContactProblem
   RollingPair<dim>::contact_problem(const ContactParameters &contact,
-                                    DenseMatrix              W) const
+                                    ContactCompliance        W) const
   {
     const bool          friction  = components.size() > 1;
     const auto         &at        = trace().nodes;

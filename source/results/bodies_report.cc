@@ -79,7 +79,7 @@ namespace RollingContact
     const auto &problem = steady.problem;
     objects.push_back({"compliance W",
                        true,
-                       memory_consumption(problem.operators.W()),
+                       problem.operators.W().memory_consumption(),
                        0.,
                        ""});
     objects.push_back({"tangential compliance, B1",

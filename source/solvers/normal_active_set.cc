@@ -1,5 +1,6 @@
 #include <rolling_contact/algebra/lapack.h>
 #include <rolling_contact/solvers/normal_active_set.h>
+#include <rolling_contact/solvers/pressure_on_grid.h>
 
 #include <algorithm>
 #include <set>
@@ -95,6 +96,8 @@ namespace RollingContact
   {
     SolverReport report;
     report.solver           = "active set";
+    const bool   on_grid  = problem.operators.W().on_grid() != nullptr;
+    const double rounding = on_grid ? 10 * gap_left_on_grid : 1e-14;
     std::vector<double> gap = problem.loads.gap;
     const auto          coupling =
       problem.operators.normal_displacement_of_traction(state.traction);
@@ -109,11 +112,12 @@ namespace RollingContact
     while (report.iterations < controls.max_iterations)
       {
         ++report.iterations;
-        if (!solve_on(problem,
-                      gap,
-                      active,
-                      problem.operators.pressure_compliance(),
-                      state))
+        if (!(on_grid ? solve_pressure_on_grid(problem, gap, active, state) :
+                        solve_on(problem,
+                                 gap,
+                                 active,
+                                 problem.operators.pressure_compliance(),
+                                 state)))
           {
             report.reason = "the compliance of the active nodes is singular";
             return report;
@@ -127,7 +131,7 @@ namespace RollingContact
             u_n[i] +=
               gap[i] - state.approach * problem.operators.approach_share(i);
           }
-        const auto wrong = violations(active, u_n, state, 1e-14 * largest);
+        const auto wrong = violations(active, u_n, state, rounding * largest);
         if (wrong.empty())
           {
             report.converged     = true;

@@ -54,8 +54,12 @@ namespace RollingContact
                 const std::vector<double>   &shares)
         : influence(grid.n_x,
                     grid.n_y,
-                    [&](const int along, const int across) {
-                      return influence_at(grid, contact_modulus, along, across);
+                    1,
+                    [&](const int along, const int across, int, int) {
+                      return influence_at(grid,
+                                          contact_modulus,
+                                          std::abs(along),
+                                          std::abs(across));
                     })
         , shares(shares)
         , area(grid.size_x * grid.size_y)
@@ -140,7 +144,7 @@ namespace RollingContact
         return result;
       }
 
-      Signals::EvenToeplitz       influence;
+      Signals::GridConvolution    influence;
       const std::vector<double>  &shares;
       const double                area;
       const std::vector<double>  &gap;

@@ -99,7 +99,7 @@ namespace RollingContact
     PhaseTimer::Scope phase(context.timer, Phase::modes);
     rolling = std::make_unique<RollingModes<dim>>(*bodies,
                                                   *base.pair,
-                                                  base.problem.operators.W());
+                                                  base.problem.operators.W().dense());
   }
 
   template <int dim>

@@ -280,7 +280,7 @@ namespace RollingContact
     InitialContact<dim> initial;
     SteadyState<dim>   &contact = initial.contact;
     contact                     = bodies.base;
-    DenseMatrix W               = contact.problem.operators.W();
+    DenseMatrix W               = contact.problem.operators.W().dense();
     initial.modes               = bodies.modes;
     auto reduced                = std::make_unique<ReducedRolling<dim>>(
       bodies.modes,

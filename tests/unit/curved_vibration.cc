@@ -130,7 +130,7 @@ BOOST_AUTO_TEST_CASE(modes_and_whole_bodies_answer_alike)
 {
   Eigenvalues<3> pair(&slide_sideways, 5000.);
   BOOST_TEST_REQUIRE(pair.steady.pair->interface().turns_nodes());
-  const DenseMatrix &W = pair.steady.problem.operators.W();
+  const DenseMatrix W = pair.steady.problem.operators.W().dense();
   const auto         n = W.rows();
   ComplexVector      forces(n);
   for (Eigen::Index i = 0; i < n; ++i)
@@ -160,7 +160,7 @@ BOOST_AUTO_TEST_CASE(reduced_bodies_by_harmonics_begin_at_rest)
     },
     5000.);
   const ReducedPair &reduced = pair.reduced;
-  const DenseMatrix &W       = pair.steady.problem.operators.W();
+  const DenseMatrix  W       = pair.steady.problem.operators.W().dense();
   const DenseMatrix  at_rest =
     reduced.W_res +
     reduced.Phi * reduced.K_m.ldlt().solve(reduced.Phi.transpose());

@@ -321,7 +321,7 @@ namespace
   {
     Options        options = upstream(1., 12);
     ContactProblem problem = falling(options, 0.02);
-    DenseMatrix    W       = problem.operators.W();
+    DenseMatrix    W       = problem.operators.W().dense();
     for (std::size_t j = 0; j < problem.n_nodes(); ++j)
       for (std::size_t i = 0; i < problem.n_nodes(); ++i)
         W(i, j) = i == j ? 1. : 0.;

@@ -76,7 +76,7 @@ BOOST_AUTO_TEST_CASE(a_frictionless_contact_condenses_normal_columns)
   const ContactProblem &problem = run.steady.problem;
   BOOST_TEST(run.n_columns() == 2 * problem.n_nodes());
   BOOST_TEST(problem.operators.W().rows() == problem.n_nodes());
-  BOOST_TEST(memory_consumption(problem.operators.W()) ==
+  BOOST_TEST(problem.operators.W().memory_consumption() ==
              problem.n_nodes() * problem.n_nodes() * sizeof(double));
   BOOST_TEST(problem.operators.slip_operator().rows().size() == 0u);
   BOOST_TEST(problem.rigid_slip().empty());

@@ -193,7 +193,7 @@ BOOST_AUTO_TEST_CASE(states_are_those_of_runs_of_their_own)
   scene.contact.creepages            = {-0.002, 0.001, 0.5};
   direct.problem =
     first.steady.pair->contact_problem(scene.contact,
-                                       first.steady.problem.operators.W());
+                                       first.steady.problem.operators.W().dense());
   direct.state =
     initial_state(direct.problem, estimate_patch(Situation(scene)));
   solve_contact(Situation(scene), StateDemands(), direct);

@@ -70,29 +70,59 @@ BOOST_AUTO_TEST_CASE(transforms_are_what_they_say)
     }
 }
 
-/** Against the sums over the matrix, on grids that are not square. */
-BOOST_AUTO_TEST_CASE(even_toeplitz_multiplies_as_its_matrix_does)
+/** Against the sums over the matrix, on grids that are not square, and from
+ * either component to both. */
+BOOST_AUTO_TEST_CASE(grid_convolution_multiplies_as_its_matrix_does)
 {
-  const auto entry = [](const int along, const int across) {
-    return 1. / (1 + along * along + 3 * across);
+  const auto entry = [](const int          along,
+                        const int          across,
+                        const unsigned int of,
+                        const unsigned int by) {
+    return (of == by ? 1. + of : 0.3 * along - 0.1 * of) /
+           (1 + along * along + 3 * std::abs(across));
   };
   for (const auto &[n_x, n_y] : {std::pair(5, 3), {4, 7}, {1, 2}})
     {
-      std::vector<double> values;
-      for (int k = 0; k < n_x * n_y; ++k)
+      const int             n = n_x * n_y;
+      const GridConvolution matrix(n_x, n_y, 2, entry);
+      std::vector<double>   values;
+      for (int k = 0; k < 2 * n; ++k)
         values.push_back(std::sin(k) + (k == 0 ? 4. : 0.));
-      const auto product = EvenToeplitz(n_x, n_y, entry).multiply(values);
-      BOOST_TEST(product.size() == values.size());
-      for (int i = 0; i < n_x * n_y; ++i)
+      const auto product = matrix.multiply(values, 0, 0, 2),
+                 of_last =
+                   matrix.multiply({values.begin() + n, values.end()}, 1, 0, 1);
+      BOOST_TEST_REQUIRE(product.size() == 2u * n);
+      BOOST_TEST_REQUIRE(of_last.size() == 1u * n);
+      for (int i = 0; i < 2 * n; ++i)
         {
-          double sum = 0.;
-          for (int k = 0; k < n_x * n_y; ++k)
-            sum +=
-              entry(std::abs(i % n_x - k % n_x), std::abs(i / n_x - k / n_x)) *
-              values[k];
-          BOOST_TEST(std::abs(product[i] - sum) < 1e-14);
+          double sums[2] = {0., 0.};
+          for (int k = 0; k < 2 * n; ++k)
+            sums[k / n] += entry(i % n % n_x - k % n % n_x,
+                                 i % n / n_x - k % n / n_x,
+                                 i / n,
+                                 k / n) *
+                           values[k];
+          BOOST_TEST(std::abs(product[i] - sums[0] - sums[1]) < 1e-14);
+          if (i < n)
+            BOOST_TEST(std::abs(of_last[i] - sums[1]) < 1e-14);
         }
     }
+}
+
+/** A product that is far from the border of a grid comes from about what it is
+ * divided into. */
+BOOST_AUTO_TEST_CASE(grid_convolution_divides_about_right)
+{
+  const int             n = 24;
+  const GridConvolution matrix(n, n, 1, [](const int i, const int j, int, int) {
+    return 1. / std::hypot(1., i, j);
+  });
+  std::vector<double>   values(n * n);
+  for (int k = 0; k < n * n; ++k)
+    values[k] = std::exp(-0.1 * (std::pow(k % n - 11, 2) +
+                                 std::pow(k / n - 12, 2)));
+  const auto back = matrix.divide(matrix.multiply(values), 0);
+  BOOST_TEST(std::abs(back[12 * n + 11] - 1.) < 0.05);
 }
 
 /** Long waves pass unshifted, short ones go, in between the gain is said. */

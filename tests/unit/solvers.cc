@@ -184,7 +184,7 @@ BOOST_AUTO_TEST_CASE(a_rigid_motion_far_larger_than_the_strain_changes_nothing)
       options.coupling       = coupling;
       ContactProblem problem = half_plane_problem(options);
       const Solution without = solve(problem);
-      DenseMatrix    W       = problem.operators.W();
+      DenseMatrix    W       = problem.operators.W().dense();
       for (unsigned int j = 0; j < problem.n_nodes(); ++j)
         for (unsigned int i = 0; i < problem.n_nodes(); ++i)
           W(i, j) += 1e7;

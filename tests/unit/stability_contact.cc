@@ -114,7 +114,7 @@ namespace
           }
         // (N_u W forces + N_r) dx = -N_u motion - N_v velocity
         DenseMatrix M =
-          contact.N_u * (rolling.problem.operators.W() * contact.forces);
+          contact.N_u * (rolling.problem.operators.W().dense() * contact.forces);
         M += contact.N_r;
         Eigen::VectorXd dx =
           -contact.N_u * as_vector(motion) - contact.N_v * as_vector(velocity);
@@ -221,7 +221,7 @@ BOOST_AUTO_TEST_CASE(the_edge_of_a_stick_zone_moves_with_the_load)
       linear_contact(states[1].problem, states[1].state, at_speed());
     const std::size_t N = contact.n_nodes;
     DenseMatrix       M =
-      contact.N_u * (states[1].problem.operators.W() * contact.forces);
+      contact.N_u * (states[1].problem.operators.W().dense() * contact.forces);
     M += contact.N_r;
     std::vector<double> motion(2 * N, 0.);
     std::fill(motion.begin() + N, motion.end(), -1.);
@@ -319,7 +319,7 @@ namespace
             (change(above) - change(below)) / 2;
         }
     const Eigen::VectorXd u =
-      rolling.problem.operators.W() * (contact.forces * dx) + as_vector(motion);
+      rolling.problem.operators.W().dense() * (contact.forces * dx) + as_vector(motion);
     const double slope = law->slope(mean(rolling)),
                  found =
                    contact.N_u.row(row).dot(u) + contact.N_r.row(row).dot(dx),

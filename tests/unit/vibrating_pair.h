@@ -106,7 +106,7 @@ namespace VibratingPair
       rolling =
         std::make_unique<RollingModes<dim>>(*bodies,
                                             *steady.pair,
-                                            steady.problem.operators.W());
+                                            steady.problem.operators.W().dense());
       reduced = rolling->reduced(conditions);
       whole   = std::make_unique<WholeBodies<dim>>(*rolling, conditions);
       LinearContactOptions options;

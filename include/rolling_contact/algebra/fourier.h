@@ -35,30 +35,59 @@ namespace RollingContact::Signals
   values_of_cosine_amplitudes(std::vector<double> amplitudes);
 
   /**
-   * A block Toeplitz matrix with Toeplitz blocks, symmetric both along and
-   * across a grid of n_x times n_y places: an entry depends on how many places
-   * along and across two are apart. Its products are those of a circulant
-   * matrix of twice as many places in each direction, by Fourier transforms. To
-   * be used by one thread; copies share their work space.
+   * Sums over the places of a grid, n_x times n_y of them, of influences that
+   * depend on how far two places are apart: from several components of a field
+   * to as many others, a block Toeplitz matrix with Toeplitz blocks for each
+   * pair of components. Products are those of circulant matrices at least twice
+   * as large in each direction, by Fourier transforms: n log n for n places.
+   * May be used by several threads at once.
    */
-  class EvenToeplitz
+  class GridConvolution
   {
   public:
-    /** @p entry: for distances along and across, not negative. */
-    EvenToeplitz(const std::size_t                                  n_x,
-                 const std::size_t                                  n_y,
-                 const std::function<double(const int, const int)> &entry);
+    /**
+     * How component @p of at a place is moved by component @p by of a place so
+     * many @p along and @p across before it, which may be negative.
+     */
+    using Influence = std::function<double(const int          along,
+                                           const int          across,
+                                           const unsigned int of,
+                                           const unsigned int by)>;
 
-    /** The product with values row by row, x running fastest. */
-    std::vector<double> multiply(const std::vector<double> &values);
+    GridConvolution(const std::size_t  n_x,
+                    const std::size_t  n_y,
+                    const unsigned int n_components,
+                    const Influence   &influence);
+
+    /**
+     * Components @p of_first to @p of_end of the product with @p values, which
+     * are those of components @p by_first and after, one after the other, each
+     * row by row with x running fastest.
+     */
+    std::vector<double> multiply(const std::vector<double> &values,
+                                 const unsigned int         by_first = 0,
+                                 const unsigned int         of_first = 0,
+                                 const unsigned int         of_end   = 1) const;
+
+    /**
+     * Values whose product in one @p component is about as given, as if the
+     * circulant matrix were the whole: a preconditioner where the influence is
+     * even and falls with the distance.
+     */
+    std::vector<double> divide(const std::vector<double> &product,
+                               const unsigned int         component) const;
+
+    std::size_t memory_consumption() const;
 
   private:
     struct Circle;
 
-    const std::size_t       n_x, n_y;
-    const std::size_t       wide, high; ///< of the circulant matrix
-    std::shared_ptr<Circle> circle;
-    std::vector<double>     factors; ///< its eigenvalues
+    using Sums = std::vector<std::complex<double>>;
+
+    const std::size_t             n_x, n_y;
+    const unsigned int            n_components;
+    std::shared_ptr<const Circle> circle;
+    std::vector<Sums>             factors; ///< of a pair of components
   };
 } // namespace RollingContact::Signals
 

@@ -10,11 +10,13 @@
 #include <rolling_contact/bodies/body_dynamics.h>
 #include <rolling_contact/bodies/body_matrices.h>
 #include <rolling_contact/bodies/supports.h>
+#include <rolling_contact/contact/grid_compliance.h>
 #include <rolling_contact/mesh/body_mesh.h>
 #include <rolling_contact/mesh/material.h>
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace RollingContact
@@ -99,6 +101,16 @@ namespace RollingContact
     virtual DenseMatrix compliance(const std::vector<SurfaceNode>  &nodes,
                                    const std::vector<unsigned int> &components,
                                    const SparseRows                &P) = 0;
+
+    /**
+     * That compliance without a matrix, where it is one of nodes on a grid.
+     */
+    virtual std::optional<GridInfluence>
+    grid_influence(const std::vector<SurfaceNode> &,
+                   const std::vector<unsigned int> &)
+    {
+      return {};
+    }
 
     /** Compliance of nodes of the body, without a coupling to an interface. */
     DenseMatrix compliance(const std::vector<SurfaceNode>  &nodes,

@@ -1,11 +1,10 @@
 #ifndef rolling_contact_bodies_half_space_influence_h
 #define rolling_contact_bodies_half_space_influence_h
 
-#include <rolling_contact/algebra/dense_matrix.h>
+#include <rolling_contact/contact/grid_compliance.h>
 #include <rolling_contact/mesh/material.h>
 
 #include <array>
-#include <cstdlib>
 #include <vector>
 
 namespace RollingContact
@@ -35,42 +34,11 @@ namespace RollingContact
     Eigen::Matrix3d at(const double x, const double y) const;
 
     /**
-     * Compliance of nodes at these positions, all multiples of the element
-     * sizes apart: displacement @p components[i] of node n in row i * N + n.
-     * Units: m to m/N.
+     * The influence at distances of whole elements, so many along x and y, in
+     * some components.
      */
-    DenseMatrix compliance(const std::vector<std::array<double, 2>> &positions,
-                           const std::vector<unsigned int> &components) const;
-
-    /**
-     * Influence at distances of whole elements, of which each was calculated
-     * once.
-     */
-    class Table
-    {
-    public:
-      /** To distances of @p reach elements along x and y. */
-      Table(const HalfSpaceInfluence &half_space,
-            const std::array<int, 2> &reach);
-
-      /** One entry at a distance of (i, j) elements. Units: m/N. */
-      double operator()(const int          i,
-                        const int          j,
-                        const unsigned int of,
-                        const unsigned int by) const
-      {
-        const double value =
-          entries[std::abs(i) * (reach_y + 1) + std::abs(j)](of, by);
-        return of != by && ((of == 0 || by == 0) && i < 0) !=
-                             ((of == 1 || by == 1) && j < 0)
-                 ? -value
-                 : value;
-      }
-
-    private:
-      const int                    reach_y;
-      std::vector<Eigen::Matrix3d> entries;
-    };
+    InfluenceTable table(const std::array<std::size_t, 2> &n,
+                         const std::vector<unsigned int>  &components) const;
 
   private:
     const Material              material;

@@ -74,6 +74,13 @@ namespace RollingContact
                            const SparseRows                &P) override;
 
     /**
+     * W by its parts, unless the body vibrates.
+     */
+    std::optional<GridInfluence>
+    grid_influence(const std::vector<SurfaceNode>  &nodes,
+                   const std::vector<unsigned int> &components) override;
+
+    /**
      * What a mesh of larger elements changes, extrapolated; what the highest
      * moments do, over the ratio of body and patch by which the next ones are
      * smaller; and a share of what the curvature under the patch does.
@@ -111,9 +118,9 @@ namespace RollingContact
   private:
     void require_vibrating() const;
 
-    DenseMatrix
-    compliance_of(const std::vector<std::array<double, 2>> &positions,
-                  const std::vector<unsigned int>          &components) const;
+    GridInfluence
+    influence_on(const std::vector<std::array<double, 2>> &positions,
+                 const std::vector<unsigned int>          &components) const;
 
     const std::shared_ptr<const BodyShape> shape;
     const FadingRegion                     fading;

@@ -2,6 +2,7 @@
 #define rolling_contact_contact_contact_operators_h
 
 #include <rolling_contact/algebra/nodal_field.h>
+#include <rolling_contact/contact/contact_compliance.h>
 #include <rolling_contact/contact/slip_operator.h>
 #include <rolling_contact/contact/surface_frames.h>
 
@@ -56,7 +57,8 @@ namespace RollingContact
    * B1 on N paired nodes with T = 0 (frictionless), 1 (2D) or 2 (3D) tangential
    * components, and the quantities derived from them. Complete once built; W
    * and the scaling in time change through functions that renew all that
-   * depends on them. Knows no mesh.
+   * depends on them. W is a dense matrix but in steady rolling on a grid. Knows
+   * no mesh.
    */
   class ContactOperators
   {
@@ -72,7 +74,7 @@ namespace RollingContact
      */
     ContactOperators(Positions                       positions,
                      SparseRows                      H,
-                     DenseMatrix                     W,
+                     ContactCompliance W,
                      SlipOperator                    slip_operator = {},
                      const NormalTangentialCoupling &coupling      = {},
                      const NodalForces forces = NodalForces::of_elements);
@@ -80,7 +82,7 @@ namespace RollingContact
     /**
      * Replace W.
      */
-    void set_compliance(DenseMatrix W);
+    void set_compliance(ContactCompliance W);
 
     /**
      * Replace convection and rate, 1 and 0 in operators just built.
@@ -183,18 +185,19 @@ namespace RollingContact
       return H_columns[j];
     }
 
-    const DenseMatrix &W() const &
+    const ContactCompliance &W() const &
     {
       return compliance;
     }
 
-    DenseMatrix W() &&
+    ContactCompliance W() &&
     {
       return std::move(compliance);
     }
 
     /**
-     * W_nn H, the normal displacements of unit nodal pressures. Units: m/Pa.
+     * W_nn H, the normal displacements of unit nodal pressures, of a dense W.
+     * Units: m/Pa.
      */
     const DenseMatrix &pressure_compliance() const
     {
@@ -291,17 +294,6 @@ namespace RollingContact
                        const std::vector<double> &field) const;
 
     /**
-     * Displacement as of displacement_along() at some @p nodes alone, and that
-     * under a @p pressure with it, in less time: W_cc H f + W_cn H p. Units: Pa
-     * to m.
-     */
-    std::vector<double>
-    displacement_along(const unsigned int               c,
-                       const std::vector<double>       &field,
-                       const std::vector<double>       &pressure,
-                       const std::vector<unsigned int> &nodes) const;
-
-    /**
      * Displacement W_tt H q as the slip needs it: in steady rolling every
      * component without the displacement of one node. The displacement of a
      * rigid motion, which B1 does not see, may be many orders of magnitude
@@ -328,7 +320,6 @@ namespace RollingContact
      */
     double resultant(const std::vector<double> &field) const;
 
-  private:
     /**
      * First row and column of W's normal block.
      */
@@ -337,8 +328,12 @@ namespace RollingContact
       return n_tangential_components * contact_matrix.size();
     }
 
+  private:
     NodalField distortion(const std::size_t          first_column,
                           const std::vector<double> &forces) const;
+
+    NodalField distortion_by_columns(const std::size_t          first_column,
+                                     const std::vector<double> &forces) const;
 
     void find_pressure_compliance();
 
@@ -349,7 +344,8 @@ namespace RollingContact
     unsigned int             n_tangential_components = 0;
     Positions                node_positions;
     SparseRows               contact_matrix, H_columns;
-    DenseMatrix              compliance, W_nn_H;
+    ContactCompliance        compliance;
+    DenseMatrix              W_nn_H;
     SlipOperator             B1;
     NormalTangentialCoupling normal_tangential;
     NodalForces              forces = NodalForces::of_elements;

@@ -103,10 +103,12 @@ namespace RollingContact
      * what meshes of unlike bodies differ by at the scale of an element. What
      * bodies of unlike shape add is smooth, and acts as rigid slip does. Zero
      * without coupling, on lines of less than ten nodes or that end inside the
-     * contact, and across the flow. Units: Pa.
+     * contact, and across the flow. @p moved_along: what the pressure moves all
+     * nodes along x. Units: Pa, m.
      */
     std::vector<double>
-    coupling_traction(const std::vector<double> &pressure) const;
+    coupling_traction(const std::vector<double> &pressure,
+                      const std::vector<double> &moved_along) const;
 
   private:
     /**

@@ -111,7 +111,7 @@ namespace RollingContact
     ContactProblem contact_problem(const ContactParameters &contact);
 
     ContactProblem contact_problem(const ContactParameters &contact,
-                                   DenseMatrix              W) const;
+                                   ContactCompliance        W) const;
 
     /**
      * mu, mu_s of a law that falls, of the nodes after the material moved by
@@ -255,6 +255,12 @@ namespace RollingContact
      * of its body. Collective.
      */
     DenseMatrix added_compliance(PerSide<DenseMatrix> at_interface) const;
+
+    /**
+     * W of bodies on so many nodes that products by Fourier transforms take
+     * less time than a matrix; empty for others and where bodies ask for one.
+     */
+    std::optional<GridInfluence> influence_on_grid() const;
 
     void choose_components();
 
