@@ -30,8 +30,7 @@ namespace RollingContact
                        const std::vector<double> &b,
                        const double               tolerance,
                        const unsigned int         max_iterations,
-                       std::vector<double>       &x,
-                       unsigned int              *n_iterations)
+                       std::vector<double>       &x)
   {
     Values right(b.begin(), b.end()), solution(x.begin(), x.end());
     if (right.l2_norm() == 0.)
@@ -39,12 +38,12 @@ namespace RollingContact
         std::fill(x.begin(), x.end(), 0.);
         return true;
       }
-    dealii::SolverControl control(max_iterations,
+    dealii::SolverControl                       control(max_iterations,
                                   tolerance * right.l2_norm(),
                                   false,
                                   false);
     dealii::SolverGMRES<Values>::AdditionalData data;
-    data.max_n_tmp_vectors    = 102;
+    data.max_n_tmp_vectors     = 102;
     data.right_preconditioning = true;
     bool converged             = true;
     try
@@ -56,8 +55,6 @@ namespace RollingContact
       {
         converged = false;
       }
-    if (n_iterations != nullptr)
-      *n_iterations = control.last_step();
     std::copy(solution.begin(), solution.end(), x.begin());
     return converged;
   }

@@ -44,10 +44,10 @@ namespace RollingContact
     const auto first = sweep_runs(section, 1).front();
     bodies =
       make_reduced_bodies<dim>(scene_at(first.value), cycle_demands(), context);
-    modes =
-      std::make_unique<RollingModes<dim>>(*bodies.modes,
-                                          *bodies.base.pair,
-                                          bodies.base.problem.operators.W().dense());
+    modes = std::make_unique<RollingModes<dim>>(
+      *bodies.modes,
+      *bodies.base.pair,
+      bodies.base.problem.operators.W().dense());
     describe_bodies(bodies.base, context);
     note_error_of_step(scene, bodies.base, context.report);
     if (context.resume)

@@ -18,30 +18,9 @@ namespace RollingContact
     }
 
     /**
-     * What entries of the scene left to choose from, if that decided.
-     */
-    std::string limits_of(const MeshParameters &given, const TargetMesh &mesh)
-    {
-      const MeshParameters standard;
-      std::string          limits;
-      if (given.elements_across_patch != standard.elements_across_patch &&
-          given.elements_across_patch == mesh.elements)
-        limits +=
-          "; Mesh/Elements across patch = " + std::to_string(mesh.elements) +
-          " is the least";
-      if (given.growth == mesh.growth)
-        limits +=
-          "; Mesh/Growth = " + significant(mesh.growth, 3) + " is the largest";
-      return limits;
-    }
-
-    /**
      * Gives the scene the mesh, says so and notes it for run.json.
      */
-    void take(const TargetMesh     &mesh,
-              const MeshParameters &given,
-              Situation            &scene,
-              RunContext           &context)
+    void take(const TargetMesh &mesh, Situation &scene, RunContext &context)
     {
       scene.mesh.elements_across_patch = mesh.elements;
       scene.mesh.growth                = mesh.growth;
@@ -55,7 +34,7 @@ namespace RollingContact
                     significant(mesh.growth, 3);
       const std::string why = "expected bound " +
                               scientific(*mesh.bounds.force, 2) + " (" +
-                              mesh.bounds.text + ')' + limits_of(given, mesh);
+                              mesh.bounds.text + ")";
       item.reason = entry_of(scene) + ": " + why;
       context.report.objects.push_back(item);
       context.log.message(entry_of(scene) + " takes a " + item.object + ": " +
@@ -75,14 +54,13 @@ namespace RollingContact
     AdaptiveLevels<dim> levels(scene, demands, context);
     if (!scene.mesh.target_error)
       return levels.run(on_level);
-    const MeshParameters given    = scene.mesh;
-    const double         target   = *given.target_error;
-    const unsigned int   n_meshes = 3;
-    TargetError          chooser(scene, targets);
+    const double       target   = *scene.mesh.target_error;
+    const unsigned int n_meshes = 3;
+    TargetError        chooser(scene, targets);
     for (unsigned int k = 1;; ++k)
       {
         const TargetMesh mesh = chooser.cheapest_mesh();
-        take(mesh, given, scene, context);
+        take(mesh, scene, context);
         SteadyState<dim> steady;
         try
           {

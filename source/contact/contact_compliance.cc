@@ -2,10 +2,11 @@
 
 namespace RollingContact
 {
-  std::vector<double> ContactCompliance::product(const std::size_t first_row,
-                                          const std::size_t first_column,
-                                          const std::size_t n_rows,
-                                          const std::vector<double> &x) const
+  std::vector<double>
+  ContactCompliance::product(const std::size_t          first_row,
+                             const std::size_t          first_column,
+                             const std::size_t          n_rows,
+                             const std::vector<double> &x) const
   {
     if (!grid)
       return block_product(matrix, first_row, first_column, n_rows, x);

@@ -42,8 +42,8 @@ namespace RollingContact
       n_nodes(),
       [&](const std::vector<double> &p) { return normal_displacement(p); },
       [&](const std::vector<double> &u) {
-        return contact_matrix.multiply_transposed(compliance.product(
-          first_normal(), first_normal(), n_nodes(), u));
+        return contact_matrix.multiply_transposed(
+          compliance.product(first_normal(), first_normal(), n_nodes(), u));
       });
   }
 
@@ -61,16 +61,13 @@ namespace RollingContact
     largest_tangential = operator_norm(
       first_normal(),
       [&](const std::vector<double> &q) {
-        const auto w = compliance.product(
-          0, 0, first_normal(), contact_matrix.multiply(q));
+        const auto w =
+          compliance.product(0, 0, first_normal(), contact_matrix.multiply(q));
         return scaled(B1.rows().multiply(w), w);
       },
       [&](const std::vector<double> &s) {
-        return contact_matrix.multiply_transposed(
-          compliance.product(0,
-                             0,
-                             first_normal(),
-                             scaled(B1.rows().multiply_transposed(s), s)));
+        return contact_matrix.multiply_transposed(compliance.product(
+          0, 0, first_normal(), scaled(B1.rows().multiply_transposed(s), s)));
       });
   }
 } // namespace RollingContact

@@ -35,10 +35,10 @@ namespace RollingContact
     }
   } // namespace
 
-  ContactOperators::ContactOperators(Positions    positions,
-                                     SparseRows   H,
+  ContactOperators::ContactOperators(Positions         positions,
+                                     SparseRows        H,
                                      ContactCompliance W,
-                                     SlipOperator slip_operator,
+                                     SlipOperator      slip_operator,
                                      const NormalTangentialCoupling &coupling,
                                      const NodalForces               forces)
     : n_tangential_components(W.rows() / H.size() - 1)
@@ -111,8 +111,7 @@ namespace RollingContact
           const auto part = [&](const std::vector<double> &all) {
             return std::vector<double>(all.begin() + begin, all.begin() + end);
           };
-          correct_block(
-            begin, part(forces), part(displacement), error, W);
+          correct_block(begin, part(forces), part(displacement), error, W);
         };
         correct_part(0, first_normal());
         correct_part(first_normal(), forces.size());

@@ -70,7 +70,7 @@ namespace RollingContact
       /// What the frictional pressure, as the traction in each direction,
       /// moves the surface beyond what the pressure moves it along the normal.
       std::vector<std::vector<double>> surplus;
-      std::vector<double> moved_along; ///< by it along x, m
+      std::vector<double>              moved_along; ///< by it along x, m
     };
 
     EdgeLaw::EdgeLaw(const ContactProblem      &contact,

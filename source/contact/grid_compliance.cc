@@ -155,8 +155,8 @@ namespace RollingContact
     , nodes(influence.nodes)
     , n_components(influence.half_space.n_components())
     , shapes(influence.shapes.transpose())
-    , shapes_S(shapes.size() > 0 ? influence.of_shapes.transpose() * shapes :
-                                   shapes)
+    , shapes_S(shapes.size() > 0 ? influence.of_shapes.transpose() * shapes
+                                 : shapes)
     , half_space(nodes.n[0],
                  nodes.n[1],
                  n_components,
@@ -171,14 +171,13 @@ namespace RollingContact
   double GridCompliance::operator()(const std::size_t row,
                                     const std::size_t column) const
   {
-    const std::size_t N  = nodes.places.size();
-    const auto       &at = nodes.places[row % N], &by = nodes.places[column % N];
+    const std::size_t N = nodes.places.size();
+    const auto &at = nodes.places[row % N], &by = nodes.places[column % N];
     return influence.half_space(at[0] - by[0],
                                 at[1] - by[1],
                                 row / N,
                                 column / N) +
-           (shapes.size() > 0 ? shapes_S.col(row).dot(shapes.col(column)) :
-                                0.);
+           (shapes.size() > 0 ? shapes_S.col(row).dot(shapes.col(column)) : 0.);
   }
 
   std::vector<double> GridCompliance::on_grid(const double *at_nodes) const
@@ -189,12 +188,11 @@ namespace RollingContact
     return values;
   }
 
-  std::vector<double>
-  GridCompliance::product(const std::vector<double> &forces,
-                          const unsigned int         by_first,
-                          const unsigned int         of_first,
-                          const unsigned int         of_end,
-                          const bool                 strains_alone) const
+  std::vector<double> GridCompliance::product(const std::vector<double> &forces,
+                                              const unsigned int by_first,
+                                              const unsigned int of_first,
+                                              const unsigned int of_end,
+                                              const bool strains_alone) const
   {
     const std::size_t   N = nodes.places.size(), n = nodes.n[0] * nodes.n[1];
     std::vector<double> on_places;
@@ -208,15 +206,15 @@ namespace RollingContact
     std::vector<double> result((of_end - of_first) * N, 0.);
     if (shapes.size() > 0)
       {
-    Eigen::VectorXd moments =
-      influence.of_shapes *
-      (shapes.middleCols(by_first * N, forces.size()) * as_vector(forces));
-    if (strains_alone)
-      for (Eigen::Index k = 0; k < moments.size(); ++k)
-        if (influence.shape_is_no_strain[k])
-          moments[k] = 0.;
-    as_vector(result) =
-      shapes.middleCols(of_first * N, result.size()).transpose() * moments;
+        Eigen::VectorXd moments =
+          influence.of_shapes *
+          (shapes.middleCols(by_first * N, forces.size()) * as_vector(forces));
+        if (strains_alone)
+          for (Eigen::Index k = 0; k < moments.size(); ++k)
+            if (influence.shape_is_no_strain[k])
+              moments[k] = 0.;
+        as_vector(result) =
+          shapes.middleCols(of_first * N, result.size()).transpose() * moments;
       }
     for (unsigned int of = of_first; of < of_end; ++of)
       for (std::size_t i = 0; i < N; ++i)
@@ -232,7 +230,7 @@ namespace RollingContact
     const auto forces = half_space.divide(on_grid(moved.data()), component);
     std::vector<double> result;
     for (std::size_t i = 0; i < nodes.places.size(); ++i)
-      result.push_back(moved[i] == 0. ? 0. : forces[nodes.index(i)]);
+      result.push_back(forces[nodes.index(i)]);
     return result;
   }
 

@@ -35,10 +35,9 @@ namespace RollingContact
                                   const ContactState   &state)
     {
       const ContactOperators &all = problem.operators;
-      ContactProblem normal;
-      normal.operators = ContactOperators(all.positions(),
-                                          all.H(),
-                                          normal_block(all));
+      ContactProblem          normal;
+      normal.operators =
+        ContactOperators(all.positions(), all.H(), normal_block(all));
       normal.operators.set_frames(all.frames());
       normal.loads.gap =
         sum(problem.loads.gap,

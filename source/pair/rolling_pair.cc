@@ -74,54 +74,6 @@ namespace RollingContact
     components.push_back(dim - 1);
   }
 
-  namespace
-  {
-    /**
-     * Add a body's compliance, given in its own frame. In the wheel's frame z
-     * is mirrored: the blocks between tangential and normal components change
-     * sign.
-     */
-    void add_compliance(const DenseMatrix &body,
-                        const bool         mirrored,
-                        const std::size_t  n_nodes,
-                        DenseMatrix       &pair)
-    {
-      const std::size_t n = body.rows(), first_normal = n - n_nodes;
-      Eigen::VectorXd   signs = Eigen::VectorXd::Ones(n);
-      if (mirrored)
-        signs.head(first_normal) *= -1;
-      pair += signs.asDiagonal() * body * signs.asDiagonal();
-    }
-  } // namespace
-
-  template <int dim>
-  DenseMatrix
-  RollingPair<dim>::pair_compliance(PerSide<DenseMatrix> bodies) const
-  {
-    for (const Side side : both_sides)
-      bodies[side] =
-        pair_interface.coupling[side].to_interface(std::move(bodies[side]));
-    return added_compliance(std::move(bodies));
-  }
-
-  template <int dim>
-  DenseMatrix
-  RollingPair<dim>::added_compliance(PerSide<DenseMatrix> bodies) const
-  {
-    const std::size_t n_nodes = trace().nodes.size();
-    for (const Side side : both_sides)
-      if (body_pair.has_own_body(side))
-        Ranks::broadcast(bodies[side], body_pair.rank_of(side));
-    DenseMatrix W = DenseMatrix::Zero(components.size() * n_nodes,
-                                      components.size() * n_nodes);
-    for (const Side side : both_sides)
-      if (const DenseMatrix &body =
-            body_pair.twins() ? bodies.wheel : bodies[side];
-          body.size() > 0)
-        add_compliance(body, side == Side::wheel, n_nodes, W);
-    return W;
-  }
-
   template <int dim>
   std::vector<double>
   RollingPair<dim>::relative_motion(PerSide<std::vector<double>> bodies) const
@@ -225,54 +177,19 @@ namespace RollingContact
     return result;
   }
 
-  namespace
-  {
-    /**
-     * Nodes from which on products by Fourier transforms and iterations take
-     * less time than a dense W: those of 20 to 24 elements across.
-     */
-    const std::size_t least_on_grid = 600;
-  } // namespace
-
-  template <int dim>
-  std::optional<GridInfluence> RollingPair<dim>::influence_on_grid() const
-  {
-    if (!body_pair.is_split() || pair_interface.turns_nodes() ||
-        Ranks::count() > 1 || trace().nodes.size() < least_on_grid)
-      return {};
-    std::optional<GridInfluence> pair;
-    for (const Side side : both_sides)
-      {
-        const Side of = body_pair.twins() ? Side::wheel : side;
-        if (!body_pair.body(of))
-          continue;
-        auto body =
-          body_pair.body(of)->grid_influence(pair_interface.nodes[of],
-                                             components);
-        if (!body)
-          return {};
-        if (side == Side::wheel)
-          body->mirror();
-        if (pair)
-          pair->add(*body);
-        else
-          pair = std::move(body);
-      }
-    return pair;
-  }
-
   template <int dim>
   ContactProblem
   RollingPair<dim>::contact_problem(const ContactParameters &contact)
   {
-    const std::size_t n_nodes = std::max({trace().nodes.size(),
-                                          pair_interface.nodes.wheel.size(),
-                                          pair_interface.nodes.rail.size()});
-    check_contact_memory(double(n_nodes) * components.size());
+    const std::size_t                  n_nodes = std::max({trace().nodes.size(),
+                                                           pair_interface.nodes.wheel.size(),
+                                                           pair_interface.nodes.rail.size()});
+    const std::optional<GridInfluence> on_grid = influence_on_grid();
+    if (!on_grid)
+      check_contact_memory(double(n_nodes) * components.size());
     PerSide<DenseMatrix> W, lacking;
     prepare_bulk_errors();
-    const std::optional<GridInfluence> on_grid  = influence_on_grid();
-    const auto                         condense = [&](const Side side) {
+    const auto condense = [&](const Side side) {
       const SurfaceCoupling &coupling = pair_interface.coupling[side];
       if (!body_pair.body(side) || !body_pair.has_own_body(side))
         return;

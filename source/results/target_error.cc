@@ -27,9 +27,10 @@ namespace RollingContact
     const double hopeful_elements = 11., room = 1.1;
 
     /**
-     * Most elements to think of: in 2D their W alone takes 13 GB.
+     * Least and most elements to think of: fewer have no bound, and in 2D the W
+     * of so many alone takes 13 GB.
      */
-    const unsigned int most_elements = 20000;
+    const unsigned int least_elements = 4, most_elements = 20000;
 
     /**
      * Growths to choose from: larger ones save less than 10 %, smaller ones no
@@ -103,26 +104,6 @@ namespace RollingContact
                                                (elements * finer)));
       return largest;
     }
-
-    /**
-     * The entry's value where it is not the default, else @p otherwise.
-     */
-    template <typename Number>
-    Number
-    given_or(const Number value, const Number standard, const Number otherwise)
-    {
-      return value == standard ? otherwise : value;
-    }
-
-    std::vector<double> allowed_growths(const MeshParameters &mesh)
-    {
-      const double        largest = mesh.growth.value_or(growths.front());
-      std::vector<double> allowed{largest};
-      for (const double growth : growths)
-        if (growth < largest)
-          allowed.push_back(growth);
-      return allowed;
-    }
   } // namespace
 
   TargetError::TargetError(const PairSpec &scene, const TargetDemands &demands)
@@ -172,19 +153,16 @@ namespace RollingContact
 
   TargetMesh TargetError::cheapest_mesh() const
   {
-    const std::vector<double> allowed = allowed_growths(scene.mesh);
-    const unsigned int        least = given_or(scene.mesh.elements_across_patch,
-                                        MeshParameters().elements_across_patch,
-                                        4u);
-    TargetMesh                best;  // that keeps the target
-    TargetMesh                other; // that comes nearest to it
-    double least_cost = std::numeric_limits<double>::infinity();
-    for (unsigned int n = least; n <= most_elements; n += std::max(1u, n / 50))
+    TargetMesh best;  // that keeps the target
+    TargetMesh other; // that comes nearest to it
+    double     least_cost = std::numeric_limits<double>::infinity();
+    for (unsigned int n = least_elements; n <= most_elements;
+         n += std::max(1u, n / 50))
       {
-        if (cost(known.dim, n, allowed.front()) >= least_cost)
+        if (cost(known.dim, n, growths.front()) >= least_cost)
           break;
-        BoundCircumstances mesh = expected(n, allowed.front());
-        for (const double growth : allowed)
+        BoundCircumstances mesh = expected(n, growths.front());
+        for (const double growth : growths)
           {
             mesh.growth              = growth;
             const ErrorBounds bounds = worst_bounds(mesh);

@@ -59,10 +59,10 @@ namespace RollingContact
       .help =
       "Largest bound of the error of the force, over mu N, for quasi-static, "
       "creep curve (its worst point) and load curve: elements and growth that "
-      "keep it at the least cost are chosen. `Elements across patch` is then "
-      "the least and `Growth` the largest, where they are not the default. "
-      "Errors are mostly below half of the bound. Empty: the elements and the "
-      "growth given.";
+      "keep it at the least cost are chosen, fewer elements or more than "
+      "`Elements across patch` and another growth than `Growth`, which have no "
+      "effect then. Errors are mostly below half of the bound. Empty: the "
+      "elements and the growth given.";
     entries.add("Elements across patch", elements_across_patch, "1")
       .between(1, 100000)
       .help = "Elements across the patch of the Hertz estimate, in the rolling "

@@ -1,4 +1,6 @@
 #include <rolling_contact/base/interrupt.h>
+#include <rolling_contact/base/memory.h>
+#include <rolling_contact/base/text.h>
 #include <rolling_contact/solvers/coupled_newton.h>
 #include <rolling_contact/solvers/newton_system.h>
 
@@ -60,6 +62,26 @@ namespace RollingContact
         }
       return best;
     }
+
+    /**
+     * Why the matrix of a step, and its factors in its place, do not fit the
+     * memory; empty if they do.
+     */
+    std::string lack_of_memory(const ContactProblem &problem,
+                               const ContactState   &state)
+    {
+      const double n = (problem.n_tangential() + 1.) *
+                       std::count_if(state.pressure.begin(),
+                                     state.pressure.end(),
+                                     [](const double p) { return p > 0.; }),
+                   bytes = 2 * sizeof(double) * n * n,
+                   free  = available_memory();
+      return free > 0. && bytes > 0.7 * free
+               ? "Newton's matrix for pressure and traction at once needs " +
+                   human_bytes(bytes) + ", more than 70 % of the " +
+                   human_bytes(free) + " free"
+               : "";
+    }
   } // namespace
 
   SolverReport CoupledNewton::solve(const ContactProblem &problem,
@@ -69,7 +91,10 @@ namespace RollingContact
     SolverReport       report;
     report.solver = "coupled Newton";
     complete(problem, state);
-    report.residual           = residual_of(problem, state);
+    report.residual = residual_of(problem, state);
+    report.reason   = lack_of_memory(problem, state);
+    if (!report.reason.empty())
+      return report;
     ContactState    best      = state;
     NaturalResidual lowest    = report.residual;
     unsigned int    n_stalled = 0;

@@ -95,10 +95,10 @@ namespace RollingContact
                                       ContactState         &state) const
   {
     SolverReport report;
-    report.solver           = "active set";
-    const bool   on_grid  = problem.operators.W().on_grid() != nullptr;
-    const double rounding = on_grid ? 10 * gap_left_on_grid : 1e-14;
-    std::vector<double> gap = problem.loads.gap;
+    report.solver                = "active set";
+    const bool          on_grid  = problem.operators.W().on_grid() != nullptr;
+    const double        rounding = on_grid ? 10 * gap_left_on_grid : 1e-14;
+    std::vector<double> gap      = problem.loads.gap;
     const auto          coupling =
       problem.operators.normal_displacement_of_traction(state.traction);
     for (unsigned int i = 0; i < problem.n_nodes(); ++i)
@@ -112,8 +112,8 @@ namespace RollingContact
     while (report.iterations < controls.max_iterations)
       {
         ++report.iterations;
-        if (!(on_grid ? solve_pressure_on_grid(problem, gap, active, state) :
-                        solve_on(problem,
+        if (!(on_grid ? solve_pressure_on_grid(problem, gap, active, state)
+                      : solve_on(problem,
                                  gap,
                                  active,
                                  problem.operators.pressure_compliance(),

@@ -27,7 +27,7 @@ namespace RollingContact
         for (std::size_t i = 0; i < share.size(); ++i)
           if (active[i])
             share[i] = problem.operators.approach_share(i);
-        forces_for_share = grid.forces_for(share, component);
+        forces_for_share = on_active(grid.forces_for(share, component));
       }
 
       /** f of the state's pressure, with the load that is given. */
@@ -58,7 +58,7 @@ namespace RollingContact
       std::vector<double> direction(const std::vector<double> &wanted,
                                     double                    &approach) const
       {
-        std::vector<double> z = grid.forces_for(wanted, component);
+        std::vector<double> z = on_active(grid.forces_for(wanted, component));
         if (!problem.loads.normal_load)
           return z;
         const double change = dot(share, z) / dot(share, forces_for_share);
@@ -102,7 +102,7 @@ namespace RollingContact
           if (active[i])
             {
               r[i]    = state.approach * on.share[i] - gap[i] - u[i];
-              largest = std::max(largest, std::abs(u[i]));
+              largest = std::max({largest, std::abs(u[i]), std::abs(r[i])});
             }
         double                    change = 0.;
         const std::vector<double> z      = on.direction(r, change);
@@ -120,9 +120,9 @@ namespace RollingContact
         const double now = dot(r, z);
         if (!(now > 0.))
           return false;
-        p = k == 0 ? z : sum(z, now / old, p);
-        old                          = now;
-        const std::vector<double> Wp = on.displacement(p);
+        p                              = k == 0 ? z : sum(z, now / old, p);
+        old                            = now;
+        const std::vector<double> Wp   = on.displacement(p);
         const double              step = now / dot(p, Wp);
         as_vector(f) += step * as_vector(p);
         as_vector(u) += step * as_vector(Wp);

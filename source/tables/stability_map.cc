@@ -97,9 +97,10 @@ namespace RollingContact
           context);
       }
     PhaseTimer::Scope phase(context.timer, Phase::modes);
-    rolling = std::make_unique<RollingModes<dim>>(*bodies,
-                                                  *base.pair,
-                                                  base.problem.operators.W().dense());
+    rolling =
+      std::make_unique<RollingModes<dim>>(*bodies,
+                                          *base.pair,
+                                          base.problem.operators.W().dense());
   }
 
   template <int dim>

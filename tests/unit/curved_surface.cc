@@ -314,8 +314,8 @@ BOOST_AUTO_TEST_CASE(true_sections_are_pressed_along_their_normals)
               ci * yy * cj - ci * yz * sj - si * zy * cj + si * zz * sj;
           }
     }
-  const DenseMatrix  W    = run.steady.problem.operators.W().dense();
-  double             size = 0., off = 0.;
+  const DenseMatrix W    = run.steady.problem.operators.W().dense();
+  double            size = 0., off = 0.;
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < n; ++j)
       {

@@ -131,8 +131,8 @@ BOOST_AUTO_TEST_CASE(modes_and_whole_bodies_answer_alike)
   Eigenvalues<3> pair(&slide_sideways, 5000.);
   BOOST_TEST_REQUIRE(pair.steady.pair->interface().turns_nodes());
   const DenseMatrix W = pair.steady.problem.operators.W().dense();
-  const auto         n = W.rows();
-  ComplexVector      forces(n);
+  const auto        n = W.rows();
+  ComplexVector     forces(n);
   for (Eigen::Index i = 0; i < n; ++i)
     forces[i] = std::polar(1. + 0.3 * std::sin(1.7 * i), 0.4 * std::sin(i));
   const ComplexVector at_rest =

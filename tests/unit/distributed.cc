@@ -272,11 +272,13 @@ BOOST_AUTO_TEST_CASE(a_secant_update_keeps_earlier_ones)
         forces[i] = std::sin((1. + k) * (1. + i));
       known.push_back(forces);
       BOOST_TEST(relative_difference(product(exact, forces),
-                                     product(operators.W().dense(), forces)) > 1e-3);
+                                     product(operators.W().dense(), forces)) >
+                 1e-3);
       operators.correct(forces, product(exact, forces));
       for (const auto &forces : known)
         BOOST_TEST(relative_difference(product(exact, forces),
-                                       product(operators.W().dense(), forces)) < 1e-12);
+                                       product(operators.W().dense(), forces)) <
+                   1e-12);
     }
   // three forces tell all about a change of rank three
   for (unsigned int j = 0; j < 2 * n; ++j)

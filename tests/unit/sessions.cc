@@ -191,9 +191,8 @@ BOOST_AUTO_TEST_CASE(states_are_those_of_runs_of_their_own)
   scene.contact.normal_load          = 33e3;
   scene.contact.friction_coefficient = 0.4;
   scene.contact.creepages            = {-0.002, 0.001, 0.5};
-  direct.problem =
-    first.steady.pair->contact_problem(scene.contact,
-                                       first.steady.problem.operators.W().dense());
+  direct.problem                     = first.steady.pair->contact_problem(
+    scene.contact, first.steady.problem.operators.W().dense());
   direct.state =
     initial_state(direct.problem, estimate_patch(Situation(scene)));
   solve_contact(Situation(scene), StateDemands(), direct);

@@ -119,8 +119,8 @@ BOOST_AUTO_TEST_CASE(grid_convolution_divides_about_right)
   });
   std::vector<double>   values(n * n);
   for (int k = 0; k < n * n; ++k)
-    values[k] = std::exp(-0.1 * (std::pow(k % n - 11, 2) +
-                                 std::pow(k / n - 12, 2)));
+    values[k] =
+      std::exp(-0.1 * (std::pow(k % n - 11, 2) + std::pow(k / n - 12, 2)));
   const auto back = matrix.divide(matrix.multiply(values), 0);
   BOOST_TEST(std::abs(back[12 * n + 11] - 1.) < 0.05);
 }

@@ -83,18 +83,17 @@ BOOST_AUTO_TEST_CASE(half_spaces_are_symmetric_and_positive)
     for (int j = 0; j < 7; ++j)
       at.push_back({{1e-3 * (i - 0.3), 0.7e-3 * j}});
   const std::array<double, 2> size{{1e-3, 0.7e-3}};
-  const auto                  compliance =
-    [&](const std::vector<unsigned int> &components) {
-      const NodesOnGrid nodes = nodes_on_grid(at, size);
-      return GridInfluence{
-        nodes,
-        HalfSpaceInfluence(steel(), size).table(nodes.n, components),
-        {},
-        {},
-        {},
-        {}}
-        .dense();
-    };
+  const auto compliance = [&](const std::vector<unsigned int> &components) {
+    const NodesOnGrid nodes = nodes_on_grid(at, size);
+    return GridInfluence{
+      nodes,
+      HalfSpaceInfluence(steel(), size).table(nodes.n, components),
+      {},
+      {},
+      {},
+      {}}
+      .dense();
+  };
   const DenseMatrix W = compliance({0, 1, 2});
   BOOST_TEST((W - W.transpose()).cwiseAbs().maxCoeff() <
              1e-12 * W.cwiseAbs().maxCoeff());

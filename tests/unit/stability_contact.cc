@@ -113,8 +113,8 @@ namespace
               }
           }
         // (N_u W forces + N_r) dx = -N_u motion - N_v velocity
-        DenseMatrix M =
-          contact.N_u * (rolling.problem.operators.W().dense() * contact.forces);
+        DenseMatrix M = contact.N_u * (rolling.problem.operators.W().dense() *
+                                       contact.forces);
         M += contact.N_r;
         Eigen::VectorXd dx =
           -contact.N_u * as_vector(motion) - contact.N_v * as_vector(velocity);
@@ -319,7 +319,8 @@ namespace
             (change(above) - change(below)) / 2;
         }
     const Eigen::VectorXd u =
-      rolling.problem.operators.W().dense() * (contact.forces * dx) + as_vector(motion);
+      rolling.problem.operators.W().dense() * (contact.forces * dx) +
+      as_vector(motion);
     const double slope = law->slope(mean(rolling)),
                  found =
                    contact.N_u.row(row).dot(u) + contact.N_r.row(row).dot(dx),

@@ -103,10 +103,8 @@ namespace VibratingPair
                                                   cut_off,
                                                   run.context);
       const RollingConditions conditions(run.situation(), run.scene.stability);
-      rolling =
-        std::make_unique<RollingModes<dim>>(*bodies,
-                                            *steady.pair,
-                                            steady.problem.operators.W().dense());
+      rolling = std::make_unique<RollingModes<dim>>(
+        *bodies, *steady.pair, steady.problem.operators.W().dense());
       reduced = rolling->reduced(conditions);
       whole   = std::make_unique<WholeBodies<dim>>(*rolling, conditions);
       LinearContactOptions options;

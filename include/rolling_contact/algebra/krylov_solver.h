@@ -23,8 +23,7 @@ namespace RollingContact
                        const std::vector<double> &b,
                        const double               tolerance,
                        const unsigned int         max_iterations,
-                       std::vector<double>       &x,
-                       unsigned int              *n_iterations = nullptr);
+                       std::vector<double>       &x);
 } // namespace RollingContact
 
 #endif

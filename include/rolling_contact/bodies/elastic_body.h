@@ -103,7 +103,7 @@ namespace RollingContact
                                    const SparseRows                &P) = 0;
 
     /**
-     * That compliance without a matrix, where it is one of nodes on a grid.
+     * The compliance() without a matrix, of bodies whose nodes are on a grid.
      */
     virtual std::optional<GridInfluence>
     grid_influence(const std::vector<SurfaceNode> &,

@@ -80,8 +80,8 @@ namespace RollingContact
 
     std::size_t memory_consumption() const
     {
-      return grid ? grid->memory_consumption() :
-                    RollingContact::memory_consumption(matrix);
+      return grid ? grid->memory_consumption()
+                  : RollingContact::memory_consumption(matrix);
     }
 
   private:
@@ -89,7 +89,7 @@ namespace RollingContact
     std::shared_ptr<const GridCompliance> grid;
   };
 
-  inline std::vector<double> operator*(const ContactCompliance          &W,
+  inline std::vector<double> operator*(const ContactCompliance   &W,
                                        const std::vector<double> &x)
   {
     return W.product(0, 0, W.rows(), x);

@@ -74,7 +74,7 @@ namespace RollingContact
      */
     ContactOperators(Positions                       positions,
                      SparseRows                      H,
-                     ContactCompliance W,
+                     ContactCompliance               W,
                      SlipOperator                    slip_operator = {},
                      const NormalTangentialCoupling &coupling      = {},
                      const NodalForces forces = NodalForces::of_elements);

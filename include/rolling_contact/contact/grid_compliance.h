@@ -179,12 +179,11 @@ namespace RollingContact
                                 const bool strains_alone = false) const;
 
     /**
-     * Forces that move the nodes about so in one component, and none where
-     * @p moved is 0: a preconditioner, symmetric and positive definite on any
-     * set of nodes.
+     * Forces that move the nodes about so in one component: a preconditioner,
+     * symmetric and positive definite, as its part of any nodes is.
      */
     std::vector<double> forces_for(const std::vector<double> &moved,
-                                   const unsigned int component) const;
+                                   const unsigned int         component) const;
 
     DenseMatrix dense() const
     {

@@ -24,7 +24,8 @@ namespace RollingContact
                               ContactState              &state);
 
   /**
-   * Of the largest displacement: what that solution leaves of gaps.
+   * What solve_pressure_on_grid() leaves of gaps, over the largest
+   * displacement.
    */
   constexpr double gap_left_on_grid = 1e-13;
 } // namespace RollingContact
