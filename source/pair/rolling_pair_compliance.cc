@@ -55,9 +55,9 @@ namespace RollingContact
   {
     /**
      * Nodes from which on products by Fourier transforms and iterations take
-     * less time than a dense W: those of 20 to 24 elements across.
+     * less time than a dense W: those of 17 to 20 elements across.
      */
-    const std::size_t least_on_grid = 600;
+    const std::size_t least_on_grid = 350;
   } // namespace
 
   template <int dim>
