@@ -81,7 +81,9 @@ namespace RollingContact
                        true,
                        problem.operators.W().memory_consumption(),
                        0.,
-                       ""});
+                       problem.operators.W().on_grid()
+                         ? "nodes on a grid: products, no matrix"
+                         : ""});
     objects.push_back({"tangential compliance, B1",
                        problem.n_tangential() > 0,
                        0,

@@ -276,18 +276,15 @@ BOOST_AUTO_TEST_CASE(a_target_error_takes_growth_and_elements_together)
                },
                2e-3)
                .growth < chosen(as_is, 2e-3).growth);
-  // entries that are not the default are the least and the largest
-  const TargetMesh given = chosen(
+  // whatever mesh the scene has
+  const TargetMesh other = chosen(
     [](SceneParameters &scene) {
       scene.mesh.elements_across_patch = 70;
       scene.mesh.growth                = 0.07;
     },
     1e-2);
-  BOOST_TEST(given.elements == 70u);
-  BOOST_TEST(given.growth == 0.07);
-  BOOST_TEST(
-    chosen([](SceneParameters &scene) { scene.mesh.growth = 0.9; }, 1e-4)
-      .growth < 0.9);
+  BOOST_TEST(other.elements == coarse.elements);
+  BOOST_TEST(other.growth == coarse.growth);
   // the worst states of curves
   TargetDemands spin, loads;
   spin.spin     = true;

@@ -6,11 +6,11 @@
 #include <deal.II/lac/affine_constraints.h>
 
 #include <rolling_contact/algebra/dense_matrix.h>
+#include <rolling_contact/algebra/grid_compliance.h>
 #include <rolling_contact/algebra/sparse_rows.h>
 #include <rolling_contact/bodies/body_dynamics.h>
 #include <rolling_contact/bodies/body_matrices.h>
 #include <rolling_contact/bodies/supports.h>
-#include <rolling_contact/contact/grid_compliance.h>
 #include <rolling_contact/mesh/body_mesh.h>
 #include <rolling_contact/mesh/material.h>
 

@@ -1,7 +1,7 @@
 #ifndef rolling_contact_bodies_half_space_influence_h
 #define rolling_contact_bodies_half_space_influence_h
 
-#include <rolling_contact/contact/grid_compliance.h>
+#include <rolling_contact/algebra/grid_compliance.h>
 #include <rolling_contact/mesh/material.h>
 
 #include <array>

@@ -1,7 +1,7 @@
 #ifndef rolling_contact_contact_contact_compliance_h
 #define rolling_contact_contact_contact_compliance_h
 
-#include <rolling_contact/contact/grid_compliance.h>
+#include <rolling_contact/algebra/grid_compliance.h>
 
 #include <memory>
 

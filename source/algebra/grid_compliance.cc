@@ -1,4 +1,4 @@
-#include <rolling_contact/contact/grid_compliance.h>
+#include <rolling_contact/algebra/grid_compliance.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
-#ifndef rolling_contact_contact_grid_compliance_h
-#define rolling_contact_contact_grid_compliance_h
+#ifndef rolling_contact_algebra_grid_compliance_h
+#define rolling_contact_algebra_grid_compliance_h
 
 #include <rolling_contact/algebra/dense_matrix.h>
 #include <rolling_contact/algebra/fourier.h>
