@@ -172,24 +172,16 @@ namespace RollingContact::Signals
     , n_components(n_components)
     , circle(std::make_shared<const Circle>(n_x, n_y))
   {
-    // beyond the grid, where products do not ask, it goes on without a jump,
-    // which would make waves in what divide() takes for the inverse
-    const auto distance = [](const int place, const int size, const int n) {
-      const int signed_place = 2 * place > size ? place - size : place;
-      return std::clamp(signed_place, 1 - n, n - 1);
-    };
-    const int wide = circle->wide, high = circle->high;
+    const int wide = circle->wide, high = circle->high, reach_x = n_x - 1,
+              reach_y = n_y - 1;
     for (unsigned int of = 0; of < n_components; ++of)
       for (unsigned int by = 0; by < n_components; ++by)
         {
-          std::vector<double> values;
-          for (int j = 0; j < high; ++j)
-            for (int i = 0; i < wide; ++i)
-              values.push_back(influence(distance(i, wide, n_x),
-                                         distance(j, high, n_y),
-                                         of,
-                                         by) /
-                               (circle->wide * circle->high));
+          std::vector<double> values(circle->wide * circle->high, 0.);
+          for (int j = -reach_y; j <= reach_y; ++j)
+            for (int i = -reach_x; i <= reach_x; ++i)
+              values[(j + high) % high * wide + (i + wide) % wide] =
+                influence(i, j, of, by) / values.size();
           factors.push_back(circle->sums(std::move(values)));
         }
   }

@@ -56,15 +56,7 @@ namespace RollingContact
   void GridInfluence::add(const GridInfluence &other)
   {
     half_space.add(other.half_space);
-    if (shapes.size() == 0)
-      {
-        shapes             = other.shapes;
-        of_shapes          = other.of_shapes;
-        shape_is_normal    = other.shape_is_normal;
-        shape_is_no_strain = other.shape_is_no_strain;
-      }
-    else if (other.shapes.size() > 0)
-      of_shapes += other.of_shapes;
+    of_shapes += other.of_shapes;
   }
 
   namespace
@@ -121,13 +113,11 @@ namespace RollingContact
       of_shapes,
       shape_is_normal,
       shape_is_no_strain};
-    if (shapes.size() == 0)
-      return result;
-    result.shapes = DenseMatrix::Zero(n * N_half, shapes.cols());
+    result.shapes = DenseMatrix::Zero(shapes.rows(), n * N_half);
     for (unsigned int c = 0; c < n; ++c)
       for (std::size_t k = 0; k < N_half; ++k)
         for (const auto &[i, weight] : R[k])
-          result.shapes.row(c * N_half + k) += weight * shapes.row(c * N + i);
+          result.shapes.col(c * N_half + k) += weight * shapes.col(c * N + i);
     return result;
   }
 
@@ -145,8 +135,7 @@ namespace RollingContact
                          nodes.places[row][1] - nodes.places[column][1],
                          of,
                          by);
-    if (shapes.size() > 0)
-      W.noalias() += (shapes * of_shapes) * shapes.transpose();
+    W.noalias() += (shapes.transpose() * of_shapes) * shapes;
     return W;
   }
 
@@ -154,9 +143,7 @@ namespace RollingContact
     : influence(std::move(of_nodes))
     , nodes(influence.nodes)
     , n_components(influence.half_space.n_components())
-    , shapes(influence.shapes.transpose())
-    , shapes_S(shapes.size() > 0 ? influence.of_shapes.transpose() * shapes
-                                 : shapes)
+    , moved_shapes(influence.of_shapes.transpose() * influence.shapes)
     , half_space(nodes.n[0],
                  nodes.n[1],
                  n_components,
@@ -177,7 +164,7 @@ namespace RollingContact
                                 at[1] - by[1],
                                 row / N,
                                 column / N) +
-           (shapes.size() > 0 ? shapes_S.col(row).dot(shapes.col(column)) : 0.);
+           moved_shapes.col(row).dot(influence.shapes.col(column));
   }
 
   std::vector<double> GridCompliance::on_grid(const double *at_nodes) const
@@ -203,19 +190,17 @@ namespace RollingContact
       }
     const std::vector<double> moved =
       half_space.multiply(on_places, by_first, of_first, of_end);
-    std::vector<double> result((of_end - of_first) * N, 0.);
-    if (shapes.size() > 0)
-      {
-        Eigen::VectorXd moments =
-          influence.of_shapes *
-          (shapes.middleCols(by_first * N, forces.size()) * as_vector(forces));
-        if (strains_alone)
-          for (Eigen::Index k = 0; k < moments.size(); ++k)
-            if (influence.shape_is_no_strain[k])
-              moments[k] = 0.;
-        as_vector(result) =
-          shapes.middleCols(of_first * N, result.size()).transpose() * moments;
-      }
+    const DenseMatrix  &shapes = influence.shapes;
+    std::vector<double> result((of_end - of_first) * N);
+    Eigen::VectorXd     moments =
+      influence.of_shapes *
+      (shapes.middleCols(by_first * N, forces.size()) * as_vector(forces));
+    if (strains_alone)
+      for (Eigen::Index k = 0; k < moments.size(); ++k)
+        if (influence.shape_is_no_strain[k])
+          moments[k] = 0.;
+    as_vector(result) =
+      shapes.middleCols(of_first * N, result.size()).transpose() * moments;
     for (unsigned int of = of_first; of < of_end; ++of)
       for (std::size_t i = 0; i < N; ++i)
         result[(of - of_first) * N + i] +=
@@ -236,8 +221,7 @@ namespace RollingContact
 
   std::size_t GridCompliance::memory_consumption() const
   {
-    return RollingContact::memory_consumption(shapes_S) +
-           2 * RollingContact::memory_consumption(shapes) +
+    return 2 * RollingContact::memory_consumption(moved_shapes) +
            influence.half_space.memory_consumption() +
            half_space.memory_consumption();
   }

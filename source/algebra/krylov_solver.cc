@@ -25,37 +25,32 @@ namespace RollingContact
     };
   } // namespace
 
-  bool solve_by_krylov(const LinearMap           &A,
-                       const LinearMap           &P,
-                       const std::vector<double> &b,
-                       const double               tolerance,
-                       const unsigned int         max_iterations,
-                       std::vector<double>       &x)
+  std::vector<double> solved_by_krylov(const LinearMap           &A,
+                                       const LinearMap           &P,
+                                       const std::vector<double> &b,
+                                       const double               tolerance,
+                                       const unsigned int         most)
   {
-    Values right(b.begin(), b.end()), solution(x.begin(), x.end());
+    const Values right(b.begin(), b.end());
+    Values       x(b.size());
     if (right.l2_norm() == 0.)
-      {
-        std::fill(x.begin(), x.end(), 0.);
-        return true;
-      }
-    dealii::SolverControl                       control(max_iterations,
+      return b;
+    dealii::SolverControl                       control(most,
                                   tolerance * right.l2_norm(),
                                   false,
                                   false);
     dealii::SolverGMRES<Values>::AdditionalData data;
-    data.max_n_tmp_vectors     = 102;
+    data.max_n_tmp_vectors     = most + 2;
     data.right_preconditioning = true;
-    bool converged             = true;
     try
       {
         dealii::SolverGMRES<Values>(control, data)
-          .solve(MappedVectors{A}, solution, right, MappedVectors{P});
+          .solve(MappedVectors{A}, x, right, MappedVectors{P});
       }
     catch (const dealii::SolverControl::NoConvergence &)
       {
-        converged = false;
+        // x is the best there is
       }
-    std::copy(solution.begin(), solution.end(), x.begin());
-    return converged;
+    return {x.begin(), x.end()};
   }
 } // namespace RollingContact

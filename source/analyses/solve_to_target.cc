@@ -98,9 +98,8 @@ namespace RollingContact
     for (const ErrorStatement &error : context.report.errors)
       if (error.quantity == "force" &&
           !(error.value <= *scene.mesh.target_error))
-        context.log.warning(
-          entry_of(scene) + " is missed: " + error.text() +
-          ". Give a smaller target, or more Mesh/Elements across patch.");
+        context.log.warning(entry_of(scene) + " is missed: " + error.text() +
+                            ". Give a smaller target.");
   }
 
   template SteadyState<2>

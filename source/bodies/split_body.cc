@@ -181,20 +181,19 @@ namespace RollingContact
   {
     const NodeGrid    grid(positions);
     const NodesOnGrid nodes = nodes_on_grid(positions, grid.element_size);
-    GridInfluence     influence{nodes,
-                            HalfSpaceInfluence(material, grid.element_size)
-                              .table({{nodes.n[0] + 2, nodes.n[1] + 2}},
-                                     components),
-                            {},
-                            {},
-                            {},
-                            {}};
-    if (is_half_space)
-      return influence;
-    influence.shapes = shapes_of_moments(positions, components);
-    influence.of_shapes =
-      S_of_mesh + change +
-      curvature_correction(*shape, material, grid.half_widths, fading);
+    const std::size_t n     = force_moments().size();
+    GridInfluence     influence{
+      nodes,
+      HalfSpaceInfluence(material, grid.element_size)
+        .table({{nodes.n[0] + 2, nodes.n[1] + 2}}, components),
+      shapes_of_moments(positions, components).transpose(),
+      DenseMatrix::Zero(n, n),
+      {},
+      {}};
+    if (!is_half_space)
+      influence.of_shapes =
+        S_of_mesh + change +
+        curvature_correction(*shape, material, grid.half_widths, fading);
     for (const ForceMoment &moment : force_moments())
       {
         influence.shape_is_normal.push_back(moment.component == 2);

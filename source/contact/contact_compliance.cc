@@ -17,6 +17,18 @@ namespace RollingContact
                          (first_row + n_rows) / N);
   }
 
+  Eigen::VectorXd ContactCompliance::column(const std::size_t first_row,
+                                            const std::size_t n_rows,
+                                            const std::size_t j) const
+  {
+    if (!grid)
+      return matrix.col(j).segment(first_row, n_rows);
+    Eigen::VectorXd entries(n_rows);
+    for (std::size_t i = 0; i < n_rows; ++i)
+      entries[i] = (*grid)(first_row + i, j);
+    return entries;
+  }
+
   DenseMatrix &ContactCompliance::make_dense()
   {
     if (grid)

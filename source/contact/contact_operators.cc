@@ -254,12 +254,12 @@ namespace RollingContact
         const std::size_t j = unit.component * n_nodes() + entry.first;
         for (unsigned int c = 0; c < n_tangential(); ++c)
           {
-            const std::size_t first = c * n_nodes();
-            const double      common =
-              scaling.rate == 0. ? compliance(first + n_nodes() / 2, j) : 0.;
+            const Eigen::VectorXd moved =
+              compliance.column(c * n_nodes(), n_nodes(), j);
+            const double common =
+              scaling.rate == 0. ? moved[n_nodes() / 2] : 0.;
             for (std::size_t i = 0; i < n_nodes(); ++i)
-              result(c, i) +=
-                (compliance(first + i, j) - common) * entry.second;
+              result(c, i) += (moved[i] - common) * entry.second;
           }
       }
     return result;
@@ -274,13 +274,10 @@ namespace RollingContact
   {
     if (compliance.on_grid())
       return;
-    const std::size_t                   first = first_normal(), n = n_nodes();
-    const Eigen::Map<const DenseMatrix> W(compliance.data(),
-                                          compliance.rows(),
-                                          compliance.rows());
+    const std::size_t first = first_normal(), n = n_nodes();
     W_nn_H = DenseMatrix::Zero(n, n);
     for (std::size_t k = 0; k < n; ++k)
       for (const auto &[j, value] : contact_matrix[k])
-        W_nn_H.col(j) += W.col(first + k).segment(first, n) * value;
+        W_nn_H.col(j) += compliance.column(first, n, first + k) * value;
   }
 } // namespace RollingContact

@@ -106,10 +106,8 @@ namespace RollingContact
   {
     check_room(scene, grading);
     if (!is_split())
-      {
-        check_element_size(scene, grading);
-        check_contact_memory(scene, grading);
-      }
+      check_element_size(scene, grading);
+    check_contact_memory(scene, grading, is_split());
     choose_and_build(scene, grading, demands, statics);
   }
 

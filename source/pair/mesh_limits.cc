@@ -118,9 +118,9 @@ namespace RollingContact
       what_presses(scene.contact, dim, 1.1 * smallest / size) + ".");
   }
 
-  void check_contact_memory(const double n_unknowns)
+  void check_contact_memory(const double n_unknowns, const bool on_grid)
   {
-    const double n_matrices = 5;
+    const double n_matrices = on_grid ? 0.1 : 5.;
     const double bytes = n_matrices * n_unknowns * n_unknowns * sizeof(double),
                  free  = available_memory();
     if (free > 0. && bytes > 0.7 * free)
@@ -158,10 +158,12 @@ namespace RollingContact
   }
 
   template <int dim>
-  void check_contact_memory(const PairSpec &scene, const Grading<dim> &grading)
+  void check_contact_memory(const PairSpec     &scene,
+                            const Grading<dim> &grading,
+                            const bool          on_grid)
   {
     const int components = scene.contact.friction_coefficient > 0. ? dim : 1;
-    check_contact_memory(contact_nodes(grading) * components);
+    check_contact_memory(contact_nodes(grading) * components, on_grid);
   }
 
   template void
@@ -172,8 +174,10 @@ namespace RollingContact
   template CellCount cells_to_mesh(const PairSpec &, const Grading<3> &);
   template double    contact_nodes(const Grading<2> &);
   template double    contact_nodes(const Grading<3> &);
-  template void      check_contact_memory(const PairSpec &, const Grading<2> &);
-  template void      check_contact_memory(const PairSpec &, const Grading<3> &);
-  template void      check_element_size(const PairSpec &, const Grading<2> &);
-  template void      check_element_size(const PairSpec &, const Grading<3> &);
+  template void
+  check_contact_memory(const PairSpec &, const Grading<2> &, const bool);
+  template void
+  check_contact_memory(const PairSpec &, const Grading<3> &, const bool);
+  template void check_element_size(const PairSpec &, const Grading<2> &);
+  template void check_element_size(const PairSpec &, const Grading<3> &);
 } // namespace RollingContact

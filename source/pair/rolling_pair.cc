@@ -186,7 +186,7 @@ namespace RollingContact
                                                            pair_interface.nodes.rail.size()});
     const std::optional<GridInfluence> on_grid = influence_on_grid();
     if (!on_grid)
-      check_contact_memory(double(n_nodes) * components.size());
+      check_contact_memory(double(n_nodes) * components.size(), false);
     PerSide<DenseMatrix> W, lacking;
     prepare_bulk_errors();
     const auto condense = [&](const Side side) {

@@ -1,6 +1,5 @@
 #include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/base/memory.h>
-#include <rolling_contact/base/text.h>
 #include <rolling_contact/solvers/coupled_newton.h>
 #include <rolling_contact/solvers/newton_system.h>
 
@@ -64,11 +63,10 @@ namespace RollingContact
     }
 
     /**
-     * Why the matrix of a step, and its factors in its place, do not fit the
-     * memory; empty if they do.
+     * Whether the matrix of a step fits the memory, and a second one while it
+     * is made.
      */
-    std::string lack_of_memory(const ContactProblem &problem,
-                               const ContactState   &state)
+    bool fits_memory(const ContactProblem &problem, const ContactState &state)
     {
       const double n = (problem.n_tangential() + 1.) *
                        std::count_if(state.pressure.begin(),
@@ -76,11 +74,7 @@ namespace RollingContact
                                      [](const double p) { return p > 0.; }),
                    bytes = 2 * sizeof(double) * n * n,
                    free  = available_memory();
-      return free > 0. && bytes > 0.7 * free
-               ? "Newton's matrix for pressure and traction at once needs " +
-                   human_bytes(bytes) + ", more than 70 % of the " +
-                   human_bytes(free) + " free"
-               : "";
+      return free <= 0. || bytes <= 0.7 * free;
     }
   } // namespace
 
@@ -92,9 +86,11 @@ namespace RollingContact
     report.solver = "coupled Newton";
     complete(problem, state);
     report.residual = residual_of(problem, state);
-    report.reason   = lack_of_memory(problem, state);
-    if (!report.reason.empty())
-      return report;
+    if (!fits_memory(problem, state))
+      {
+        report.reason = "Newton's matrix does not fit the memory";
+        return report;
+      }
     ContactState    best      = state;
     NaturalResidual lowest    = report.residual;
     unsigned int    n_stalled = 0;

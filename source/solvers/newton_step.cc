@@ -247,11 +247,9 @@ namespace RollingContact
     if (!lines.exist())
       return false;
     // a step that falls short of the tolerance is one to try all the same
-    const unsigned int        most = 100;
-    const std::vector<double> b    = x;
-    x.assign(b.size(), 0.);
-    solve_by_krylov(std::cref(system), std::cref(lines), b, tolerance, most, x);
-    step = system.step(x);
+    const unsigned int most = 100;
+    step                    = system.step(solved_by_krylov(
+      std::cref(system), std::cref(lines), x, tolerance, most));
     return true;
   }
 } // namespace RollingContact

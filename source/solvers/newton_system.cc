@@ -77,13 +77,14 @@ namespace RollingContact
         matrix(place(k, c), column) = friction.slip_of(w, {c, nodes[k]});
     if (n_components == n_tangential)
       return;
-    const ContactOperators &operators = problem.operators;
-    for (const auto &[j, value] : operators.H_column(nodes[touching]))
-      for (std::size_t k = 0; k < nodes.size(); ++k)
-        matrix(place(k, n_tangential), column) +=
-          operators.W()(operators.first_normal() + nodes[k],
-                        component * N + j) *
-          value;
+    Eigen::VectorXd u_normal = Eigen::VectorXd::Zero(N);
+    for (const auto &[j, value] : problem.operators.H_column(nodes[touching]))
+      u_normal += problem.operators.W().column(problem.operators.first_normal(),
+                                               N,
+                                               component * N + j) *
+                  value;
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+      matrix(place(k, n_tangential), column) = u_normal[nodes[k]];
   }
 
   void NewtonSystem::add_edge_rows()

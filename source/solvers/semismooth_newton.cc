@@ -88,6 +88,7 @@ namespace RollingContact
                                        ContactState            &state) const
   {
     const unsigned int max_steps = 60, patience = 6, max_rescues = 4;
+    const double       of_right_side = 1e-4; // left of a step by iterations
     SolverReport       report;
     report.solver = "active set";
     problem.project(state.traction);
@@ -128,7 +129,7 @@ namespace RollingContact
             continue;
           }
         std::vector<double> step;
-        if (!newton_step(touching, way.q, rho, 1e-4, step))
+        if (!newton_step(touching, way.q, rho, of_right_side, step))
           break;
         take_damped_step(touching, step, now, way.q);
         ++report.iterations;

@@ -1,4 +1,5 @@
-#include "scene_run.h"
+#include "disc_on_block.h"
+#include <Eigen/Eigenvalues>
 
 #include <rolling_contact/contact/halved_problem.h>
 #include <rolling_contact/contact/resultants.h>
@@ -25,23 +26,12 @@ namespace
   {
     explicit DiscOnBlock(const Change &change = [](SceneParameters &) {})
     {
-      scene.dimension                   = 3;
-      scene.wheel.radius                = 0.46;
-      scene.wheel.hub_radius            = 0.1;
-      scene.wheel.width                 = 0.135;
-      scene.rail.shape                  = "block";
-      scene.rail.radius                 = 0.;
-      scene.rail.lateral_radius         = 0.3;
-      scene.rail.block_length           = 0.4;
-      scene.rail.block_depth            = 0.16;
-      scene.rail.width                  = 0.09;
+      set_disc_on_block(scene);
       scene.rail.material.young_modulus = 120e9;
-      scene.contact.normal_load         = 50e3;
-      scene.contact.approach.reset();
-      scene.contact.creepages          = {0.0006, 0.001, 0.2};
-      scene.mesh.elements_across_patch = 10;
-      scene.mesh.compliance            = Compliance::split;
-      scene.output.body_fields         = false;
+      scene.contact.creepages           = {0.0006, 0.001, 0.2};
+      scene.mesh.elements_across_patch  = 10;
+      scene.mesh.compliance             = Compliance::split;
+      scene.output.body_fields          = false;
       change(scene);
       scene.check();
       StateDemands demands;
@@ -191,6 +181,35 @@ BOOST_AUTO_TEST_CASE(states_are_those_of_the_matrix)
         BOOST_TEST(difference(state.traction.values(),
                               expected.traction.values()) < 1e-7);
     }
+}
+
+/** What the transforms divide by stands in for W on whatever nodes. */
+BOOST_AUTO_TEST_CASE(the_preconditioner_is_close_to_the_inverse)
+{
+  const DiscOnBlock         scene;
+  const auto               &grid = *scene.on_grid.operators.W().on_grid();
+  const std::size_t         N = scene.on_grid.n_nodes(), first = 2 * N;
+  const std::vector<double> gap = scene.on_grid.loads.gap;
+  std::vector<std::size_t>  nodes;
+  for (std::size_t i = 0; i < N; ++i)
+    if (gap[i] < 60e-6)
+      nodes.push_back(i);
+  DenseMatrix M(N, N), W(N, N);
+  for (std::size_t j = 0; j < N; ++j)
+    {
+      std::vector<double> unit(N, 0.);
+      unit[j]  = 1.;
+      M.col(j) = as_vector(grid.forces_for(unit, 2));
+      for (std::size_t i = 0; i < N; ++i)
+        W(i, j) = grid(first + i, first + j);
+    }
+  const DenseMatrix product = DenseMatrix(M(nodes, nodes)) * W(nodes, nodes);
+  const Eigen::VectorXcd values = product.eigenvalues();
+  BOOST_TEST_MESSAGE("eigenvalues from " << values.real().minCoeff() << " to "
+                                         << values.real().maxCoeff());
+  BOOST_TEST(nodes.size() > N / 2);
+  BOOST_TEST(values.real().minCoeff() > 0.95);
+  BOOST_TEST(values.real().maxCoeff() < 3.);
 }
 
 /** The solution on active nodes: no gap, no force beside them, the load. */

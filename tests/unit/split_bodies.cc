@@ -1,4 +1,4 @@
-#include "scene_run.h"
+#include "disc_on_block.h"
 
 #include <rolling_contact/bodies/curvature_correction.h>
 #include <rolling_contact/bodies/half_space_influence.h>
@@ -156,18 +156,7 @@ namespace
       const Compliance compliance,
       const Change    &change = [](SceneParameters &) {})
     {
-      scene.dimension           = 3;
-      scene.wheel.radius        = 0.46;
-      scene.wheel.hub_radius    = 0.1;
-      scene.wheel.width         = 0.135;
-      scene.rail.shape          = "block";
-      scene.rail.radius         = 0.;
-      scene.rail.lateral_radius = 0.3;
-      scene.rail.block_length   = 0.4;
-      scene.rail.block_depth    = 0.16;
-      scene.rail.width          = 0.09;
-      scene.contact.normal_load = 50e3;
-      scene.contact.approach.reset();
+      set_disc_on_block(scene);
       scene.contact.creepages          = {0.001, 0.002, 0.};
       scene.mesh.elements_across_patch = 16;
       scene.mesh.growth                = 0.4;

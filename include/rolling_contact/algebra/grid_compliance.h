@@ -100,7 +100,7 @@ namespace RollingContact
   {
     NodesOnGrid       nodes;
     InfluenceTable    half_space;         ///< T
-    DenseMatrix       shapes;             ///< Phi, rows as those of W
+    DenseMatrix       shapes;             ///< Phi^T, columns as those of W
     DenseMatrix       of_shapes;          ///< S
     std::vector<bool> shape_is_normal;    ///< or along the surface
     std::vector<bool> shape_is_no_strain; ///< a constant
@@ -128,7 +128,8 @@ namespace RollingContact
 
   /**
    * The compliance of a GridInfluence: entries one by one, products by Fourier
-   * transforms, n log n for n nodes.
+   * transforms, n log n for n nodes. Units: m/N, forces in N, displacements in
+   * m.
    */
   class GridCompliance
   {
@@ -201,7 +202,7 @@ namespace RollingContact
     const GridInfluence            influence;
     const NodesOnGrid             &nodes;
     const unsigned int             n_components;
-    const DenseMatrix              shapes, shapes_S; ///< a node per column
+    const DenseMatrix              moved_shapes; ///< S^T Phi^T
     const Signals::GridConvolution half_space;
   };
 } // namespace RollingContact

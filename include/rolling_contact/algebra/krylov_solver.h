@@ -13,17 +13,15 @@ namespace RollingContact
     std::function<std::vector<double>(const std::vector<double> &)>;
 
   /**
-   * Solve A x = b by the generalised minimal residual method, with an
-   * approximate inverse P of A (A P y = b, x = P y) and @p x the first guess.
-   * False, with the best x so far, if the residual is not below @p tolerance
-   * times that of x = 0 after @p max_iterations.
+   * x of A x = b by the generalised minimal residual method, with an
+   * approximate inverse P of A: A P y = b, x = P y. The residual is at most
+   * @p tolerance times b, or as small as @p most iterations make it.
    */
-  bool solve_by_krylov(const LinearMap           &A,
-                       const LinearMap           &P,
-                       const std::vector<double> &b,
-                       const double               tolerance,
-                       const unsigned int         max_iterations,
-                       std::vector<double>       &x);
+  std::vector<double> solved_by_krylov(const LinearMap           &A,
+                                       const LinearMap           &P,
+                                       const std::vector<double> &b,
+                                       const double               tolerance,
+                                       const unsigned int         most);
 } // namespace RollingContact
 
 #endif

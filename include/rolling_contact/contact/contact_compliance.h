@@ -53,6 +53,13 @@ namespace RollingContact
                                 const std::vector<double> &x) const;
 
     /**
+     * Rows @p first_row and after of column @p j.
+     */
+    Eigen::VectorXd column(const std::size_t first_row,
+                           const std::size_t n_rows,
+                           const std::size_t j) const;
+
+    /**
      * The matrix; it is made here where nodes are on a grid.
      */
     DenseMatrix dense() const &

@@ -59,16 +59,19 @@ namespace RollingContact
   /**
    * Throws MemoryError if the dense matrices of contact space with so many
    * unknowns, W of each body and of the pair and products of it, do not fit
-   * into 70 % of the free memory.
+   * into 70 % of the free memory; @p on_grid: the answers of every second node,
+   * of a compliance that is no matrix.
    */
-  void check_contact_memory(const double n_unknowns);
+  void check_contact_memory(const double n_unknowns, const bool on_grid);
 
   /**
    * Check the memory of the contact problem before a mesh is made, by its
-   * contact_nodes(). Throws InputError.
+   * contact_nodes(). Throws MemoryError.
    */
   template <int dim>
-  void check_contact_memory(const PairSpec &scene, const Grading<dim> &grading);
+  void check_contact_memory(const PairSpec     &scene,
+                            const Grading<dim> &grading,
+                            const bool          on_grid);
 } // namespace RollingContact
 
 #endif
