@@ -5,6 +5,15 @@
 
 namespace RollingContact
 {
+  DenseMatrix columns_of(const std::vector<std::vector<double>> &vectors,
+                         const std::size_t                       n_rows)
+  {
+    DenseMatrix result(n_rows, vectors.size());
+    for (std::size_t j = 0; j < vectors.size(); ++j)
+      result.col(j) = as_vector(vectors[j]);
+    return result;
+  }
+
   std::vector<double> operator*(const DenseMatrix         &M,
                                 const std::vector<double> &x)
   {

@@ -188,6 +188,26 @@ namespace RollingContact
     return pairs;
   }
 
+  Eigenpairs eigenpairs(ComplexMatrix M)
+  {
+    const int  n = M.rows();
+    Eigenpairs pairs{ComplexValues(n), ComplexMatrix(n, n)};
+    if (n > 0)
+      check(LAPACKE_zgeev(LAPACK_COL_MAJOR,
+                          'N',
+                          'V',
+                          n,
+                          M.data(),
+                          n,
+                          pairs.values.data(),
+                          nullptr,
+                          1,
+                          pairs.vectors.data(),
+                          n),
+            "The QR algorithm for eigenvalues");
+    return pairs;
+  }
+
   DenseMatrix left_singular_vectors(DenseMatrix M, std::vector<double> &values)
   {
     const int   m = M.rows(), n = M.cols(), k = std::min(m, n);

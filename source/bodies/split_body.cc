@@ -260,6 +260,7 @@ namespace RollingContact
       SplitCompliance{fields,
                       inertia,
                       S_of_mesh,
+                      change,
                       shapes_of_moments(positions, components),
                       influence_on(positions, components).dense()},
       model.damping);

@@ -113,6 +113,11 @@ namespace RollingContact
     return {};
   }
 
+  std::shared_ptr<const ExtrudedSection> BodyShape::extruded_section() const
+  {
+    return nullptr;
+  }
+
   std::optional<Axle> BodyShape::axle() const
   {
     return std::nullopt;

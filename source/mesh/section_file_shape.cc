@@ -171,6 +171,23 @@ namespace RollingContact
     return is_left ? section().mirrored() : section();
   }
 
+  std::shared_ptr<const ExtrudedSection>
+  SectionFileShape::extruded_section() const
+  {
+    if (is_revolved())
+      return nullptr;
+    return std::make_shared<const ExtrudedSection>(
+      ExtrudedSection{section(), placement()});
+  }
+
+  SectionPlacement SectionFileShape::placement() const
+  {
+    SectionPlacement placement;
+    placement.contact = {{0., parameters.radius}};
+    placement.is_left = parameters.profile && parameters.profile->is_left;
+    return placement;
+  }
+
   double SectionFileShape::reach_x() const
   {
     return is_revolved() ? usable_rim * parameters.radius
@@ -301,9 +318,7 @@ namespace RollingContact
     CoarseCells cells;
     cells.equal = true;
     cells.size  = length / n;
-    SectionPlacement placement;
-    placement.contact = {{0., parameters.radius}};
-    placement.is_left = parameters.profile && parameters.profile->is_left;
+    SectionPlacement    placement = this->placement();
     std::vector<double> ends;
     if (is_revolved())
       {

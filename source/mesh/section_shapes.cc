@@ -124,6 +124,15 @@ namespace RollingContact
                          "of the rail; give 0.2 to 5 m.");
   }
 
+  std::shared_ptr<const ExtrudedSection> RailShape::extruded_section() const
+  {
+    CoarseCells along;
+    along.size = along.half_core = reach_x();
+    return std::make_shared<const ExtrudedSection>(
+      ExtrudedSection{unfolded_section(section_cells.front()),
+                      sweep(along).first});
+  }
+
   double RailShape::reach_x() const
   {
     return parameters.block_length / 2;

@@ -22,6 +22,21 @@ namespace RollingContact
     return {{along, is_left ? -y : y, s * across + c * outwards}};
   }
 
+  std::array<double, 2> SectionPlacement::to_section(const Point &place) const
+  {
+    const double c = std::cos(turn), s = std::sin(turn),
+                 y = is_left ? -place[1] : place[1];
+    return {{contact[0] + c * y + s * place[2],
+             contact[1] - s * y + c * place[2]}};
+  }
+
+  std::array<std::array<double, 3>, 3> SectionPlacement::directions() const
+  {
+    const double c = std::cos(turn), s = std::sin(turn),
+                 side = is_left ? -1. : 1.;
+    return {{{{0., 0., 1.}}, {{side * c, -side * s, 0.}}, {{s, c, 0.}}}};
+  }
+
   SweptMesh::SweptMesh(const SectionMesh         &section,
                        const SectionPlacement    &placement,
                        const std::vector<double> &ends_x,

@@ -11,15 +11,6 @@ namespace RollingContact
 {
   namespace
   {
-    DenseMatrix columns_of(const std::vector<std::vector<double>> &vectors,
-                           const std::size_t                       n_rows)
-    {
-      DenseMatrix result(n_rows, vectors.size());
-      for (std::size_t j = 0; j < vectors.size(); ++j)
-        result.col(j) = as_vector(vectors[j]);
-      return result;
-    }
-
     double omega_of(const double frequency)
     {
       return 2 * pi * frequency;

@@ -25,16 +25,17 @@ namespace RollingContact
      */
     using Strain = std::array<double, 6>;
 
-    /** @p w, @p w_y, @p w_r: the function and its derivatives. */
-    std::array<Strain, 3> strains(const double       w,
-                                  const double       w_y,
-                                  const double       w_r,
-                                  const double       r,
-                                  const unsigned int n)
+    /** @p w, @p w_y, @p w_r: the function and its derivatives; @p k and
+     * @p curvature: n / r and 1 / r. */
+    std::array<Strain, 3> strains(const double w,
+                                  const double w_y,
+                                  const double w_r,
+                                  const double k,
+                                  const double curvature)
     {
-      return {{{{w_y, 0., 0., w_r, 0., -(n * w / r)}},
-               {{0., w_r, w / r, w_y, -(n * w / r), 0.}},
-               {{0., 0., n * w / r, 0., w_r - w / r, w_y}}}};
+      return {{{{w_y, 0., 0., w_r, 0., -k * w}},
+               {{0., w_r, curvature * w, w_y, -k * w, 0.}},
+               {{0., 0., k * w, 0., w_r - curvature * w, w_y}}}};
     }
 
     Strain stress(const Strain &strain, const Material &material)
@@ -74,9 +75,11 @@ namespace RollingContact
   HarmonicSection::HarmonicSection(const SectionMesh &section,
                                    const Material    &material,
                                    const bool         clamped,
-                                   const unsigned int degree)
+                                   const unsigned int degree,
+                                   const Axis         axis)
     : elements(
         std::make_unique<SectionElements>(section, material, clamped, degree))
+    , is_straight(axis == Axis::straight)
   {
     unsigned int n_free = 0;
     for (unsigned int node = 0; node < elements->dofs.n_dofs(); ++node)
@@ -119,7 +122,7 @@ namespace RollingContact
   HarmonicSection::~HarmonicSection() = default;
 
   std::pair<SymmetricSparseMatrix, SymmetricSparseMatrix>
-  HarmonicSection::matrices(const unsigned int n) const
+  HarmonicSection::matrices(const double waves) const
   {
     const auto                          &element = elements->element;
     const unsigned int                   n_nodes = element.dofs_per_cell;
@@ -133,7 +136,7 @@ namespace RollingContact
                        quadrature,
                        update_values | update_gradients | update_JxW_values |
                          update_quadrature_points);
-    const double    round = n == 0 ? 2 * pi : pi; // int cos^2 d theta
+    const double    round = waves == 0. ? 2 * pi : pi; // int cos^2 d theta
     std::vector<std::array<Strain, 3>> strain(n_nodes), force(n_nodes);
     std::vector<std::vector<std::pair<types::global_dof_index, double>>> parts(
       n_nodes);
@@ -146,13 +149,19 @@ namespace RollingContact
         M_cell = 0.;
         for (const unsigned int q : values.quadrature_point_indices())
           {
-            const double r      = values.quadrature_point(q)[1],
-                         weight = round * r * values.JxW(q);
+            const double curvature =
+                           is_straight ? 0. : 1 / values.quadrature_point(q)[1],
+                         k = is_straight ? waves : waves * curvature,
+                         weight =
+                           values.JxW(q) * (is_straight ? 1. : round / curvature);
             for (unsigned int i = 0; i < n_nodes; ++i)
               {
                 const auto gradient = values.shape_grad(i, q);
-                strain[i]           = strains(
-                  values.shape_value(i, q), gradient[0], gradient[1], r, n);
+                strain[i]           = strains(values.shape_value(i, q),
+                                    gradient[0],
+                                    gradient[1],
+                                    k,
+                                    curvature);
                 for (unsigned int a = 0; a < 3; ++a)
                   force[i][a] = stress(strain[i][a], elements->material);
               }
@@ -192,6 +201,61 @@ namespace RollingContact
             add_entries(i, j);
       }
     return {std::move(K), std::move(M)};
+  }
+
+  SymmetricSparseMatrix
+  HarmonicSection::springs(const std::array<double, 3> &stiffness) const
+  {
+    const auto                          &element = elements->element;
+    std::vector<types::global_dof_index> nodes(element.dofs_per_cell);
+    SymmetricSparseMatrix                result = pattern;
+    FEFaceValues<2>                      values(elements->mapping,
+                           element,
+                           QGauss<1>(element.degree + 1),
+                           update_values | update_JxW_values);
+    double                               width = 0.;
+    for (const auto &cell : elements->dofs.active_cell_iterators())
+      for (const unsigned int f : cell->face_indices())
+        if (SectionElements::is_of_hub(cell->face(f)))
+          {
+            values.reinit(cell, f);
+            cell->get_dof_indices(nodes);
+            for (const unsigned int q : values.quadrature_point_indices())
+              {
+                width += values.JxW(q);
+                for (unsigned int i = 0; i < nodes.size(); ++i)
+                  for (unsigned int j = 0; j < nodes.size(); ++j)
+                    for (const auto &[node_i, weight_i] :
+                         elements->parts_of(nodes[i]))
+                      for (const auto &[node_j, weight_j] :
+                           elements->parts_of(nodes[j]))
+                        for (unsigned int a = 0; a < 3; ++a)
+                          if (const int row    = unknowns[node_i][a],
+                              column           = unknowns[node_j][a];
+                              column >= 0 && row >= column)
+                            add(result,
+                                row,
+                                column,
+                                stiffness[a] * weight_i * weight_j *
+                                  values.shape_value(i, q) *
+                                  values.shape_value(j, q) * values.JxW(q));
+              }
+          }
+    AssertThrow(width > 0., ExcMessage("The section has no hub boundary."));
+    for (double &value : result.values)
+      value /= width;
+    return result;
+  }
+
+  std::array<double, 2> HarmonicSection::width() const
+  {
+    std::array<double, 2> ends{{std::numeric_limits<double>::max(),
+                                std::numeric_limits<double>::lowest()}};
+    for (const auto &cell : elements->dofs.active_cell_iterators())
+      for (const unsigned int v : cell->vertex_indices())
+        ends = {{std::min(ends[0], cell->vertex(v)[0]),
+                 std::max(ends[1], cell->vertex(v)[0])}};
+    return ends;
   }
 
   HarmonicSection::Interpolation HarmonicSection::at(const double along,

@@ -52,7 +52,7 @@ namespace RollingContact
       return cells;
     }
 
-    const types::boundary_id held_boundary = 1;
+    const types::boundary_id hub_of_section = 1;
 
     /// of the sum of angles at a corner, beyond which stresses are singular
     const double re_entrant = 1.1 * pi;
@@ -69,7 +69,8 @@ namespace RollingContact
      * Corners of the section where stresses have a singularity: those that
      * are re-entrant, and the ends of what is held.
      */
-    std::set<unsigned int> singular_corners(const Triangulation<2> &cells)
+    std::set<unsigned int> singular_corners(const Triangulation<2> &cells,
+                                            const bool              clamped)
     {
       std::map<unsigned int, double>       angles;
       std::map<unsigned int, unsigned int> n_free, n_held;
@@ -83,7 +84,7 @@ namespace RollingContact
           for (const auto &face : cell->face_iterators())
             if (face->at_boundary())
               for (const unsigned int v : {0, 1})
-                ++(face->boundary_id() == held_boundary
+                ++(clamped && face->boundary_id() == hub_of_section
                      ? n_held
                      : n_free)[face->vertex_index(v)];
         }
@@ -129,19 +130,26 @@ namespace RollingContact
     triangulation.create_triangulation(vertices,
                                        cells_of(section),
                                        SubCellData());
-    hold(section, clamped);
-    refine();
+    find_hub(section);
+    refine(clamped);
     map(section);
     dofs.distribute_dofs(element);
     DoFTools::make_hanging_node_constraints(dofs, constraints);
-    DoFTools::make_zero_boundary_constraints(dofs, held_boundary, constraints);
+    if (clamped)
+      DoFTools::make_zero_boundary_constraints(dofs, hub_of_section, constraints);
     constraints.close();
   }
 
-  void SectionElements::hold(const SectionMesh &section, const bool clamped)
+  bool SectionElements::is_of_hub(
+    const DoFHandler<2>::active_face_iterator &edge)
+  {
+    return edge->at_boundary() && edge->boundary_id() == hub_of_section;
+  }
+
+  void SectionElements::find_hub(const SectionMesh &section)
   {
     for (const auto &cell : triangulation.active_cell_iterators())
-      for (unsigned int edge = 0; clamped && edge < 4; ++edge)
+      for (unsigned int edge = 0; edge < 4; ++edge)
         if (section.quads()[cell->index()].boundary[edge] ==
             SectionBoundary::hub)
           {
@@ -150,13 +158,13 @@ namespace RollingContact
               if (face->at_boundary() &&
                   std::minmax(face->vertex_index(0), face->vertex_index(1)) ==
                     std::minmax(ends[0], ends[1]))
-                face->set_boundary_id(held_boundary);
+                face->set_boundary_id(hub_of_section);
           }
   }
 
-  void SectionElements::refine()
+  void SectionElements::refine(const bool clamped)
   {
-    const auto corners = singular_corners(triangulation);
+    const auto corners = singular_corners(triangulation, clamped);
     for (unsigned int level = 0; level < corner_levels; ++level)
       {
         for (const auto &cell : triangulation.active_cell_iterators())

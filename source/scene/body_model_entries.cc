@@ -21,7 +21,9 @@ namespace RollingContact
 
     const std::vector<NamedValue<ModeModel>> named_mode_models{
       {"mesh", ModeModel::mesh},
-      {"harmonic", ModeModel::harmonic}};
+      {"harmonic", ModeModel::harmonic}},
+      named_rail_models{{"mesh", ModeModel::mesh},
+                        {"waveguide", ModeModel::waveguide}};
 
     const std::array<std::string, 3> axes{{"x", "y", "z"}};
 
@@ -33,6 +35,11 @@ namespace RollingContact
     bool lies_on_springs(const BodyParameters &body)
     {
       return !body.rigid && body.hub == Hub::elastic;
+    }
+
+    bool has_ends(const BodyParameters &body)
+    {
+      return body.modes != ModeModel::waveguide;
     }
 
     bool lies_on_pads(const BodyParameters &body)
@@ -175,8 +182,19 @@ namespace RollingContact
 
   void BodyParameters::declare_modes(Entries &entries)
   {
-    if (section != "Wheel")
-      return;
+    if (section == "Rail")
+      {
+        entries.choice("Model", modes, named_rail_models)
+          .read_by(scenes_in_3d())
+          .read_by(analyses_of_modes())
+          .help =
+          "How a rail vibrates: by the modes of its `mesh`, which ends after "
+          "Block length, or as a `waveguide`, by the waves in its section, "
+          "without ends; for extruded rails (section, true sections of "
+          "profiles) on a continuous layer (Hub = elastic). The mesh is used "
+          "at rest.";
+        return;
+      }
     entries.choice("Model", modes, named_mode_models)
       .read_by(scenes_in_3d())
       .read_by(analyses_of_modes())
@@ -191,8 +209,13 @@ namespace RollingContact
   void BodyParameters::check_modes(const BodyShape   *body_shape,
                                    const unsigned int dimension) const
   {
-    if (rigid || modes != ModeModel::harmonic || dimension == 2)
+    if (rigid || modes == ModeModel::mesh || dimension == 2)
       return;
+    if (modes == ModeModel::waveguide)
+      {
+        check_waveguide(body_shape);
+        return;
+      }
     const std::string entry = section + "/Model = harmonic: ";
     if (hub != Hub::clamped && hub != Hub::free)
       throw InputError(entry + "its hub must be clamped or free, and Hub = " +
@@ -201,6 +224,26 @@ namespace RollingContact
       throw InputError(entry +
                        "this body is none of revolution; take Shape = disc, "
                        "or section with a Radius above 0, or Model = mesh.");
+  }
+
+  void BodyParameters::check_waveguide(const BodyShape *body_shape) const
+  {
+    const std::string entry = section + "/Model = waveguide: ";
+    if (hub != Hub::elastic)
+      throw InputError(entry + "the rail must lie on springs, and Hub = " +
+                       name_of(hub) +
+                       "; take Hub = elastic with its Foundation stiffness, or "
+                       "Model = mesh.");
+    if (model.foundation.pad_spacing > 0.)
+      throw InputError(entry + "Pad spacing = " +
+                       significant(model.foundation.pad_spacing, 6) +
+                       " m, and waves need a continuous layer; take Pad "
+                       "spacing = 0, or Model = mesh.");
+    if (body_shape != nullptr && body_shape->extruded_section() == nullptr)
+      throw InputError(entry +
+                       "this body is not extruded from a section; take Shape "
+                       "= section with Radius = 0, Profiles/Body sections = "
+                       "true, or Model = mesh.");
   }
 
   void BodyParameters::declare_damping(Entries &entries)
@@ -248,14 +291,18 @@ namespace RollingContact
       .at_least(0.)
       .read_by(damped)
       .help = "Damping C = this times K, beside that of section Time.";
+    const Reader ends =
+      reader(has_ends, "Model = waveguide is of a rail without ends");
     entries.list("Modal damping", damping.modal, "", "1")
       .read_by(analyses_of_modes())
+      .read_by(ends)
       .help =
       "Damping ratios of modes with 0, 1, 2, ... nodal diameters, of all "
       "further ones the last.";
     entries.add("Sponge length", damping.sponge_length, "m")
       .at_least(0.)
       .read_by(damped)
+      .read_by(ends)
       .help =
       "Of the part at each end of a rail that absorbs waves, C = a(x) M; 0 "
       "for none.";

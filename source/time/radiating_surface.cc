@@ -99,6 +99,10 @@ namespace RollingContact::Sound
                                const double            maximum_frequency,
                                const Air              &air)
   {
+    if (body.waves)
+      throw InputError(body.parameters.section +
+                       "/Model = waveguide: Sound needs the modes of the rail; "
+                       "take Model = mesh, or Sound/Estimate = false.");
     RadiatingBody radiating;
     for (const double frequency : body.modes.frequencies)
       if (frequency <= maximum_frequency)

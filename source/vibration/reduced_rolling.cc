@@ -137,7 +137,7 @@ namespace RollingContact
           continue; // absorbers move no point of the body
         const auto               &body  = *modal->body(side);
         const std::vector<double> moved = points.values_of(
-          side, body.body->field(column_of(body.modes.shapes, mode)));
+          side, body.body->field(column_of(body.mode_shapes(), mode)));
         // those of the rail are behind those of the wheel
         const std::size_t place =
           side == Side::wheel ? 0 : watched.rows() - moved.size();

@@ -1,3 +1,4 @@
+#include <rolling_contact/algebra/lapack.h>
 #include <rolling_contact/vibration/rolling_modes.h>
 
 #include <algorithm>
@@ -31,43 +32,106 @@ namespace RollingContact
                                   const DenseMatrix      &W)
     : modal(bodies)
     , rolling(rolling)
+    , more_at_rest(DenseMatrix::Zero(W.rows(), W.cols()))
     , W_res(W)
   {
-    const std::size_t n = W.rows();
     for (const Side side : both_sides)
       {
         const std::size_t m = modal.n_modes(side);
-        Phi[side]           = DenseMatrix::Zero(n, m);
+        Phi[side]           = DenseMatrix::Zero(W.rows(), m);
         if (m == 0)
           continue;
-        const VibratingBody<dim> &body  = *modal.body(side);
-        const StructuralModes    &modes = body.modes;
+        const VibratingBody<dim> &body = *modal.body(side);
         contacts[side] =
           body.body->vibration_of(rolling.interface().nodes[side],
                                   rolling.contact_directions());
-        std::vector<double> eigenvalues;
-        for (std::size_t j = 0; j < m; ++j)
-          eigenvalues.push_back(modes.eigenvalue(j));
-        Phi[side] =
-          at_contact(side, contacts[side]->of_modes(modes.shapes, eigenvalues));
-        const std::vector<double> first(eigenvalues.begin(),
-                                        eigenvalues.begin() +
-                                          modes.at_rest.cols());
-        const DenseMatrix         statics = modes.statics(
-          Phi[side],
-          at_contact(side, contacts[side]->of_modes(modes.at_rest, first)));
-        W_res -= statics * statics.transpose();
-        replaced[side]               = statics.leftCols(modes.at_rest.cols());
-        const AbsorberPlaces &places = modal.absorber_places(side);
-        if (places.n_coordinates() > 0)
-          cross[side] =
-            at_contact(side,
-                       contacts[side]->of_modes(
-                         places.deflected,
-                         std::vector<double>(places.deflected.cols(), 0.))) -
-            statics * places.statics.transpose();
+        if (body.waves)
+          take_waves(side);
+        else
+          take_modes(side);
       }
     check(reduced(bodies.standing()));
+  }
+
+  template <int dim>
+  void RollingModes<dim>::take_modes(const Side side)
+  {
+    const StructuralModes &modes = modal.body(side)->modes;
+    std::vector<double>    eigenvalues;
+    for (std::size_t j = 0; j < modes.size(); ++j)
+      eigenvalues.push_back(modes.eigenvalue(j));
+    Phi[side] =
+      at_contact(side, contacts[side]->of_modes(modes.shapes, eigenvalues));
+    const Eigen::Index        n_first = modes.at_rest.cols();
+    const std::vector<double> first(eigenvalues.begin(),
+                                    eigenvalues.begin() + n_first);
+    const DenseMatrix         statics = modes.statics(
+      Phi[side],
+      at_contact(side, contacts[side]->of_modes(modes.at_rest, first)));
+    W_res -= statics * statics.transpose();
+    const auto of_first = Phi[side].leftCols(n_first);
+    more_at_rest +=
+      of_first * as_vector(first).cwiseInverse().asDiagonal() *
+        of_first.transpose() -
+      statics.leftCols(n_first) * statics.leftCols(n_first).transpose();
+    const AbsorberPlaces &places = modal.absorber_places(side);
+    if (places.n_coordinates() > 0)
+      cross[side] =
+        at_contact(side,
+                   contacts[side]->of_modes(
+                     places.deflected,
+                     std::vector<double>(places.deflected.cols(), 0.))) -
+        statics * places.statics.transpose();
+  }
+
+  template <int dim>
+  DenseMatrix RollingModes<dim>::motions_of_waves(const Side side) const
+  {
+    const VibratingBody<dim> &body  = *modal.body(side);
+    const auto               &nodes = rolling.interface().nodes[side];
+    const auto               &components = rolling.contact_directions();
+    const auto                shape = body.parameters.body_shape();
+    DenseMatrix result(components.size() * nodes.size(), RailWaves::n_motions);
+    if constexpr (dim == 3)
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+        {
+          const double      x      = nodes[i].position[0],
+                       y           = nodes[i].position[1];
+          const DenseMatrix motion = body.waves->motions_at(
+            {{x, y, shape->surface_height(x, y)}});
+          for (std::size_t c = 0; c < components.size(); ++c)
+            result.row(c * nodes.size() + i) = motion.row(components[c]);
+        }
+    return result;
+  }
+
+  template <int dim>
+  void RollingModes<dim>::take_waves(const Side side)
+  {
+    const VibratingBody<dim> &body    = *modal.body(side);
+    const RailWaves          &waves   = *body.waves;
+    const DenseMatrix         on_body = motions_of_waves(side),
+                      motions         = at_contact(side, on_body);
+    if constexpr (dim == 3)
+      beyond[side] = waves.beyond_mesh(*body.body, *body.factor);
+    if (const DenseMatrix known = contacts[side]->beyond_mesh();
+        known.size() > 0)
+      {
+        DenseMatrix       square = on_body.transpose() * on_body;
+        DenseMatrix       mean   = on_body.transpose();
+        solve_positive_definite(square, mean);
+        beyond[side] -= mean * known * mean.transpose();
+      }
+    const FittedModes &fit = waves.modes();
+    Phi[side]              = motions * fit.motions;
+    const DenseMatrix more = motions *
+                             (fit.rest - waves.at_rest() + beyond[side]) *
+                             motions.transpose();
+    W_res += more;
+    more_at_rest += more;
+    for (std::size_t j = 0; j < fit.frequencies.size(); ++j)
+      more_at_rest += Phi[side].col(j) * Phi[side].col(j).transpose() /
+                      body.modes.eigenvalue(j);
   }
 
   template <int dim>
@@ -149,7 +213,7 @@ namespace RollingContact
                                   const std::vector<double> &shares) const
   {
     const std::size_t n = modal.n_modes(side);
-    if (n == 0)
+    if (n == 0 || modal.body(side)->waves)
       return {};
     const auto first   = shares.begin() + first_column(side),
                largest = std::max_element(first, first + n);
@@ -183,12 +247,7 @@ namespace RollingContact
   template <int dim>
   DenseMatrix RollingModes<dim>::compliance_at_rest(DenseMatrix W) const
   {
-    for (const Side side : both_sides)
-      for (Eigen::Index j = 0; j < replaced[side].cols(); ++j)
-        W += Phi[side].col(j) * Phi[side].col(j).transpose() /
-               modal.body(side)->modes.eigenvalue(j) -
-             replaced[side].col(j) * replaced[side].col(j).transpose();
-    return W;
+    return W + more_at_rest;
   }
 
   template <int dim>
@@ -216,7 +275,7 @@ namespace RollingContact
     const VibratingBody<dim> &body  = *modal.body(side);
     const auto                first = eta.begin() + first_column(side);
     return body.body->field(
-      body.modes.shapes *
+      body.mode_shapes() *
       std::vector<double>(first, first + modal.n_modes(side)));
   }
 
@@ -224,11 +283,42 @@ namespace RollingContact
   WholeBodies<dim>::WholeBodies(const RollingModes<dim> &rolling,
                                 const RollingConditions &conditions)
     : rolling(rolling)
+    , added_damping(conditions.added_damping)
   {
     const ModalBodies<dim> &modal = rolling.bodies();
     for (const Side side : both_sides)
-      if (modal.body(side) != nullptr)
+      if (modal.body(side) != nullptr && !modal.body(side)->waves)
         bodies[side] = modal.whole_body(side, conditions);
+  }
+
+  template <int dim>
+  std::vector<ComplexVector> WholeBodies<dim>::answer_of_waves(
+    const Side                        side,
+    const ComplexValues              &s,
+    const std::vector<ComplexVector> &forces) const
+  {
+    const VibratingBody<dim>  &body    = *rolling.bodies().body(side);
+    const DenseMatrix          motions = rolling.motions_of_waves(side);
+    std::vector<ComplexVector> result;
+    for (std::size_t k = 0; k < forces.size(); ++k)
+      {
+        const ComplexVector loads = rolling.contact_of(side).load(0., forces[k]);
+        const ComplexVector x     = by_parts(
+          [&](const std::vector<double> &part) {
+            return body.factor->solve(part);
+          },
+          loads);
+        const ComplexVector forces_of_motions = motions.transpose() * forces[k];
+        const Complex       kappa =
+          body.waves->stiffening(s[k], added_damping);
+        const ComplexVector moved =
+          body.waves->change(s[k], added_damping) * forces_of_motions +
+          rolling.beyond_mesh(side) * forces_of_motions / kappa;
+        result.push_back(rolling.contact_of(side).of_nodes(0., forces[k], x) /
+                           kappa +
+                         motions * moved);
+      }
+    return result;
   }
 
   template <int dim>
@@ -239,18 +329,64 @@ namespace RollingContact
   {
     Answer                     answer;
     std::vector<ComplexVector> loads;
+    answer.forces = forces_on(side, forces);
     for (std::size_t k = 0; k < forces.size(); ++k)
-      {
-        answer.forces.push_back(by_parts(
-          [&](std::vector<double> part) {
-            return rolling.pair().forces_on_body(side, std::move(part));
-          },
-          forces[k]));
-        loads.push_back(
-          rolling.contact_of(side).load(s[k], answer.forces.back()));
-      }
+      loads.push_back(rolling.contact_of(side).load(s[k], answer.forces[k]));
     answer.x = bodies[side]->solve(s, loads, full_tolerance);
     return answer;
+  }
+
+  template <int dim>
+  std::vector<ComplexVector> WholeBodies<dim>::answer_of_body(
+    const Side                        side,
+    const ComplexValues              &s,
+    const std::vector<ComplexVector> &forces) const
+  {
+    Answer moved = answer(side, s, forces);
+    for (std::size_t k = 0; k < forces.size(); ++k)
+      moved.x[k] =
+        rolling.contact_of(side).of_nodes(s[k], moved.forces[k], moved.x[k]);
+    return std::move(moved.x);
+  }
+
+  template <int dim>
+  std::vector<ComplexVector>
+  WholeBodies<dim>::forces_on(const Side                        side,
+                              const std::vector<ComplexVector> &forces) const
+  {
+    std::vector<ComplexVector> result;
+    for (const ComplexVector &force : forces)
+      result.push_back(by_parts(
+        [&](std::vector<double> part) {
+          return rolling.pair().forces_on_body(side, std::move(part));
+        },
+        force));
+    return result;
+  }
+
+  template <int dim>
+  std::vector<ComplexVector> WholeBodies<dim>::motion_of_waves(
+    const Side                        side,
+    const ComplexValues              &s,
+    const std::vector<ComplexVector> &forces) const
+  {
+    const VibratingBody<dim>     &body    = *rolling.bodies().body(side);
+    const DenseMatrix             motions = rolling.motions_of_waves(side);
+    const auto                    on_body = forces_on(side, forces);
+    const auto                    points  = body.points();
+    std::vector<ComplexVector>    result;
+    for (std::size_t k = 0; k < forces.size(); ++k)
+      {
+        const ComplexVector of_motions = motions.transpose() * on_body[k],
+                            moved = body.waves->field(s[k], points) * of_motions;
+        result.push_back(ComplexVector::Zero(body.body->n_unknowns()));
+        for (std::size_t p = 0; p < points.size(); ++p)
+          for (unsigned int c = 0; c < 3; ++c)
+            if (const int unknown = body.places.nodes[p].unknowns[c];
+                unknown >= 0)
+              result[k][unknown] = moved[3 * p + c];
+      }
+    return result;
   }
 
   template <int dim>
@@ -259,6 +395,9 @@ namespace RollingContact
                            const ComplexValues              &s,
                            const std::vector<ComplexVector> &forces) const
   {
+    const VibratingBody<dim> *body = rolling.bodies().body(side);
+    if (body != nullptr && body->waves)
+      return motion_of_waves(side, s, forces);
     if (!bodies[side])
       return std::vector<ComplexVector>(forces.size());
     Answer moved = answer(side, s, forces);
@@ -278,17 +417,18 @@ namespace RollingContact
       result.push_back(ComplexVector::Zero(force.size()));
     for (const Side side : both_sides)
       {
-        if (!bodies[side])
+        const VibratingBody<dim> *body = rolling.bodies().body(side);
+        if (body == nullptr)
           continue;
-        const Answer moved = answer(side, s, forces);
+        const auto moved =
+          body->waves ? answer_of_waves(side, s, forces_on(side, forces))
+                      : answer_of_body(side, s, forces);
         for (std::size_t k = 0; k < forces.size(); ++k)
           result[k] += by_parts(
             [&](std::vector<double> part) {
               return rolling.pair().relative_motion_of(side, std::move(part));
             },
-            rolling.contact_of(side).of_nodes(s[k],
-                                              moved.forces[k],
-                                              moved.x[k]));
+            moved[k]);
       }
     return result;
   }

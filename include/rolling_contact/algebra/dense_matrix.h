@@ -50,6 +50,12 @@ namespace RollingContact
   }
 
   /**
+   * Vectors of so many entries side by side.
+   */
+  DenseMatrix columns_of(const std::vector<std::vector<double>> &vectors,
+                         const std::size_t                       n_rows);
+
+  /**
    * M x by dgemv.
    */
   std::vector<double> operator*(const DenseMatrix         &M,

@@ -100,6 +100,11 @@ namespace RollingContact
   Eigenpairs eigenpairs(DenseMatrix M);
 
   /**
+   * Eigenvalues and right eigenvectors of a general complex matrix (zgeev).
+   */
+  Eigenpairs eigenpairs(ComplexMatrix M);
+
+  /**
    * The left singular vectors of @p M in the columns of the result, and its
    * singular @p values, largest first (dgesvd).
    */

@@ -63,6 +63,18 @@ namespace RollingContact
 
     void sweep(const VibratingBody<dim> &body, ResultsTable &table);
 
+    /** A rail without ends, and the waves in it. */
+    void sweep_waves(const VibratingBody<dim> &body, ResultsTable &table);
+
+    /** waves.csv and its picture. */
+    void write_waves(const RailWaves &waves) const;
+
+    void note_peak(const VibratingBody<dim>         &body,
+                   const std::string                &found_by,
+                   const std::vector<Station>       &stations,
+                   const std::vector<double>        &frequencies,
+                   const std::vector<ComplexMatrix> &alpha) const;
+
     /** Solve the whole structure at the check frequencies; the largest error of
      * the modes over the largest of the receptances at that frequency. */
     void check(const VibratingBody<dim>               &body,

@@ -29,6 +29,13 @@ namespace RollingContact
     of_modes(const DenseMatrix         &motions,
              const std::vector<double> &eigenvalues) const = 0;
 
+    /** What the nodes move at rest by, beyond what the mesh says: by forces on
+     * them, as numbered; empty for nothing. Units: m/N. */
+    virtual DenseMatrix beyond_mesh() const
+    {
+      return {};
+    }
+
     /** The load b of forces on the nodes. */
     virtual ComplexVector load(const std::complex<double> s,
                                const ComplexVector       &forces) const = 0;

@@ -17,6 +17,7 @@ namespace RollingContact
     const FadedFields  &fields;
     const FadedInertia &inertia;
     const DenseMatrix  &S;
+    DenseMatrix         beyond; ///< what S of the body has more
     DenseMatrix         Phi, W;
   };
 
@@ -42,6 +43,11 @@ namespace RollingContact
 
     DenseMatrix of_modes(const DenseMatrix         &motions,
                          const std::vector<double> &eigenvalues) const override;
+
+    DenseMatrix beyond_mesh() const override
+    {
+      return parts.Phi * parts.beyond * parts.Phi.transpose();
+    }
 
     ComplexVector load(const std::complex<double> s,
                        const ComplexVector       &forces) const override;

@@ -22,13 +22,15 @@ namespace RollingContact
   };
 
   /**
-   * How the modes of a body are found: from its mesh, or, of a body of
-   * revolution, from its section by Fourier series about the axle.
+   * How the vibration of a body is found: by the modes of its mesh, of a body of
+   * revolution by those of its section with Fourier series about the axle, or
+   * of a rail without ends by waves in its section.
    */
   enum class ModeModel
   {
     mesh,
-    harmonic
+    harmonic,
+    waveguide
   };
 
   /**

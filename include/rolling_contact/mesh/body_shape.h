@@ -17,6 +17,7 @@
 namespace RollingContact
 {
   class SweptMesh;
+  struct ExtrudedSection;
 
   /**
    * The axis that a body of revolution has, in the body's frame: a point on it
@@ -126,6 +127,11 @@ namespace RollingContact
      * bodies. Units: m.
      */
     virtual std::optional<SectionMesh> section_about_axle() const;
+
+    /**
+     * The section of a body that is extruded along x; nullptr for other bodies.
+     */
+    virtual std::shared_ptr<const ExtrudedSection> extruded_section() const;
 
     /**
      * Largest coarse cell along x that still resolves the shape.

@@ -2,7 +2,7 @@
 #define rolling_contact_mesh_section_file_shape_h
 
 #include <rolling_contact/mesh/body_shape.h>
-#include <rolling_contact/mesh/section_mesh.h>
+#include <rolling_contact/mesh/swept_mesh.h>
 
 namespace RollingContact
 {
@@ -31,6 +31,8 @@ namespace RollingContact
     std::optional<Axle> axle() const override;
 
     std::optional<SectionMesh> section_about_axle() const override;
+
+    std::shared_ptr<const ExtrudedSection> extruded_section() const override;
 
     double reach_x() const override;
 
@@ -82,6 +84,9 @@ namespace RollingContact
      * without one, of the circle with the Lateral radius follow it.
      */
     SectionMesh section() const;
+
+    /** Where the section is, at rest and not revolved. */
+    SectionPlacement placement() const;
   };
 } // namespace RollingContact
 

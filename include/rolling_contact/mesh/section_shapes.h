@@ -82,6 +82,8 @@ namespace RollingContact
 
     void check(const unsigned int dimension, const bool rigid) const override;
 
+    std::shared_ptr<const ExtrudedSection> extruded_section() const override;
+
     double reach_x() const override;
 
     double largest_coarse_size() const override;

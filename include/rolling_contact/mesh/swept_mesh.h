@@ -25,10 +25,32 @@ namespace RollingContact
      */
     Point to_body(const double x, const SectionPoint &point) const;
 
+    /**
+     * The point of an extruded section, across and outwards, at a place of the
+     * body.
+     */
+    std::array<double, 2> to_section(const Point &place) const;
+
+    /**
+     * Rows x, y, z of the body, columns across, outwards and along x of an
+     * extruded section: the components of vectors.
+     */
+    std::array<std::array<double, 3>, 3> directions() const;
+
     std::array<double, 2>        contact; ///< across and outwards
     double                       turn    = 0.;
     bool                         is_left = false; ///< y changes its sign
     std::optional<RimCoordinate> around  = {};    ///< of a body of revolution
+  };
+
+  /**
+   * The section of a body that is extruded along x, across and outwards, and
+   * where it is in the body. Units: m.
+   */
+  struct ExtrudedSection
+  {
+    SectionMesh      section;
+    SectionPlacement placement;
   };
 
   /**

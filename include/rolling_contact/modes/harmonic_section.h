@@ -30,30 +30,51 @@ namespace RollingContact
    *   gamma_yr = d_r U_y + d_y U_r, gamma_rt = d_r U_t - (U_t + n U_r) / r,
    *   gamma_yt = d_y U_t - n U_y / r.
    *
+   * The section of a body that is straight is the same far from the axle: the
+   * number of waves in 2 pi metres, k = n / r, takes the place of n, t is the
+   * direction along the body, and 1 / r is 0.
+   *
    * Source: O. C. Zienkiewicz, R. L. Taylor, The Finite Element Method, vol. 2,
    * semi-analytical processes.
    */
   class HarmonicSection
   {
   public:
+    enum class Axis
+    {
+      revolved,
+      straight
+    };
+
     /**
      * The quadrilaterals have coordinates along the axle and from it, the
-     * second above 0. @p clamped: nothing moves on their hub boundary. Units:
-     * m.
+     * second above 0 unless the body is straight. @p clamped: nothing moves on
+     * their hub boundary. Units: m.
      */
     HarmonicSection(const SectionMesh &section,
                     const Material    &material,
                     const bool         clamped,
-                    const unsigned int degree);
+                    const unsigned int degree,
+                    const Axis         axis = Axis::revolved);
 
     ~HarmonicSection();
 
     /**
-     * Stiffness and consistent mass of the unknowns for @p n nodal diameters,
-     * integrated round the axle. Units: N/m, kg.
+     * Stiffness and consistent mass of the unknowns for @p waves nodal
+     * diameters, integrated round the axle, or for that many waves in 2 pi
+     * metres of a straight body, those of a metre. Units: N/m and kg, N/m^2 and
+     * kg/m.
      */
     std::pair<SymmetricSparseMatrix, SymmetricSparseMatrix>
-    matrices(const unsigned int n) const;
+    matrices(const double waves) const;
+
+    /**
+     * Stiffness of springs that are spread evenly over the hub boundary of a
+     * straight body, in all of these stiffnesses across, outwards and along.
+     * Units: N/m^2.
+     */
+    SymmetricSparseMatrix
+    springs(const std::array<double, 3> &stiffness) const;
 
     /** The nodes of the unknowns, those of a node one after the other. */
     const std::vector<unsigned int> &nodes_of_unknowns() const
@@ -78,10 +99,14 @@ namespace RollingContact
      */
     Interpolation at(const double along, const double radius) const;
 
+    /** Lower and upper bounds of the coordinate across, m. */
+    std::array<double, 2> width() const;
+
   private:
     void find_pattern();
 
     const std::unique_ptr<SectionElements> elements;
+    const bool                             is_straight;
     std::vector<std::array<int, 3>>        unknowns; ///< of each node
     std::vector<unsigned int>              node_of_unknown;
     SymmetricSparseMatrix                  pattern; ///< of K and M, with zeros

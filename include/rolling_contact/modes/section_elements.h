@@ -33,6 +33,10 @@ namespace RollingContact
     std::vector<std::pair<dealii::types::global_dof_index, double>>
     parts_of(const dealii::types::global_dof_index node) const;
 
+    /** Whether an edge of a cell is part of the hub. */
+    static bool
+    is_of_hub(const dealii::DoFHandler<2>::active_face_iterator &edge);
+
     const Material material;
 
   private:
@@ -45,10 +49,10 @@ namespace RollingContact
     dealii::AffineConstraints<double> constraints;
 
   private:
-    void hold(const SectionMesh &section, const bool clamped);
+    void find_hub(const SectionMesh &section);
 
     /** Towards the singularities. */
-    void refine();
+    void refine(const bool clamped);
 
     /** Let cells follow the curves of the section. */
     void map(const SectionMesh &section);

@@ -142,6 +142,8 @@ namespace RollingContact
     void check_modes(const BodyShape   *body_shape,
                      const unsigned int dimension) const;
 
+    void check_waveguide(const BodyShape *body_shape) const;
+
     void check_dampers(const BodyShape   *body_shape,
                        const unsigned int dimension) const;
   };

@@ -80,6 +80,17 @@ namespace RollingContact
       return rolling;
     }
 
+    /** The motions of the contact nodes of a rail by those of RailWaves, by
+     * columns: of the body, numbered as its forces. */
+    DenseMatrix motions_of_waves(const Side side) const;
+
+    /** RailWaves::beyond_mesh() of a rail without ends, less what is known of
+     * it at the contact nodes. */
+    const DenseMatrix &beyond_mesh(const Side side) const
+    {
+      return beyond[side];
+    }
+
     /** How the contact nodes belong to vibrations of an elastic body. */
     const ContactVibration &contact_of(const Side side) const
     {
@@ -98,12 +109,19 @@ namespace RollingContact
      * motion. */
     DenseMatrix at_contact(const Side side, const DenseMatrix &motions) const;
 
+    /** Take the modes of a body of its mesh or its section. */
+    void take_modes(const Side side);
+
+    /** Take the modes that stand for the waves of a rail. */
+    void take_waves(const Side side);
+
     const ModalBodies<dim> &modal;
     const RollingPair<dim> &rolling;
 
     PerSide<std::unique_ptr<ContactVibration>> contacts;
     PerSide<DenseMatrix>                       Phi; ///< of the modes of a body
-    PerSide<DenseMatrix> replaced; ///< statics of the first of these modes
+    PerSide<DenseMatrix> beyond;
+    DenseMatrix          more_at_rest; ///< compliance that modes add to W
     PerSide<DenseMatrix> cross;    ///< between contact and absorbers, residual
     DenseMatrix          W_res;    ///< without absorbers
   };
@@ -147,11 +165,35 @@ namespace RollingContact
       std::vector<ComplexVector> x;
     };
 
+    /** Nodal forces of contact as those on the nodes of a body. */
+    std::vector<ComplexVector>
+    forces_on(const Side                        side,
+              const std::vector<ComplexVector> &forces) const;
+
+    /** What nodal forces of contact move of the nodes of a body. */
+    std::vector<ComplexVector>
+    answer_of_body(const Side                        side,
+                   const ComplexValues              &s,
+                   const std::vector<ComplexVector> &forces) const;
+
+    /** All unknowns of the mesh of a rail without ends, as its waves say. */
+    std::vector<ComplexVector>
+    motion_of_waves(const Side                        side,
+                    const ComplexValues              &s,
+                    const std::vector<ComplexVector> &forces) const;
+
+    /** What forces on the nodes of a rail without ends move of them. */
+    std::vector<ComplexVector>
+    answer_of_waves(const Side                        side,
+                    const ComplexValues              &s,
+                    const std::vector<ComplexVector> &forces) const;
+
     Answer answer(const Side                        side,
                   const ComplexValues              &s,
                   const std::vector<ComplexVector> &forces) const;
 
     const RollingModes<dim>               &rolling;
+    const double                           added_damping;
     PerSide<std::unique_ptr<FullDynamics>> bodies;
   };
 } // namespace RollingContact

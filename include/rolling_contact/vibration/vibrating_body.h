@@ -11,6 +11,7 @@
 #include <rolling_contact/scene/body_parameters.h>
 #include <rolling_contact/scene/modes_parameters.h>
 #include <rolling_contact/scene/pair_spec.h>
+#include <rolling_contact/vibration/rail_waves.h>
 
 #include <memory>
 #include <optional>
@@ -62,6 +63,19 @@ namespace RollingContact
      */
     AbsorberPlaces absorbers(const double highest, RunContext &context) const;
 
+    /** The modes as fields of the unknowns, by columns; of those that stand for
+     * waves what they move of the mesh. */
+    const DenseMatrix &mode_shapes() const;
+
+    /** Places of the nodes. */
+    std::vector<RailWaves::Place> points() const;
+
+    /** Whether it is a rail by waves in its section. */
+    bool is_without_ends() const
+    {
+      return dim == 3 && parameters.modes == ModeModel::waveguide;
+    }
+
     const Side             side;
     const BodySpec         parameters;
     const DirectBody<dim> *body;
@@ -73,6 +87,10 @@ namespace RollingContact
 
     /** Set where the modes are those of the section, see harmonic_modes(). */
     std::optional<HarmonicAccuracy> harmonics;
+
+    /** Set where the body is a rail without ends. In contact its modes are
+     * those that stand for waves, alone it has none. */
+    std::unique_ptr<RailWaves> waves;
 
     std::vector<ModeCharacter> characters;
 
@@ -93,6 +111,13 @@ namespace RollingContact
 
     void find_modes_of_section(const ModeControls &controls);
 
+    void find_waves(const ModesParameters &wanted,
+                    const double           cut_off,
+                    RunContext            &context);
+
+    /** Let modes stand for the waves of a rail in contact. */
+    void take_modes_of_waves(RunContext &context);
+
     void report_modes(const ModesParameters &wanted, RunContext &context) const;
 
     /** What the modes were found in. */
@@ -107,6 +132,7 @@ namespace RollingContact
     void warn_of_pairs(const std::optional<double> &speed,
                        RunContext                  &context) const;
 
+    mutable DenseMatrix              shapes_of_waves; ///< once asked for
     std::unique_ptr<DirectBody<dim>> own_body;
     std::unique_ptr<Factorisation>   own_factor;
   };

@@ -1,0 +1,362 @@
+#include <rolling_contact/algebra/factorisation.h>
+#include <rolling_contact/algebra/lapack.h>
+#include <rolling_contact/base/constants.h>
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/modes/structural_modes.h>
+#include <rolling_contact/modes/waveguide.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace RollingContact
+{
+  namespace
+  {
+    using Complex = std::complex<double>;
+
+    /// wave numbers of the fields, over that of shear waves of the highest
+    /// frequency
+    const std::array<double, 6> shares_of_shear{
+      {0., 0.125, 0.25, 0.5, 1., 2.}};
+
+    /// of the largest, below which what fields add to others is left out
+    const double least_amplitude = 1e-3;
+
+    /// of the real part, above which the imaginary one tells a wave's way
+    const double clearly_fading = 0.3;
+
+    /// of a shear wave, the longest edge of a quadrilateral
+    const double edges_in_wave = 0.25;
+
+    /// of exp(-x), where nothing is left of a wave
+    const double faded = 14.;
+
+    /** How many waves, those that fade least first, get as far as this. */
+    Eigen::Index n_reaching(const ComplexVector &wavenumbers,
+                            const double         distance)
+    {
+      Eigen::Index n = wavenumbers.size();
+      while (n > 0 && -wavenumbers[n - 1].imag() * distance > faded)
+        --n;
+      return n;
+    }
+
+    ComplexVector fading(const ComplexVector &wavenumbers, const double distance)
+    {
+      return (Complex(0., -distance) *
+              wavenumbers.head(n_reaching(wavenumbers, distance)).array())
+        .exp();
+    }
+
+    SectionMesh divided_for(const StraightBody &body, const double highest)
+    {
+      const double wave =
+        std::sqrt(body.material.shear_modulus() / body.material.density) /
+        highest;
+      return body.shape.section.divided(edges_in_wave * wave);
+    }
+
+    SymmetricSparseMatrix sum_of(const double                 a,
+                                 const SymmetricSparseMatrix &A,
+                                 const double                 b,
+                                 const SymmetricSparseMatrix &B)
+    {
+      SymmetricSparseMatrix result = A;
+      as_vector(result.values) = a * as_vector(A.values) + b * as_vector(B.values);
+      return result;
+    }
+  } // namespace
+
+  struct Waveguide::Section
+  {
+    /** @p unit: a wave number, 1/m, with which K is taken apart. */
+    Section(const HarmonicSection       &section,
+            const std::array<double, 3> &stiffness,
+            const double                 unit)
+    {
+      std::tie(K_0, M)  = section.matrices(0.);
+      const auto ahead  = section.matrices(unit).first,
+                 behind = section.matrices(-unit).first;
+      K_1               = sum_of(0.5 / unit, ahead, -0.5 / unit, behind);
+      K_2 = sum_of(0.5 / (unit * unit), ahead, 0.5 / (unit * unit), behind);
+      K_2 = sum_of(1., K_2, -1 / (unit * unit), K_0);
+      K_s = section.springs(stiffness);
+    }
+
+    SymmetricSparseMatrix at(const double k) const
+    {
+      return sum_of(
+        1., sum_of(1., sum_of(1., K_0, 1., K_s), k, K_1), k * k, K_2);
+    }
+
+    SymmetricSparseMatrix K_0, K_1, K_2, K_s, M;
+  };
+
+  Waveguide::Waveguide(const StraightBody          &body,
+                       const double                 highest,
+                       const std::vector<Place>    &loaded,
+                       const std::function<void()> &interrupt,
+                       const unsigned int           degree)
+    : placement(body.shape.placement)
+    , section(divided_for(body, highest),
+              body.material,
+              false,
+              degree,
+              HarmonicSection::Axis::straight)
+    , damping(body.damping)
+    , loss_of_springs(body.foundation.loss_factor)
+  {
+    const double shear =
+      2 * pi * highest *
+      std::sqrt(body.material.density / body.material.shear_modulus());
+    const auto &across = body.foundation.stiffness;
+    const Section whole(section, {{across[1], across[2], across[0]}}, shear);
+
+    std::vector<DenseMatrix> found;
+    ModeControls             controls;
+    controls.cut_off   = highest;
+    controls.count     = true;
+    controls.interrupt = interrupt;
+    const double shift = shift_of_free_body(highest);
+    DenseMatrix  loads =
+      DenseMatrix::Zero(section.nodes_of_unknowns().size(), 3 * loaded.size());
+    for (std::size_t p = 0; p < loaded.size(); ++p)
+      {
+        const auto point = placement.to_section(loaded[p]);
+        const auto parts = section.at(point[0], point[1]);
+        for (std::size_t j = 0; j < parts.weights.size(); ++j)
+          for (unsigned int a = 0; a < 3; ++a)
+            loads(parts.unknowns[j][a], 3 * p + a) += parts.weights[j];
+      }
+    for (const double share : shares_of_shear)
+      {
+        interrupt();
+        const SymmetricSparseMatrix K = whole.at(share * shear);
+        Factorisation factor(linear_combination(1., K, shift, whole.M),
+                             section.nodes_of_unknowns());
+        factor.factorise();
+        found.push_back(structural_modes(K,
+                                         whole.M,
+                                         factor,
+                                         shift,
+                                         section.nodes_of_unknowns(),
+                                         controls)
+                          .shapes);
+        DenseMatrix at_rest = loads;
+        factor.solve(at_rest);
+        found.push_back(std::move(at_rest));
+      }
+    reduce(whole, found);
+  }
+
+  void Waveguide::reduce(const Section                  &whole,
+                         const std::vector<DenseMatrix> &found)
+  {
+    Eigen::Index n_found = 0;
+    for (const DenseMatrix &some : found)
+      n_found += some.cols();
+    const Eigen::Index n = whole.M.size();
+    DenseMatrix        along(n, n_found), across(n, n_found);
+    Eigen::Index       next = 0;
+    for (const DenseMatrix &some : found)
+      {
+        along.middleCols(next, some.cols())  = some;
+        across.middleCols(next, some.cols()) = some;
+        next += some.cols();
+      }
+    for (Eigen::Index i = 0; i < n; ++i)
+      (i % 3 == 2 ? across : along).row(i).setZero();
+    const SymmetricSparseMatrix energy = whole.at(0.);
+    const auto independent = [&](DenseMatrix X) {
+      for (Eigen::Index j = 0; j < X.cols(); ++j)
+        {
+          const double size = std::sqrt(
+            X.col(j).dot(times(energy, DenseMatrix(X.col(j))).col(0)));
+          X.col(j) *= size > 0. ? 1 / size : 0.;
+        }
+      DenseMatrix               gram   = projected(energy, X);
+      const std::vector<double> values = symmetric_eigenpairs(gram);
+      const Eigen::Index        kept =
+        values.end() -
+        std::lower_bound(values.begin(),
+                         values.end(),
+                         least_amplitude * least_amplitude * values.back());
+      DenseMatrix result = X * gram.rightCols(kept);
+      for (Eigen::Index j = 0; j < kept; ++j)
+        result.col(j) /= std::sqrt(values[values.size() - kept + j]);
+      return result;
+    };
+    const DenseMatrix t = independent(std::move(along)),
+                      y = independent(std::move(across));
+    fields.resize(n, t.cols() + y.cols());
+    fields << t, y;
+    sizes = {std::size_t(n), std::size_t(t.cols()), std::size_t(y.cols())};
+    across_alone = DenseMatrix::Zero(n, fields.cols());
+    for (Eigen::Index i = 0; i < n; i += 3)
+      across_alone.row(i) = fields.row(i);
+    across_alone = projected(whole.M, across_alone);
+    matrices     = {projected(whole.K_0, fields),
+                projected(whole.K_1, fields),
+                projected(whole.K_2, fields),
+                projected(whole.K_s, fields),
+                projected(whole.M, fields)};
+    DenseMatrix leading = matrices.K_2;
+    leading.bottomLeftCorner(sizes.n_across, sizes.n_along) =
+      matrices.K_1.bottomLeftCorner(sizes.n_across, sizes.n_along);
+    solved = DenseMatrix::Identity(leading.rows(), leading.rows());
+    if (!solve_general(leading, solved))
+      throw ConvergenceError("The fields of a section that waves are made of "
+                             "depend on each other.");
+  }
+
+  bool Waveguide::leaves(const Wave &wave, const Complex s) const
+  {
+    const Complex k = wave.wavenumber;
+    if (std::abs(k.imag()) > clearly_fading * std::abs(k.real()))
+      return k.imag() < 0.;
+    // where a vibration grows, what leaves fades: i dk / ds
+    const Complex inertia =
+      (2. * s + damping.mass_damping) *
+      Complex((wave.received.transpose() * (matrices.M * wave.amplitudes))(0));
+    return inertia.real() > 0.;
+  }
+
+  std::vector<Waveguide::Wave>
+  Waveguide::waves(const Complex s, const double added_damping) const
+  {
+    const Complex turned =
+      s.imag() == 0. ? Complex(0.) : s / std::abs(s.imag());
+    const Complex more    = 1. + turned * 2. * added_damping +
+                         s * damping.stiffness_damping,
+                  kappa   = more + turned * damping.loss_factor,
+                  springs = more + turned * loss_of_springs,
+                  inertia = s * s + s * damping.mass_damping;
+    const Eigen::Index n_t = sizes.n_along, n_y = sizes.n_across;
+    ComplexMatrix      A = kappa * matrices.K_0 + springs * matrices.K_s +
+                      inertia * matrices.M;
+    A.topRightCorner(n_t, n_y) = kappa * matrices.K_1.topRightCorner(n_t, n_y);
+    A.bottomLeftCorner(n_y, n_t).setZero();
+    const Eigenpairs pairs = eigenpairs(ComplexMatrix(-solved * A / kappa));
+    // by the inverse of the vectors, as those of waves that are alike mix
+    ComplexMatrix   received = solved.cast<Complex>();
+    const ComplexLU vectors(pairs.vectors);
+    if (vectors.singular())
+      throw ConvergenceError("Two waves of a section are one at this "
+                             "frequency; take another.");
+    vectors.solve(received);
+    std::vector<Wave> result;
+    for (std::size_t j = 0; j < pairs.values.size(); ++j)
+      {
+        const Complex k = std::sqrt(pairs.values[j]);
+        Wave          wave{k,
+                  pairs.vectors.col(j),
+                  received.row(j).transpose() /
+                    (Complex(0., 2.) * kappa * k)};
+        wave.amplitudes.head(n_t) *= k;
+        wave.received.head(n_t) /= k;
+        if (!leaves(wave, s))
+          {
+            wave.wavenumber = -k;
+            wave.amplitudes.head(n_t) *= -1.;
+            wave.received.tail(n_y) *= -1.;
+          }
+        result.push_back(std::move(wave));
+      }
+    std::sort(result.begin(), result.end(), [](const Wave &a, const Wave &b) {
+      return a.wavenumber.imag() > b.wavenumber.imag();
+    });
+    return result;
+  }
+
+  std::array<double, 3> Waveguide::shares(const Wave &wave) const
+  {
+    const auto energy = [&](const DenseMatrix &M) {
+      return std::real(
+        Complex((wave.amplitudes.adjoint() * (M * wave.amplitudes))(0)));
+    };
+    DenseMatrix along = matrices.M;
+    along.bottomRightCorner(sizes.n_across, sizes.n_across).setZero();
+    const double all = energy(matrices.M), x = energy(along) / all,
+                 y = energy(across_alone) / all;
+    return {{x, y, 1. - x - y}};
+  }
+
+  const ComplexMatrix &Waveguide::motion_at(const Place &place) const
+  {
+    const auto point           = placement.to_section(place);
+    const auto [known, is_new] = known_motions.try_emplace(point);
+    if (!is_new)
+      return known->second;
+    const auto  parts   = section.at(point[0], point[1]);
+    DenseMatrix motions = DenseMatrix::Zero(3, fields.cols());
+    for (std::size_t j = 0; j < parts.weights.size(); ++j)
+      for (unsigned int a = 0; a < 3; ++a)
+        motions.row(a) += parts.weights[j] * fields.row(parts.unknowns[j][a]);
+    ComplexMatrix turned = motions.cast<Complex>();
+    turned.row(2) *= Complex(0., 1.);
+    DenseMatrix directions(3, 3);
+    const auto  rows = placement.directions();
+    for (unsigned int c = 0; c < 3; ++c)
+      for (unsigned int a = 0; a < 3; ++a)
+        directions(c, a) = rows[c][a];
+    return known->second = directions * turned;
+  }
+
+  ComplexMatrix
+  Waveguide::receptances(const Complex             s,
+                         const std::vector<Place> &places,
+                         const double              added_damping) const
+  {
+    const std::vector<Wave> leaving = waves(s, added_damping);
+    ComplexMatrix           alpha(3 * places.size(), 3 * places.size());
+    for (std::size_t q = 0; q < places.size(); ++q)
+      alpha.middleCols(3 * q, 3) =
+        field(leaving, places, places[q], ComplexMatrix::Identity(3, 3));
+    return alpha;
+  }
+
+  ComplexMatrix Waveguide::field(const std::vector<Wave>  &leaving,
+                                 const std::vector<Place> &places,
+                                 const Place              &loaded,
+                                 const ComplexMatrix      &forces) const
+  {
+    const Eigen::Index n = leaving.size(), n_t = sizes.n_along;
+    ComplexMatrix      u(fields.cols(), n), v(fields.cols(), n);
+    ComplexVector      wavenumbers(n);
+    for (Eigen::Index j = 0; j < n; ++j)
+      {
+        u.col(j)       = leaving[j].amplitudes;
+        v.col(j)       = leaving[j].received;
+        wavenumbers[j] = leaving[j].wavenumber;
+      }
+    ComplexMatrix alpha(3 * places.size(), forces.cols());
+    for (const bool ahead : {true, false})
+      {
+        const ComplexMatrix given =
+          v.transpose() * (motion_at(loaded).adjoint() * forces);
+        // what a place of the section and a distance say of it, each once
+        std::map<const ComplexMatrix *, ComplexMatrix> moved;
+        std::map<double, ComplexMatrix>                arriving;
+        for (std::size_t p = 0; p < places.size(); ++p)
+          {
+            const double x = places[p][0] - loaded[0];
+            if ((x >= 0.) != ahead)
+              continue;
+            const auto [known, is_new] = arriving.try_emplace(x);
+            if (is_new)
+              known->second = fading(wavenumbers, std::abs(x)).asDiagonal() *
+                              given.topRows(n_reaching(wavenumbers, std::abs(x)));
+            const ComplexMatrix &motion = motion_at(places[p]);
+            const auto [at, is_new_place] = moved.try_emplace(&motion);
+            if (is_new_place)
+              at->second = motion * u;
+            alpha.middleRows(3 * p, 3) =
+              at->second.leftCols(known->second.rows()).lazyProduct(
+                known->second);
+          }
+        u.topRows(n_t) *= -1.; // behind u_t and v_t turn their signs
+        v.topRows(n_t) *= -1.;
+      }
+    return alpha;
+  }
+} // namespace RollingContact
