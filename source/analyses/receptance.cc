@@ -19,10 +19,7 @@ namespace RollingContact
   {
     using Complex = std::complex<double>;
 
-    const char receptances_file[] = "receptances.csv", waves_file[] = "waves.csv";
-
-    /// 20 log10 e, and beyond which waves are not told: dB/m
-    const double decibels_of_fading = 8.685889638, strongest_decay = 100.;
+    const char receptances_file[] = "receptances.csv";
 
     /// of the half-width of a resonance: frequencies added around it
     const std::array<double, 7> around{{-10., -3., -1., 0., 1., 3., 10.}};
@@ -56,25 +53,6 @@ namespace RollingContact
       frequencies.erase(std::unique(frequencies.begin(), frequencies.end()),
                         frequencies.end());
       return frequencies;
-    }
-
-    /** The middle of forces along an axis, at the nodes of a body. */
-    std::array<double, 3> middle_of(const BodyPlaces      &places,
-                                    const unsigned int     axis,
-                                    const Eigen::VectorXd &forces)
-    {
-      std::array<double, 3> middle{{0., 0., 0.}};
-      double                sum = 0.;
-      for (const BodyPlaces::Node &node : places.nodes)
-        if (const int unknown = node.unknowns[axis]; unknown >= 0)
-          {
-            sum += forces[unknown];
-            for (unsigned int c = 0; c < 3; ++c)
-              middle[c] += forces[unknown] * node.point[c];
-          }
-      for (double &coordinate : middle)
-        coordinate /= sum;
-      return middle;
     }
 
     std::vector<double> column(const NamedRows   &table,
@@ -215,12 +193,11 @@ namespace RollingContact
   }
 
   template <int dim>
-  void Receptance<dim>::note_peak(
-    const VibratingBody<dim>         &body,
-    const std::string                &found_by,
-    const std::vector<Station>       &stations,
-    const std::vector<double>        &frequencies,
-    const std::vector<ComplexMatrix> &alpha) const
+  void Receptance<dim>::note_peak(const VibratingBody<dim>         &body,
+                                  const std::string                &found_by,
+                                  const std::vector<Station>       &stations,
+                                  const std::vector<double>        &frequencies,
+                                  const std::vector<ComplexMatrix> &alpha) const
   {
     std::size_t peak = 0;
     for (std::size_t k = 0; k < alpha.size(); ++k)
@@ -228,98 +205,9 @@ namespace RollingContact
         peak = k;
     context.report.set_finding(
       name_of(body.side),
-      found_by + "; " + stations[0].place + " " +
-        axis_names[stations[0].axis] + ": " +
-        significant(std::abs(alpha[peak](0, 0)), 4) + " m/N at " +
+      found_by + "; " + stations[0].place + " " + axis_names[stations[0].axis] +
+        ": " + significant(std::abs(alpha[peak](0, 0)), 4) + " m/N at " +
         significant(frequencies[peak], 5) + " Hz, the largest");
-  }
-
-  template <int dim>
-  void Receptance<dim>::sweep_waves(const VibratingBody<dim> &body,
-                                    ResultsTable             &table)
-  {
-    std::vector<Station> stations;
-    DenseMatrix          y = columns_of(loads(body, stations), body.K.size());
-    std::vector<ComplexMatrix> alpha;
-    const auto                 frequencies = section.frequencies();
-    if constexpr (dim == 3)
-      {
-        PhaseTimer::Scope             phase(context.timer, Phase::response);
-        const DenseMatrix             forces = y;
-        std::vector<RailWaves::Place> places;
-        for (std::size_t i = 0; i < stations.size(); i += section.axes().size())
-          places.push_back(
-            middle_of(body.places, stations[i].axis, forces.col(i)));
-        DenseMatrix  chosen = DenseMatrix::Zero(stations.size(), 3 * places.size());
-        const auto   n_axes = section.axes().size();
-        for (std::size_t i = 0; i < stations.size(); ++i)
-          chosen(i, 3 * (i / n_axes) + stations[i].axis) = stations[i].sign;
-        body.factor->solve(y);
-        const DenseMatrix at_rest =
-          forces.transpose() * y +
-          chosen * body.waves->beyond_mesh(*body.body, *body.factor, places) *
-            chosen.transpose();
-        for (const double frequency : frequencies)
-          {
-            throw_if_interrupted();
-            const Complex s(0., 2 * pi * frequency);
-            alpha.push_back(
-              at_rest / body.waves->stiffening(s) +
-              chosen * body.waves->change(s, places) * chosen.transpose());
-            add_rows(body.side, stations, frequency, alpha.back(), table);
-          }
-        write_waves(*body.waves);
-      }
-    note_peak(body,
-              "waves in its section, without ends",
-              stations,
-              frequencies,
-              alpha);
-    context.report.errors.push_back(
-      {"receptance of the " + name_of(body.side),
-       body.waves->lower_degree_error(throw_if_interrupted),
-       "the largest at that frequency",
-       "a coarser section, but for what the mesh leaves out at rest",
-       true,
-       ""});
-    if (scene.inputs->output.plot)
-      plot(body.side, stations, frequencies, alpha);
-  }
-
-  template <int dim>
-  void Receptance<dim>::write_waves(const RailWaves &waves) const
-  {
-    ResultsTable        table(context.folder, waves_file);
-    std::vector<double> at, decays;
-    for (const double frequency : section.frequencies())
-      {
-        unsigned int number = 0;
-        for (const Waveguide::Wave &wave :
-             waves.waveguide().waves(Complex(0., 2 * pi * frequency)))
-          {
-            const double decay = -wave.wavenumber.imag() * decibels_of_fading;
-            if (decay > strongest_decay)
-              break;
-            const auto shares = waves.waveguide().shares(wave);
-            table.set("frequency_Hz", frequency);
-            table.set("wave", ++number);
-            table.set("wavenumber_1/m", wave.wavenumber.real());
-            table.set("decay_dB/m", decay);
-            table.set("share_along", shares[0]);
-            table.set("share_across", shares[1]);
-            table.set("share_vertical", shares[2]);
-            table.end_row();
-            at.push_back(frequency);
-            decays.push_back(decay);
-          }
-      }
-    table.flush();
-    if (!scene.inputs->output.plot || at.empty())
-      return;
-    Figure figure("Waves in the rail", "frequency (Hz)", "decay (dB/m)");
-    figure.set_scales(AxisScale::logarithmic, AxisScale::logarithmic);
-    figure.add_curve("waves", at, decays, CurveStyle::points);
-    figure.draw(context, "waves");
   }
 
   template <int dim>

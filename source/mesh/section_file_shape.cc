@@ -316,8 +316,8 @@ namespace RollingContact
     const unsigned int n =
       std::max(parameters.cells_along, fewest_parts(length, along));
     CoarseCells cells;
-    cells.equal = true;
-    cells.size  = length / n;
+    cells.equal                   = true;
+    cells.size                    = length / n;
     SectionPlacement    placement = this->placement();
     std::vector<double> ends;
     if (is_revolved())

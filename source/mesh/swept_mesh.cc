@@ -26,8 +26,8 @@ namespace RollingContact
   {
     const double c = std::cos(turn), s = std::sin(turn),
                  y = is_left ? -place[1] : place[1];
-    return {{contact[0] + c * y + s * place[2],
-             contact[1] - s * y + c * place[2]}};
+    return {
+      {contact[0] + c * y + s * place[2], contact[1] - s * y + c * place[2]}};
   }
 
   std::array<std::array<double, 3>, 3> SectionPlacement::directions() const

@@ -151,9 +151,9 @@ namespace RollingContact
           {
             const double curvature =
                            is_straight ? 0. : 1 / values.quadrature_point(q)[1],
-                         k = is_straight ? waves : waves * curvature,
-                         weight =
-                           values.JxW(q) * (is_straight ? 1. : round / curvature);
+                         k      = is_straight ? waves : waves * curvature,
+                         weight = values.JxW(q) *
+                                  (is_straight ? 1. : round / curvature);
             for (unsigned int i = 0; i < n_nodes; ++i)
               {
                 const auto gradient = values.shape_grad(i, q);
@@ -230,8 +230,8 @@ namespace RollingContact
                       for (const auto &[node_j, weight_j] :
                            elements->parts_of(nodes[j]))
                         for (unsigned int a = 0; a < 3; ++a)
-                          if (const int row    = unknowns[node_i][a],
-                              column           = unknowns[node_j][a];
+                          if (const int row = unknowns[node_i][a],
+                              column        = unknowns[node_j][a];
                               column >= 0 && row >= column)
                             add(result,
                                 row,
@@ -247,15 +247,17 @@ namespace RollingContact
     return result;
   }
 
-  std::array<double, 2> HarmonicSection::width() const
+  std::vector<std::array<double, 2>> HarmonicSection::places() const
   {
-    std::array<double, 2> ends{{std::numeric_limits<double>::max(),
-                                std::numeric_limits<double>::lowest()}};
-    for (const auto &cell : elements->dofs.active_cell_iterators())
-      for (const unsigned int v : cell->vertex_indices())
-        ends = {{std::min(ends[0], cell->vertex(v)[0]),
-                 std::max(ends[1], cell->vertex(v)[0])}};
-    return ends;
+    std::vector<Point<2>> points(elements->dofs.n_dofs());
+    DoFTools::map_dofs_to_support_points(elements->mapping,
+                                         elements->dofs,
+                                         points);
+    std::vector<std::array<double, 2>> result;
+    for (std::size_t node = 0; node < points.size(); ++node)
+      if (unknowns[node][0] >= 0)
+        result.push_back({{points[node][0], points[node][1]}});
+    return result;
   }
 
   HarmonicSection::Interpolation HarmonicSection::at(const double along,

@@ -136,12 +136,14 @@ namespace RollingContact
     dofs.distribute_dofs(element);
     DoFTools::make_hanging_node_constraints(dofs, constraints);
     if (clamped)
-      DoFTools::make_zero_boundary_constraints(dofs, hub_of_section, constraints);
+      DoFTools::make_zero_boundary_constraints(dofs,
+                                               hub_of_section,
+                                               constraints);
     constraints.close();
   }
 
-  bool SectionElements::is_of_hub(
-    const DoFHandler<2>::active_face_iterator &edge)
+  bool
+  SectionElements::is_of_hub(const DoFHandler<2>::active_face_iterator &edge)
   {
     return edge->at_boundary() && edge->boundary_id() == hub_of_section;
   }

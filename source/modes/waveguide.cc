@@ -4,6 +4,7 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/modes/structural_modes.h>
 #include <rolling_contact/modes/waveguide.h>
+#include <rolling_contact/modes/waveguide_response.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,37 +17,22 @@ namespace RollingContact
 
     /// wave numbers of the fields, over that of shear waves of the highest
     /// frequency
-    const std::array<double, 6> shares_of_shear{
-      {0., 0.125, 0.25, 0.5, 1., 2.}};
+    const std::array<double, 6> shares_of_shear{{0., 0.125, 0.25, 0.5, 1., 2.}};
 
     /// of the largest, below which what fields add to others is left out
     const double least_amplitude = 1e-3;
+
+    /// motions of a section that stays as it is
+    const Eigen::Index n_rigid = 6;
+
+    /// of the stiffest, below which springs of a pad are left out
+    const double least_spring = 1e-3;
 
     /// of the real part, above which the imaginary one tells a wave's way
     const double clearly_fading = 0.3;
 
     /// of a shear wave, the longest edge of a quadrilateral
     const double edges_in_wave = 0.25;
-
-    /// of exp(-x), where nothing is left of a wave
-    const double faded = 14.;
-
-    /** How many waves, those that fade least first, get as far as this. */
-    Eigen::Index n_reaching(const ComplexVector &wavenumbers,
-                            const double         distance)
-    {
-      Eigen::Index n = wavenumbers.size();
-      while (n > 0 && -wavenumbers[n - 1].imag() * distance > faded)
-        --n;
-      return n;
-    }
-
-    ComplexVector fading(const ComplexVector &wavenumbers, const double distance)
-    {
-      return (Complex(0., -distance) *
-              wavenumbers.head(n_reaching(wavenumbers, distance)).array())
-        .exp();
-    }
 
     SectionMesh divided_for(const StraightBody &body, const double highest)
     {
@@ -62,7 +48,8 @@ namespace RollingContact
                                  const SymmetricSparseMatrix &B)
     {
       SymmetricSparseMatrix result = A;
-      as_vector(result.values) = a * as_vector(A.values) + b * as_vector(B.values);
+      as_vector(result.values) =
+        a * as_vector(A.values) + b * as_vector(B.values);
       return result;
     }
   } // namespace
@@ -85,8 +72,10 @@ namespace RollingContact
 
     SymmetricSparseMatrix at(const double k) const
     {
-      return sum_of(
-        1., sum_of(1., sum_of(1., K_0, 1., K_s), k, K_1), k * k, K_2);
+      return sum_of(1.,
+                    sum_of(1., sum_of(1., K_0, 1., K_s), k, K_1),
+                    k * k,
+                    K_2);
     }
 
     SymmetricSparseMatrix K_0, K_1, K_2, K_s, M;
@@ -103,13 +92,13 @@ namespace RollingContact
               false,
               degree,
               HarmonicSection::Axis::straight)
-    , damping(body.damping)
-    , loss_of_springs(body.foundation.loss_factor)
+    , own_damping(body.damping)
+    , foundation(body.foundation)
   {
     const double shear =
       2 * pi * highest *
       std::sqrt(body.material.density / body.material.shear_modulus());
-    const auto &across = body.foundation.stiffness;
+    const auto   &across = body.foundation.stiffness;
     const Section whole(section, {{across[1], across[2], across[0]}}, shear);
 
     std::vector<DenseMatrix> found;
@@ -128,6 +117,7 @@ namespace RollingContact
           for (unsigned int a = 0; a < 3; ++a)
             loads(parts.unknowns[j][a], 3 * p + a) += parts.weights[j];
       }
+    found.push_back(rigid_motions());
     for (const double share : shares_of_shear)
       {
         interrupt();
@@ -135,14 +125,12 @@ namespace RollingContact
         Factorisation factor(linear_combination(1., K, shift, whole.M),
                              section.nodes_of_unknowns());
         factor.factorise();
-        found.push_back(structural_modes(K,
-                                         whole.M,
-                                         factor,
-                                         shift,
-                                         section.nodes_of_unknowns(),
-                                         controls)
-                          .shapes);
-        DenseMatrix at_rest = loads;
+        found.push_back(
+          structural_modes(
+            K, whole.M, factor, shift, section.nodes_of_unknowns(), controls)
+            .shapes);
+        DenseMatrix at_rest(loads.rows(), loads.cols() + n_rigid);
+        at_rest << loads, times(whole.K_s, found.front());
         factor.solve(at_rest);
         found.push_back(std::move(at_rest));
       }
@@ -166,15 +154,15 @@ namespace RollingContact
       }
     for (Eigen::Index i = 0; i < n; ++i)
       (i % 3 == 2 ? across : along).row(i).setZero();
-    const SymmetricSparseMatrix energy = whole.at(0.);
-    const auto independent = [&](DenseMatrix X) {
+    const SymmetricSparseMatrix energy      = whole.at(0.);
+    const auto                  independent = [&](DenseMatrix X) {
       for (Eigen::Index j = 0; j < X.cols(); ++j)
         {
           const double size = std::sqrt(
             X.col(j).dot(times(energy, DenseMatrix(X.col(j))).col(0)));
           X.col(j) *= size > 0. ? 1 / size : 0.;
         }
-      DenseMatrix               gram   = projected(energy, X);
+      DenseMatrix               gram = projected(energy, X);
       const std::vector<double> values = symmetric_eigenpairs(gram);
       const Eigen::Index        kept =
         values.end() -
@@ -196,10 +184,12 @@ namespace RollingContact
       across_alone.row(i) = fields.row(i);
     across_alone = projected(whole.M, across_alone);
     matrices     = {projected(whole.K_0, fields),
-                projected(whole.K_1, fields),
-                projected(whole.K_2, fields),
-                projected(whole.K_s, fields),
-                projected(whole.M, fields)};
+                    projected(whole.K_1, fields),
+                    projected(whole.K_2, fields),
+                    projected(whole.K_s, fields),
+                    projected(whole.M, fields)};
+    if (has_pads())
+      find_pads(whole);
     DenseMatrix leading = matrices.K_2;
     leading.bottomLeftCorner(sizes.n_across, sizes.n_along) =
       matrices.K_1.bottomLeftCorner(sizes.n_across, sizes.n_along);
@@ -209,6 +199,47 @@ namespace RollingContact
                              "depend on each other.");
   }
 
+  DenseMatrix Waveguide::rigid_motions() const
+  {
+    const auto &nodes  = section.nodes_of_unknowns();
+    const auto  at     = section.places();
+    DenseMatrix result = DenseMatrix::Zero(nodes.size(), n_rigid);
+    for (std::size_t i = 0; i < nodes.size(); i += 3)
+      {
+        const auto [y, z] = at[nodes[i]];
+        result(i, 0) = result(i + 1, 1) = result(i + 2, 2) = 1.;
+        result(i, 3)                                       = -z; // about x
+        result(i + 1, 3)                                   = y;
+        result(i + 2, 4) = z; // the section turns about y and z
+        result(i + 2, 5) = y;
+      }
+    return result;
+  }
+
+  void Waveguide::find_pads(const Section &whole)
+  {
+    DenseMatrix               shapes = matrices.K_s;
+    const std::vector<double> values = symmetric_eigenpairs(shapes);
+    const Eigen::Index        n =
+      values.end() - std::lower_bound(values.begin(),
+                                      values.end(),
+                                      least_spring * values.back());
+    pad_springs.foundation = foundation;
+    pad_springs.stiffness  = as_vector(values).tail(n);
+    pad_springs.shapes     = shapes.rightCols(n).transpose();
+    pad_springs.translations =
+      pad_springs.stiffness.cwiseInverse().asDiagonal() * pad_springs.shapes *
+      fields.transpose() *
+      times(whole.K_s, DenseMatrix(rigid_motions().leftCols(3)));
+    pad_springs.ballast = {{foundation.ballast_stiffness[1],
+                            foundation.ballast_stiffness[2],
+                            foundation.ballast_stiffness[0]}};
+    for (const double way : {-1., 1.}) // the points of Gauss
+      pad_springs.lines.push_back(foundation.pad_offset +
+                                  way * foundation.pad_length /
+                                    (2 * std::sqrt(3.)));
+  }
+
   bool Waveguide::leaves(const Wave &wave, const Complex s) const
   {
     const Complex k = wave.wavenumber;
@@ -216,7 +247,7 @@ namespace RollingContact
       return k.imag() < 0.;
     // where a vibration grows, what leaves fades: i dk / ds
     const Complex inertia =
-      (2. * s + damping.mass_damping) *
+      (2. * s + own_damping.mass_damping) *
       Complex((wave.received.transpose() * (matrices.M * wave.amplitudes))(0));
     return inertia.real() > 0.;
   }
@@ -226,14 +257,15 @@ namespace RollingContact
   {
     const Complex turned =
       s.imag() == 0. ? Complex(0.) : s / std::abs(s.imag());
-    const Complex more    = 1. + turned * 2. * added_damping +
-                         s * damping.stiffness_damping,
-                  kappa   = more + turned * damping.loss_factor,
-                  springs = more + turned * loss_of_springs,
-                  inertia = s * s + s * damping.mass_damping;
+    const Complex more = 1. + turned * 2. * added_damping +
+                         s * own_damping.stiffness_damping,
+                  kappa    = more + turned * own_damping.loss_factor,
+                  springs  = more + turned * foundation.loss_factor,
+                  inertia  = s * s + s * own_damping.mass_damping;
     const Eigen::Index n_t = sizes.n_along, n_y = sizes.n_across;
-    ComplexMatrix      A = kappa * matrices.K_0 + springs * matrices.K_s +
-                      inertia * matrices.M;
+    ComplexMatrix      A = kappa * matrices.K_0 + inertia * matrices.M;
+    if (!has_pads())
+      A += springs * matrices.K_s;
     A.topRightCorner(n_t, n_y) = kappa * matrices.K_1.topRightCorner(n_t, n_y);
     A.bottomLeftCorner(n_y, n_t).setZero();
     const Eigenpairs pairs = eigenpairs(ComplexMatrix(-solved * A / kappa));
@@ -250,8 +282,7 @@ namespace RollingContact
         const Complex k = std::sqrt(pairs.values[j]);
         Wave          wave{k,
                   pairs.vectors.col(j),
-                  received.row(j).transpose() /
-                    (Complex(0., 2.) * kappa * k)};
+                  received.row(j).transpose() / (Complex(0., 2.) * kappa * k)};
         wave.amplitudes.head(n_t) *= k;
         wave.received.head(n_t) /= k;
         if (!leaves(wave, s))
@@ -302,61 +333,15 @@ namespace RollingContact
     return known->second = directions * turned;
   }
 
-  ComplexMatrix
-  Waveguide::receptances(const Complex             s,
-                         const std::vector<Place> &places,
-                         const double              added_damping) const
+  ComplexMatrix Waveguide::receptances(const Complex             s,
+                                       const std::vector<Place> &places,
+                                       const double added_damping) const
   {
-    const std::vector<Wave> leaving = waves(s, added_damping);
+    const WaveguideResponse response(*this, s, added_damping);
     ComplexMatrix           alpha(3 * places.size(), 3 * places.size());
     for (std::size_t q = 0; q < places.size(); ++q)
       alpha.middleCols(3 * q, 3) =
-        field(leaving, places, places[q], ComplexMatrix::Identity(3, 3));
-    return alpha;
-  }
-
-  ComplexMatrix Waveguide::field(const std::vector<Wave>  &leaving,
-                                 const std::vector<Place> &places,
-                                 const Place              &loaded,
-                                 const ComplexMatrix      &forces) const
-  {
-    const Eigen::Index n = leaving.size(), n_t = sizes.n_along;
-    ComplexMatrix      u(fields.cols(), n), v(fields.cols(), n);
-    ComplexVector      wavenumbers(n);
-    for (Eigen::Index j = 0; j < n; ++j)
-      {
-        u.col(j)       = leaving[j].amplitudes;
-        v.col(j)       = leaving[j].received;
-        wavenumbers[j] = leaving[j].wavenumber;
-      }
-    ComplexMatrix alpha(3 * places.size(), forces.cols());
-    for (const bool ahead : {true, false})
-      {
-        const ComplexMatrix given =
-          v.transpose() * (motion_at(loaded).adjoint() * forces);
-        // what a place of the section and a distance say of it, each once
-        std::map<const ComplexMatrix *, ComplexMatrix> moved;
-        std::map<double, ComplexMatrix>                arriving;
-        for (std::size_t p = 0; p < places.size(); ++p)
-          {
-            const double x = places[p][0] - loaded[0];
-            if ((x >= 0.) != ahead)
-              continue;
-            const auto [known, is_new] = arriving.try_emplace(x);
-            if (is_new)
-              known->second = fading(wavenumbers, std::abs(x)).asDiagonal() *
-                              given.topRows(n_reaching(wavenumbers, std::abs(x)));
-            const ComplexMatrix &motion = motion_at(places[p]);
-            const auto [at, is_new_place] = moved.try_emplace(&motion);
-            if (is_new_place)
-              at->second = motion * u;
-            alpha.middleRows(3 * p, 3) =
-              at->second.leftCols(known->second.rows()).lazyProduct(
-                known->second);
-          }
-        u.topRows(n_t) *= -1.; // behind u_t and v_t turn their signs
-        v.topRows(n_t) *= -1.;
-      }
+        response.field(places, places[q], ComplexMatrix::Identity(3, 3));
     return alpha;
   }
 } // namespace RollingContact

@@ -191,8 +191,8 @@ namespace RollingContact
           "How a rail vibrates: by the modes of its `mesh`, which ends after "
           "Block length, or as a `waveguide`, by the waves in its section, "
           "without ends; for extruded rails (section, true sections of "
-          "profiles) on a continuous layer (Hub = elastic). The mesh is used "
-          "at rest.";
+          "profiles) on a layer or on pads (Hub = elastic). The mesh is used at "
+          "rest.";
         return;
       }
     entries.choice("Model", modes, named_mode_models)
@@ -230,15 +230,10 @@ namespace RollingContact
   {
     const std::string entry = section + "/Model = waveguide: ";
     if (hub != Hub::elastic)
-      throw InputError(entry + "the rail must lie on springs, and Hub = " +
-                       name_of(hub) +
-                       "; take Hub = elastic with its Foundation stiffness, or "
-                       "Model = mesh.");
-    if (model.foundation.pad_spacing > 0.)
-      throw InputError(entry + "Pad spacing = " +
-                       significant(model.foundation.pad_spacing, 6) +
-                       " m, and waves need a continuous layer; take Pad "
-                       "spacing = 0, or Model = mesh.");
+      throw InputError(
+        entry + "the rail must lie on springs, and Hub = " + name_of(hub) +
+        "; take Hub = elastic with its Foundation stiffness, or "
+        "Model = mesh.");
     if (body_shape != nullptr && body_shape->extruded_section() == nullptr)
       throw InputError(entry +
                        "this body is not extruded from a section; take Shape "

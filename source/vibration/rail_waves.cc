@@ -18,12 +18,12 @@ namespace RollingContact
 
     /// of the frequency below which nothing is looked at, where waves are so
     /// slow that the body is at rest; and where samples begin
-    const double slow = 1e-4, first_sample = 0.2;
+    const double slow = 0.1, first_sample = 0.2;
 
     /// samples in an octave to begin with, the closest, of ln f, and what is
     /// left between two of them, over the receptance
     const unsigned int in_octave = 6;
-    const double       closest   = 6e-4, between = 0.01;
+    const double       closest = 6e-4, between = 0.01;
 
     /// of the highest frequency, up to which modes stand for waves
     const double beyond = 1.2;
@@ -90,7 +90,7 @@ namespace RollingContact
     for (const double y : {-beside_contact, beside_contact})
       places.push_back({{0., y, shape->surface_height(0., y)}});
     waves = waveguide_of(range.cut_off, interrupt, highest_degree);
-    rest = at_contact(at_rest_rate()).real();
+    rest  = at_contact(at_rest_rate()).real();
   }
 
   std::unique_ptr<const Waveguide>
@@ -109,19 +109,18 @@ namespace RollingContact
       degree);
   }
 
-  double RailWaves::lower_degree_error(
-    const std::function<void()> &interrupt) const
+  double
+  RailWaves::lower_degree_error(const std::function<void()> &interrupt) const
   {
-    const auto          coarse         = waveguide_of(fewer_fields * range.cut_off,
-                                     interrupt,
-                                     highest_degree - 1);
-    const Complex       slow   = at_rest_rate();
-    const DenseMatrix   rest_of_coarse = coarse->receptances(slow, places).real(),
-                      rest_of_all      = waves->receptances(slow, places).real();
-    double             largest = 0.;
+    const auto coarse =
+      waveguide_of(fewer_fields * range.cut_off, interrupt, highest_degree - 1);
+    const Complex     slow           = at_rest_rate();
+    const DenseMatrix rest_of_coarse = coarse->receptances(slow, places).real(),
+                      rest_of_all    = waves->receptances(slow, places).real();
+    double largest                   = 0.;
     for (unsigned int i = 0; i < n_compared; ++i)
       {
-        const Complex s(0.,
+        const Complex       s(0.,
                         2 * pi * range.lowest *
                           std::pow(range.highest / range.lowest,
                                    i / (n_compared - 1.)));
@@ -151,8 +150,8 @@ namespace RollingContact
       moved.col(i) = as_vector(
         MeasuringPoint(mesh, at[i / 3], 0.).load(i % 3, mesh.n_unknowns()));
     factor.solve(moved);
-    const auto  leaving    = waves->waves(at_rest_rate());
-    DenseMatrix difference = DenseMatrix::Zero(n, n);
+    const WaveguideResponse response(*waves, at_rest_rate());
+    DenseMatrix             difference = DenseMatrix::Zero(n, n);
     for (unsigned int i = 0; i < extrapolation.size(); ++i)
       for (const double way : {-1., 1.})
         {
@@ -162,7 +161,7 @@ namespace RollingContact
           DenseMatrix here(n, n);
           for (std::size_t q = 0; q < at.size(); ++q)
             here.middleCols(3 * q, 3) =
-              waves->field(leaving, aside, at[q], ComplexMatrix::Identity(3, 3))
+              response.field(aside, at[q], ComplexMatrix::Identity(3, 3))
                 .real();
           for (std::size_t p = 0; p < at.size(); ++p)
             {
@@ -186,8 +185,10 @@ namespace RollingContact
   ComplexMatrix RailWaves::change(const Complex             s,
                                   const std::vector<Place> &at) const
   {
-    return waves->receptances(s, at) -
-           waves->receptances(at_rest_rate(), at).real() / stiffening(s);
+    const auto [known, is_new] = known_rest.try_emplace(at);
+    if (is_new)
+      known->second = waves->receptances(at_rest_rate(), at).real();
+    return waves->receptances(s, at) - known->second / stiffening(s);
   }
 
   ComplexMatrix RailWaves::at_contact(const Complex s,
@@ -207,9 +208,9 @@ namespace RollingContact
         place->second = at_contact(Complex(0., 2 * pi * std::exp(ln_f)));
       return place->second;
     };
-    const double       begin = std::log(first_sample * range.lowest),
-                 length      = std::log(beyond * range.highest) - begin;
-    const unsigned int n     = std::ceil(in_octave * length / std::log(2.));
+    const double begin   = std::log(first_sample * range.lowest),
+                 length  = std::log(beyond * range.highest) - begin;
+    const unsigned int n = std::ceil(in_octave * length / std::log(2.));
     std::vector<std::array<double, 2>> open;
     for (unsigned int i = 0; i < n; ++i)
       open.push_back({{begin + i * length / n, begin + (i + 1) * length / n}});
@@ -271,10 +272,17 @@ namespace RollingContact
   ComplexMatrix RailWaves::field(const Complex             s,
                                  const std::vector<Place> &at) const
   {
-    const auto          leaving = waves->waves(s);
-    const ComplexMatrix forces  = motions_of_points().transpose();
-    return waves->field(leaving, at, places[0], forces.topRows(3)) +
-           waves->field(leaving, at, places[1], forces.bottomRows(3));
+    return field(WaveguideResponse(*waves, s),
+                 at,
+                 motions_of_points().transpose().cast<Complex>());
+  }
+
+  ComplexMatrix RailWaves::field(const WaveguideResponse  &response,
+                                 const std::vector<Place> &at,
+                                 const ComplexMatrix      &forces) const
+  {
+    return response.field(at, places[0], forces.topRows(3)) +
+           response.field(at, places[1], forces.bottomRows(3));
   }
 
   DenseMatrix RailWaves::shapes(const std::vector<Place> &at) const
@@ -286,12 +294,8 @@ namespace RollingContact
         const ComplexLU here(at_contact(s));
         ComplexMatrix   forces = fit.motions.col(j).cast<Complex>();
         here.solve(forces);
-        forces = motions_of_points().transpose() * forces;
-        const auto leaving = waves->waves(s);
-        result.col(j) =
-          (waves->field(leaving, at, places[0], forces.topRows(3)) +
-           waves->field(leaving, at, places[1], forces.bottomRows(3)))
-            .real();
+        forces        = motions_of_points().transpose() * forces;
+        result.col(j) = field(WaveguideResponse(*waves, s), at, forces).real();
       }
     return result;
   }

@@ -65,9 +65,10 @@ namespace RollingContact
     const Eigen::Index        n_first = modes.at_rest.cols();
     const std::vector<double> first(eigenvalues.begin(),
                                     eigenvalues.begin() + n_first);
-    const DenseMatrix         statics = modes.statics(
-      Phi[side],
-      at_contact(side, contacts[side]->of_modes(modes.at_rest, first)));
+    const DenseMatrix         statics =
+      modes.statics(Phi[side],
+                    at_contact(side,
+                               contacts[side]->of_modes(modes.at_rest, first)));
     W_res -= statics * statics.transpose();
     const auto of_first = Phi[side].leftCols(n_first);
     more_at_rest +=
@@ -87,18 +88,17 @@ namespace RollingContact
   template <int dim>
   DenseMatrix RollingModes<dim>::motions_of_waves(const Side side) const
   {
-    const VibratingBody<dim> &body  = *modal.body(side);
-    const auto               &nodes = rolling.interface().nodes[side];
+    const VibratingBody<dim> &body       = *modal.body(side);
+    const auto               &nodes      = rolling.interface().nodes[side];
     const auto               &components = rolling.contact_directions();
-    const auto                shape = body.parameters.body_shape();
+    const auto                shape      = body.parameters.body_shape();
     DenseMatrix result(components.size() * nodes.size(), RailWaves::n_motions);
     if constexpr (dim == 3)
       for (std::size_t i = 0; i < nodes.size(); ++i)
         {
-          const double      x      = nodes[i].position[0],
-                       y           = nodes[i].position[1];
-          const DenseMatrix motion = body.waves->motions_at(
-            {{x, y, shape->surface_height(x, y)}});
+          const double      x = nodes[i].position[0], y = nodes[i].position[1];
+          const DenseMatrix motion =
+            body.waves->motions_at({{x, y, shape->surface_height(x, y)}});
           for (std::size_t c = 0; c < components.size(); ++c)
             result.row(c * nodes.size() + i) = motion.row(components[c]);
         }
@@ -117,8 +117,8 @@ namespace RollingContact
     if (const DenseMatrix known = contacts[side]->beyond_mesh();
         known.size() > 0)
       {
-        DenseMatrix       square = on_body.transpose() * on_body;
-        DenseMatrix       mean   = on_body.transpose();
+        DenseMatrix square = on_body.transpose() * on_body;
+        DenseMatrix mean   = on_body.transpose();
         solve_positive_definite(square, mean);
         beyond[side] -= mean * known * mean.transpose();
       }
@@ -302,15 +302,15 @@ namespace RollingContact
     std::vector<ComplexVector> result;
     for (std::size_t k = 0; k < forces.size(); ++k)
       {
-        const ComplexVector loads = rolling.contact_of(side).load(0., forces[k]);
-        const ComplexVector x     = by_parts(
+        const ComplexVector loads =
+          rolling.contact_of(side).load(0., forces[k]);
+        const ComplexVector x = by_parts(
           [&](const std::vector<double> &part) {
             return body.factor->solve(part);
           },
           loads);
         const ComplexVector forces_of_motions = motions.transpose() * forces[k];
-        const Complex       kappa =
-          body.waves->stiffening(s[k], added_damping);
+        const Complex       kappa = body.waves->stiffening(s[k], added_damping);
         const ComplexVector moved =
           body.waves->change(s[k], added_damping) * forces_of_motions +
           rolling.beyond_mesh(side) * forces_of_motions / kappa;
@@ -370,15 +370,16 @@ namespace RollingContact
     const ComplexValues              &s,
     const std::vector<ComplexVector> &forces) const
   {
-    const VibratingBody<dim>     &body    = *rolling.bodies().body(side);
-    const DenseMatrix             motions = rolling.motions_of_waves(side);
-    const auto                    on_body = forces_on(side, forces);
-    const auto                    points  = body.points();
-    std::vector<ComplexVector>    result;
+    const VibratingBody<dim>  &body    = *rolling.bodies().body(side);
+    const DenseMatrix          motions = rolling.motions_of_waves(side);
+    const auto                 on_body = forces_on(side, forces);
+    const auto                 points  = body.points();
+    std::vector<ComplexVector> result;
     for (std::size_t k = 0; k < forces.size(); ++k)
       {
         const ComplexVector of_motions = motions.transpose() * on_body[k],
-                            moved = body.waves->field(s[k], points) * of_motions;
+                            moved =
+                              body.waves->field(s[k], points) * of_motions;
         result.push_back(ComplexVector::Zero(body.body->n_unknowns()));
         for (std::size_t p = 0; p < points.size(); ++p)
           for (unsigned int c = 0; c < 3; ++c)
@@ -420,9 +421,9 @@ namespace RollingContact
         const VibratingBody<dim> *body = rolling.bodies().body(side);
         if (body == nullptr)
           continue;
-        const auto moved =
-          body->waves ? answer_of_waves(side, s, forces_on(side, forces))
-                      : answer_of_body(side, s, forces);
+        const auto moved = body->waves
+                             ? answer_of_waves(side, s, forces_on(side, forces))
+                             : answer_of_body(side, s, forces);
         for (std::size_t k = 0; k < forces.size(); ++k)
           result[k] += by_parts(
             [&](std::vector<double> part) {

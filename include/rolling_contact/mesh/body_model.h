@@ -22,9 +22,9 @@ namespace RollingContact
   };
 
   /**
-   * How the vibration of a body is found: by the modes of its mesh, of a body of
-   * revolution by those of its section with Fourier series about the axle, or
-   * of a rail without ends by waves in its section.
+   * How the vibration of a body is found: by the modes of its mesh, of a body
+   * of revolution by those of its section with Fourier series about the axle,
+   * or of a rail without ends by waves in its section.
    */
   enum class ModeModel
   {

@@ -73,8 +73,7 @@ namespace RollingContact
      * straight body, in all of these stiffnesses across, outwards and along.
      * Units: N/m^2.
      */
-    SymmetricSparseMatrix
-    springs(const std::array<double, 3> &stiffness) const;
+    SymmetricSparseMatrix springs(const std::array<double, 3> &stiffness) const;
 
     /** The nodes of the unknowns, those of a node one after the other. */
     const std::vector<unsigned int> &nodes_of_unknowns() const
@@ -99,8 +98,8 @@ namespace RollingContact
      */
     Interpolation at(const double along, const double radius) const;
 
-    /** Lower and upper bounds of the coordinate across, m. */
-    std::array<double, 2> width() const;
+    /** Coordinates of the nodes of unknowns, m. */
+    std::vector<std::array<double, 2>> places() const;
 
   private:
     void find_pattern();

@@ -50,8 +50,10 @@ namespace RollingContact
    *
    *   U = -i sum_j exp(-i k_j x) u_j v_j^T f / (v_j^T D'(k_j) u_j),
    *
-   * u_j and v_j = u_j of the waves that leave it. The section is reduced to fields that are those
-   * of its free waves at some k and of forces at rest at the places given.
+   * u_j and v_j = u_j of the waves that leave it, see WaveguideResponse. The
+   * section is reduced to fields that are those of its free waves at some k and
+   * of forces at rest at the places given and under its foot. On pads K_s is
+   * none of D, but theirs.
    *
    * Source: O. C. Zienkiewicz, R. L. Taylor, The Finite Element Method, vol. 2,
    * semi-analytical processes; S. Finnveden, Evaluation of modal density and
@@ -97,19 +99,9 @@ namespace RollingContact
       ComplexVector amplitudes, received;
     };
 
-    /** Those that fade least first. */
+    /** Waves that leave a force, the one that fades least first. */
     std::vector<Wave> waves(const Complex s,
                             const double  added_damping = 0.) const;
-
-    /**
-     * Displacements along x, y and z of places, one after the other, that
-     * @p forces along x, y and z at another make by their waves, column by
-     * column. Units: N, m.
-     */
-    ComplexMatrix field(const std::vector<Wave>  &leaving,
-                        const std::vector<Place> &places,
-                        const Place              &loaded,
-                        const ComplexMatrix      &forces) const;
 
     /** Shares of the kinetic energy of a wave, along the body, across and
      * outwards of its section. */
@@ -119,6 +111,40 @@ namespace RollingContact
     {
       return sizes;
     }
+
+    const BodyDamping &damping() const
+    {
+      return own_damping;
+    }
+
+    /**
+     * Pads: springs of a metre of foot, as many as have a motion of the foot of
+     * their own, by the fields of the section, and which motions of the foot
+     * are its translations across, outwards and along, in whose order the
+     * stiffness of the ballast is. They act on two lines across the foot of
+     * each pad, x of the one at Pad offset. Units: N/m^2, m.
+     */
+    struct Pads
+    {
+      Foundation            foundation;
+      Eigen::VectorXd       stiffness;
+      DenseMatrix           shapes, translations;
+      std::array<double, 3> ballast;
+      std::vector<double>   lines;
+    };
+
+    bool has_pads() const
+    {
+      return foundation.pad_spacing > 0.;
+    }
+
+    const Pads &pads() const
+    {
+      return pad_springs;
+    }
+
+    /** Rows of displacements along x, y and z by the fields at a place. */
+    const ComplexMatrix &motion_at(const Place &place) const;
 
   private:
     /** K_0, K_1, K_2, K_s and M of the fields, those along the body first. */
@@ -130,19 +156,22 @@ namespace RollingContact
     /** Fields of a section with K(k) = K_0 + k K_1 + k^2 K_2. */
     struct Section;
 
-    void reduce(const Section                   &whole,
-                const std::vector<DenseMatrix> &fields);
+    void reduce(const Section &whole, const std::vector<DenseMatrix> &fields);
 
-    /** Rows of displacements along x, y and z by the fields at a place. */
-    const ComplexMatrix &motion_at(const Place &place) const;
+    /** Fields of the section that moves along y, z and x and turns about x, z
+     * and y as one. */
+    DenseMatrix rigid_motions() const;
+
+    void find_pads(const Section &whole);
 
     /** Whether the wave exp(-i k x), and not the one of -k, leaves. */
     bool leaves(const Wave &wave, const Complex s) const;
 
     const SectionPlacement placement;
     const HarmonicSection  section;
-    const BodyDamping      damping;
-    const double           loss_of_springs;
+    const BodyDamping      own_damping;
+    const Foundation       foundation;
+    Pads                   pad_springs;
     WaveguideSize          sizes;
     DenseMatrix            fields; ///< at the unknowns of the section
     Matrices               matrices;

@@ -4,9 +4,10 @@
 #include <rolling_contact/algebra/factorisation.h>
 #include <rolling_contact/modes/body_places.h>
 #include <rolling_contact/modes/modal_fit.h>
-#include <rolling_contact/modes/waveguide.h>
+#include <rolling_contact/modes/waveguide_response.h>
 #include <rolling_contact/scene/body_parameters.h>
 
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -56,9 +57,10 @@ namespace RollingContact
       return fit;
     }
 
-    /** Of the four motions; @p added_damping: a ratio as modes have it. Units:
-     * 1/s, m/N. */
-    ComplexMatrix change(const Complex s, const double added_damping = 0.) const;
+    /** What a frequency changes of the four motions; @p added_damping: a ratio
+     * as modes have it. Units: 1/s, m/N. */
+    ComplexMatrix change(const Complex s,
+                         const double  added_damping = 0.) const;
 
     /** Displacements of places along x, y and z under forces there. */
     ComplexMatrix change(const Complex             s,
@@ -126,6 +128,11 @@ namespace RollingContact
                  const std::function<void()> &interrupt,
                  const unsigned int           degree) const;
 
+    /** Displacements under forces along x, y and z at both places, N. */
+    ComplexMatrix field(const WaveguideResponse  &response,
+                        const std::vector<Place> &at,
+                        const ComplexMatrix      &forces) const;
+
     /** Rate of what is as slow as at rest, 1/s. */
     Complex at_rest_rate() const;
 
@@ -141,6 +148,9 @@ namespace RollingContact
     DenseMatrix                      rest;
     FittedModes                      fit;
     std::size_t                      sampled = 0;
+
+    /** alpha_w(0) of other places. */
+    mutable std::map<std::vector<Place>, DenseMatrix> known_rest;
   };
 } // namespace RollingContact
 

@@ -120,10 +120,10 @@ namespace RollingContact
 
     PerSide<std::unique_ptr<ContactVibration>> contacts;
     PerSide<DenseMatrix>                       Phi; ///< of the modes of a body
-    PerSide<DenseMatrix> beyond;
+    PerSide<DenseMatrix>                       beyond;
     DenseMatrix          more_at_rest; ///< compliance that modes add to W
-    PerSide<DenseMatrix> cross;    ///< between contact and absorbers, residual
-    DenseMatrix          W_res;    ///< without absorbers
+    PerSide<DenseMatrix> cross; ///< between contact and absorbers, residual
+    DenseMatrix          W_res; ///< without absorbers
   };
 
   /**
@@ -167,8 +167,7 @@ namespace RollingContact
 
     /** Nodal forces of contact as those on the nodes of a body. */
     std::vector<ComplexVector>
-    forces_on(const Side                        side,
-              const std::vector<ComplexVector> &forces) const;
+    forces_on(const Side side, const std::vector<ComplexVector> &forces) const;
 
     /** What nodal forces of contact move of the nodes of a body. */
     std::vector<ComplexVector>
