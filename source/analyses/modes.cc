@@ -200,18 +200,6 @@ namespace RollingContact
   template class Modes<2>;
   template class Modes<3>;
 
-  namespace
-  {
-    void check_that_there_are_modes(const SceneParameters &scene)
-    {
-      if (!scene.rail.rigid && scene.rail.modes == ModeModel::waveguide)
-        throw InputError(
-          "Rail/Model = waveguide: a rail without ends has waves "
-          "in place of modes; take Analysis = receptance, which "
-          "tells them, or Model = mesh.");
-    }
-  } // namespace
-
   AnalysisKind modes_kind()
   {
     AnalysisKind kind = kind_of<Modes>(
@@ -220,7 +208,7 @@ namespace RollingContact
     kind.sections    = {"Modes"};
     kind.has_contact = false;
     kind.on_ranks    = false;
-    kind.rules       = {&check_lone_bodies, &check_that_there_are_modes};
+    kind.rules       = {&check_lone_bodies, &check_bodies_with_modes};
     return kind;
   }
 } // namespace RollingContact

@@ -57,6 +57,14 @@ namespace RollingContact
       scene.profiles.check(scene.wheel.radius, scene.prm_folder);
   }
 
+  void check_bodies_with_modes(const SceneParameters &scene)
+  {
+    if (!scene.rail.rigid && scene.rail.modes == ModeModel::waveguide)
+      throw InputError("Rail/Model = waveguide: a rail without ends has waves "
+                       "in place of modes; take Analysis = receptance, which "
+                       "tells them, or Model = mesh.");
+  }
+
   void check_rigid_profiles(const SceneParameters &scene)
   {
     if (!scene.profiles.has_radius_difference())

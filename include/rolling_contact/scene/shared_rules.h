@@ -26,6 +26,12 @@ namespace RollingContact
   void check_lone_bodies(const SceneParameters &scene);
 
   /**
+   * Rule for the modes of bodies as they are, which a rail without ends has
+   * none of. Throws InputError.
+   */
+  void check_bodies_with_modes(const SceneParameters &scene);
+
+  /**
    * Rules for analyses of rigid profiles. Throws InputError.
    */
   void check_rigid_profiles(const SceneParameters &scene);

@@ -1,0 +1,193 @@
+#include <rolling_contact/vibration/rolling_modes.h>
+
+namespace RollingContact
+{
+  namespace
+  {
+    using Complex = std::complex<double>;
+
+    /// relative residual of the equations of whole bodies
+    const double full_tolerance = 1e-10;
+
+    /** Both parts of complex values by a function of real ones. */
+    template <typename Function>
+    ComplexVector by_parts(const Function      &function,
+                           const ComplexVector &values)
+    {
+      std::vector<double> real(values.size()), imaginary(values.size());
+      as_vector(real)      = values.real();
+      as_vector(imaginary) = values.imag();
+      real                 = function(std::move(real));
+      imaginary            = function(std::move(imaginary));
+      return as_vector(real) + Complex(0., 1.) * as_vector(imaginary);
+    }
+  } // namespace
+
+  template <int dim>
+  WholeBodies<dim>::WholeBodies(const RollingModes<dim> &rolling,
+                                const RollingConditions &conditions)
+    : rolling(rolling)
+    , added_damping(conditions.added_damping)
+  {
+    const ModalBodies<dim> &modal = rolling.bodies();
+    for (const Side side : both_sides)
+      if (modal.body(side) != nullptr && !modal.body(side)->waves)
+        bodies[side] = modal.whole_body(side, conditions);
+  }
+
+  template <int dim>
+  std::vector<ComplexVector> WholeBodies<dim>::answer_of_waves(
+    const Side                        side,
+    const ComplexValues              &s,
+    const std::vector<ComplexVector> &forces) const
+  {
+    const VibratingBody<dim>  &body    = *rolling.bodies().body(side);
+    const DenseMatrix          motions = rolling.motions_of_waves(side);
+    std::vector<ComplexVector> result;
+    for (std::size_t k = 0; k < forces.size(); ++k)
+      {
+        const ComplexVector loads =
+          rolling.contact_of(side).load(0., forces[k]);
+        const ComplexVector x = by_parts(
+          [&](const std::vector<double> &part) {
+            return body.factor->solve(part);
+          },
+          loads);
+        const ComplexVector forces_of_motions = motions.transpose() * forces[k];
+        const Complex       kappa = body.waves->stiffening(s[k], added_damping);
+        const ComplexVector moved =
+          body.waves->change(s[k], added_damping) * forces_of_motions +
+          rolling.beyond_mesh(side) * forces_of_motions / kappa;
+        result.push_back(rolling.contact_of(side).of_nodes(0., forces[k], x) /
+                           kappa +
+                         motions * moved);
+      }
+    return result;
+  }
+
+  template <int dim>
+  typename WholeBodies<dim>::Answer
+  WholeBodies<dim>::answer(const Side                        side,
+                           const ComplexValues              &s,
+                           const std::vector<ComplexVector> &forces) const
+  {
+    Answer                     answer;
+    std::vector<ComplexVector> loads;
+    answer.forces = forces_on(side, forces);
+    for (std::size_t k = 0; k < forces.size(); ++k)
+      loads.push_back(rolling.contact_of(side).load(s[k], answer.forces[k]));
+    answer.x = bodies[side]->solve(s, loads, full_tolerance);
+    return answer;
+  }
+
+  template <int dim>
+  std::vector<ComplexVector> WholeBodies<dim>::answer_of_body(
+    const Side                        side,
+    const ComplexValues              &s,
+    const std::vector<ComplexVector> &forces) const
+  {
+    Answer moved = answer(side, s, forces);
+    for (std::size_t k = 0; k < forces.size(); ++k)
+      moved.x[k] =
+        rolling.contact_of(side).of_nodes(s[k], moved.forces[k], moved.x[k]);
+    return std::move(moved.x);
+  }
+
+  template <int dim>
+  std::vector<ComplexVector>
+  WholeBodies<dim>::forces_on(const Side                        side,
+                              const std::vector<ComplexVector> &forces) const
+  {
+    std::vector<ComplexVector> result;
+    for (const ComplexVector &force : forces)
+      result.push_back(by_parts(
+        [&](std::vector<double> part) {
+          return rolling.pair().forces_on_body(side, std::move(part));
+        },
+        force));
+    return result;
+  }
+
+  template <int dim>
+  std::vector<ComplexVector> WholeBodies<dim>::motion_of_waves(
+    const Side                        side,
+    const ComplexValues              &s,
+    const std::vector<ComplexVector> &forces) const
+  {
+    const VibratingBody<dim>  &body    = *rolling.bodies().body(side);
+    const DenseMatrix          motions = rolling.motions_of_waves(side);
+    const auto                 on_body = forces_on(side, forces);
+    const auto                 points  = body.points();
+    std::vector<ComplexVector> result;
+    for (std::size_t k = 0; k < forces.size(); ++k)
+      {
+        const ComplexVector of_motions = motions.transpose() * on_body[k],
+                            moved =
+                              body.waves->field(s[k], points) * of_motions;
+        result.push_back(ComplexVector::Zero(body.body->n_unknowns()));
+        for (std::size_t p = 0; p < points.size(); ++p)
+          for (unsigned int c = 0; c < 3; ++c)
+            if (const int unknown = body.places.nodes[p].unknowns[c];
+                unknown >= 0)
+              result[k][unknown] = moved[3 * p + c];
+      }
+    return result;
+  }
+
+  template <int dim>
+  std::vector<ComplexVector>
+  WholeBodies<dim>::motion(const Side                        side,
+                           const ComplexValues              &s,
+                           const std::vector<ComplexVector> &forces) const
+  {
+    const VibratingBody<dim> *body = rolling.bodies().body(side);
+    if (body != nullptr && body->waves)
+      return motion_of_waves(side, s, forces);
+    if (!bodies[side])
+      return std::vector<ComplexVector>(forces.size());
+    Answer moved = answer(side, s, forces);
+    for (std::size_t k = 0; k < forces.size(); ++k)
+      moved.x[k] =
+        rolling.contact_of(side).of_body(s[k], moved.forces[k], moved.x[k]);
+    return std::move(moved.x);
+  }
+
+  template <int dim>
+  std::vector<ComplexVector>
+  WholeBodies<dim>::response(const ComplexValues              &s,
+                             const std::vector<ComplexVector> &forces) const
+  {
+    std::vector<ComplexVector> result;
+    for (const ComplexVector &force : forces)
+      result.push_back(ComplexVector::Zero(force.size()));
+    for (const Side side : both_sides)
+      {
+        const VibratingBody<dim> *body = rolling.bodies().body(side);
+        if (body == nullptr)
+          continue;
+        const auto moved = body->waves
+                             ? answer_of_waves(side, s, forces_on(side, forces))
+                             : answer_of_body(side, s, forces);
+        for (std::size_t k = 0; k < forces.size(); ++k)
+          result[k] += by_parts(
+            [&](std::vector<double> part) {
+              return rolling.pair().relative_motion_of(side, std::move(part));
+            },
+            moved[k]);
+      }
+    return result;
+  }
+
+  template <int dim>
+  unsigned int WholeBodies<dim>::n_iterations() const
+  {
+    unsigned int sum = 0;
+    for (const Side side : both_sides)
+      if (bodies[side])
+        sum += bodies[side]->n_iterations();
+    return sum;
+  }
+
+  template class WholeBodies<2>;
+  template class WholeBodies<3>;
+} // namespace RollingContact
