@@ -53,8 +53,8 @@ namespace RollingContact
               std::log(2 * pi * frequencies.back() * reaches[1])}}
     , s(n_points)
     , values(n_points, n_motions * (n_motions + 1) / 2)
-    , weights(n_points)
-    , losses(n_points)
+    , weights(n_points, values.cols())
+    , losses(n_points, values.cols())
     , given_up(Eigen::VectorXd::Zero(n_points))
   {
     for (Eigen::Index i = 0; i < n_points; ++i)
@@ -66,10 +66,18 @@ namespace RollingContact
             values(i, column++) = receptances[i](a, b) * times(a, b);
         const double weight =
           frequencies[i] < controls.lowest ? weight_below : 1.;
-        const double size = values.row(i).norm();
-        weights[i]        = weight / size;
-        losses[i] =
-          weight / std::max(values.row(i).imag().norm(), least_loss * size);
+        column = 0;
+        for (Eigen::Index a = 0; a < n_motions; ++a)
+          for (Eigen::Index b = a; b < n_motions; ++b, ++column)
+            {
+              const std::complex<double> own_a = receptances[i](a, a),
+                                         own_b = receptances[i](b, b);
+              const double size  = std::sqrt(std::abs(own_a) * std::abs(own_b)),
+                           loss  = std::sqrt(std::abs(own_a.imag()) *
+                                            std::abs(own_b.imag()));
+              weights(i, column) = weight / size;
+              losses(i, column)  = weight / std::max(loss, least_loss * size);
+            }
       }
     begin();
   }
@@ -194,9 +202,9 @@ namespace RollingContact
                          const Eigen::Index   entry,
                          const ComplexVector &column) {
       J.col(parameter).segment(entry * n_points, n_points) =
-        weights.asDiagonal() * column.real();
+        weights.col(entry).cwiseProduct(column.real());
       J.col(parameter).segment(n_rows + entry * n_points, n_points) =
-        losses.asDiagonal() * column.imag();
+        losses.col(entry).cwiseProduct(column.imag());
     };
     for (Eigen::Index j = 0; j < parameters.rows(); ++j)
       {
@@ -347,8 +355,10 @@ namespace RollingContact
                                         const Eigen::VectorXd &near) const
   {
     DenseMatrix result(2 * E.rows(), E.cols());
-    result << weights.cwiseProduct(near).asDiagonal() * E.real(),
-      losses.cwiseProduct(near).asDiagonal() * E.imag();
+    // of a single column the first weights
+    result << near.asDiagonal() *
+                weights.leftCols(E.cols()).cwiseProduct(E.real()),
+      near.asDiagonal() * losses.leftCols(E.cols()).cwiseProduct(E.imag());
     return result;
   }
 

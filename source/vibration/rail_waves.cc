@@ -201,11 +201,19 @@ namespace RollingContact
 
   void RailWaves::find_modes(const std::function<void()> &interrupt)
   {
+    const DenseMatrix near =
+      at_contact(Complex(0., 2 * pi * beyond * range.highest)).real();
     std::map<double, ComplexMatrix> found; // by ln f
     const auto at = [&](const double ln_f) -> const ComplexMatrix & {
       const auto [place, is_new] = found.try_emplace(ln_f);
       if (is_new)
-        place->second = at_contact(Complex(0., 2 * pi * std::exp(ln_f)));
+        {
+          // what is near the contact loses as the compliance beyond modes does
+          const Complex s(0., 2 * pi * std::exp(ln_f));
+          place->second =
+            at_contact(s) +
+            near * (1. / (1. + s * damping.retardation()) - 1. / stiffening(s));
+        }
       return place->second;
     };
     const double begin   = std::log(first_sample * range.lowest),

@@ -1,8 +1,10 @@
 #include <boost/test/unit_test.hpp>
 
 #include <rolling_contact/base/constants.h>
+#include <rolling_contact/modes/measuring_point.h>
 #include <rolling_contact/modes/modal_fit.h>
 #include <rolling_contact/modes/waveguide_response.h>
+#include <rolling_contact/vibration/rail_waves.h>
 
 #include <cmath>
 #include <complex>
@@ -200,6 +202,101 @@ BOOST_AUTO_TEST_CASE(pads_apart_carry_what_equilibrium_says)
   const ComplexMatrix between =
     guide.receptances(at_frequency(350.), {{{0.3, 0., 0.}}});
   BOOST_TEST((here - between).norm() > 1e-3 * here.norm());
+}
+
+namespace
+{
+  BodySpec rail(const double length, const unsigned int cells)
+  {
+    BodyParameters parameters("Rail");
+    parameters.shape                        = "section";
+    parameters.mesh_file                    = "rail_2.msh";
+    parameters.radius                       = 0.;
+    parameters.lateral_radius               = 0.3;
+    parameters.block_length                 = length;
+    parameters.cells_along                  = cells;
+    parameters.hub                          = Hub::elastic;
+    parameters.modes                        = ModeModel::waveguide;
+    parameters.model.elements               = ElementKind::enhanced;
+    parameters.model.foundation.stiffness   = {{5e7, 5e7, 3.3e8}};
+    parameters.model.foundation.loss_factor = 0.2;
+    parameters.model.damping.loss_factor    = 0.02;
+    parameters.material                     = {E, 0.3, density};
+    BodySpec spec(parameters);
+    spec.read_mesh(3, std::string(TEST_DATA) + "/../../prm/sections");
+    return spec;
+  }
+
+  /** At rest in the four motions: what a mesh says, and with what waves add. */
+  std::array<DenseMatrix, 2> at_rest(const BodySpec &spec)
+  {
+    const DirectBody<3> mesh(spec.body_shape(),
+                             spec.material,
+                             spec.thickness,
+                             Grading<3>::unrefined(),
+                             true,
+                             spec.model);
+    Factorisation       factor(mesh.stiffness(), mesh.nodes_of_unknowns());
+    factor.factorise();
+    const RailWaves      waves(spec, {50., 1500., 3000.}, []() {});
+    DenseMatrix          own(3, 3);
+    const MeasuringPoint point(mesh, top, 0.);
+    for (unsigned int c = 0; c < 3; ++c)
+      {
+        const auto moved = factor.solve(point.load(c, mesh.n_unknowns()));
+        for (unsigned int d = 0; d < 3; ++d)
+          own(d, c) = point.motion(d, moved.data());
+      }
+    return {{own, own + waves.beyond_mesh(mesh, factor, {top})}};
+  }
+} // namespace
+
+/** Short meshes are softer where they end, and told so. */
+BOOST_AUTO_TEST_CASE(a_rail_without_ends_is_the_same_by_meshes_of_any_length)
+{
+  const auto short_one = at_rest(rail(1.2, 48)),
+             long_one  = at_rest(rail(2.4, 96));
+  for (unsigned int c = 0; c < 3; ++c)
+    {
+      BOOST_TEST(std::abs(short_one[1](c, c) / long_one[1](c, c) - 1) < 5e-3);
+      if (c < 2)
+        BOOST_TEST(std::abs(short_one[0](c, c) / long_one[0](c, c) - 1) > 0.05);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(modes_stand_for_the_waves_of_a_rail)
+{
+  RailWaves waves(rail(1.2, 48), {50., 1500., 3000.}, []() {});
+  waves.find_modes([]() {});
+  const FittedModes &fit = waves.modes();
+  BOOST_TEST(fit.error < 0.1);
+  BOOST_TEST(fit.frequencies.size() > 20);
+  for (const double f : {150., 400., 1000.})
+    {
+      const Complex s      = at_frequency(f);
+      const double  tau    = 0.02 / (2 * pi * 1000.);
+      ComplexMatrix answer = fit.rest.cast<Complex>() / (1. + tau * s);
+      for (std::size_t j = 0; j < fit.frequencies.size(); ++j)
+        {
+          const double omega = 2 * pi * fit.frequencies[j];
+          answer +=
+            fit.motions.col(j) * fit.motions.col(j).transpose() /
+            (s * s + 2 * fit.damping_ratios[j] * omega * s + omega * omega);
+        }
+      const ComplexMatrix exact =
+        waves.change(s) + waves.at_rest() / waves.stiffening(s);
+      for (unsigned int c = 0; c < 3; ++c)
+        BOOST_TEST(std::abs(answer(c, c) - exact(c, c)) <
+                   0.05 * std::abs(exact(c, c)));
+    }
+  BOOST_TEST(waves.lower_degree_error([]() {}) < 5e-3);
+  // the fields of modes are their motions, in the mean of points beside
+  const double      low = -std::pow(5e-3, 2) / (2 * 0.3);
+  const DenseMatrix shapes =
+                      waves.shapes({{{0., -5e-3, low}}, {{0., 5e-3, low}}}),
+                    mean = (shapes.topRows(3) + shapes.bottomRows(3)) / 2;
+  BOOST_TEST((mean - fit.motions.topRows(3)).norm() <
+             1e-3 * fit.motions.topRows(3).norm());
 }
 
 BOOST_AUTO_TEST_CASE(a_fit_finds_modes_and_stays_passive)

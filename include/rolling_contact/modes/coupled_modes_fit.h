@@ -13,8 +13,8 @@ namespace RollingContact
    * Modes of a few motions by least squares, see fit_modes(). They have a row
    * of parameters each: ln omega, ln zeta, phi / omega. The first rows are as
    * many as there are motions and have no frequency: what follows forces at
-   * once. Differences at a frequency are weighted by the size of the
-   * receptance, those of its imaginary part by that of this part.
+   * once. Differences at a frequency are weighted by the receptances of both
+   * motions there, those of imaginary parts by the imaginary parts of these.
    */
   class CoupledModesFit
   {
@@ -88,8 +88,8 @@ namespace RollingContact
 
     ComplexMatrix weighted(const ComplexMatrix &E) const
     {
-      return weights.asDiagonal() * E.real() +
-             Complex(0., 1.) * (losses.asDiagonal() * E.imag());
+      return weights.cwiseProduct(E.real()) +
+             Complex(0., 1.) * losses.cwiseProduct(E.imag());
     }
 
     Eigen::VectorXd residual();
@@ -124,7 +124,7 @@ namespace RollingContact
     const std::array<double, 2> bounds; ///< of ln omega
     ComplexVector               s;
     ComplexMatrix               values;          ///< upper triangles by rows
-    Eigen::VectorXd             weights, losses; ///< of both parts
+    DenseMatrix                 weights, losses; ///< of both parts
     Eigen::VectorXd             given_up;        ///< 1 where no mode helps
     Eigen::VectorXd             differences;     ///< at each frequency
     DenseMatrix                 parameters;
