@@ -43,6 +43,10 @@ namespace RollingContact
   void Receptance<dim>::sweep_waves(const VibratingBody<dim> &body,
                                     ResultsTable             &table)
   {
+    if (!section.check_frequencies.empty())
+      context.log.warning(
+        "Receptance/Check frequencies has no effect on a rail "
+        "without ends, whose error a coarser section tells.");
     std::vector<Station> stations;
     DenseMatrix          y = columns_of(loads(body, stations), body.K.size());
     std::vector<ComplexMatrix> alpha;

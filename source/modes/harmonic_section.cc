@@ -223,22 +223,19 @@ namespace RollingContact
             for (const unsigned int q : values.quadrature_point_indices())
               {
                 width += values.JxW(q);
+                std::vector<std::pair<types::global_dof_index, double>> shapes;
                 for (unsigned int i = 0; i < nodes.size(); ++i)
-                  for (unsigned int j = 0; j < nodes.size(); ++j)
-                    for (const auto &[node_i, weight_i] :
-                         elements->parts_of(nodes[i]))
-                      for (const auto &[node_j, weight_j] :
-                           elements->parts_of(nodes[j]))
-                        for (unsigned int a = 0; a < 3; ++a)
-                          if (const int row = unknowns[node_i][a],
-                              column        = unknowns[node_j][a];
-                              column >= 0 && row >= column)
-                            add(result,
-                                row,
-                                column,
-                                stiffness[a] * weight_i * weight_j *
-                                  values.shape_value(i, q) *
-                                  values.shape_value(j, q) * values.JxW(q));
+                  for (const auto &[node, weight] :
+                       elements->parts_of(nodes[i]))
+                    shapes.emplace_back(node,
+                                        weight * values.shape_value(i, q));
+                for (const auto &[row, shape] : shapes)
+                  for (const auto &[column, other] : shapes)
+                    for (unsigned int a = 0; row >= column && a < 3; ++a)
+                      add(result,
+                          unknowns[row][a],
+                          unknowns[column][a],
+                          stiffness[a] * shape * other * values.JxW(q));
               }
           }
     AssertThrow(width > 0., ExcMessage("The section has no hub boundary."));

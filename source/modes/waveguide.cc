@@ -92,8 +92,8 @@ namespace RollingContact
               false,
               degree,
               HarmonicSection::Axis::straight)
-    , own_damping(body.damping)
-    , foundation(body.foundation)
+    , damping(body.damping)
+    , springs(body.foundation)
   {
     const double shear =
       2 * pi * highest *
@@ -224,20 +224,16 @@ namespace RollingContact
       values.end() - std::lower_bound(values.begin(),
                                       values.end(),
                                       least_spring * values.back());
-    pad_springs.foundation = foundation;
-    pad_springs.stiffness  = as_vector(values).tail(n);
-    pad_springs.shapes     = shapes.rightCols(n).transpose();
+    pad_springs.stiffness = as_vector(values).tail(n);
+    pad_springs.shapes    = shapes.rightCols(n).transpose();
     pad_springs.translations =
       pad_springs.stiffness.cwiseInverse().asDiagonal() * pad_springs.shapes *
       fields.transpose() *
-      times(whole.K_s, DenseMatrix(rigid_motions().leftCols(3)));
-    pad_springs.ballast = {{foundation.ballast_stiffness[1],
-                            foundation.ballast_stiffness[2],
-                            foundation.ballast_stiffness[0]}};
+      times(whole.K_s,
+            DenseMatrix(rigid_motions()(Eigen::all, std::array{2, 0, 1})));
     for (const double way : {-1., 1.}) // the points of Gauss
-      pad_springs.lines.push_back(foundation.pad_offset +
-                                  way * foundation.pad_length /
-                                    (2 * std::sqrt(3.)));
+      pad_springs.lines.push_back(
+        springs.pad_offset + way * springs.pad_length / (2 * std::sqrt(3.)));
   }
 
   bool Waveguide::leaves(const Wave &wave, const Complex s) const
@@ -247,25 +243,29 @@ namespace RollingContact
       return k.imag() < 0.;
     // where a vibration grows, what leaves fades: i dk / ds
     const Complex inertia =
-      (2. * s + own_damping.mass_damping) *
+      (2. * s + damping.mass_damping) *
       Complex((wave.received.transpose() * (matrices.M * wave.amplitudes))(0));
     return inertia.real() > 0.;
+  }
+
+  Complex Waveguide::stiffening(const Complex s,
+                                const double  loss_factor,
+                                const double  added_damping) const
+  {
+    const Complex turned =
+      s.imag() == 0. ? Complex(0.) : s / std::abs(s.imag());
+    return 1. + turned * (loss_factor + 2 * added_damping) +
+           s * damping.stiffness_damping;
   }
 
   std::vector<Waveguide::Wave>
   Waveguide::waves(const Complex s, const double added_damping) const
   {
-    const Complex turned =
-      s.imag() == 0. ? Complex(0.) : s / std::abs(s.imag());
-    const Complex more = 1. + turned * 2. * added_damping +
-                         s * own_damping.stiffness_damping,
-                  kappa    = more + turned * own_damping.loss_factor,
-                  springs  = more + turned * foundation.loss_factor,
-                  inertia  = s * s + s * own_damping.mass_damping;
+    const Complex kappa    = stiffening(s, damping.loss_factor, added_damping);
     const Eigen::Index n_t = sizes.n_along, n_y = sizes.n_across;
-    ComplexMatrix      A = kappa * matrices.K_0 + inertia * matrices.M;
+    ComplexMatrix A = kappa * matrices.K_0 + rate_of_inertia(s) * matrices.M;
     if (!has_pads())
-      A += springs * matrices.K_s;
+      A += stiffening(s, springs.loss_factor, added_damping) * matrices.K_s;
     A.topRightCorner(n_t, n_y) = kappa * matrices.K_1.topRightCorner(n_t, n_y);
     A.bottomLeftCorner(n_y, n_t).setZero();
     const Eigenpairs pairs = eigenpairs(ComplexMatrix(-solved * A / kappa));
@@ -314,8 +314,9 @@ namespace RollingContact
 
   const ComplexMatrix &Waveguide::motion_at(const Place &place) const
   {
-    const auto point           = placement.to_section(place);
-    const auto [known, is_new] = known_motions.try_emplace(point);
+    const std::lock_guard<std::mutex> lock(learning);
+    const auto                        point = placement.to_section(place);
+    const auto [known, is_new]              = known_motions.try_emplace(point);
     if (!is_new)
       return known->second;
     const auto  parts   = section.at(point[0], point[1]);

@@ -39,6 +39,7 @@ namespace RollingContact
               waves.head(n_reaching(waves, distance)).array())
         .exp();
     }
+
     /**
      * r_n of n from -N/2 to N/2 - 1, by columns, by transforms at N points xi
      * = pi ((2 m + 1) / N - 1), by rows.
@@ -63,7 +64,6 @@ namespace RollingContact
                                        const double     added_damping)
     : guide(guide)
     , s(s)
-    , turned(s.imag() == 0. ? Complex(0.) : s / std::abs(s.imag()))
     , added_damping(added_damping)
   {
     const auto         waves = guide.waves(s, added_damping);
@@ -86,7 +86,7 @@ namespace RollingContact
       return;
     Z = stiffness_of_pad();
     next_pad =
-      (Complex(0., -guide.pads().foundation.pad_spacing) * wavenumbers.array())
+      (Complex(0., -guide.foundation().pad_spacing) * wavenumbers.array())
         .exp();
     foot        = guide.pads().shapes * u;
     foot_behind = guide.pads().shapes * u_behind;
@@ -94,14 +94,14 @@ namespace RollingContact
 
   ComplexMatrix WaveguideResponse::stiffness_of_pad() const
   {
-    const Waveguide::Pads &pads    = guide.pads();
-    const Complex          viscous = 1. + turned * 2. * added_damping +
-                            s * guide.damping().stiffness_damping,
-                  pad = (viscous + turned * pads.foundation.loss_factor) *
-                        pads.foundation.pad_spacing,
-                  ballast =
-                    (viscous + turned * pads.foundation.ballast_loss_factor) *
-                    pads.foundation.pad_spacing;
+    const Waveguide::Pads &pads       = guide.pads();
+    const Foundation      &foundation = guide.foundation();
+    const auto             of_length  = [&](const double loss_factor) {
+      return guide.stiffening(s, loss_factor, added_damping) *
+             foundation.pad_spacing;
+    };
+    const Complex pad     = of_length(foundation.loss_factor),
+                  ballast = of_length(foundation.ballast_loss_factor);
     const Eigen::Index n = pads.stiffness.size(), n_lines = pads.lines.size();
     ComplexMatrix      result = ComplexMatrix::Zero(n * n_lines, n * n_lines),
                   sleeper     = ComplexMatrix::Zero(3, 3),
@@ -114,13 +114,12 @@ namespace RollingContact
           pad / double(n_lines) * pads.stiffness;
         coupling.middleRows(line * n, n) = pad / double(n_lines) * of_sleeper;
       }
-    if (!pads.foundation.has_sleepers())
+    if (!foundation.has_sleepers())
       return result;
     sleeper = pad * (pads.translations.transpose() * of_sleeper);
     for (unsigned int a = 0; a < 3; ++a)
-      sleeper(a, a) +=
-        ballast * pads.ballast[a] + (s * s + s * guide.damping().mass_damping) *
-                                      pads.foundation.sleeper_mass;
+      sleeper(a, a) += ballast * foundation.ballast_stiffness[a] +
+                       guide.rate_of_inertia(s) * foundation.sleeper_mass;
     ComplexMatrix   moved = coupling.transpose();
     const ComplexLU factor(sleeper);
     factor.solve(moved);
@@ -136,7 +135,7 @@ namespace RollingContact
   auto WaveguideResponse::on_lines(const Source &source) const
     -> std::vector<AtLine>
   {
-    const double        spacing = guide.pads().foundation.pad_spacing;
+    const double        spacing = guide.foundation().pad_spacing;
     const Complex       i(0., 1.);
     std::vector<AtLine> result;
     for (const double line : guide.pads().lines)
@@ -187,7 +186,7 @@ namespace RollingContact
                                    std::vector<Source> &sources) const
   {
     const Waveguide::Pads &pads    = guide.pads();
-    const double           spacing = pads.foundation.pad_spacing;
+    const double           spacing = guide.foundation().pad_spacing;
     const Eigen::Index     n = pads.stiffness.size(), n_all = Z.rows(),
                        n_loads = force.cols();
     const double nearest       = spacing * std::round(loaded[0] / spacing);

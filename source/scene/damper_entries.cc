@@ -68,6 +68,11 @@ namespace RollingContact
     };
     entries.parsed("Mode damping", Entry::Kind::text, "", "Hz, 1", read)
       .read_by(analyses_of_modes())
+      .read_by(reader(
+        [](const BodyParameters &body) {
+          return body.modes != ModeModel::waveguide;
+        },
+        "a rail with Model = waveguide has waves in place of modes"))
       .help =
       "Damping ratios that single modes have in addition to Modal damping, as "
       "by a ring damper: `frequency : ratio, ...`; each is for the mode "

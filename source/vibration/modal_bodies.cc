@@ -37,10 +37,7 @@ namespace RollingContact
         const VibratingBody<dim> &body  = *bodies[side];
         const DenseMatrix        &modes = body.modes.shapes;
         Part                     &part  = parts[side];
-        part.C_m                        = body.waves
-                                            ? DenseMatrix(DenseMatrix::Zero(body.modes.size(),
-                                                     body.modes.size()))
-                                            : modal_damping_matrix(body.modes, body.H, body.C);
+        part.C_m        = modal_damping_matrix(body.modes, body.H, body.C);
         hanging[side]   = body.absorbers(wanted.maximum_frequency, context);
         const auto axle = body.parameters.body_shape()->axle();
         if constexpr (dim == 3)

@@ -1,6 +1,7 @@
 #include <rolling_contact/algebra/lapack.h>
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/text.h>
 #include <rolling_contact/modes/measuring_point.h>
 #include <rolling_contact/vibration/rail_waves.h>
 
@@ -39,6 +40,9 @@ namespace RollingContact
     /// the weights of once to five times that: of a quartic at 0
     const double                distance_aside = 0.08;
     const std::array<double, 5> extrapolation{{5., -10., 10., -5., 1.}};
+
+    /// so far beyond the end of a mesh its end stands for a place: m
+    const double beside_end = 1e-3;
 
     const BodySpec &extruded(const BodySpec &body)
     {
@@ -114,18 +118,16 @@ namespace RollingContact
   {
     const auto coarse =
       waveguide_of(fewer_fields * range.cut_off, interrupt, highest_degree - 1);
-    const Complex     slow           = at_rest_rate();
-    const DenseMatrix rest_of_coarse = coarse->receptances(slow, places).real(),
-                      rest_of_all    = waves->receptances(slow, places).real();
-    double largest                   = 0.;
+    const DenseMatrix rest_of_coarse =
+      coarse->receptances(at_rest_rate(), places).real();
+    double largest = 0.;
     for (unsigned int i = 0; i < n_compared; ++i)
       {
         const Complex       s(0.,
                         2 * pi * range.lowest *
                           std::pow(range.highest / range.lowest,
                                    i / (n_compared - 1.)));
-        const ComplexMatrix fine = waves->receptances(s, places) -
-                                   rest_of_all / stiffening(s),
+        const ComplexMatrix fine  = change(s, places),
                             other = coarse->receptances(s, places) -
                                     rest_of_coarse / stiffening(s);
         largest = std::max(largest,
@@ -140,10 +142,25 @@ namespace RollingContact
     return 2 * pi * slow * range.lowest; // real: loss factors do not count
   }
 
+  void RailWaves::require_mesh_around(const std::vector<Place> &at) const
+  {
+    const double aside = extrapolation.size() * distance_aside,
+                 reach = body.body_shape()->reach_x();
+    for (const Place &place : at)
+      if (const double x = std::abs(place[0]); x + aside > reach + beside_end)
+        throw InputError(
+          body.section + "/Block length = " + significant(2 * reach, 6) +
+          " m: with Model = waveguide the mesh must reach " +
+          significant(aside, 3) + " m beyond the contact and each place of " +
+          "Receptance/Points; give " + significant(2 * (x + aside), 4) +
+          " m or more.");
+  }
+
   DenseMatrix RailWaves::beyond_mesh(const DirectBody<3>      &mesh,
                                      const Factorisation      &factor,
                                      const std::vector<Place> &at) const
   {
+    require_mesh_around(at);
     const std::size_t n = 3 * at.size();
     DenseMatrix       moved(mesh.n_unknowns(), n);
     for (std::size_t i = 0; i < n; ++i)
@@ -250,15 +267,6 @@ namespace RollingContact
     controls.retardation = damping.retardation();
     controls.interrupt   = interrupt;
     fit                  = fit_modes(frequencies, receptances, controls);
-  }
-
-  Complex RailWaves::stiffening(const Complex s,
-                                const double  added_damping) const
-  {
-    const Complex turned =
-      s.imag() == 0. ? Complex(0.) : s / std::abs(s.imag());
-    return 1. + turned * (damping.loss_factor + 2 * added_damping) +
-           s * damping.stiffness_damping;
   }
 
   ComplexMatrix RailWaves::change(const Complex s,

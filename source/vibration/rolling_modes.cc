@@ -65,7 +65,7 @@ namespace RollingContact
   }
 
   template <int dim>
-  DenseMatrix RollingModes<dim>::motions_of_waves(const Side side) const
+  DenseMatrix RollingModes<dim>::find_motions_of_waves(const Side side) const
   {
     const VibratingBody<dim> &body       = *modal.body(side);
     const auto               &nodes      = rolling.interface().nodes[side];
@@ -87,10 +87,11 @@ namespace RollingContact
   template <int dim>
   void RollingModes<dim>::take_waves(const Side side)
   {
-    const VibratingBody<dim> &body    = *modal.body(side);
-    const RailWaves          &waves   = *body.waves;
-    const DenseMatrix         on_body = motions_of_waves(side),
-                      motions         = at_contact(side, on_body);
+    const VibratingBody<dim> &body  = *modal.body(side);
+    const RailWaves          &waves = *body.waves;
+    four_motions[side]              = find_motions_of_waves(side);
+    const DenseMatrix &on_body      = four_motions[side];
+    const DenseMatrix  motions      = at_contact(side, on_body);
     if constexpr (dim == 3)
       beyond[side] = waves.beyond_mesh(*body.body, *body.factor);
     if (const DenseMatrix known = contacts[side]->beyond_mesh();

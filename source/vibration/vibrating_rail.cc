@@ -4,6 +4,12 @@
 
 namespace RollingContact
 {
+  namespace
+  {
+    /// of receptances, that modes may be off without a warning
+    const double largest_misfit = 0.2;
+  } // namespace
+
   template <int dim>
   void VibratingBody<dim>::find_waves(const ModesParameters &wanted,
                                       const double           cut_off,
@@ -39,6 +45,17 @@ namespace RollingContact
       std::to_string(waves->n_sampled()) + " frequencies; they are off by " +
       significant(100 * fit.error, 2) + " % at most, at " +
       significant(fit.error_at, 4) + " Hz.");
+    if (fit.error > largest_misfit)
+      context.log.warning(
+        parameters.section +
+        "/Model = waveguide: modes that stand for waves "
+        "are off by " +
+        significant(100 * fit.error, 2) + " % at " +
+        significant(fit.error_at, 4) +
+        " Hz, where a wave sets in that hardly anything damps. Growth is "
+        "corrected (Stability/Full model), motion in time is not; give the "
+        "rail a Loss factor or Rayleigh stiffness, or a lower Modes/Maximum "
+        "frequency.");
     context.report.errors.push_back(
       {"receptance of the rail by modes",
        fit.error,
@@ -58,15 +75,24 @@ namespace RollingContact
   template <int dim>
   const DenseMatrix &VibratingBody<dim>::mode_shapes() const
   {
-    if (!waves || shapes_of_waves.size() > 0)
-      return waves ? shapes_of_waves : modes.shapes;
-    const DenseMatrix shapes = waves->shapes(points());
-    shapes_of_waves = DenseMatrix::Zero(body->n_unknowns(), modes.size());
+    if (!waves)
+      return modes.shapes;
+    std::call_once(has_shapes, [&]() {
+      shapes_of_waves = at_unknowns(waves->shapes(points()));
+    });
+    return shapes_of_waves;
+  }
+
+  template <int dim>
+  template <class Matrix>
+  Matrix VibratingBody<dim>::at_unknowns(const Matrix &moved) const
+  {
+    Matrix result = Matrix::Zero(body->n_unknowns(), moved.cols());
     for (std::size_t p = 0; p < places.nodes.size(); ++p)
       for (unsigned int c = 0; c < 3; ++c)
         if (const int unknown = places.nodes[p].unknowns[c]; unknown >= 0)
-          shapes_of_waves.row(unknown) = shapes.row(3 * p + c);
-    return shapes_of_waves;
+          result.row(unknown) = moved.row(3 * p + c);
+    return result;
   }
 
   template <int dim>
@@ -84,10 +110,14 @@ namespace RollingContact
   template void VibratingBody<2>::take_modes_of_waves(RunContext &);
   template const DenseMatrix            &VibratingBody<2>::mode_shapes() const;
   template std::vector<RailWaves::Place> VibratingBody<2>::points() const;
+  template ComplexMatrix
+                VibratingBody<2>::at_unknowns(const ComplexMatrix &) const;
   template void VibratingBody<3>::find_waves(const ModesParameters &,
                                              const double,
                                              RunContext &);
   template void VibratingBody<3>::take_modes_of_waves(RunContext &);
   template const DenseMatrix            &VibratingBody<3>::mode_shapes() const;
   template std::vector<RailWaves::Place> VibratingBody<3>::points() const;
+  template ComplexMatrix
+  VibratingBody<3>::at_unknowns(const ComplexMatrix &) const;
 } // namespace RollingContact

@@ -41,26 +41,27 @@ namespace RollingContact
     const ComplexValues              &s,
     const std::vector<ComplexVector> &forces) const
   {
-    const VibratingBody<dim>  &body    = *rolling.bodies().body(side);
-    const DenseMatrix          motions = rolling.motions_of_waves(side);
+    const VibratingBody<dim> &body    = *rolling.bodies().body(side);
+    const ContactVibration   &contact = rolling.contact_of(side);
+    const DenseMatrix        &motions = rolling.motions_of_waves(side);
+    DenseMatrix               moved(body.body->n_unknowns(), 2 * forces.size());
+    for (std::size_t k = 0; k < forces.size(); ++k)
+      {
+        const ComplexVector load = contact.load(0., forces[k]);
+        moved.col(2 * k)         = load.real();
+        moved.col(2 * k + 1)     = load.imag();
+      }
+    body.factor->solve(moved);
     std::vector<ComplexVector> result;
     for (std::size_t k = 0; k < forces.size(); ++k)
       {
-        const ComplexVector loads =
-          rolling.contact_of(side).load(0., forces[k]);
-        const ComplexVector x = by_parts(
-          [&](const std::vector<double> &part) {
-            return body.factor->solve(part);
-          },
-          loads);
-        const ComplexVector forces_of_motions = motions.transpose() * forces[k];
+        const ComplexVector x =
+          moved.col(2 * k) + Complex(0., 1.) * moved.col(2 * k + 1);
         const Complex       kappa = body.waves->stiffening(s[k], added_damping);
-        const ComplexVector moved =
-          body.waves->change(s[k], added_damping) * forces_of_motions +
-          rolling.beyond_mesh(side) * forces_of_motions / kappa;
-        result.push_back(rolling.contact_of(side).of_nodes(0., forces[k], x) /
-                           kappa +
-                         motions * moved);
+        const ComplexMatrix alpha = body.waves->change(s[k], added_damping) +
+                                    rolling.beyond_mesh(side) / kappa;
+        result.push_back(contact.of_nodes(0., forces[k], x) / kappa +
+                         motions * (alpha * (motions.transpose() * forces[k])));
       }
     return result;
   }
@@ -115,21 +116,15 @@ namespace RollingContact
     const std::vector<ComplexVector> &forces) const
   {
     const VibratingBody<dim>  &body    = *rolling.bodies().body(side);
-    const DenseMatrix          motions = rolling.motions_of_waves(side);
+    const DenseMatrix         &motions = rolling.motions_of_waves(side);
     const auto                 on_body = forces_on(side, forces);
     const auto                 points  = body.points();
     std::vector<ComplexVector> result;
     for (std::size_t k = 0; k < forces.size(); ++k)
       {
-        const ComplexVector of_motions = motions.transpose() * on_body[k],
-                            moved =
-                              body.waves->field(s[k], points) * of_motions;
-        result.push_back(ComplexVector::Zero(body.body->n_unknowns()));
-        for (std::size_t p = 0; p < points.size(); ++p)
-          for (unsigned int c = 0; c < 3; ++c)
-            if (const int unknown = body.places.nodes[p].unknowns[c];
-                unknown >= 0)
-              result[k][unknown] = moved[3 * p + c];
+        const ComplexMatrix moved =
+          body.waves->field(s[k], points) * (motions.transpose() * on_body[k]);
+        result.push_back(body.at_unknowns(moved));
       }
     return result;
   }

@@ -164,7 +164,7 @@ BOOST_AUTO_TEST_CASE(pads_close_to_each_other_are_a_layer)
       {
         const Complex layer = vertical(on_layer, s, x);
         BOOST_TEST(std::abs(vertical(on_pads, s, x) - layer) <
-                   2e-3 * std::abs(vertical(on_layer, s, 0.)));
+                   4e-4 * std::abs(vertical(on_layer, s, 0.)));
       }
 }
 
@@ -180,20 +180,23 @@ BOOST_AUTO_TEST_CASE(pads_apart_carry_what_equilibrium_says)
   body.foundation.sleeper_mass      = 20.;
   body.foundation.ballast_stiffness = {{3e6, 3e6, 3e6}};
   const Waveguide guide             = waves_of(body);
-  // at rest pads and ballast are springs in series: 1.2e6 N/m^2 over a length
-  const double                  slow = 2.;
-  const WaveguideResponse       response(guide, slow);
-  double                        sum = 0.;
-  const double                  dx  = 0.02;
+  // pads are in series with ballast and sleepers, 20 kg each 0.6 m
+  const double rate = 10., sleeper = 3e6 + 20. / 0.6 * rate * rate,
+               support    = 2e6 * sleeper / (2e6 + sleeper),
+               bar_itself = width * height * density * rate * rate;
+  const WaveguideResponse       response(guide, rate);
   std::vector<Waveguide::Place> places;
-  for (double x = -12. + dx / 2; x < 12.; x += dx)
-    places.push_back({{x, 0., 0.}});
+  for (int pad = -40; pad <= 40; ++pad)
+    for (const double way : {-1., 1.})
+      places.push_back(
+        {{0.6 * pad + 0.2 + way * 0.1 / (2 * std::sqrt(3.)), 0., -height}});
   const ComplexMatrix moved =
     response.field(places, top, ComplexMatrix::Identity(3, 3));
+  double sum = 0.;
   for (std::size_t p = 0; p < places.size(); ++p)
-    sum += dx * moved(3 * p + 2, 2).real();
-  // the mean displacement bears the force, and inertia next to nothing
-  BOOST_TEST(sum * 1.2e6 == 1., boost::test_tools::tolerance(0.02));
+    sum += 0.5 * moved(3 * p + 2, 2).real();
+  BOOST_TEST(sum * 0.6 * (support + bar_itself) == 1.,
+             boost::test_tools::tolerance(2e-4));
   // a bay further all is as it was
   const ComplexMatrix here = guide.receptances(at_frequency(350.), {top}),
                       next = guide.receptances(at_frequency(350.),

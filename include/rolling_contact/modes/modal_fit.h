@@ -11,10 +11,10 @@ namespace RollingContact
   /** What a fit of modes is asked for. */
   struct ModalFitControls
   {
-    /** Below this frequency differences count a fifth. Units: Hz. */
+    /** Below this frequency differences count three tenths. Units: Hz. */
     double lowest = 50.;
 
-    /** Largest difference at a frequency, over the receptance there, that is
+    /** The difference at a frequency, as FittedModes::error has it, that is
      * small enough. */
     double tolerance = 0.01;
 
@@ -43,9 +43,9 @@ namespace RollingContact
     DenseMatrix         rest;           ///< R. Units: m/N
 
     /** The largest difference from the receptances at a frequency not below the
-     * lowest, of real parts over their norm there and of imaginary parts over
-     * the norm of those, at least a twentieth; each motion in units of its own
-     * mean. */
+     * lowest, over the geometric mean of those of both motions there; that of
+     * imaginary parts over the mean of these, which are taken as a twentieth of
+     * the receptance at least. A norm over motions that are coupled. */
     double error    = 0.;
     double error_at = 0.; ///< Hz
   };

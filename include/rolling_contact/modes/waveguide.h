@@ -11,6 +11,7 @@
 #include <complex>
 #include <functional>
 #include <map>
+#include <mutex>
 #include <vector>
 
 namespace RollingContact
@@ -112,30 +113,42 @@ namespace RollingContact
       return sizes;
     }
 
-    const BodyDamping &damping() const
+    const Foundation &foundation() const
     {
-      return own_damping;
+      return springs;
+    }
+
+    /**
+     * What a stiffness with a loss factor is multiplied by, kappa, with half of
+     * that of @p added_damping in addition. Units: 1/s.
+     */
+    Complex stiffening(const Complex s,
+                       const double  loss_factor,
+                       const double  added_damping) const;
+
+    /** What of a mass times the displacement is its inertia, s^2 + alpha s.
+     * Units: 1/s, 1/s^2. */
+    Complex rate_of_inertia(const Complex s) const
+    {
+      return s * s + s * damping.mass_damping;
     }
 
     /**
      * Pads: springs of a metre of foot, as many as have a motion of the foot of
      * their own, by the fields of the section, and which motions of the foot
-     * are its translations across, outwards and along, in whose order the
-     * stiffness of the ballast is. They act on two lines across the foot of
-     * each pad, x of the one at Pad offset. Units: N/m^2, m.
+     * are its translations along x, across and outwards. They act on two lines
+     * across the foot of each pad, x of the one at Pad offset. Units: N/m^2, m.
      */
     struct Pads
     {
-      Foundation            foundation;
-      Eigen::VectorXd       stiffness;
-      DenseMatrix           shapes, translations;
-      std::array<double, 3> ballast;
-      std::vector<double>   lines;
+      Eigen::VectorXd     stiffness;
+      DenseMatrix         shapes, translations;
+      std::vector<double> lines;
     };
 
     bool has_pads() const
     {
-      return foundation.pad_spacing > 0.;
+      return springs.pad_spacing > 0.;
     }
 
     const Pads &pads() const
@@ -143,7 +156,8 @@ namespace RollingContact
       return pad_springs;
     }
 
-    /** Rows of displacements along x, y and z by the fields at a place. */
+    /** Rows of displacements along x, y and z by the fields at a place; from
+     * any thread. */
     const ComplexMatrix &motion_at(const Place &place) const;
 
   private:
@@ -169,8 +183,8 @@ namespace RollingContact
 
     const SectionPlacement placement;
     const HarmonicSection  section;
-    const BodyDamping      own_damping;
-    const Foundation       foundation;
+    const BodyDamping      damping;
+    const Foundation       springs;
     Pads                   pad_springs;
     WaveguideSize          sizes;
     DenseMatrix            fields; ///< at the unknowns of the section
@@ -180,6 +194,7 @@ namespace RollingContact
 
     /** motion_at() of places of the section, across and outwards. */
     mutable std::map<std::array<double, 2>, ComplexMatrix> known_motions;
+    mutable std::mutex                                     learning;
   };
 } // namespace RollingContact
 

@@ -17,6 +17,8 @@ namespace RollingContact
    *   r(xi) = (1 + G Z)^-1 h,
    *
    * at equidistant xi, twice as many until the pads farthest off do not move.
+   * Rates far below that of the rail on its pads are told less exactly, as free
+   * waves are so long then that the little which far pads bear counts.
    *
    * Source: K. L. Knothe, S. L. Grassie, Modelling of railway track and
    * vehicle/track interaction at high frequencies, Vehicle Syst. Dyn. 22
@@ -81,7 +83,7 @@ namespace RollingContact
     ComplexMatrix stiffness_of_pad() const;
 
     const Waveguide &guide;
-    const Complex    s, turned;
+    const Complex    s;
     const double     added_damping;
     ComplexVector    wavenumbers;
     ComplexMatrix    u, u_behind, v, v_behind; ///< by columns

@@ -62,7 +62,8 @@ namespace RollingContact
     ComplexMatrix change(const Complex s,
                          const double  added_damping = 0.) const;
 
-    /** Displacements of places along x, y and z under forces there. */
+    /** What a frequency changes of the displacements of places along x, y and
+     * z under forces there. Units: 1/s, m/N. */
     ComplexMatrix change(const Complex             s,
                          const std::vector<Place> &places) const;
 
@@ -76,12 +77,14 @@ namespace RollingContact
      * What a rail without ends is softer by at rest than its mesh, which ends
      * and is of finite elements, in the four motions. It is smooth at the
      * contact and extrapolated to there from places beside, where no field of
-     * the load alone is. @p factor: of K of the mesh. Units: m/N.
+     * the load alone is. @p factor: of K of the mesh. Throws InputError if the
+     * mesh does not reach as far. Units: m/N.
      */
     DenseMatrix beyond_mesh(const DirectBody<3> &mesh,
                             const Factorisation &factor) const;
 
-    /** Displacements of places along x, y and z under forces there. */
+    /** As much of the displacements of places along x, y and z under forces
+     * there. Units: m/N. */
     DenseMatrix beyond_mesh(const DirectBody<3>      &mesh,
                             const Factorisation      &factor,
                             const std::vector<Place> &places) const;
@@ -91,8 +94,11 @@ namespace RollingContact
      * of change() at that frequency. */
     double lower_degree_error(const std::function<void()> &interrupt) const;
 
-    /** kappa(s). */
-    Complex stiffening(const Complex s, const double added_damping = 0.) const;
+    /** kappa(s). Units: 1/s. */
+    Complex stiffening(const Complex s, const double added_damping = 0.) const
+    {
+      return waves->stiffening(s, damping.loss_factor, added_damping);
+    }
 
     /** Displacement of a point of the running surface along x, y and z by the
      * four motions: 3 x 4 values. */
@@ -127,6 +133,10 @@ namespace RollingContact
     waveguide_of(const double                 cut_off,
                  const std::function<void()> &interrupt,
                  const unsigned int           degree) const;
+
+    /** Throws InputError unless the mesh reaches to all places where it is
+     * compared with waves. */
+    void require_mesh_around(const std::vector<Place> &places) const;
 
     /** Displacements under forces along x, y and z at both places, N. */
     ComplexMatrix field(const WaveguideResponse  &response,

@@ -82,7 +82,10 @@ namespace RollingContact
 
     /** The motions of the contact nodes of a rail by those of RailWaves, by
      * columns: of the body, numbered as its forces. */
-    DenseMatrix motions_of_waves(const Side side) const;
+    const DenseMatrix &motions_of_waves(const Side side) const
+    {
+      return four_motions[side];
+    }
 
     /** RailWaves::beyond_mesh() of a rail without ends, less what is known of
      * it at the contact nodes. */
@@ -115,12 +118,14 @@ namespace RollingContact
     /** Take the modes that stand for the waves of a rail. */
     void take_waves(const Side side);
 
+    DenseMatrix find_motions_of_waves(const Side side) const;
+
     const ModalBodies<dim> &modal;
     const RollingPair<dim> &rolling;
 
     PerSide<std::unique_ptr<ContactVibration>> contacts;
     PerSide<DenseMatrix>                       Phi; ///< of the modes of a body
-    PerSide<DenseMatrix>                       beyond;
+    PerSide<DenseMatrix>                       four_motions, beyond;
     DenseMatrix          more_at_rest; ///< compliance that modes add to W
     PerSide<DenseMatrix> cross; ///< between contact and absorbers, residual
     DenseMatrix          W_res; ///< without absorbers

@@ -14,6 +14,7 @@
 #include <rolling_contact/vibration/rail_waves.h>
 
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -63,12 +64,17 @@ namespace RollingContact
      */
     AbsorberPlaces absorbers(const double highest, RunContext &context) const;
 
-    /** The modes as fields of the unknowns, by columns; of those that stand for
-     * waves what they move of the mesh. */
+    /** The modes as fields of the unknowns, by columns, 1/kg^(1/2); of those
+     * that stand for waves what they move of the mesh. From any thread. */
     const DenseMatrix &mode_shapes() const;
 
-    /** Places of the nodes. */
+    /** Places of the nodes. Units: m. */
     std::vector<RailWaves::Place> points() const;
+
+    /** Displacements of points() along x, y and z, by columns, at the unknowns.
+     */
+    template <class Matrix>
+    Matrix at_unknowns(const Matrix &moved) const;
 
     /** Whether it is a rail by waves in its section. */
     bool is_without_ends() const
@@ -133,6 +139,7 @@ namespace RollingContact
                        RunContext                  &context) const;
 
     mutable DenseMatrix              shapes_of_waves; ///< once asked for
+    mutable std::once_flag           has_shapes;
     std::unique_ptr<DirectBody<dim>> own_body;
     std::unique_ptr<Factorisation>   own_factor;
   };
