@@ -1,4 +1,4 @@
-#include <rolling_contact/analyses/solve_to_target.h>
+#include <rolling_contact/analyses/disturbed_state.h>
 #include <rolling_contact/analyses/stability.h>
 #include <rolling_contact/analyses/stability_report.h>
 #include <rolling_contact/base/constants.h>
@@ -6,10 +6,7 @@
 #include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/results/bodies_report.h>
 #include <rolling_contact/results/mode_animation.h>
-#include <rolling_contact/results/result_row.h>
-#include <rolling_contact/results/state_report.h>
 #include <rolling_contact/scene/shared_rules.h>
 #include <rolling_contact/stability/unstable_count.h>
 #include <rolling_contact/vibration/rolling_modes.h>
@@ -29,14 +26,6 @@ namespace RollingContact
     /// negative damping ratio at the highest frequency from which on a
     /// vibration counts: without damping many have none but by rounding
     const double neutral = 1e-7;
-
-    StateDemands stability_demands()
-    {
-      StateDemands demands;
-      demands.pair.modes       = true;
-      demands.pair.bulk_errors = true;
-      return demands;
-    }
 
     /** The vibrations that are listed, by frequency, corrected by the whole
      * bodies if that is wanted. */
@@ -123,22 +112,6 @@ namespace RollingContact
                  "of the creepage or stiffer supports change that."));
     }
 
-    /** Warns of a stick zone whose leading edge cannot move. */
-    void warn_of_fixed_edges(const LinearContact   &contact,
-                             const SlipOperatorKind kind,
-                             Log                   &log)
-    {
-      const std::size_t n       = contact.touching.size(),
-                        n_stick = n - contact.n_slip();
-      if (contact.n_tangential > 0 && n_stick > 0 &&
-          kind != SlipOperatorKind::calibrated)
-        log.warning("Part of the patch sticks, " + std::to_string(n_stick) +
-                    " of " + std::to_string(n) +
-                    " nodes. Its leading edge moves with the load, which "
-                    "Contact/Slip operator = " +
-                    name_of(kind) + " does not know; take calibrated.");
-    }
-
     /** Counts the unstable vibrations a second time; a part of the verdict if
      * they are as many. */
     std::string counted_again(const Situation            &scene,
@@ -177,33 +150,9 @@ namespace RollingContact
   } // namespace
 
   template <int dim>
-  SteadyState<dim> Stability<dim>::steady_state()
-  {
-    if (!bodies_touch(scene))
-      throw InputError("Analysis = stability needs contact: check "
-                       "Contact/Approach and Contact/Normal load.");
-    Situation        used = scene;
-    SteadyState<dim> steady =
-      solve_to_target<dim>(used,
-                           stability_demands(),
-                           TargetDemands(),
-                           context,
-                           [&](const SteadyState<dim> &level) {
-                             add_result_row(scene, level, context);
-                           });
-    require_solved(scene, steady, "The steady rolling state");
-    describe_bodies(steady, context);
-    StateReview<dim> review(scene, context);
-    review.add(steady);
-    review.warn(steady);
-    note_state(steady, context.report);
-    return steady;
-  }
-
-  template <int dim>
   void Stability<dim>::run()
   {
-    const SteadyState<dim>  steady = steady_state();
+    const SteadyState<dim>  steady = disturbed_state<dim>(scene, context);
     const ModalBodies<dim>  bodies(scene,
                                   scene.inputs->modes,
                                   steady.pair->bodies(),

@@ -1,3 +1,4 @@
+#include <deal.II/fe/mapping_q1.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/sparse_matrix.h>
 
@@ -224,6 +225,29 @@ namespace RollingContact
     return restrict_to_unknowns(M, body.unknown_of_dof, body.n_unknowns);
   }
 
+  template <int dim>
+  std::vector<PointMass> clamped_masses(const Discretisation<dim> &body)
+  {
+    Vector<double>            masses(body.dofs.n_dofs());
+    AffineConstraints<double> hanging;
+    DoFTools::make_hanging_node_constraints(body.dofs, hanging);
+    hanging.close();
+    add_lumped_mass(untied(body, hanging), masses);
+    std::vector<Point<dim>> positions(body.dofs.n_dofs());
+    DoFTools::map_dofs_to_support_points(MappingQ1<dim>(),
+                                         body.dofs,
+                                         positions);
+    std::vector<PointMass> result;
+    for (types::global_dof_index i = 0; i < body.dofs.n_dofs(); i += dim)
+      if (body.unknown_of_dof[i] < 0 && !hanging.is_constrained(i))
+        {
+          const Point<dim> &at = positions[i];
+          result.push_back(
+            {{{at[0], dim == 3 ? at[1] : 0., at[dim - 1]}}, masses[i]});
+        }
+    return result;
+  }
+
   namespace
   {
     Tensor<1, 3> tensor(const std::array<double, 3> &v)
@@ -281,12 +305,14 @@ namespace RollingContact
     return result;
   }
 
-  template SymmetricSparseMatrix assemble_stiffness(const Discretisation<2> &,
-                                                    const StiffnessParts &);
-  template SymmetricSparseMatrix assemble_stiffness(const Discretisation<3> &,
-                                                    const StiffnessParts &);
-  template SymmetricSparseMatrix assemble_mass(const Discretisation<2> &,
-                                               const MassKind);
-  template SymmetricSparseMatrix assemble_mass(const Discretisation<3> &,
-                                               const MassKind);
+  template SymmetricSparseMatrix  assemble_stiffness(const Discretisation<2> &,
+                                                     const StiffnessParts &);
+  template SymmetricSparseMatrix  assemble_stiffness(const Discretisation<3> &,
+                                                     const StiffnessParts &);
+  template std::vector<PointMass> clamped_masses(const Discretisation<2> &);
+  template std::vector<PointMass> clamped_masses(const Discretisation<3> &);
+  template SymmetricSparseMatrix  assemble_mass(const Discretisation<2> &,
+                                                const MassKind);
+  template SymmetricSparseMatrix  assemble_mass(const Discretisation<3> &,
+                                                const MassKind);
 } // namespace RollingContact

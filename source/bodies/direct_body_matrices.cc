@@ -34,6 +34,12 @@ namespace RollingContact
   }
 
   template <int dim>
+  std::vector<PointMass> DirectBody<dim>::clamped_masses() const
+  {
+    return RollingContact::clamped_masses(discretisation());
+  }
+
+  template <int dim>
   SkewSparseMatrix DirectBody<dim>::rotation(const Axle &axle) const
   {
     if constexpr (dim == 3)
@@ -139,6 +145,8 @@ namespace RollingContact
   template SymmetricSparseMatrix DirectBody<3>::stiffness() const;
   template SymmetricSparseMatrix DirectBody<2>::mass(const MassKind kind) const;
   template SymmetricSparseMatrix DirectBody<3>::mass(const MassKind kind) const;
+  template std::vector<PointMass> DirectBody<2>::clamped_masses() const;
+  template std::vector<PointMass> DirectBody<3>::clamped_masses() const;
   template SkewSparseMatrix     DirectBody<2>::rotation(const Axle &axle) const;
   template SkewSparseMatrix     DirectBody<3>::rotation(const Axle &axle) const;
   template const Factorisation &DirectBody<2>::factorisation() const;

@@ -155,15 +155,13 @@ namespace RollingContact
     }
 
     ContactCompliance halved_compliance(const HalvedProblem  &half,
-                                        SparseRows            R,
                                         const ContactProblem &whole)
     {
       const ContactCompliance &W = whole.operators.W();
       if (const GridCompliance *grid = W.on_grid())
         return {std::make_shared<const GridCompliance>(
-          grid->parts().halved(half.nodes, R))};
-      return SurfaceCoupling(std::move(R), whole.n_nodes())
-        .to_interface(W.dense());
+          grid->parts().halved(half.nodes, half.coupling.projection()))};
+      return half.coupling.to_interface(W.dense());
     }
 
     template <typename Values>
@@ -216,12 +214,12 @@ namespace RollingContact
       return {};
     const ContactOperators &operators = whole.operators;
     const SlipOperator     &slip      = operators.slip_operator();
+    half.coupling = SurfaceCoupling(
+      weights_of(half, grid, trace, operators.areas()), whole.n_nodes());
     half.problem.operators            = ContactOperators(
       half.trace.nodes,
       contact_matrix(half.trace, matrices, thickness),
-      halved_compliance(half,
-                        weights_of(half, grid, trace, operators.areas()),
-                        whole),
+      halved_compliance(half, whole),
       whole.n_tangential() > 0
                    ? SlipOperator(half.trace, slip.kind(), matrices, slip.flow_direction())
                    : SlipOperator(slip.kind()),

@@ -1,4 +1,5 @@
 #include <rolling_contact/analyses/contact_table.h>
+#include <rolling_contact/analyses/corrugation.h>
 #include <rolling_contact/analyses/creep_curve.h>
 #include <rolling_contact/analyses/limit_cycles.h>
 #include <rolling_contact/analyses/load_curve.h>
@@ -30,6 +31,7 @@ namespace RollingContact
                                                  stability_in_curves_kind(),
                                                  stability_map_in_curves_kind(),
                                                  limit_cycle_kind(),
+                                                 corrugation_kind(),
                                                  wheelset_kind(),
                                                  profile_evolution_kind()};
     return kinds;

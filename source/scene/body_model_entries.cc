@@ -60,8 +60,9 @@ namespace RollingContact
     entries.choice("Hub", hub, named_hubs).help =
       "What the inner circle of a disc, the bottom of a block, the bore of a "
       "wheel or the foot of a rail does: `clamped`; `elastic`, on the springs "
-      "of Foundation stiffness; and in a transient analysis, where inertia "
-      "alone holds the body, `free`, or `mass`, fixed to the rigid mass of an "
+      "of Foundation stiffness; `free`, in a transient analysis, where inertia "
+      "alone holds the body; `mass`, fixed to the rigid mass of an axle, there "
+      "and for a wheel that vibrates about a steady state, which holds the "
       "axle.";
     const Reader of_mass =
       reader(hangs_on_axle, "an elastic body with Hub = mass reads it");
@@ -136,9 +137,10 @@ namespace RollingContact
         return;
       }
     const std::string entry = section + "/Model = harmonic: ";
-    if (hub != Hub::clamped && hub != Hub::free)
-      throw InputError(entry + "its hub must be clamped or free, and Hub = " +
-                       name_of(hub) + "; take Model = mesh.");
+    if (hub == Hub::elastic)
+      throw InputError(
+        entry + "its hub must be clamped, free or on an axle, and Hub = " +
+        name_of(hub) + "; take Model = mesh.");
     if (body_shape != nullptr && !body_shape->section_about_axle())
       throw InputError(entry +
                        "this body is none of revolution; take Shape = disc, "
@@ -332,10 +334,13 @@ namespace RollingContact
     if (rigid)
       return;
     if (is_loose(hub))
-      throw InputError(section + "/Hub = " + name_of(hub) +
-                       ": only inertia holds such a body; take Analysis = "
-                       "transient with Time/Inertia = true and Time/Initial "
-                       "state = rest, or `clamped`.");
+      throw InputError(
+        section + "/Hub = " + name_of(hub) +
+        ": only inertia holds such a body; take `clamped`, or "
+        "Analysis = transient with Time/Inertia = true and "
+        "Time/Initial state = rest; a wheel with `mass` may also "
+        "vibrate about a steady state, as in Analysis = "
+        "stability.");
     if (hub != Hub::elastic)
       return;
     const auto check = [&](const std::string           &layer,

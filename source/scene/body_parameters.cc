@@ -219,6 +219,14 @@ namespace RollingContact
     check_with(*body_shape(), true, dimension);
   }
 
+  void BodySpec::hold_axle()
+  {
+    if (rigid || hub != Hub::mass)
+      return;
+    axle_mass = model.hub_mass;
+    hub       = Hub::clamped;
+  }
+
   void BodySpec::read_mesh(const unsigned int           dimension,
                            const std::filesystem::path &folder,
                            const bool                   is_under_profile)

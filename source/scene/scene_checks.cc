@@ -10,10 +10,18 @@ namespace RollingContact
   void SceneParameters::check_hubs() const
   {
     const bool dynamic = marches() && time.inertia;
+    const bool hangs_on_axle = !wheel.rigid && wheel.hub == Hub::mass &&
+                               analysis.linearises;
     if (!dynamic || time.initial_state == InitialState::steady)
       for (const BodyParameters *body : {&wheel, &rail})
-        body->check_held(dimension);
-    const bool free_wheel = !wheel.rigid && is_loose(wheel.hub);
+        if (body != &wheel || !hangs_on_axle)
+          body->check_held(dimension);
+    if (hangs_on_axle && !wheel.dampers.number.empty())
+      throw InputError("Wheel/Dampers and Wheel/Hub = mass: dampers are known "
+                       "on a wheel whose hub is held; take Hub = clamped, or "
+                       "leave Dampers empty.");
+    const bool free_wheel =
+      !wheel.rigid && is_loose(wheel.hub) && !hangs_on_axle;
     if (free_wheel && contact.normal_load)
       throw InputError(
         "Contact/Normal load = " + text_of(*contact.normal_load) +

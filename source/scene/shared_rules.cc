@@ -53,6 +53,11 @@ namespace RollingContact
                        " needs the factor of the stiffness, which blocks of "
                        "vectors are solved with; take direct or automatic, on "
                        "one rank.");
+    if (!scene.wheel.rigid && scene.wheel.hub == Hub::mass &&
+        scene.wheel.modes == ModeModel::harmonic)
+      throw InputError("Wheel/Hub = mass and Wheel/Model = harmonic: alone, a "
+                       "wheel on its axle has modes of its mesh; take Model = "
+                       "mesh.");
     if (scene.profiles.in_use())
       scene.profiles.check(scene.wheel.radius, scene.prm_folder);
   }

@@ -30,7 +30,10 @@ namespace RollingContact
     , profiles(inputs.profiles)
     , surfaces(inputs.surfaces)
     , wear(inputs.wear)
-  {}
+  {
+    if (inputs.analysis.linearises)
+      wheel.hold_axle();
+  }
 
   void PairSpec::take_frame_loads()
   {

@@ -10,6 +10,15 @@
 
 namespace RollingContact
 {
+  ComplexLU modal_factors(const ReducedPair &pair, const std::complex<double> s)
+  {
+    ComplexMatrix D = pair.K_m + s * pair.C_m;
+    D.diagonal().array() += s * s;
+    if (pair.H_m.size() > 0)
+      D += std::complex<double>(0., std::copysign(1., s.imag())) * pair.H_m;
+    return ComplexLU(std::move(D));
+  }
+
   bool CorrectedMode::undecided() const
   {
     // a comparison with NaN must not pass for a decision
@@ -23,14 +32,6 @@ namespace RollingContact
 
   namespace
   {
-    ComplexLU modal_factors(const ReducedPair         &pair,
-                            const std::complex<double> s)
-    {
-      ComplexMatrix D = pair.K_m + s * pair.C_m;
-      D.diagonal().array() += s * s;
-      return ComplexLU(std::move(D));
-    }
-
     /**
      * T(s) of the reduced pair.
      */

@@ -60,6 +60,17 @@ namespace RollingContact
         "come from the same stiffness matrix.");
   }
 
+  ReducedPair at_nodes(const ReducedPair &pair, const SurfaceCoupling &coupling)
+  {
+    ReducedPair result = pair;
+    result.W_res       = coupling.to_interface(pair.W_res);
+    result.Phi.resize(result.W_res.rows(), pair.n_modes());
+    for (std::size_t j = 0; j < pair.n_modes(); ++j)
+      result.Phi.col(j) =
+        as_vector(coupling.to_interface(column_of(pair.Phi, j)));
+    return result;
+  }
+
   void add_rotation(ReducedPair &pair, const DenseMatrix &S, const double rate)
   {
     const std::size_t m = pair.n_modes();

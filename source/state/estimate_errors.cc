@@ -114,44 +114,6 @@ namespace RollingContact
     }
 
     /**
-     * Make the problems on every second node at all positions, which serve all
-     * states of one problem.
-     */
-    template <int dim>
-    void make_halves(const PairSpec &scene, SteadyState<dim> &steady)
-    {
-      for (unsigned int k = 0; k < 1u << (dim - 1); ++k)
-        if (auto half = halved_problem(steady.problem,
-                                       steady.pair->trace(),
-                                       scene.contact.contact_matrices,
-                                       dim == 2 ? scene.thickness() : 1.,
-                                       {{k & 1, k >> 1}}))
-          steady.halves.push_back(std::move(*half));
-    }
-
-    /**
-     * The state on every second node with the loads of the whole problem, from
-     * its state. None if it was not found.
-     */
-    std::optional<ContactState> solved_half(const PairSpec       &scene,
-                                            const ContactProblem &whole,
-                                            const ContactState   &from,
-                                            HalvedProblem        &half)
-    {
-      half.take(whole);
-      SolverControls controls = scene.solver.controls;
-      controls.tolerance      = std::max(controls.tolerance, tolerance);
-      controls.max_iterations =
-        std::min(controls.max_iterations, most_iterations);
-      ContactState state = halved_state(half, from);
-      if (!make_contact_solver("economical", controls)
-             ->solve(half.problem, state)
-             .converged)
-        return {};
-      return state;
-    }
-
-    /**
      * |s_i - s_j| / min(|s_i|, |s_j|), at most 1.
      */
     double
@@ -195,6 +157,38 @@ namespace RollingContact
   } // namespace
 
   template <int dim>
+  void make_halves(const PairSpec &scene, SteadyState<dim> &steady)
+  {
+    if (!steady.halves.empty())
+      return;
+    for (unsigned int k = 0; k < 1u << (dim - 1); ++k)
+      if (auto half = halved_problem(steady.problem,
+                                     steady.pair->trace(),
+                                     scene.contact.contact_matrices,
+                                     dim == 2 ? scene.thickness() : 1.,
+                                     {{k & 1, k >> 1}}))
+        steady.halves.push_back(std::move(*half));
+  }
+
+  std::optional<ContactState> state_of_half(const PairSpec       &scene,
+                                          const ContactProblem &whole,
+                                          const ContactState   &from,
+                                          HalvedProblem        &half)
+  {
+    half.take(whole);
+    SolverControls controls = scene.solver.controls;
+    controls.tolerance      = std::max(controls.tolerance, tolerance);
+    controls.max_iterations =
+      std::min(controls.max_iterations, most_iterations);
+    ContactState state = halved_state(half, from);
+    if (!make_contact_solver("economical", controls)
+           ->solve(half.problem, state)
+           .converged)
+      return {};
+    return state;
+  }
+
+  template <int dim>
   void estimate_errors(const PairSpec &scene, SteadyState<dim> &steady)
   {
     const ContactProblem &problem = steady.problem;
@@ -202,13 +196,12 @@ namespace RollingContact
     if (!steady.solver.converged || steady.result.n_touching == 0 ||
         problem.operators.time_scaling().rate != 0.)
       return;
-    if (steady.halves.empty())
-      make_halves(scene, steady);
+    make_halves(scene, steady);
     ErrorEstimate         estimate;
     const ContactProblem *last = &problem;
     ContactState          last_state;
     for (HalvedProblem &half : steady.halves)
-      if (auto state = solved_half(scene, problem, steady.state, half))
+      if (auto state = state_of_half(scene, problem, steady.state, half))
         {
           const Resultants found = resultants(half.problem, *state);
           if (!is_finite(found) || found.n_touching == 0)
@@ -224,6 +217,8 @@ namespace RollingContact
     steady.estimate = estimate;
   }
 
+  template void make_halves(const PairSpec &, SteadyState<2> &);
+  template void make_halves(const PairSpec &, SteadyState<3> &);
   template void estimate_errors(const PairSpec &, SteadyState<2> &);
   template void estimate_errors(const PairSpec &, SteadyState<3> &);
 } // namespace RollingContact

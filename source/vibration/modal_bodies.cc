@@ -38,8 +38,19 @@ namespace RollingContact
         const DenseMatrix        &modes = body.modes.shapes;
         Part                     &part  = parts[side];
         part.C_m        = modal_damping_matrix(body.modes, body.H, body.C);
+        part.viscous    = modal_damping_matrix(body.modes, {}, body.C);
+        part.H_m        = body.H.size() > 0
+                            ? projected(body.H, modes)
+                            : DenseMatrix::Zero(body.modes.size(), body.modes.size());
         hanging[side]   = body.absorbers(wanted.maximum_frequency, context);
         const auto axle = body.parameters.body_shape()->axle();
+        if (body.parameters.axle_mass)
+          axles[side] = std::make_unique<AxleMotion>(
+            *direct,
+            body.places,
+            *body.parameters.axle_mass,
+            axle ? axle->direction : std::array<double, 3>{{0., 1., 0.}},
+            modes);
         if constexpr (dim == 3)
           if (side == Side::wheel && axle)
             {
@@ -90,7 +101,21 @@ namespace RollingContact
                      rate(side, conditions),
                      matrices.first,
                      matrices.second);
+    if (axle(side))
+      for (DenseMatrix *matrix : {&matrices.first, &matrices.second})
+        axle(side)->join(*matrix);
     return matrices;
+  }
+
+  template <int dim>
+  DenseMatrix ModalBodies<dim>::loss_stiffness(const Side side) const
+  {
+    const std::size_t m = n_modes(side) + hanging[side].n_coordinates();
+    DenseMatrix       H = DenseMatrix::Zero(m, m);
+    H.topLeftCorner(n_modes(side), n_modes(side)) = parts[side].H_m;
+    if (axle(side))
+      axle(side)->join(H);
+    return H;
   }
 
   template <int dim>
@@ -103,7 +128,7 @@ namespace RollingContact
     const auto             ratios = damping_ratios(side, conditions);
     ReducedPair            alone;
     alone.K_m = DenseMatrix::Zero(m, m);
-    alone.C_m = parts[side].C_m;
+    alone.C_m = conditions.hysteretic ? parts[side].viscous : parts[side].C_m;
     for (std::size_t j = 0; j < m; ++j)
       {
         alone.K_m(j, j) = modes.eigenvalue(j);

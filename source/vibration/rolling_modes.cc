@@ -136,8 +136,10 @@ namespace RollingContact
     pair.n_wheel_modes = modal.n_coordinates(Side::wheel);
     pair.K_m = pair.C_m = DenseMatrix::Zero(m, m);
     pair.Phi            = DenseMatrix::Zero(n, m);
-    pair.W_res          = W_res;
-    pair.retardation    = retardation();
+    if (conditions.hysteretic)
+      pair.H_m = DenseMatrix::Zero(m, m);
+    pair.W_res       = W_res;
+    pair.retardation = retardation();
     for (const Side side : both_sides)
       {
         if (modal.n_modes(side) == 0)
@@ -146,14 +148,28 @@ namespace RollingContact
         const auto [K_m, C_m]   = modal.modal_matrices(side, conditions);
         pair.K_m.block(first, first, K_m.rows(), K_m.cols()) = K_m;
         pair.C_m.block(first, first, C_m.rows(), C_m.cols()) = C_m;
-        DenseMatrix           shapes                         = Phi[side];
+        if (conditions.hysteretic)
+          pair.H_m.block(first, first, C_m.rows(), C_m.cols()) =
+            modal.loss_stiffness(side);
+        DenseMatrix           shapes = Phi[side];
         const AbsorberPlaces &places = modal.absorber_places(side);
         if (places.n_coordinates() > 0)
           join_absorbers(
             places, conditions.absorbers, cross[side], shapes, pair.W_res);
+        if (const AxleMotion *axle = modal.axle(side))
+          axle->join(shapes, motions_of_axle(side));
         pair.Phi.middleCols(first, shapes.cols()) = shapes;
       }
     return pair;
+  }
+
+  template <int dim>
+  DenseMatrix RollingModes<dim>::motions_of_axle(const Side side) const
+  {
+    const DenseMatrix &motions = modal.axle(side)->motions();
+    return at_contact(side,
+                      contacts[side]->of_modes(
+                        motions, std::vector<double>(motions.cols(), 0.)));
   }
 
   template <int dim>
@@ -220,6 +236,7 @@ namespace RollingContact
                                  eta,
                                  transposed_product(cross[side], forces)))
             all.push_back(z);
+        all.resize(first_column(side) + modal.n_coordinates(side), 0.);
       }
     return all;
   }

@@ -1,3 +1,4 @@
+#include <rolling_contact/algebra/lapack.h>
 #include <rolling_contact/vibration/rolling_modes.h>
 
 namespace RollingContact
@@ -78,7 +79,48 @@ namespace RollingContact
     for (std::size_t k = 0; k < forces.size(); ++k)
       loads.push_back(rolling.contact_of(side).load(s[k], answer.forces[k]));
     answer.x = bodies[side]->solve(s, loads, full_tolerance);
+    if (const AxleMotion *axle = rolling.bodies().axle(side))
+      move_axle(side, *axle, s, loads, answer);
     return answer;
+  }
+
+  template <int dim>
+  void WholeBodies<dim>::move_axle(const Side                        side,
+                                   const AxleMotion                 &axle,
+                                   const ComplexValues              &s,
+                                   const std::vector<ComplexVector> &loads,
+                                   Answer &answer) const
+  {
+    const VibratingBody<dim> &body = *rolling.bodies().body(side);
+    const DenseMatrix        &R    = axle.motions();
+    const Eigen::Index        q    = R.cols();
+    DenseMatrix               MR(R.rows(), q);
+    for (Eigen::Index j = 0; j < q; ++j)
+      {
+        std::vector<double> forces(R.rows());
+        body.M.multiply(column_of(R, j), forces);
+        MR.col(j) = as_vector(forces);
+      }
+    for (std::size_t k = 0; k < s.size(); ++k)
+      {
+        // x = x_f + X d under forces and under the inertia of d
+        const Complex              s2 = s[k] * s[k];
+        std::vector<ComplexVector> inertia;
+        for (Eigen::Index j = 0; j < q; ++j)
+          inertia.push_back(-s2 * MR.col(j));
+        const auto    of_unit = bodies[side]->solve(ComplexValues(q, s[k]),
+                                                 inertia,
+                                                 full_tolerance);
+        ComplexMatrix stiffness = s2 * axle.mass();
+        for (Eigen::Index j = 0; j < q; ++j)
+          stiffness.col(j) += s2 * (MR.transpose() * of_unit[j]);
+        ComplexVector d = R.transpose() * loads[k] -
+                          s2 * (MR.transpose() * answer.x[k]);
+        ComplexLU(std::move(stiffness)).solve(d);
+        for (Eigen::Index j = 0; j < q; ++j)
+          answer.x[k] += d[j] * of_unit[j];
+        answer.axle.push_back(std::move(d));
+      }
   }
 
   template <int dim>
@@ -89,8 +131,12 @@ namespace RollingContact
   {
     Answer moved = answer(side, s, forces);
     for (std::size_t k = 0; k < forces.size(); ++k)
-      moved.x[k] =
-        rolling.contact_of(side).of_nodes(s[k], moved.forces[k], moved.x[k]);
+      {
+        if (const AxleMotion *axle = rolling.bodies().axle(side))
+          moved.x[k] += axle->motions() * moved.axle[k];
+        moved.x[k] =
+          rolling.contact_of(side).of_nodes(s[k], moved.forces[k], moved.x[k]);
+      }
     return std::move(moved.x);
   }
 
@@ -142,8 +188,12 @@ namespace RollingContact
       return std::vector<ComplexVector>(forces.size());
     Answer moved = answer(side, s, forces);
     for (std::size_t k = 0; k < forces.size(); ++k)
-      moved.x[k] =
-        rolling.contact_of(side).of_body(s[k], moved.forces[k], moved.x[k]);
+      {
+        if (const AxleMotion *axle = rolling.bodies().axle(side))
+          moved.x[k] += axle->motions() * moved.axle[k];
+        moved.x[k] =
+          rolling.contact_of(side).of_body(s[k], moved.forces[k], moved.x[k]);
+      }
     return std::move(moved.x);
   }
 

@@ -4,7 +4,6 @@
 #include <rolling_contact/run/run_context.h>
 #include <rolling_contact/scene/analysis_kind.h>
 #include <rolling_contact/scene/situation.h>
-#include <rolling_contact/state/steady_state.h>
 
 namespace RollingContact
 {
@@ -25,9 +24,6 @@ namespace RollingContact
     void run() override;
 
   private:
-    /** The state that is disturbed; its bodies keep their factors. */
-    SteadyState<dim> steady_state();
-
     const Situation &scene;
     RunContext      &context;
   };

@@ -12,6 +12,7 @@
 #include <rolling_contact/mesh/body_shape.h>
 #include <rolling_contact/mesh/material.h>
 
+#include <array>
 #include <vector>
 
 namespace RollingContact
@@ -64,6 +65,21 @@ namespace RollingContact
   template <int dim>
   SymmetricSparseMatrix assemble_mass(const Discretisation<dim> &body,
                                       const MassKind             kind);
+
+  /**
+   * A mass at a point of a body's own frame, in 2D with y = 0. Units: m, kg.
+   */
+  struct PointMass
+  {
+    std::array<double, 3> point;
+    double                mass;
+  };
+
+  /**
+   * The lumped masses of the nodes that are clamped, which no unknown has.
+   */
+  template <int dim>
+  std::vector<PointMass> clamped_masses(const Discretisation<dim> &body);
 
   /**
    * The matrix of flow round an axle, in 3D,

@@ -111,6 +111,9 @@ namespace RollingContact
      */
     SymmetricSparseMatrix mass(const MassKind kind = MassKind::lumped) const;
 
+    /** The lumped masses of clamped nodes. */
+    std::vector<PointMass> clamped_masses() const;
+
     /**
      * Loss stiffness, the sum of eta_i K_i over material, foundation and
      * ballast: the imaginary part of the stiffness in the frequency domain.

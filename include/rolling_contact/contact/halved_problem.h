@@ -3,6 +3,7 @@
 
 #include <rolling_contact/contact/contact_problem.h>
 #include <rolling_contact/contact/operators.h>
+#include <rolling_contact/contact/surface_coupling.h>
 
 #include <array>
 #include <optional>
@@ -19,6 +20,7 @@ namespace RollingContact
     ContactProblem            problem;
     Trace                     trace;
     std::vector<unsigned int> nodes; ///< their numbers in the whole problem
+    SurfaceCoupling           coupling; ///< R, of the whole problem's nodes
 
     /**
      * Take the loads and the frames of the whole problem, but for loads that

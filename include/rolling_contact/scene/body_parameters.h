@@ -7,6 +7,7 @@
 #include <rolling_contact/mesh/material.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace RollingContact
@@ -176,6 +177,13 @@ namespace RollingContact
      * that of the name `shape`.
      */
     std::shared_ptr<const BodyShape> body_shape() const;
+
+    /** Hold a hub that is fixed to a free mass, as rest needs it; vibrations
+     * move it, see AxleMotion. */
+    void hold_axle();
+
+    /** The mass that a hub which is held at rest moves with in vibrations. */
+    std::optional<HubMass> axle_mass;
 
     std::shared_ptr<const FileMesh>      mesh;    ///< none: it has no file
     std::shared_ptr<const PlacedProfile> profile; ///< see ShapeSpec

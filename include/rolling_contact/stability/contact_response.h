@@ -8,6 +8,24 @@
 namespace RollingContact
 {
   /**
+   * A linearised contact on what the modes of a pair leave out, W_res and tau,
+   * as a pencil in s,
+   *
+   *   statics + s viscosity
+   *     = [(N_u + s N_v) W_res forces + (1 + tau s) N_r + s N_s],
+   *
+   * of unknowns of which (1 + tau s) are tractions and pressures. The term tau
+   * s N_r acts on these alone.
+   */
+  struct ResidualContact
+  {
+    ResidualContact(const LinearContact &contact, const ReducedPair &pair);
+
+    DenseMatrix statics;   ///< n_x x n_x
+    DenseMatrix viscosity; ///< n_x x n_x, s
+  };
+
+  /**
    * How a contact answers motions U of the patch, as complex stiffness:
    *
    *   G(s) = -U^T forces [(N_u + s N_v) W_res / (1 + tau s) forces
@@ -41,9 +59,10 @@ namespace RollingContact
      */
     void scale_rows();
 
-    DenseMatrix   statics, viscosity, motion, velocity;
-    double        retardation;
-    ComplexMatrix reaction;
+    ResidualContact residual;
+    DenseMatrix     motion, velocity;
+    double          retardation;
+    ComplexMatrix   reaction;
   };
 } // namespace RollingContact
 

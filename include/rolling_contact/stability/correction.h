@@ -1,6 +1,7 @@
 #ifndef rolling_contact_stability_correction_h
 #define rolling_contact_stability_correction_h
 
+#include <rolling_contact/algebra/lapack.h>
 #include <rolling_contact/stability/pencil.h>
 
 #include <functional>
@@ -92,6 +93,12 @@ namespace RollingContact
                                      const std::vector<StabilityMode> &modes,
                                      const BodyResponse               &response,
                                      const CorrectionOptions &options = {});
+
+  /**
+   * Factors of s^2 + s C_m + K_m, with the loss stiffness H_m if there is one.
+   */
+  ComplexLU modal_factors(const ReducedPair         &pair,
+                          const std::complex<double> s);
 
   /**
    * W(s) f of the reduced pair.

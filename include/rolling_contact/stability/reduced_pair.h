@@ -2,6 +2,7 @@
 #define rolling_contact_stability_reduced_pair_h
 
 #include <rolling_contact/algebra/dense_matrix.h>
+#include <rolling_contact/contact/surface_coupling.h>
 
 namespace RollingContact
 {
@@ -23,8 +24,11 @@ namespace RollingContact
    */
   struct ReducedPair
   {
-    DenseMatrix K_m;   ///< m x m, 1/s^2
-    DenseMatrix C_m;   ///< m x m, 1/s
+    DenseMatrix K_m; ///< m x m, 1/s^2
+    DenseMatrix C_m; ///< m x m, 1/s
+    /** Loss stiffness besides C_m, m x m, 1/s^2: i sgn(w) H_m joins K_m at a
+     * rate s = i w, and nowhere else; empty where C_m stands for it. */
+    DenseMatrix H_m;
     DenseMatrix Phi;   ///< (T + 1) N x m, 1/sqrt(kg)
     DenseMatrix W_res; ///< (T + 1) N square, symmetric, m/N
 
@@ -45,6 +49,13 @@ namespace RollingContact
    * W_res would push where it should give way.
    */
   void check(const ReducedPair &pair);
+
+  /**
+   * A pair in contact at other nodes, to which motions go over as @p coupling
+   * says, and forces back alike.
+   */
+  ReducedPair at_nodes(const ReducedPair     &pair,
+                       const SurfaceCoupling &coupling);
 
   /**
    * Let the material of the bodies pass through their modes, as a wheel does

@@ -2,6 +2,7 @@
 #define rolling_contact_vibration_modal_bodies_h
 
 #include <rolling_contact/modes/absorbers.h>
+#include <rolling_contact/modes/axle_motion.h>
 #include <rolling_contact/modes/full_dynamics.h>
 #include <rolling_contact/pair/body_pair.h>
 #include <rolling_contact/scene/modes_parameters.h>
@@ -28,6 +29,10 @@ namespace RollingContact
     double speed = 0.; ///< of rolling, m/s; 0: the wheel does not turn
     double added_damping =
       0.; ///< damping ratio that all modes have in addition
+
+    /** Whether losses that are no viscous ones stay apart, as loss stiffness:
+     * for answers at given real frequencies. */
+    bool hysteretic = false;
 
     /**
      * Dampers of the wheel, on the circles where they were when the modes were
@@ -71,7 +76,15 @@ namespace RollingContact
      * absorbers add. 0 for a rigid body. */
     std::size_t n_coordinates(const Side side) const
     {
-      return n_modes(side) + hanging[side].n_coordinates();
+      return n_modes(side) + hanging[side].n_coordinates() +
+             (axle(side) ? axle(side)->size() : 0);
+    }
+
+    /** How a body moves with the axle that its hub is fixed to; nullptr if the
+     * hub is held. */
+    const AxleMotion *axle(const Side side) const
+    {
+      return axles[side].get();
     }
 
     /**
@@ -96,9 +109,12 @@ namespace RollingContact
     std::pair<DenseMatrix, DenseMatrix>
     modal_matrices(const Side side, const RollingConditions &conditions) const;
 
+    /** The loss stiffness of the coordinates of a body. Units: 1/s^2. */
+    DenseMatrix loss_stiffness(const Side side) const;
+
     /**
-     * All unknowns of a body under the same conditions. Keeps references to
-     * this.
+     * All unknowns of a body under the same conditions, its hub held. Keeps
+     * references to this.
      */
     std::unique_ptr<FullDynamics>
     whole_body(const Side side, const RollingConditions &conditions) const;
@@ -106,11 +122,12 @@ namespace RollingContact
   private:
     /**
      * Damping matrix of the modes of one body as it stands, without damping
-     * ratios, and the gyroscopic matrices of one that may turn.
+     * ratios, of all its losses and of the viscous ones alone, its loss
+     * stiffness, and the gyroscopic matrices of one that may turn.
      */
     struct Part
     {
-      DenseMatrix      C_m, S_m;
+      DenseMatrix      C_m, viscous, H_m, S_m;
       SkewSparseMatrix S;
     };
 
@@ -125,6 +142,7 @@ namespace RollingContact
     PerSide<std::unique_ptr<VibratingBody<dim>>> bodies;
     PerSide<Part>                                parts;
     PerSide<AbsorberPlaces>                      hanging;
+    PerSide<std::unique_ptr<AxleMotion>>         axles;
   };
 } // namespace RollingContact
 

@@ -100,6 +100,10 @@ namespace RollingContact
       return *contacts[side];
     }
 
+    /** Motions of the contact nodes, as the relative motion, by those of the
+     * axle that a body hangs on. */
+    DenseMatrix motions_of_axle(const Side side) const;
+
   private:
     /**
      * Retardation time of the residual compliance, which is the material's
@@ -167,8 +171,18 @@ namespace RollingContact
     struct Answer
     {
       std::vector<ComplexVector> forces; ///< on the contact nodes of the body
-      std::vector<ComplexVector> x;
+      std::vector<ComplexVector> x;      ///< relative to the axle
+      std::vector<ComplexVector> axle;   ///< d of AxleMotion, if there is one
     };
+
+    /** Let the axle that a body hangs on move, too: with its mass M_R,
+     *
+     *   D x + s^2 M R d = f,      s^2 R^T M x + s^2 M_R d = R^T f. */
+    void move_axle(const Side                        side,
+                   const AxleMotion                 &axle,
+                   const ComplexValues              &s,
+                   const std::vector<ComplexVector> &loads,
+                   Answer                           &answer) const;
 
     /** Nodal forces of contact as those on the nodes of a body. */
     std::vector<ComplexVector>

@@ -1,0 +1,54 @@
+#ifndef rolling_contact_analyses_corrugation_h
+#define rolling_contact_analyses_corrugation_h
+
+#include <rolling_contact/analyses/corrugation_report.h>
+#include <rolling_contact/scene/analysis_kind.h>
+#include <rolling_contact/scene/situation.h>
+#include <rolling_contact/state/steady_state.h>
+#include <rolling_contact/vibration/rolling_modes.h>
+
+namespace RollingContact
+{
+  /**
+   * Analysis = corrugation: how small waves on rail or wheel grow or are worn
+   * flat, per passage, over wavelength, speed and place in a bay of the track,
+   * by friction's work in a steady rolling state that they disturb, in
+   * corrugation.csv.
+   */
+  template <int dim>
+  class Corrugation : public Analysis
+  {
+  public:
+    Corrugation(const Situation &scene, RunContext &context);
+
+    void run() override;
+
+  private:
+    /** All waves at one place of the track, the scene as it is there. */
+    void run_at(const Situation &at, const std::optional<double> &pad_offset);
+
+    /** The element along x must resolve the shortest wave. */
+    void require_elements(const SteadyState<dim> &steady) const;
+
+    void warn_of_border(const LinearContact &contact) const;
+
+    /** Tell how far growth may be off. */
+    void note_errors() const;
+
+    /** Rows of all speeds, one speed after the other. */
+    std::vector<CorrugationRow> sweep(const Situation             &at,
+                                      SteadyState<dim>            &steady,
+                                      const RollingModes<dim>     &rolling,
+                                      const std::optional<double> &pad_offset);
+
+    const Situation             &scene;
+    RunContext                  &context;
+    const CorrugationParameters &section;
+    const std::vector<double>    wavelengths, speeds;
+    std::vector<CorrugationRow>  rows;
+  };
+
+  AnalysisKind corrugation_kind();
+} // namespace RollingContact
+
+#endif

@@ -1,0 +1,44 @@
+#ifndef rolling_contact_analyses_corrugation_parameters_h
+#define rolling_contact_analyses_corrugation_parameters_h
+
+#include <rolling_contact/base/side.h>
+
+#include <string>
+#include <vector>
+
+namespace RollingContact
+{
+  class Entries;
+
+  /**
+   * Section `Corrugation`: which waves pass the contact, how fast, where in a
+   * bay of the track, and how the body that has them wears.
+   */
+  struct CorrugationParameters
+  {
+    void declare(Entries &entries);
+
+    /** Throws InputError unless wavelengths and speeds are above 0. */
+    void check() const;
+
+    /** Ascending; those round a wheel of this @p radius (m) fit it, if it is
+     * the wheel that wears. Throws InputError. Units: m. */
+    std::vector<double> wavelengths_round(const double radius) const;
+
+    /** Ascending; @p given if there are none. Throws InputError. Units: m/s. */
+    std::vector<double> speeds_or(const double given) const;
+
+    /** Places of the pads; none: those of the rail. Throws InputError. Units:
+     * m. */
+    std::vector<double> offsets() const;
+
+    std::string wavelengths      = "0.02 : 0.2 : 60";
+    std::string speeds           = "";
+    Side        worn             = Side::rail;
+    double      wear_coefficient = 6.75e-13; ///< m^3/J
+    double      passages         = 1e6;
+    std::string pad_offsets      = "";
+  };
+} // namespace RollingContact
+
+#endif

@@ -1,0 +1,90 @@
+#ifndef rolling_contact_stability_wave_growth_h
+#define rolling_contact_stability_wave_growth_h
+
+#include <rolling_contact/stability/wave_response.h>
+
+#include <complex>
+#include <vector>
+
+namespace RollingContact
+{
+  /**
+   * How a wave grows by what it makes the contact wear, per passage.
+   */
+  struct Growth
+  {
+    /** By the disturbances of traction, and by those of slip. Units: 1. */
+    std::complex<double> by_traction, by_slip;
+
+    std::complex<double> total() const
+    {
+      return by_traction + by_slip;
+    }
+  };
+
+  /**
+   * Wear that is as friction's work, k_w (m^3/J) of a body, makes of a small
+   * wave of unit height per passage
+   *
+   *   Delta z(X, y_j) = G_j z(X),
+   *   G_j = k_w / V sum over the line j of
+   *         h_i (q_0 . v^_i + q^_i . v_0) exp(i k x_i),
+   *   G   = sum_j c_j G_j,
+   *
+   * with nodal tractions q on the wheel, slip velocities v of the wheel over
+   * the rail in the mean around each node, and h_i the nodes' lengths along the
+   * flow. c_j, whose sum is one, is the share of a line in the load of the
+   * same patch under a rigid flat punch: what the contact feels of a wave that
+   * varies across. The wave grows where Re G > 0, by exp(n Re G) in n passages,
+   * and its crests move by Im G / k per passage along the flow.
+   */
+  class WaveGrowth
+  {
+  public:
+    /**
+     * A steady state with friction at a speed V (m/s) of @p problem; widths
+     * across are those of the lines of nodes, in 2D the @p thickness (m).
+     */
+    WaveGrowth(const ContactProblem &problem,
+               const ContactState   &state,
+               const LinearContact  &contact,
+               const ReducedPair    &pair,
+               const double          speed,
+               const double          thickness);
+
+    /** Places of the touching nodes along the flow. Units: m. */
+    const std::vector<double> &along() const
+    {
+      return places;
+    }
+
+    /** Nodal forces of component @p c, tangential ones first, that sum to 1 N
+     * as those of a flat punch on the patch do. */
+    std::vector<double> punch_forces(const unsigned int c) const;
+
+    /** What the answer to a wave wears; k_w in m^3/J, the wave number in 1/m.
+     */
+    Growth growth(const WaveAnswer &answer,
+                  const double      wave_number,
+                  const double      wear_coefficient) const;
+
+    /** The normal load of an answer. Units: N/m. */
+    std::complex<double> load(const WaveAnswer &answer) const;
+
+  private:
+    void find_lines(const ContactProblem &problem, const double thickness);
+
+    /** The punch, and the c_j of each touching node's line. */
+    void find_shares(const ReducedPair &pair);
+
+    const ContactProblem     &problem;
+    const LinearContact      &contact;
+    double                    speed;
+    NodalField                traction, slip; ///< q_0, v_0 / V
+    std::vector<double>       places, share, widths;
+    std::vector<double>       punch; ///< its load of each touching node, sum 1
+    std::vector<unsigned int> line;  ///< of each touching node
+  };
+} // namespace RollingContact
+
+#endif

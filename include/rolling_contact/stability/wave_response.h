@@ -1,0 +1,133 @@
+#ifndef rolling_contact_stability_wave_response_h
+#define rolling_contact_stability_wave_response_h
+
+#include <rolling_contact/algebra/lapack.h>
+#include <rolling_contact/stability/contact_response.h>
+#include <rolling_contact/stability/correction.h>
+
+#include <vector>
+
+namespace RollingContact
+{
+  /**
+   * What a passing wave makes of a contact: amplitudes that go as exp(s t).
+   */
+  struct WaveAnswer
+  {
+    ComplexVector unknowns; ///< x of the LinearContact, Pa for a wave in m
+    ComplexVector motion;   ///< u, W(s) forces x at all nodes, (T + 1) N, m
+  };
+
+  /**
+   * How rolling at a speed V answers a small wave on the surface of a body,
+   * z = exp(-i k X), X = x - V t fixed to its material, which passes the nodes
+   * as exp(s t - i k x_i), s = i k V:
+   *
+   *   T(s) x = b,   T = (N_u + s N_v) W(s) forces + N_r + s N_s,
+   *   W(s) = W_res / (1 + tau s) + Phi (K_m + s C_m + s^2)^-1 Phi^T,
+   *   b_i = exp(-i k x_i) in the normal rows, 0 elsewhere,
+   *
+   * with x_i along the flow and the gap u_n - z, z > 0 out of either body. What
+   * varies within the patch and within the time that the material takes through
+   * it is in T: no contact filter and no steady law of creepage are assumed.
+   *
+   * Modes move the patch in few independent ways U: a factor of T without modes
+   * serves all speeds of a wave number, as its rows depend on V by a factor and
+   * by tau, and steps of correction take what that leaves.
+   */
+  class WaveResponse
+  {
+  public:
+    /**
+     * T without modes at s, and the answers A^-1 (N_u + s N_v) U.
+     */
+    struct Factors
+    {
+      ComplexLU     contact;
+      ComplexMatrix motions;
+    };
+
+    /**
+     * @p along: places of the touching nodes of @p contact along the flow, m;
+     * @p speed: V of the contact and of @p pair, m/s. Keeps references to both.
+     */
+    WaveResponse(const LinearContact &contact,
+                 const ReducedPair   &pair,
+                 const double         speed,
+                 std::vector<double>  along);
+
+    /** s = i k V. Units: 1/m, 1/s. */
+    std::complex<double> rate(const double wave_number) const
+    {
+      return {0., wave_number * speed};
+    }
+
+    Factors factors(const double wave_number) const;
+
+    /** b of a wave; with a second wave number 0 of the same s the patch moves
+     * as one. Units: 1/m, m. */
+    ComplexVector height_wave(const double wave_number) const;
+
+    /**
+     * Answers at one wave number, with factors of it at any speed. Keeps
+     * references to both.
+     */
+    class AtWave
+    {
+    public:
+      /** Units: 1/m. */
+      AtWave(const WaveResponse &response,
+             const double        wave_number,
+             const Factors      &factors);
+
+      /** The answer to @p b. Throws ConvergenceError if none is found. */
+      WaveAnswer answer(const ComplexVector &b) const;
+
+      /**
+       * The answer to @p b with the whole bodies, of which @p bodies answers
+       * nodal forces: steps x += T^-1 (b - T_full x) from that of the modes, so
+       * many.
+       */
+      WaveAnswer corrected(const ComplexVector &b,
+                           const BodyResponse  &bodies,
+                           const unsigned int   n_steps) const;
+
+      /** W(s) of nodal forces. Units: N to m. */
+      ComplexVector motion_under(const ComplexVector &forces) const;
+
+    private:
+      /** What modes move under nodal forces. */
+      ComplexVector modes_under(const ComplexVector &forces) const;
+
+      /** T y and, nearly, T^-1 r, rows scaled; y (1 + tau s) are tractions. */
+      ComplexVector product(const ComplexVector &y) const;
+      ComplexVector nearly_solved(ComplexVector r) const;
+
+      const WaveResponse        &of;
+      const Factors             &factors;
+      const std::complex<double> s, delay; ///< delay = 1 + tau s
+      ComplexLU                  modal;
+      ComplexMatrix              response; ///< of the motions U, p x p
+      ComplexMatrix              reaction; ///< delay U^T forces, p x n_x
+      ComplexLU                  joined;
+    };
+
+  private:
+    /** Rows of T have units of their own; scale them to the largest entry. */
+    void scale_rows();
+
+    /** The few motions of the patch by modes, Phi = U amplitudes. */
+    void find_motions();
+
+    const LinearContact &contact;
+    const ReducedPair   &pair;
+    double               speed;
+    std::vector<double>  along;
+    ResidualContact      residual;
+    DenseMatrix          N_u, N_v;      ///< scaled
+    Eigen::VectorXd      scales;        ///< of the rows
+    DenseMatrix          U, amplitudes; ///< (T + 1) N x p, p x m
+  };
+} // namespace RollingContact
+
+#endif

@@ -1,0 +1,91 @@
+#ifndef rolling_contact_stability_wave_sweep_h
+#define rolling_contact_stability_wave_sweep_h
+
+#include <rolling_contact/stability/wave_growth.h>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace RollingContact
+{
+  /**
+   * What a wave of unit height does in a passage.
+   */
+  struct PassedWave
+  {
+    Growth               growth; ///< of a wear coefficient of one, J/m^3
+    std::complex<double> load;   ///< N/m
+    /** |load| over that of a motion of the whole patch at the same rate: what
+     * the contact filter leaves of the wave. */
+    double filter = 1.;
+
+    /** How a flat punch on the patch answers a force along x and along z, the
+     * bodies' own elasticity there left to the punch: wheel and rail together.
+     * Units: m/N. */
+    std::complex<double> receptance_x, receptance_z;
+  };
+
+  /**
+   * Waves of all lengths over one steady state, rolled over at some speeds,
+   * which its friction does not depend on.
+   */
+  class WaveSweep
+  {
+  public:
+    /** The bodies as they are at a speed, m/s. */
+    using BodiesAtSpeed = std::function<ReducedPair(const double)>;
+
+    /**
+     * The @p state of @p problem, linearised as @p options say but for the
+     * speed, at all @p speeds (m/s); @p thickness: in 2D, m. Keeps a reference
+     * to the problem. Throws InputError, see linear_contact().
+     */
+    WaveSweep(const ContactProblem       &problem,
+              const ContactState         &state,
+              const LinearContactOptions &options,
+              const double                thickness,
+              const std::vector<double>  &speeds,
+              const BodiesAtSpeed        &bodies);
+
+    /** A wave at each speed. Units: 1/m. Throws ConvergenceError. */
+    std::vector<PassedWave> at(const double wave_number) const;
+
+    /** A wave at the speed of this number with whole bodies, see
+     * WaveResponse::corrected(). */
+    PassedWave corrected(const double        wave_number,
+                         const std::size_t   speed,
+                         const BodyResponse &bodies,
+                         const unsigned int  n_steps) const;
+
+    /** The contact at the first speed. */
+    const LinearContact &contact() const
+    {
+      return cases.front()->contact;
+    }
+
+  private:
+    struct AtSpeed
+    {
+      AtSpeed(const ContactProblem       &problem,
+              const ContactState         &state,
+              const LinearContactOptions &options,
+              ReducedPair                 bodies,
+              const double                thickness);
+
+      /** What an answer at this speed amounts to. */
+      PassedWave passed(const double                wave_number,
+                        const WaveResponse::AtWave &at,
+                        const WaveAnswer           &answer) const;
+
+      LinearContact contact;
+      ReducedPair   pair;
+      WaveGrowth    growth;
+      WaveResponse  response;
+    };
+
+    std::vector<std::unique_ptr<const AtSpeed>> cases;
+  };
+} // namespace RollingContact
+
+#endif

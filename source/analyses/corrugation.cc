@@ -1,0 +1,328 @@
+#include <rolling_contact/analyses/corrugation.h>
+#include <rolling_contact/analyses/disturbed_state.h>
+#include <rolling_contact/base/constants.h>
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/interrupt.h>
+#include <rolling_contact/base/number_text.h>
+#include <rolling_contact/base/text.h>
+#include <rolling_contact/run/progress.h>
+#include <rolling_contact/scene/shared_rules.h>
+#include <rolling_contact/stability/wave_sweep.h>
+#include <rolling_contact/state/estimate_errors.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace RollingContact
+{
+  namespace
+  {
+    const char corrugation_file[] = "corrugation.csv";
+    const char peaks_file[]       = "corrugation_peaks.csv";
+
+    /// a wave has so many elements at least
+    const double least_elements = 4.;
+
+    /// part of the nodes about to slip or stick from which on growth is that
+    /// of one side
+    const double many_at_border = 0.05;
+
+    /// answers of whole bodies to a wave, each from the one before
+    const unsigned int whole_steps = 3;
+
+    LinearContactOptions options_of(const Situation &scene)
+    {
+      LinearContactOptions options;
+      options.friction = scene.inputs->friction_response();
+      options.memory   = scene.contact.friction_memory;
+      return options;
+    }
+
+    RollingConditions conditions_at(const Situation &scene, const double speed)
+    {
+      RollingConditions conditions(scene, scene.inputs->stability);
+      if (scene.inputs->stability.rotation)
+        conditions.speed = speed;
+      conditions.hysteretic = true;
+      return conditions;
+    }
+  } // namespace
+
+  template <int dim>
+  Corrugation<dim>::Corrugation(const Situation &scene, RunContext &context)
+    : scene(scene)
+    , context(context)
+    , section(scene.inputs->own<CorrugationParameters>())
+    , wavelengths(section.wavelengths_round(scene.wheel.radius))
+    , speeds(section.speeds_or(std::abs(scene.contact.rolling_speed())))
+  {}
+
+  template <int dim>
+  void Corrugation<dim>::require_elements(const SteadyState<dim> &steady) const
+  {
+    const double element = steady.grading.element_size_x;
+    if (wavelengths.front() < least_elements * element)
+      throw InputError(
+        "Corrugation/Wavelengths = " + section.wavelengths +
+        ": elements along x are " + significant(1e3 * element, 3) +
+        " mm long, and a wave needs " + significant(least_elements, 1) +
+        " of them; the shortest must have at least " +
+        significant(1e3 * least_elements * element, 3) +
+        " mm, or take more Mesh/Elements across patch.");
+  }
+
+  template <int dim>
+  void Corrugation<dim>::warn_of_border(const LinearContact &contact) const
+  {
+    const double n        = contact.touching.size();
+    const double n_border = contact.n_slipping + contact.n_sticking;
+    if (n_border > many_at_border * n)
+      context.log.warning(
+        significant(100 * n_border / n, 2) +
+        " % of the touching nodes are about to slip or to stick, where growth "
+        "differs on either side: the creepage is close to saturation. Change "
+        "Contact/Creepage or the load by a few percent and compare.");
+  }
+
+  template <int dim>
+  std::vector<CorrugationRow>
+  Corrugation<dim>::sweep(const Situation             &at,
+                          SteadyState<dim>            &steady,
+                          const RollingModes<dim>     &rolling,
+                          const std::optional<double> &pad_offset)
+  {
+    const double thickness = dim == 2 ? at.thickness() : 1.;
+    const auto   reduced   = [&](const double speed) {
+      return rolling.reduced(conditions_at(at, speed));
+    };
+    const WaveSweep whole(
+      steady.problem, steady.state, options_of(at), thickness, speeds, reduced);
+    warn_of_border(whole.contact());
+    warn_of_fixed_edges(whole.contact(), at.contact.slip_operator, context.log);
+    make_halves(at, steady);
+    std::vector<WaveSweep> halves;
+    for (HalvedProblem &half : steady.halves)
+      if (const auto state =
+            state_of_half(at, steady.problem, steady.state, half))
+        halves.emplace_back(half.problem,
+                            *state,
+                            options_of(at),
+                            thickness,
+                            speeds,
+                            [&](const double speed) {
+                              return at_nodes(reduced(speed), half.coupling);
+                            });
+
+    std::vector<CorrugationRow> found(speeds.size() * wavelengths.size());
+    for (std::size_t j = 0; j < wavelengths.size(); ++j)
+      {
+        throw_if_interrupted();
+        const double                         k      = 2 * pi / wavelengths[j];
+        const auto                           passed = whole.at(k);
+        std::vector<std::vector<PassedWave>> of_halves;
+        for (const WaveSweep &half : halves)
+          of_halves.push_back(half.at(k));
+        for (std::size_t v = 0; v < speeds.size(); ++v)
+          {
+            CorrugationRow &row = found[v * wavelengths.size() + j];
+            row.pad_offset      = pad_offset;
+            row.speed           = speeds[v];
+            row.wavelength      = wavelengths[j];
+            row.passed          = passed[v];
+            row.passed.growth.by_traction *= section.wear_coefficient;
+            row.passed.growth.by_slip *= section.wear_coefficient;
+            for (const auto &half : of_halves)
+              row.uncertainty =
+                std::max(row.uncertainty.value_or(0.),
+                         std::abs(section.wear_coefficient *
+                                    half[v].growth.total().real() -
+                                  row.rate()));
+          }
+      }
+    if (at.inputs->stability.correct)
+      {
+        auto             &most       = *std::max_element(found.begin(),
+                                       found.end(),
+                                       [](const auto &a, const auto &b) {
+                                         return a.rate() < b.rate();
+                                       });
+        RollingConditions conditions = conditions_at(at, most.speed);
+        conditions.hysteretic        = false; // losses of the modes, to start
+        const WholeBodies<dim> bodies(rolling, conditions);
+        const std::size_t      v =
+          std::find(speeds.begin(), speeds.end(), most.speed) - speeds.begin();
+        most.of_whole_bodies =
+          section.wear_coefficient *
+          whole
+            .corrected(
+              2 * pi / most.wavelength,
+              v,
+              [&](const ComplexValues              &s,
+                  const std::vector<ComplexVector> &forces) {
+                return bodies.response(s, forces);
+              },
+              whole_steps)
+            .growth.total()
+            .real();
+      }
+    return found;
+  }
+
+  template <int dim>
+  void Corrugation<dim>::run_at(const Situation             &at,
+                                const std::optional<double> &pad_offset)
+  {
+    if (pad_offset)
+      context.log.message("Pads at " + significant(*pad_offset, 4) + " m.");
+    SteadyState<dim> steady = disturbed_state<dim>(at, context);
+    require_elements(steady);
+    const ModalBodies<dim>  bodies(at,
+                                  at.inputs->modes,
+                                  steady.pair->bodies(),
+                                  at.inputs->modes.cut_off_ratio *
+                                    at.inputs->modes.maximum_frequency,
+                                  context);
+    const RollingModes<dim> rolling(bodies,
+                                    *steady.pair,
+                                    steady.problem.operators.W().dense());
+    PhaseTimer::Scope       phase(context.timer, Phase::response);
+    const auto              found = sweep(at, steady, rolling, pad_offset);
+    rows.insert(rows.end(), found.begin(), found.end());
+  }
+
+  template <int dim>
+  void Corrugation<dim>::run()
+  {
+    const auto  offsets = section.offsets();
+    const auto &pads    = scene.rail.model.foundation;
+    if (offsets.empty())
+      run_at(scene,
+             !scene.rail.rigid && pads.pad_spacing > 0.
+               ? std::optional<double>(pads.pad_offset)
+               : std::optional<double>());
+    for (const double offset : offsets)
+      {
+        SceneParameters inputs                  = *scene.inputs;
+        inputs.rail.model.foundation.pad_offset = offset;
+        run_at(Situation(inputs, &scene), offset);
+      }
+
+    ResultsTable table(context.folder, corrugation_file),
+      peaks(context.folder, peaks_file);
+    for (const CorrugationRow &row : rows)
+      add_row(row, section, table);
+    for (const std::size_t i : peaks_of_growth(rows))
+      add_row(rows[i], section, peaks);
+    table.flush();
+    peaks.flush();
+    context.log.message(peaks.screen_table({"pad_offset_m",
+                                            "speed_m/s",
+                                            "wavelength_m",
+                                            "frequency_Hz",
+                                            "growth_of_passages",
+                                            "growth_dB/1e6"}));
+    context.report.set_finding("waves", verdict(rows, section));
+    note_errors();
+    if (scene.inputs->output.plot)
+      plot_growth(rows, section, context);
+  }
+
+  template <int dim>
+  void Corrugation<dim>::note_errors() const
+  {
+    double largest = 0., of_patch = 0., of_bodies = -1.;
+    for (const CorrugationRow &row : rows)
+      {
+        largest  = std::max(largest, std::abs(row.passed.growth.total()));
+        of_patch = std::max(of_patch, row.uncertainty.value_or(0.));
+        if (row.of_whole_bodies)
+          of_bodies =
+            std::max(of_bodies, std::abs(*row.of_whole_bodies - row.rate()));
+      }
+    if (largest == 0.)
+      return;
+    context.report.errors.push_back({"growth of waves",
+                                     of_patch / largest,
+                                     "the largest |G|",
+                                     "the same on every second node",
+                                     true,
+                                     ""});
+    if (of_bodies >= 0.)
+      context.report.errors.push_back({"growth of waves by modes",
+                                       of_bodies / largest,
+                                       "the largest |G|",
+                                       "whole bodies",
+                                       false,
+                                       "where it is largest"});
+  }
+
+  template class Corrugation<2>;
+  template class Corrugation<3>;
+
+  namespace
+  {
+    void check_waves(const SceneParameters &scene)
+    {
+      const auto  &section = scene.own<CorrugationParameters>();
+      const double fastest =
+        section.speeds_or(std::abs(scene.contact.speed.value_or(0.))).back();
+      const double shortest =
+        section.wavelengths_round(scene.wheel.radius).front();
+      const double highest = fastest / shortest;
+      if (highest > scene.modes.maximum_frequency)
+        throw InputError(
+          "Modes/Maximum frequency = " +
+          text_of(scene.modes.maximum_frequency) + " Hz: waves of " +
+          significant(1e3 * shortest, 3) + " mm at " + significant(fastest, 3) +
+          " m/s pass with " + significant(highest, 4) +
+          " Hz; give as much, or longer Corrugation/Wavelengths.");
+    }
+
+    void check_wearing(const SceneParameters &scene)
+    {
+      const std::string why     = "Analysis = corrugation: ";
+      const auto       &contact = scene.contact;
+      if (contact.friction_coefficient == 0.)
+        throw InputError(why + "Contact/Friction coefficient = 0: without "
+                               "friction nothing wears; give one above 0.");
+      const Creepages &given = contact.creepages;
+      if (!scene.profiles.in_use() && given.x == 0. && given.y == 0. &&
+          given.spin == 0.)
+        throw InputError(why + "Contact/Creepage x, Creepage y and Spin are 0: "
+                               "without creepage nothing wears; give one.");
+      const auto &section = scene.own<CorrugationParameters>();
+      if (contact.falling_friction() && section.speeds_or(1.).size() > 1)
+        throw InputError(why + "Corrugation/Speeds = " + section.speeds +
+                         ": friction that falls with the sliding speed has a "
+                         "state of its own at each; leave Speeds empty and "
+                         "give Contact/Speed.");
+      if (!section.pad_offsets.empty() &&
+          (scene.rail.rigid || scene.rail.model.foundation.pad_spacing == 0.))
+        throw InputError("Corrugation/Pad offsets = " + section.pad_offsets +
+                         ": the rail lies on no pads; give Rail/Hub = elastic "
+                         "and Pad spacing, or leave Pad offsets empty.");
+    }
+  } // namespace
+
+  AnalysisKind corrugation_kind()
+  {
+    AnalysisKind kind = kind_of<Corrugation>(
+      "corrugation",
+      "whether waves on rail or wheel grow by wear, over wavelength, speed and "
+      "place in the track, see section Corrugation");
+    kind.sections = {"Modes", "Stability", "Corrugation"};
+    kind.own_section.emplace(CorrugationParameters());
+    kind.axes = [](const SceneParameters &scene) -> std::vector<TableAxis> {
+      const auto            &section = scene.own<CorrugationParameters>();
+      std::vector<TableAxis> axes;
+      if (const auto offsets = section.offsets(); !offsets.empty())
+        axes.push_back({"Corrugation/Pad offsets", "Rail/Pad offset", offsets});
+      return axes;
+    };
+    kind.linearises  = true;
+    kind.has_dampers = true;
+    kind.on_ranks    = false;
+    kind.rules       = {&check_linearised_state, &check_waves, &check_wearing};
+    return kind;
+  }
+} // namespace RollingContact

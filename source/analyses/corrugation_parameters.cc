@@ -1,0 +1,107 @@
+#include <rolling_contact/analyses/corrugation_parameters.h>
+#include <rolling_contact/base/constants.h>
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/number_text.h>
+#include <rolling_contact/input/number_list.h>
+#include <rolling_contact/scene/entries.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace RollingContact
+{
+  namespace
+  {
+    const std::vector<NamedValue<Side>> worn_bodies{{"rail", Side::rail},
+                                                    {"wheel", Side::wheel}};
+
+    /** Numbers above 0, ascending, each once. */
+    std::vector<double> positive_numbers(const std::string &entry,
+                                         const std::string &text,
+                                         const std::string &unit)
+    {
+      auto numbers = number_list(entry, text);
+      std::sort(numbers.begin(), numbers.end());
+      numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+      if (!(numbers.front() > 0.))
+        throw InputError(entry + " = " + text + ": " +
+                         text_of(numbers.front()) +
+                         " is among them; give numbers above 0 " + unit + ".");
+      return numbers;
+    }
+  } // namespace
+
+  void CorrugationParameters::declare(Entries &entries)
+  {
+    entries.section("Corrugation").read_by_analyses("corrugation");
+    entries.add("Wavelengths", wavelengths, "m").help =
+      "Of the waves on the surface: numbers separated by commas, or `shortest "
+      ": longest : number`, in equal ratios.";
+    entries.add("Speeds", speeds, "m/s").help = "Rolling speeds, " +
+                                                std::string(number_list_form) +
+                                                "; empty: Contact/Speed alone.";
+    entries.choice("Worn body", worn, worn_bodies).help =
+      "The body whose surface has the waves: on the `rail` each wheel is a "
+      "passage, on the `wheel` each turn, and waves fit round it.";
+    entries.add("Wear coefficient", wear_coefficient, "m^3/J")
+      .at_least(0.)
+      .help =
+      "Volume that wears off the body per energy of friction; 6.75e-13 is mild "
+      "wear of rail steel in twin-disc tests (5.3 ug/(m mm^2) per N/mm^2).";
+    entries.add("Passages", passages, "1").at_least(0.).help =
+      "Number of passages that a column tells the growth of.";
+    entries.add("Pad offsets", pad_offsets, "m").help =
+      "Places in a bay between sleepers, as Rail/Pad offset, each a rail of "
+      "its own, " +
+      std::string(number_list_form) + "; empty: Rail/Pad offset alone.";
+  }
+
+  void CorrugationParameters::check() const
+  {
+    wavelengths_round(1.);
+    speeds_or(1.);
+    offsets();
+    for (const auto &[name, value] :
+         {std::pair("Wear coefficient", wear_coefficient),
+          std::pair("Passages", passages)})
+      if (value == 0.)
+        throw InputError(std::string("Corrugation/") + name +
+                         " = 0: no wave would change; give a number above 0.");
+  }
+
+  std::vector<double>
+  CorrugationParameters::wavelengths_round(const double radius) const
+  {
+    auto lengths =
+      positive_numbers("Corrugation/Wavelengths", wavelengths, "m");
+    if (wavelengths.find(':') != std::string::npos)
+      {
+        const std::size_t last  = lengths.size() - 1;
+        const double      ratio = lengths[last] / lengths[0];
+        for (std::size_t i = 1; i < last; ++i)
+          lengths[i] =
+            lengths[0] * std::pow(ratio, static_cast<double>(i) / last);
+      }
+    if (worn == Side::rail)
+      return lengths;
+    for (double &length : lengths)
+      length =
+        2 * pi * radius / std::max(1., std::round(2 * pi * radius / length));
+    lengths.erase(std::unique(lengths.begin(), lengths.end()), lengths.end());
+    return lengths;
+  }
+
+  std::vector<double> CorrugationParameters::speeds_or(const double given) const
+  {
+    return speeds.empty()
+             ? std::vector<double>{given}
+             : positive_numbers("Corrugation/Speeds", speeds, "m/s");
+  }
+
+  std::vector<double> CorrugationParameters::offsets() const
+  {
+    return pad_offsets.empty()
+             ? std::vector<double>()
+             : number_list("Corrugation/Pad offsets", pad_offsets);
+  }
+} // namespace RollingContact

@@ -1,0 +1,63 @@
+#include <rolling_contact/analyses/disturbed_state.h>
+#include <rolling_contact/analyses/solve_to_target.h>
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/results/bodies_report.h>
+#include <rolling_contact/results/result_row.h>
+#include <rolling_contact/results/state_report.h>
+
+namespace RollingContact
+{
+  namespace
+  {
+    StateDemands demands_of_disturbed_state()
+    {
+      StateDemands demands;
+      demands.pair.modes       = true;
+      demands.pair.bulk_errors = true;
+      return demands;
+    }
+  } // namespace
+
+  template <int dim>
+  SteadyState<dim> disturbed_state(const Situation &scene, RunContext &context)
+  {
+    if (!bodies_touch(scene))
+      throw InputError("Analysis = " + scene.inputs->analysis.name +
+                       " needs contact: check Contact/Approach and "
+                       "Contact/Normal load.");
+    Situation        used = scene;
+    SteadyState<dim> steady =
+      solve_to_target<dim>(used,
+                           demands_of_disturbed_state(),
+                           TargetDemands(),
+                           context,
+                           [&](const SteadyState<dim> &level) {
+                             add_result_row(scene, level, context);
+                           });
+    require_solved(scene, steady, "The steady rolling state");
+    describe_bodies(steady, context);
+    StateReview<dim> review(scene, context);
+    review.add(steady);
+    review.warn(steady);
+    note_state(steady, context.report);
+    return steady;
+  }
+
+  void warn_of_fixed_edges(const LinearContact   &contact,
+                           const SlipOperatorKind kind,
+                           Log                   &log)
+  {
+    const std::size_t n       = contact.touching.size(),
+                      n_stick = n - contact.n_slip();
+    if (contact.n_tangential > 0 && n_stick > 0 &&
+        kind != SlipOperatorKind::calibrated)
+      log.warning("Part of the patch sticks, " + std::to_string(n_stick) +
+                  " of " + std::to_string(n) +
+                  " nodes. Its leading edge moves with the load, which "
+                  "Contact/Slip operator = " +
+                  name_of(kind) + " does not know; take calibrated.");
+  }
+
+  template SteadyState<2> disturbed_state(const Situation &, RunContext &);
+  template SteadyState<3> disturbed_state(const Situation &, RunContext &);
+} // namespace RollingContact

@@ -1,0 +1,130 @@
+#include <rolling_contact/algebra/lapack.h>
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/contact/node_lines.h>
+#include <rolling_contact/contact/tangential_problem.h>
+#include <rolling_contact/stability/wave_growth.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace RollingContact
+{
+  WaveGrowth::WaveGrowth(const ContactProblem &problem,
+                         const ContactState   &state,
+                         const LinearContact  &contact,
+                         const ReducedPair    &pair,
+                         const double          speed,
+                         const double          thickness)
+    : problem(problem)
+    , contact(contact)
+    , speed(speed)
+    , traction(state.traction)
+    , slip(tangential_problem(problem, state).mean_slip(state))
+  {
+    const ContactOperators &operators = problem.operators;
+    for (const unsigned int i : contact.touching)
+      places.push_back(operators.slip_operator().flow_direction() *
+                       operators.positions()[i][0]);
+    find_lines(problem, thickness);
+    find_shares(pair);
+  }
+
+  void WaveGrowth::find_lines(const ContactProblem &problem,
+                              const double          thickness)
+  {
+    const auto                lines = node_lines(problem.operators, 0);
+    std::vector<double>       width_at(problem.n_nodes(), thickness);
+    std::vector<unsigned int> line_at(problem.n_nodes(), 0);
+    const auto                y = [&](const std::size_t j) {
+      return problem.operators.positions()[lines[j].front()][1];
+    };
+    for (std::size_t j = 0; j < lines.size(); ++j)
+      for (const unsigned int node : lines[j])
+        {
+          line_at[node] = j;
+          if (lines.size() > 1)
+            width_at[node] =
+              (y(std::min(j + 1, lines.size() - 1)) - y(j > 0 ? j - 1 : 0)) / 2;
+        }
+    for (const unsigned int node : contact.touching)
+      {
+        widths.push_back(width_at[node]);
+        line.push_back(line_at[node]);
+      }
+  }
+
+  void WaveGrowth::find_shares(const ReducedPair &pair)
+  {
+    const std::size_t n = contact.touching.size(), T = contact.n_tangential;
+    const DenseMatrix moved = pair.W_res * contact.forces;
+    DenseMatrix       W(n, n);
+    for (std::size_t i = 0; i < n; ++i)
+      W.row(i) =
+        moved.row(T * contact.n_nodes + contact.touching[i]).segment(T * n, n);
+    Eigen::VectorXd pressure = Eigen::VectorXd::Ones(n);
+    if (!solve_general(W, pressure))
+      throw ConvergenceError("A flat punch on the patch has no pressure: its "
+                             "compliance is singular.");
+    const Eigen::VectorXd forces =
+      contact.forces.block(T * contact.n_nodes, T * n, contact.n_nodes, n) *
+      pressure;
+    const double        load = forces.sum();
+    std::vector<double> in_line(1 + *std::max_element(line.begin(), line.end()),
+                                0.);
+    for (std::size_t k = 0; k < n; ++k)
+      {
+        punch.push_back(forces[contact.touching[k]] / load);
+        in_line[line[k]] += punch[k];
+      }
+    for (std::size_t k = 0; k < n; ++k)
+      share.push_back(in_line[line[k]]);
+  }
+
+  std::vector<double> WaveGrowth::punch_forces(const unsigned int c) const
+  {
+    std::vector<double> result((contact.n_tangential + 1) * contact.n_nodes,
+                               0.);
+    for (std::size_t k = 0; k < punch.size(); ++k)
+      result[c * contact.n_nodes + contact.touching[k]] = punch[k];
+    return result;
+  }
+
+  std::complex<double> WaveGrowth::load(const WaveAnswer &answer) const
+  {
+    const std::size_t    n = contact.touching.size(), T = contact.n_tangential;
+    std::complex<double> sum = 0.;
+    for (std::size_t k = 0; k < n; ++k)
+      sum += problem.operators.load_areas()[contact.touching[k]] *
+             answer.unknowns[T * n + k];
+    return sum;
+  }
+
+  Growth WaveGrowth::growth(const WaveAnswer &answer,
+                            const double      wave_number,
+                            const double      wear_coefficient) const
+  {
+    const std::complex<double> s(0., wave_number * speed);
+    const SlipOperator        &slips = problem.operators.slip_operator();
+    const SparseRows          &mean  = slips.mean_derivative();
+    const std::size_t          N = contact.n_nodes, n = contact.touching.size();
+    Growth                     result;
+    for (std::size_t k = 0; k < n; ++k)
+      {
+        const unsigned int i = contact.touching[k];
+        const auto         weight =
+          share[k] * problem.operators.areas()[i] / widths[k] *
+          std::polar(wear_coefficient / speed, wave_number * places[k]);
+        for (std::size_t c = 0; c < contact.n_tangential; ++c)
+          {
+            std::complex<double> v = s * answer.motion[c * N + i];
+            for (const auto &[node, derivative] : mean[i])
+              v += speed * slips.flow_direction() * derivative *
+                   answer.motion[c * N + node];
+            result.by_slip += weight * traction(c, i) * v;
+            result.by_traction +=
+              weight * answer.unknowns[c * n + k] * speed * slip(c, i);
+          }
+      }
+    return result;
+  }
+} // namespace RollingContact

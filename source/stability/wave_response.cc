@@ -1,0 +1,173 @@
+#include <rolling_contact/base/constants.h>
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/text.h>
+#include <rolling_contact/stability/wave_response.h>
+
+#include <cmath>
+
+namespace RollingContact
+{
+  namespace
+  {
+    /// singular values of the modes at the patch that count, over the largest
+    const double motion_share = 1e-9;
+
+    /// residual of an answer over its right hand side
+    const double wave_tolerance = 1e-10;
+
+    const unsigned int most_corrections = 30;
+  } // namespace
+
+  WaveResponse::WaveResponse(const LinearContact &contact,
+                             const ReducedPair   &pair,
+                             const double         speed,
+                             std::vector<double>  along)
+    : contact(contact)
+    , pair(pair)
+    , speed(speed)
+    , along(std::move(along))
+    , residual(contact, pair)
+    , N_u(contact.N_u)
+    , N_v(contact.N_v)
+  {
+    find_motions();
+    scale_rows();
+  }
+
+  void WaveResponse::find_motions()
+  {
+    std::vector<double> values;
+    const DenseMatrix   all = left_singular_vectors(pair.Phi, values);
+    std::size_t         p   = 0;
+    while (p < values.size() && values[p] > motion_share * values[0])
+      ++p;
+    U          = all.leftCols(p);
+    amplitudes = U.transpose() * pair.Phi;
+  }
+
+  void WaveResponse::scale_rows()
+  {
+    // rows of stick and slip answer V alike in this measure
+    scales = residual.statics.cwiseAbs().rowwise().maxCoeff();
+    for (Eigen::Index i = 0; i < scales.size(); ++i)
+      scales[i] = scales[i] > 0. ? 1 / scales[i] : 1.;
+    for (DenseMatrix *M : {&residual.statics, &residual.viscosity, &N_u, &N_v})
+      *M = scales.asDiagonal() * *M;
+  }
+
+  WaveResponse::Factors WaveResponse::factors(const double wave_number) const
+  {
+    const auto s = rate(wave_number);
+    Factors    result{ComplexLU(residual.statics + s * residual.viscosity),
+                   (N_u * U) + s * (N_v * U)};
+    if (result.contact.singular())
+      throw ConvergenceError(
+        "The contact has no answer to a wave of " +
+        significant(2e3 * std::acos(-1.) / wave_number, 4) +
+        " mm: its equations are singular.");
+    result.contact.solve(result.motions);
+    return result;
+  }
+
+  ComplexVector WaveResponse::height_wave(const double wave_number) const
+  {
+    ComplexVector b = ComplexVector::Zero(contact.n_unknowns());
+    for (std::size_t k = 0; k < along.size(); ++k)
+      b[k] = std::polar(1., -wave_number * along[k]);
+    return b;
+  }
+
+  WaveResponse::AtWave::AtWave(const WaveResponse &response,
+                               const double        wave_number,
+                               const Factors      &factors)
+    : of(response)
+    , factors(factors)
+    , s(response.rate(wave_number))
+    , delay(1. + s * response.pair.retardation)
+    , modal(modal_factors(response.pair, s))
+    , response([&]() {
+      ComplexMatrix rates =
+        of.amplitudes.transpose().cast<std::complex<double>>();
+      modal.solve(rates);
+      return ComplexMatrix(of.amplitudes * rates);
+    }())
+    , reaction(
+        delay *
+        (of.U.transpose() * of.contact.forces).cast<std::complex<double>>())
+    , joined(ComplexMatrix::Identity(of.U.cols(), of.U.cols()) +
+             this->response * (reaction * factors.motions))
+  {}
+
+  ComplexVector
+  WaveResponse::AtWave::modes_under(const ComplexVector &forces) const
+  {
+    ComplexVector eta = of.pair.Phi.transpose() * forces;
+    modal.solve(eta);
+    return of.pair.Phi * eta;
+  }
+
+  ComplexVector
+  WaveResponse::AtWave::motion_under(const ComplexVector &forces) const
+  {
+    return of.pair.W_res * forces / delay + modes_under(forces);
+  }
+
+  ComplexVector WaveResponse::AtWave::product(const ComplexVector &y) const
+  {
+    const ComplexVector u = modes_under(delay * (of.contact.forces * y));
+    return of.residual.statics * y + of.N_u * u +
+           s * (of.residual.viscosity * y + of.N_v * u);
+  }
+
+  ComplexVector WaveResponse::AtWave::nearly_solved(ComplexVector r) const
+  {
+    factors.contact.solve(r);
+    ComplexVector few = response * (reaction * r);
+    joined.solve(few);
+    return r - factors.motions * few;
+  }
+
+  WaveAnswer WaveResponse::AtWave::answer(const ComplexVector &b) const
+  {
+    const ComplexVector target = of.scales.asDiagonal() * b;
+    ComplexVector       y      = nearly_solved(target);
+    for (unsigned int step = 0;; ++step)
+      {
+        const ComplexVector r     = target - product(y);
+        const double        error = r.norm() / target.norm();
+        if (error <= wave_tolerance)
+          break;
+        if (step == most_corrections || !std::isfinite(error))
+          throw ConvergenceError("The contact's answer to a wave at " +
+                                 significant(s.imag() / (2 * pi), 4) +
+                                 " Hz and " + significant(of.speed, 4) +
+                                 " m/s was not found: its residual is " +
+                                 significant(error, 2) + ".");
+        y += nearly_solved(r);
+      }
+    WaveAnswer result;
+    result.unknowns = y;
+    result.unknowns.head(of.contact.n_tractions()) *= delay;
+    result.motion = motion_under(of.contact.forces * result.unknowns);
+    return result;
+  }
+
+  WaveAnswer WaveResponse::AtWave::corrected(const ComplexVector &b,
+                                             const BodyResponse  &bodies,
+                                             const unsigned int   n_steps) const
+  {
+    WaveAnswer result = answer(b);
+    for (unsigned int step = 0; step < n_steps; ++step)
+      {
+        const ComplexVector &x = result.unknowns;
+        const ComplexVector  u = bodies({s}, {of.contact.forces * x}).front(),
+                            residual =
+                              b - of.contact.N_u * u - of.contact.N_r * x -
+                              s * (of.contact.N_v * u + of.contact.N_s * x);
+        const WaveAnswer change = answer(residual);
+        result.motion           = u + change.motion;
+        result.unknowns += change.unknowns;
+      }
+    return result;
+  }
+} // namespace RollingContact
