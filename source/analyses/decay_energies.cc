@@ -110,14 +110,14 @@ namespace RollingContact
             "along x; take Rail/Shape = section with Radius = 0, or Body "
             "sections = true.");
         if (n_places < least)
-          throw InputError(
-            body.section +
-            "/Block length = " + significant(2 * (reach + ends), 6) +
-            " m: Receptance/Decay rates need " + significant(least * step, 3) +
-            " m from the contact to where Sponge length = " +
-            significant(ends, 4) + " m begins; give " +
-            significant(2 * (least * step + ends), 4) +
-            " m or more, or Model = waveguide.");
+          throw InputError(body.section + "/Block length = " +
+                           significant(2 * (reach + ends), 6) +
+                           " m: Receptance/Decay rates need " +
+                           significant((least - 1) * step, 3) +
+                           " m from the contact to where Sponge length = " +
+                           significant(ends, 4) + " m begins; give " +
+                           significant(2 * ((least - 1) * step + ends), 4) +
+                           " m or more, or Model = waveguide.");
         std::vector<std::vector<double>> loads;
         for (const DecayDirection &direction : decay_directions)
           for (std::size_t m = 0; m < n_places; ++m)
