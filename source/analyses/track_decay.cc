@@ -115,14 +115,14 @@ namespace RollingContact
     table.set("third_octave_Hz", bands[band].nominal);
     for (std::size_t d = 0; d < curves.size(); ++d)
       {
-        const auto cell = [&](const std::string &what, const double value) {
+        const auto set_rate = [&](const std::string &what, const double value) {
           table.set_if(!std::isnan(value),
                        what + "_" + decay_directions[d].name + "_dB/m",
                        value);
         };
-        cell("decay", curves[d].rates[band]);
-        cell("wave", curves[d].waves[band]);
-        cell("limit", curves[d].limits[band]);
+        set_rate("decay", curves[d].rates[band]);
+        set_rate("wave", curves[d].waves[band]);
+        set_rate("limit", curves[d].limits[band]);
       }
     table.end_row();
   }
@@ -176,24 +176,31 @@ namespace RollingContact
                   "third octave (Hz)",
                   "decay rate (dB/m)");
     figure.set_scales(AxisScale::logarithmic, AxisScale::logarithmic);
+    const auto add = [&](const std::string  &name,
+                         std::vector<double> Curves::*const what,
+                         const std::size_t                  d,
+                         const CurveStyle                   style) {
+      const std::vector<double> &rates = curves[d].*what;
+      if (std::any_of(rates.begin(), rates.end(), [](const double rate) {
+            return !std::isnan(rate);
+          }))
+        figure.add_curve(name, curves[d].centres, rates, style);
+    };
     for (std::size_t d = 0; d < curves.size(); ++d)
-      figure.add_curve(decay_directions[d].name,
-                       curves[d].centres,
-                       curves[d].rates,
-                       CurveStyle::line_and_points);
+      add(decay_directions[d].name,
+          &Curves::rates,
+          d,
+          CurveStyle::line_and_points);
     for (std::size_t d = 0; d < curves.size(); ++d)
-      if (!std::all_of(curves[d].waves.begin(),
-                       curves[d].waves.end(),
-                       [](const double rate) { return std::isnan(rate); }))
-        figure.add_curve("least of its " + decay_directions[d].name + " waves",
-                         curves[d].centres,
-                         curves[d].waves,
-                         CurveStyle::dashed);
+      add("least of its " + decay_directions[d].name + " waves",
+          &Curves::waves,
+          d,
+          CurveStyle::dashed);
     for (std::size_t d = 0; d < curves.size(); ++d)
-      figure.add_curve("ISO 3095, " + decay_directions[d].name + ", at least",
-                       curves[d].centres,
-                       curves[d].limits,
-                       CurveStyle::reference);
+      add("ISO 3095, " + decay_directions[d].name + ", at least",
+          &Curves::limits,
+          d,
+          CurveStyle::reference);
     figure.draw(context, "track_decay");
   }
 } // namespace RollingContact

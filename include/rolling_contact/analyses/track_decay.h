@@ -6,7 +6,6 @@
 #include <rolling_contact/run/results_table.h>
 #include <rolling_contact/vibration/vibrating_body.h>
 
-#include <map>
 #include <string>
 #include <vector>
 
