@@ -1,5 +1,6 @@
 #include <rolling_contact/analyses/modes.h>
 #include <rolling_contact/analyses/receptance.h>
+#include <rolling_contact/analyses/track_decay.h>
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/interrupt.h>
@@ -190,6 +191,9 @@ namespace RollingContact
     check(body, structure, response, forces);
     if (scene.inputs->output.plot)
       plot(body.side, stations, frequencies, alpha);
+    if constexpr (dim == 3)
+      if (section.decay_rates && body.side == Side::rail)
+        TrackDecay(body, section, context).write(scene.inputs->output.plot);
   }
 
   template <int dim>
@@ -332,8 +336,11 @@ namespace RollingContact
   {
     void check_directions(const SceneParameters &scene)
     {
+      const auto &section = scene.own<ReceptanceParameters>();
       if (scene.dimension == 2)
-        scene.own<ReceptanceParameters>().check_in_2d();
+        section.check_in_2d();
+      if (section.decay_rates)
+        TrackDecay::check(scene.rail, scene.dimension, section);
     }
   } // namespace
 

@@ -85,6 +85,10 @@ namespace RollingContact
       "Where the equations of the whole body are solved as well, with a "
       "complex factor, to know the error of the modes: " +
       std::string(number_list_form) + ".";
+    entries.add("Decay rates", decay_rates).help =
+      "Write track_decay.csv: by how many dB/m vibration of the rail fades from "
+      "its contact point, vertically and across, in third octaves from 100 Hz "
+      "to 5 kHz, as EN 15461 measures it.";
     entries.add("Measured wheel", measured_wheel).help =
       "File with columns of frequency (Hz) and absolute receptance (m/N), "
       "drawn beside the wheel's point receptance in the first of the "

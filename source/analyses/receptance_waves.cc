@@ -1,4 +1,6 @@
+#include <rolling_contact/analyses/decay_energies.h>
 #include <rolling_contact/analyses/receptance.h>
+#include <rolling_contact/analyses/track_decay.h>
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/run/figure.h>
@@ -18,25 +20,6 @@ namespace RollingContact
 
     const std::array<std::string, 3> ways_of_waves{
       {"along", "lateral", "vertical"}};
-
-    /** The middle of forces along an axis, at the nodes of a body. */
-    std::array<double, 3> middle_of(const BodyPlaces      &places,
-                                    const unsigned int     axis,
-                                    const Eigen::VectorXd &forces)
-    {
-      std::array<double, 3> middle{{0., 0., 0.}};
-      double                sum = 0.;
-      for (const BodyPlaces::Node &node : places.nodes)
-        if (const int unknown = node.unknowns[axis]; unknown >= 0)
-          {
-            sum += forces[unknown];
-            for (unsigned int c = 0; c < 3; ++c)
-              middle[c] += forces[unknown] * node.point[c];
-          }
-      for (double &coordinate : middle)
-        coordinate /= sum;
-      return middle;
-    }
   } // namespace
 
   template <int dim>
@@ -79,6 +62,8 @@ namespace RollingContact
             add_rows(body.side, stations, frequency, alpha.back(), table);
           }
         write_waves(*body.waves);
+        if (section.decay_rates)
+          TrackDecay(body, section, context).write(scene.inputs->output.plot);
       }
     note_peak(
       body, "waves in its section, without ends", stations, frequencies, alpha);

@@ -65,6 +65,21 @@ def receptances(body):
                     1e-5)
 
 
+def track_decay():
+    """A curve for each column of rates that is not empty."""
+    rows = table("track_decay.csv")
+    label = {"decay": "{}", "wave": "least of its {} waves", "limit": "ISO 3095, {}, at least"}
+    curves = {label: points for label, _, points in charts("track_decay")}
+    for column in list(rows[0])[1:]:
+        what, direction, _ = column.replace("_dB", " dB").replace("_", " ").split()
+        values = [(float(row["third_octave_Hz"]), number(row[column])) for row in rows]
+        if all(math.isnan(rate) for _, rate in values):
+            check(f"no curve of {column}", label[what].format(direction) not in curves)
+        else:
+            same_points(column, curves.pop(label[what].format(direction), []), values)
+    check("no other curves", not curves, curves)
+
+
 def stability():
     """Damping ratios in percent of all below 1 %, and those that grow."""
     rows = table("stability.csv")

@@ -66,6 +66,8 @@ namespace RollingContact
     /** Where the whole structure is solved as well. Units: Hz. */
     std::vector<double> check_frequencies;
 
+    bool decay_rates = false; ///< of the rail, see TrackDecay
+
     std::string measured_wheel, measured_rail; ///< files
   };
 } // namespace RollingContact
