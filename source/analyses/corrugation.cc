@@ -131,12 +131,11 @@ namespace RollingContact
             row.passed          = passed[v];
             row.passed.growth.by_traction *= section.wear_coefficient;
             row.passed.growth.by_slip *= section.wear_coefficient;
+            std::vector<double> rates;
             for (const auto &half : of_halves)
-              row.uncertainty =
-                std::max(row.uncertainty.value_or(0.),
-                         std::abs(section.wear_coefficient *
-                                    half[v].growth.total().real() -
-                                  row.rate()));
+              rates.push_back(section.wear_coefficient *
+                              half[v].growth.total().real());
+            row.uncertainty = uncertainty_by_halves(row.rate(), rates);
           }
       }
     if (at.inputs->stability.correct)

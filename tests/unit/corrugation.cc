@@ -1,55 +1,396 @@
 #include <boost/test/unit_test.hpp>
 
+#include "complaint.h"
 #include "half_plane.h"
+#include "stability_bodies.h"
+#include "vibrating_pair.h"
 
-#include <rolling_contact/stability/wave_growth.h>
+#include <rolling_contact/analyses/corrugation_report.h>
+#include <rolling_contact/references/wavy_carter.h>
+#include <rolling_contact/stability/wave_sweep.h>
 
-#include <iostream>
 using namespace RollingContact;
-using namespace HalfPlane;
 
+/** Waves that pass a contact, and how wear lets them grow. */
 BOOST_AUTO_TEST_SUITE(corrugation)
 
 namespace
 {
-  ReducedPair bodies(const ContactProblem &problem, const double mass, const double ratio_t=0.)
+  using Complex = std::complex<double>;
+
+  /** A line contact with a wave, half-width, radius and peak pressure 1. */
+  struct Case
   {
-    ReducedPair pair;
-    const std::size_t N = problem.n_nodes();
+    double  creepage; ///< over saturation
+    double  ka;
+    Complex alpha, alpha_t; ///< of the bodies beyond the half-planes
+  };
+
+  const double speed = 1.7;
+
+  /** A mode that answers forces at a rate i w by a given compliance. */
+  void set_mode(const unsigned int mode,
+                const Complex      compliance,
+                const double       w,
+                const std::size_t  first,
+                const std::size_t  n,
+                ReducedPair       &pair)
+  {
+    const Complex stiffness = 1. / compliance;
+    pair.K_m(mode, mode)    = stiffness.real() + w * w;
+    pair.C_m(mode, mode)    = stiffness.imag() / w;
+    pair.Phi.block(first, mode, n, 1).setOnes();
+  }
+
+  ReducedPair
+  bodies(const ContactProblem &problem, const Case &at, const double w)
+  {
+    const std::size_t N     = problem.n_nodes();
+    const bool        drags = at.alpha_t != 0.;
+    ReducedPair       pair;
     pair.W_res = problem.operators.W().dense();
-    pair.K_m = pair.C_m = DenseMatrix::Zero(2, 2);
-    pair.K_m(1,1) = 4.; pair.C_m(1,1)=0.4;
-    pair.Phi = DenseMatrix::Zero(2*N, 2);
-    for (std::size_t i=0;i<N;++i) { pair.Phi(N+i,0)=1/std::sqrt(mass); pair.Phi(N+i,1)=1/std::sqrt(mass);
-    pair.Phi(i,1)=ratio_t/std::sqrt(mass);}
-    pair.n_wheel_modes=1;
+    pair.K_m = pair.C_m = DenseMatrix::Zero(1 + drags, 1 + drags);
+    pair.Phi            = DenseMatrix::Zero(2 * N, 1 + drags);
+    set_mode(0, at.alpha, w, N, N, pair);
+    if (drags)
+      set_mode(1, at.alpha_t, w, 0, N, pair);
     return pair;
   }
+
+  References::WavyCarter closed_form(const Case &at)
+  {
+    return References::WavyCarter({1.,
+                                   1.,
+                                   2.,
+                                   std::exp(3.),
+                                   HalfPlane::mu,
+                                   at.creepage * HalfPlane::mu,
+                                   1.,
+                                   at.ka,
+                                   at.alpha,
+                                   at.alpha_t});
+  }
+
+  struct Rolling
+  {
+    Rolling(const unsigned int n,
+            const double       offset,
+            const double       creepage,
+            const int          flow = 1)
+    {
+      HalfPlane::Options options;
+      options.n_elements = n;
+      options.offset     = offset;
+      options.creepage   = creepage;
+      options.flow       = flow;
+      problem            = HalfPlane::half_plane_problem(options);
+      SolverControls controls;
+      controls.tolerance = 1e-11;
+      solution           = HalfPlane::solve(problem, "automatic", controls);
+      BOOST_TEST(solution.report.converged);
+    }
+
+    WaveSweep sweep(const std::vector<double>      &speeds,
+                    const WaveSweep::BodiesAtSpeed &at) const
+    {
+      LinearContactOptions options;
+      options.friction = FrictionResponse::constant;
+      return WaveSweep(problem, solution.state, options, 1., speeds, at);
+    }
+
+    PassedWave wave(const Case &at) const
+    {
+      return sweep({speed},
+                   [&](const double V) {
+                     return bodies(problem, at, V * at.ka);
+                   })
+        .at(at.ka)
+        .front();
+    }
+
+    ContactProblem      problem;
+    HalfPlane::Solution solution;
+  };
+
+  /** Largest difference of growth from the closed form over the place of the
+   * mesh, over what wears flat by pressure alone, k_w mu xi pi E*. */
+  double error_of_growth(const unsigned int n, const Case &at)
+  {
+    const Complex exact = closed_form(at).growth().total();
+    double        worst = 0.;
+    for (const double offset : {0., 0.25, 0.5, 0.75})
+      worst =
+        std::max(worst,
+                 std::abs(
+                   Rolling(n, offset, at.creepage).wave(at).growth.total() -
+                   exact));
+    return worst / (HalfPlane::mu * at.creepage * HalfPlane::mu * pi * 2.);
+  }
+} // namespace
+
+BOOST_AUTO_TEST_CASE(growth_is_that_of_the_wavy_line_contact)
+{
+  // by what bodies the second is near a resonance, where crests carry more
+  for (const auto &[at, coarse, fine] :
+       {std::tuple(Case{0.5, 0.39, {-2.9, -0.28}, 0.}, 0.010, 0.003),
+        std::tuple(Case{0.5, 1.26, {0.14, -0.50}, 0.}, 0.013, 0.004),
+        std::tuple(Case{0.5, 0.5, {1.2, 0.}, {0.6, -0.6}}, 0.010, 0.003),
+        std::tuple(Case{0.9, 1., {1.2, 0.}, 0.}, 0.010, 0.003),
+        std::tuple(Case{2., 1., {1.2, 0.}, 0.}, 0.015, 0.004),
+        std::tuple(Case{2., 1., {1.2, 0.}, {0.6, -0.6}}, 0.015, 0.004)})
+    {
+      const double with_32  = error_of_growth(32, at),
+                   with_128 = error_of_growth(128, at);
+      BOOST_TEST_MESSAGE("creepage " << at.creepage << ", ka " << at.ka
+                                     << ": growth off by " << with_32
+                                     << " with 32 elements, " << with_128
+                                     << " with 128");
+      BOOST_TEST(with_32 < coarse);
+      BOOST_TEST(with_128 < fine);
+    }
 }
 
-BOOST_AUTO_TEST_CASE(look)
+BOOST_AUTO_TEST_CASE(the_load_on_crests_is_that_of_the_wavy_line_contact)
 {
-  for (const double creep : {0.5, 0.9, 2.})
-   for (const double z : {0.39, 1.26})
-    for (const unsigned int n : {16u, 32u, 64u, 128u})
-     for (const double off : {0., 0.25, 0.5, 0.75})
-      {
-        Options o; o.n_elements=n; o.offset=off; o.creepage=creep;
-        const auto problem = half_plane_problem(o);
-        SolverControls c; c.tolerance=1e-11;
-        const auto sol = solve(problem,"automatic",c);
-        const double V = 1.5;
-        LinearContactOptions lo; lo.speed=V; lo.friction=FrictionResponse::constant;
-        const auto contact = linear_contact(problem, sol.state, lo);
-        const auto pair = bodies(problem, 2.);
-        WaveGrowth growth(problem, sol.state, contact, pair, V, 1.);
-        WaveResponse response(contact, pair, V, growth.along());
-        const auto f = response.factors(z);
-        const auto answer = response.answer(z, response.height_wave(z), f);
-        const auto g = growth.growth(answer, z, 1.);
-        const double w=V*z; const std::complex<double> I(0,1);
-        const auto comp = -1./(2.*w*w) + 1./(2.*(4.+I*w*0.4-w*w));
-        std::cout << creep << " " << z << " " << n << " " << off << " comp " << comp.real() << " " << comp.imag() << " N " << growth.load(answer) << " G " << g.total()/(mu*creep*mu*pi*2.) << " parts "<< g.by_traction/(mu*creep*mu*pi*2.) << std::endl;
-      }
+  const Case       at{0.5, 1., {0.3, -0.4}, 0.};
+  const PassedWave found = Rolling(128, 0.3, at.creepage).wave(at);
+  const Complex    exact = closed_form(at).load();
+  BOOST_TEST(std::abs(found.load - exact) < 0.02 * std::abs(exact));
+  // what a wave loses to one that lifts the whole patch: J0(ka)
+  BOOST_TEST(std::abs(found.filter - std::cyl_bessel_j(0., 1.)) < 0.005);
+  // long waves lose nothing
+  const Case longer{0.5, 1e-3, {0.3, -0.4}, 0.};
+  BOOST_TEST(std::abs(Rolling(32, 0.3, 0.5).wave(longer).filter - 1) < 1e-5);
 }
+
+BOOST_AUTO_TEST_CASE(a_long_wave_wears_as_the_load_it_makes)
+{
+  // by the states under loads a few percent apart, whose edges pass nodes
+  for (const double creepage : {0.3, 0.5, 0.8})
+    {
+      const auto power = [&](const double change) {
+        double sum = 0.;
+        for (const double offset : {0., 0.25, 0.5, 0.75})
+          {
+            HalfPlane::Options options;
+            options.n_elements        = 64;
+            options.offset            = offset;
+            options.creepage          = creepage;
+            ContactProblem problem    = HalfPlane::half_plane_problem(options);
+            problem.loads.normal_load = pi / 2 * (1 + change);
+            sum += HalfPlane::solve(problem).result.dissipation / 4;
+          }
+        return sum;
+      };
+      const double by_load = (power(0.025) - power(-0.025)) / (0.05 * pi / 2);
+      Complex      growth = 0., load = 0.;
+      for (const double offset : {0., 0.25, 0.5, 0.75})
+        {
+          const PassedWave wave =
+            Rolling(64, offset, creepage).wave({creepage, 1e-3, 0.4, 0.});
+          growth += wave.growth.total();
+          load += wave.load;
+        }
+      const double found = -(growth / load).real();
+      BOOST_TEST_MESSAGE("creepage " << creepage << ": power over load "
+                                     << found << " of waves, " << by_load
+                                     << " of states 5 % of the load apart");
+      BOOST_TEST(std::abs(found / by_load - 1) < 0.03);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_factor_serves_all_speeds)
+{
+  const Rolling rolling(24, 0.2, 0.5);
+  const auto    lossy = [&](const double) {
+    ReducedPair pair = bodies(rolling.problem, {0.5, 1., {0.3, -0.2}, 0.1}, 2.);
+    pair.retardation = 0.02;
+    return pair;
+  };
+  const std::vector<double> speeds{0.5, 1., 3.};
+  const auto                together = rolling.sweep(speeds, lossy).at(1.3);
+  for (std::size_t v = 0; v < speeds.size(); ++v)
+    {
+      const PassedWave alone = rolling.sweep({speeds[v]}, lossy).at(1.3)[0];
+      BOOST_TEST(std::abs(together[v].growth.total() - alone.growth.total()) <
+                 1e-8 * std::abs(alone.growth.total()));
+      BOOST_TEST(std::abs(together[v].load - alone.load) <
+                 1e-8 * std::abs(alone.load));
+    }
+  BOOST_TEST(std::abs(together[0].growth.total() - together[2].growth.total()) >
+             1e-2 * std::abs(together[0].growth.total()));
+}
+
+BOOST_AUTO_TEST_CASE(the_flow_the_other_way_is_the_mirror_image)
+{
+  const Case       at{0.5, 1., {0.3, -0.4}, {0.2, -0.1}};
+  const PassedWave one   = Rolling(32, 0.3, 0.5, 1).wave(at),
+                   other = Rolling(32, -0.3, 0.5, -1).wave(at);
+  BOOST_TEST(std::abs(one.load - other.load) < 1e-7 * std::abs(one.load));
+  BOOST_TEST(std::abs(one.growth.total() - other.growth.total()) <
+             1e-6 * std::abs(one.growth.total()));
+}
+
+BOOST_AUTO_TEST_CASE(receptances_are_those_of_the_bodies)
+{
+  const Case          at{0.5, 1., {5., -0.4}, {2., -3.}};
+  const Rolling       rolling(32, 0.3, 0.5);
+  const PassedWave    found = rolling.wave(at);
+  const LinearContact contact =
+    linear_contact(rolling.problem, rolling.solution.state, [] {
+      LinearContactOptions options;
+      options.speed = speed;
+      return options;
+    }());
+  // the punch leaves the half-planes the same real compliance in both
+  const Complex local_x = found.receptance_x - at.alpha_t,
+                local_z = found.receptance_z - at.alpha;
+  BOOST_TEST(std::abs(local_x - local_z) < 1e-9 * std::abs(local_z));
+  // ln(2 L / a) of the punch, 2/(pi E*)
+  BOOST_TEST(std::abs(local_z - 2 / (pi * 2) * (3 + std::log(2.))) < 0.02);
+}
+
+BOOST_AUTO_TEST_CASE(loss_stiffness_acts_at_real_rates_alone)
+{
+  ReducedPair pair;
+  pair.K_m = DenseMatrix::Constant(1, 1, 7.);
+  pair.C_m = DenseMatrix::Constant(1, 1, 0.5);
+  pair.H_m = DenseMatrix::Constant(1, 1, 2.);
+  for (const double w : {3., -3.})
+    {
+      ComplexMatrix one = ComplexMatrix::Ones(1, 1);
+      modal_factors(pair, {0., w}).solve(one);
+      const Complex exact =
+        1. / Complex(7. - 9., 0.5 * w + std::copysign(2., w));
+      BOOST_TEST(std::abs(one(0, 0) - exact) < 1e-14);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(halved_patches_tell_how_far_growth_is_off)
+{
+  // first order: the change from half of the nodes is as large as the error
+  const Case at{2., 1., {1.2, 0.}, 0.};
+  double     error = 0., change = 0.;
+  for (const double offset : {0., 0.25, 0.5, 0.75})
+    {
+      const Rolling whole(32, offset, at.creepage);
+      const Complex growth = whole.wave(at).growth.total();
+      error =
+        std::max(error, std::abs(growth - closed_form(at).growth().total()));
+      change =
+        std::max(change,
+                 std::abs(
+                   growth -
+                   Rolling(16, offset, at.creepage).wave(at).growth.total()));
+    }
+  BOOST_TEST(change > 0.7 * error);
+  BOOST_TEST(change < 6. * error);
+}
+
+namespace
+{
+  void on_axle(SceneParameters &scene)
+  {
+    VibratingPair::disc_on_pad(scene);
+    scene.wheel.hub                    = Hub::mass;
+    scene.wheel.model.hub_mass.mass    = 5.;
+    scene.wheel.model.hub_mass.inertia = {{0.01, 0.02, 0.01}};
+    scene.wheel.model.damping          = {};
+    scene.mesh.elements_across_patch   = 5;
+    scene.mesh.growth                  = 1.5;
+    scene.contact.approach             = 4.5e-5;
+    scene.contact.creepages.x          = 0.05;
+  }
+
+  /** The sum of motions along z under unit forces along z at all nodes that
+   * touch, over the square of their number. */
+  template <int dim>
+  Complex lift(const VibratingPair::Eigenvalues<dim>                     &found,
+               const std::function<ComplexVector(const ComplexVector &)> &W)
+  {
+    const auto       &contact = found.contact;
+    const std::size_t first   = contact.n_tangential * contact.n_nodes;
+    ComplexVector     forces  = ComplexVector::Zero(first + contact.n_nodes);
+    for (const unsigned int i : contact.touching)
+      forces[first + i] = 1. / contact.touching.size();
+    return (forces.transpose() * W(forces)).value();
+  }
+
+  template <int dim>
+  void check_axle_in_contact()
+  {
+    VibratingPair::Eigenvalues<dim> found(on_axle, 40e3);
+    const auto                      by_modes = [&](const Complex s) {
+      return lift<dim>(found, [&](const ComplexVector &forces) {
+        return reduced_response(found.reduced, s, forces);
+      });
+    };
+    const auto by_all = [&](const Complex s) {
+      return lift<dim>(found, [&](const ComplexVector &forces) {
+        return found.whole->response({s}, {forces}).front();
+      });
+    };
+    // slow: the inertia of disc and axle, beside what is soft at rest
+    const BodySpec &wheel = found.run.situation().wheel;
+    const double    disc  = pi * (0.2 * 0.2 - 0.05 * 0.05) * 7800. *
+                        (dim == 2 ? wheel.thickness : wheel.width);
+    const double  slow  = 2 * pi * 20.;
+    const Complex heavy = by_all({0., slow}) * slow * slow;
+    BOOST_TEST_MESSAGE(dim << "D: mass " << -1 / heavy.real() << " kg of "
+                           << disc + 5.);
+    BOOST_TEST(std::abs(heavy.real() * (disc + 5.) + 1) < 0.03);
+    for (const double f : {300., 1500., 4000.})
+      {
+        const Complex s(0., 2 * pi * f);
+        BOOST_TEST(std::abs(by_modes(s) - by_all(s)) <
+                   2e-3 * std::abs(by_all(s)));
+      }
+  }
+} // namespace
+
+BOOST_AUTO_TEST_CASE(a_wheel_on_its_axle_is_as_heavy_as_both)
+{
+  check_axle_in_contact<2>();
+  check_axle_in_contact<3>();
+}
+
+BOOST_AUTO_TEST_CASE(peaks_are_those_of_each_speed_and_place)
+{
+  const auto row = [](const double place, const double V, const double G) {
+    CorrugationRow row;
+    row.pad_offset                = place;
+    row.speed                     = V;
+    row.passed.growth.by_traction = G;
+    return row;
+  };
+  std::vector<CorrugationRow> rows;
+  for (const double growth : {3., 1., 2., 5., 4., 6.})
+    rows.push_back(row(0., 10., growth));
+  for (const double growth : {7., 8., 1.})
+    rows.push_back(row(0., 20., growth));
+  rows.push_back(row(0.3, 20., 0.5));
+  const std::vector<std::size_t> expected{0, 3, 5, 7, 9};
+  BOOST_TEST(peaks_of_growth(rows) == expected,
+             boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(wavelengths_are_in_equal_ratios_and_fit_a_wheel)
+{
+  CorrugationParameters section;
+  section.wavelengths = "0.02 : 0.16 : 4";
+  const auto lengths  = section.wavelengths_round(0.46);
+  BOOST_TEST_REQUIRE(lengths.size() == 4u);
+  for (std::size_t i = 0; i < 4; ++i)
+    BOOST_TEST(std::abs(lengths[i] / (0.02 * std::pow(2., i)) - 1) < 1e-12);
+  section.worn = Side::wheel;
+  for (const double length : section.wavelengths_round(0.46))
+    {
+      const double n = 2 * pi * 0.46 / length;
+      BOOST_TEST(std::abs(n - std::round(n)) < 1e-9);
+    }
+  section.wavelengths = "0.03, 0, 0.1";
+  BOOST_TEST(complaint([&] { section.check(); }).find("above 0 m") !=
+             std::string::npos);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

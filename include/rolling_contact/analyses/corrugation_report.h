@@ -22,8 +22,7 @@ namespace RollingContact
     /** With the growth of the wear coefficient asked for. */
     PassedWave passed;
 
-    /** Largest difference of Re G on every second node of the patch; none if
-     * it was not found. */
+    /** Of Re G, see uncertainty_by_halves(). */
     std::optional<double> uncertainty;
 
     /** Re G with whole bodies, where it was asked for. */
@@ -39,6 +38,16 @@ namespace RollingContact
       return passed.growth.total().real();
     }
   };
+
+  /**
+   * How far Re G may be off by the elements of the patch, from its values with
+   * elements of twice the length at several places of the mesh: by how much
+   * their mean differs, as growth is of first order, and half of the largest
+   * scatter about it, as the place of a mesh counts half as much with elements
+   * half as long. None without values.
+   */
+  std::optional<double>
+  uncertainty_by_halves(const double rate, const std::vector<double> &halves);
 
   /**
    * Rows by place, speed and ascending wavelength: numbers of those that grow
