@@ -85,34 +85,45 @@ namespace RollingContact
   }
 
   template <int dim>
-  std::vector<CorrugationRow>
-  Corrugation<dim>::sweep(const Situation             &at,
-                          SteadyState<dim>            &steady,
-                          const RollingModes<dim>     &rolling,
-                          const std::optional<double> &pad_offset)
+  WaveSweep
+  Corrugation<dim>::waves_over(const Situation                &at,
+                               const ContactProblem           &problem,
+                               const ContactState             &state,
+                               const WaveSweep::BodiesAtSpeed &bodies) const
   {
-    const double thickness = dim == 2 ? at.thickness() : 1.;
-    const auto   reduced   = [&](const double speed) {
-      return rolling.reduced(conditions_at(at, speed));
-    };
-    const WaveSweep whole(
-      steady.problem, steady.state, options_of(at), thickness, speeds, reduced);
-    warn_of_border(whole.contact());
-    warn_of_fixed_edges(whole.contact(), at.contact.slip_operator, context.log);
+    return WaveSweep(problem,
+                     state,
+                     options_of(at),
+                     dim == 2 ? at.thickness() : 1.,
+                     speeds,
+                     bodies);
+  }
+
+  template <int dim>
+  std::vector<WaveSweep> Corrugation<dim>::waves_over_halves(
+    const Situation                &at,
+    SteadyState<dim>               &steady,
+    const WaveSweep::BodiesAtSpeed &bodies) const
+  {
+    std::vector<WaveSweep> result;
     make_halves(at, steady);
-    std::vector<WaveSweep> halves;
     for (HalvedProblem &half : steady.halves)
       if (const auto state =
             state_of_half(at, steady.problem, steady.state, half))
-        halves.emplace_back(half.problem,
-                            *state,
-                            options_of(at),
-                            thickness,
-                            speeds,
-                            [&](const double speed) {
-                              return at_nodes(reduced(speed), half.coupling);
-                            });
+        result.push_back(
+          waves_over(at, half.problem, *state, [&](const double speed) {
+            return at_nodes(bodies(speed), half.coupling);
+          }));
+    return result;
+  }
 
+  template <int dim>
+  std::vector<CorrugationRow>
+  Corrugation<dim>::sweep(const WaveSweep              &whole,
+                          const std::vector<WaveSweep> &halves,
+                          const std::optional<double>  &pad_offset) const
+  {
+    const double                k_w = section.wear_coefficient;
     std::vector<CorrugationRow> found(speeds.size() * wavelengths.size());
     for (std::size_t j = 0; j < wavelengths.size(); ++j)
       {
@@ -129,42 +140,39 @@ namespace RollingContact
             row.speed           = speeds[v];
             row.wavelength      = wavelengths[j];
             row.passed          = passed[v];
-            row.passed.growth.by_traction *= section.wear_coefficient;
-            row.passed.growth.by_slip *= section.wear_coefficient;
+            row.passed.growth.by_traction *= k_w;
+            row.passed.growth.by_slip *= k_w;
             std::vector<double> rates;
             for (const auto &half : of_halves)
-              rates.push_back(section.wear_coefficient *
-                              half[v].growth.total().real());
+              rates.push_back(k_w * half[v].growth.total().real());
             row.uncertainty = uncertainty_by_halves(row.rate(), rates);
           }
       }
-    if (at.inputs->stability.correct)
-      {
-        auto             &most       = *std::max_element(found.begin(),
-                                       found.end(),
-                                       [](const auto &a, const auto &b) {
-                                         return a.rate() < b.rate();
-                                       });
-        RollingConditions conditions = conditions_at(at, most.speed);
-        conditions.hysteretic        = false; // losses of the modes, to start
-        const WholeBodies<dim> bodies(rolling, conditions);
-        const std::size_t      v =
-          std::find(speeds.begin(), speeds.end(), most.speed) - speeds.begin();
-        most.of_whole_bodies =
-          section.wear_coefficient *
-          whole
-            .corrected(
-              2 * pi / most.wavelength,
-              v,
-              [&](const ComplexValues              &s,
-                  const std::vector<ComplexVector> &forces) {
-                return bodies.response(s, forces);
-              },
-              whole_steps)
-            .growth.total()
-            .real();
-      }
     return found;
+  }
+
+  template <int dim>
+  void Corrugation<dim>::prove_fastest(const Situation             &at,
+                                       const RollingModes<dim>     &rolling,
+                                       const WaveSweep             &waves,
+                                       std::vector<CorrugationRow> &found) const
+  {
+    CorrugationRow &most =
+      *std::max_element(found.begin(), found.end(), grows_less);
+    RollingConditions conditions = conditions_at(at, most.speed);
+    conditions.hysteretic        = false; // whole bodies have their own
+    const WholeBodies<dim> bodies(rolling, conditions);
+    const std::size_t      speed =
+      std::find(speeds.begin(), speeds.end(), most.speed) - speeds.begin();
+    const PassedWave passed = waves.corrected(
+      2 * pi / most.wavelength,
+      speed,
+      [&](const ComplexValues &s, const std::vector<ComplexVector> &forces) {
+        return bodies.response(s, forces);
+      },
+      whole_steps);
+    most.of_whole_bodies =
+      section.wear_coefficient * passed.growth.total().real();
   }
 
   template <int dim>
@@ -185,7 +193,17 @@ namespace RollingContact
                                     *steady.pair,
                                     steady.problem.operators.W().dense());
     PhaseTimer::Scope       phase(context.timer, Phase::response);
-    const auto              found = sweep(at, steady, rolling, pad_offset);
+    const auto              reduced = [&](const double speed) {
+      return rolling.reduced(conditions_at(at, speed));
+    };
+    const WaveSweep waves =
+      waves_over(at, steady.problem, steady.state, reduced);
+    warn_of_border(waves.contact());
+    warn_of_fixed_edges(waves.contact(), at.contact.slip_operator, context.log);
+    auto found =
+      sweep(waves, waves_over_halves(at, steady, reduced), pad_offset);
+    if (at.inputs->stability.correct)
+      prove_fastest(at, rolling, waves, found);
     rows.insert(rows.end(), found.begin(), found.end());
   }
 

@@ -21,11 +21,7 @@ namespace RollingContact
     /** The one that grows most. */
     const CorrugationRow &fastest(const std::vector<CorrugationRow> &rows)
     {
-      return *std::max_element(rows.begin(),
-                               rows.end(),
-                               [](const auto &a, const auto &b) {
-                                 return a.rate() < b.rate();
-                               });
+      return *std::max_element(rows.begin(), rows.end(), grows_less);
     }
 
     std::string place_of(const CorrugationRow &row)
@@ -62,6 +58,11 @@ namespace RollingContact
           (i + 1 == rows.size() || is_below(i + 1, i)))
         peaks.push_back(i);
     return peaks;
+  }
+
+  bool grows_less(const CorrugationRow &a, const CorrugationRow &b)
+  {
+    return a.rate() < b.rate();
   }
 
   void add_row(const CorrugationRow        &row,

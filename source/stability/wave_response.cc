@@ -36,6 +36,10 @@ namespace RollingContact
 
   void WaveResponse::find_motions()
   {
+    U          = DenseMatrix::Zero(pair.Phi.rows(), 0);
+    amplitudes = DenseMatrix::Zero(0, pair.n_modes());
+    if (pair.n_modes() == 0)
+      return;
     std::vector<double> values;
     const DenseMatrix   all = left_singular_vectors(pair.Phi, values);
     std::size_t         p   = 0;
@@ -101,6 +105,8 @@ namespace RollingContact
   ComplexVector
   WaveResponse::AtWave::modes_under(const ComplexVector &forces) const
   {
+    if (of.pair.n_modes() == 0)
+      return ComplexVector::Zero(of.pair.Phi.rows());
     ComplexVector eta = of.pair.Phi.transpose() * forces;
     modal.solve(eta);
     return of.pair.Phi * eta;
@@ -122,6 +128,8 @@ namespace RollingContact
   ComplexVector WaveResponse::AtWave::nearly_solved(ComplexVector r) const
   {
     factors.contact.solve(r);
+    if (of.U.cols() == 0)
+      return r;
     ComplexVector few = response * (reaction * r);
     joined.solve(few);
     return r - factors.motions * few;

@@ -35,11 +35,29 @@ namespace RollingContact
     /** Tell how far growth may be off. */
     void note_errors() const;
 
+    /** Waves over a state at all speeds. */
+    WaveSweep waves_over(const Situation                &at,
+                         const ContactProblem           &problem,
+                         const ContactState             &state,
+                         const WaveSweep::BodiesAtSpeed &bodies) const;
+
+    /** Waves over the states on every second node that are found. */
+    std::vector<WaveSweep>
+    waves_over_halves(const Situation                &at,
+                      SteadyState<dim>               &steady,
+                      const WaveSweep::BodiesAtSpeed &bodies) const;
+
     /** Rows of all speeds, one speed after the other. */
-    std::vector<CorrugationRow> sweep(const Situation             &at,
-                                      SteadyState<dim>            &steady,
-                                      const RollingModes<dim>     &rolling,
-                                      const std::optional<double> &pad_offset);
+    std::vector<CorrugationRow>
+    sweep(const WaveSweep              &whole,
+          const std::vector<WaveSweep> &halves,
+          const std::optional<double>  &pad_offset) const;
+
+    /** Find the growth of the wave that grows most by the whole bodies. */
+    void prove_fastest(const Situation             &at,
+                       const RollingModes<dim>     &rolling,
+                       const WaveSweep             &waves,
+                       std::vector<CorrugationRow> &found) const;
 
     const Situation             &scene;
     RunContext                  &context;

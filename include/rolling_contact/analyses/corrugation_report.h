@@ -56,6 +56,8 @@ namespace RollingContact
   std::vector<std::size_t>
   peaks_of_growth(const std::vector<CorrugationRow> &rows);
 
+  bool grows_less(const CorrugationRow &a, const CorrugationRow &b);
+
   /** Set all columns of a row of corrugation.csv and end it. */
   void add_row(const CorrugationRow        &row,
                const CorrugationParameters &section,
