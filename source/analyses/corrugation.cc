@@ -129,10 +129,11 @@ namespace RollingContact
       {
         throw_if_interrupted();
         const double                         k      = 2 * pi / wavelengths[j];
-        const auto                           passed = whole.at(k);
+        const auto                           modal  = whole.modal(k);
+        const auto                           passed = whole.at(k, modal);
         std::vector<std::vector<PassedWave>> of_halves;
         for (const WaveSweep &half : halves)
-          of_halves.push_back(half.at(k));
+          of_halves.push_back(half.at(k, modal));
         for (std::size_t v = 0; v < speeds.size(); ++v)
           {
             CorrugationRow &row = found[v * wavelengths.size() + j];

@@ -40,21 +40,21 @@ namespace RollingContact
     return ratios;
   }
 
-  DenseMatrix modal_damping_matrix(const StructuralModes       &modes,
-                                   const SymmetricSparseMatrix &H,
-                                   const SymmetricSparseMatrix &C)
+  DenseMatrix in_modes(const StructuralModes       &modes,
+                       const SymmetricSparseMatrix &A)
   {
-    const std::size_t m      = modes.size();
-    DenseMatrix       result = DenseMatrix::Zero(m, m);
-    if (C.size() > 0)
-      result += projected(C, modes.shapes);
-    if (H.size() == 0)
-      return result;
-    Eigen::VectorXd shares = Eigen::VectorXd::Zero(m);
-    for (std::size_t j = 0; j < m; ++j)
+    return A.size() > 0 ? projected(A, modes.shapes)
+                        : DenseMatrix::Zero(modes.size(), modes.size());
+  }
+
+  DenseMatrix modal_damping_matrix(const StructuralModes &modes,
+                                   const DenseMatrix     &H_m,
+                                   const DenseMatrix     &viscous)
+  {
+    Eigen::VectorXd shares = Eigen::VectorXd::Zero(modes.size());
+    for (std::size_t j = 0; j < modes.size(); ++j)
       if (modes.frequencies[j] > rigid_share * modes.cut_off)
         shares[j] = std::pow(modes.eigenvalue(j), -0.25);
-    return result + shares.asDiagonal() * projected(H, modes.shapes) *
-                      shares.asDiagonal();
+    return viscous + shares.asDiagonal() * H_m * shares.asDiagonal();
   }
 } // namespace RollingContact

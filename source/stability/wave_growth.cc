@@ -89,13 +89,13 @@ namespace RollingContact
     return result;
   }
 
-  std::complex<double> WaveGrowth::load(const WaveAnswer &answer) const
+  std::complex<double> WaveGrowth::load(const ComplexVector &unknowns) const
   {
     const std::size_t    n = contact.touching.size(), T = contact.n_tangential;
     std::complex<double> sum = 0.;
     for (std::size_t k = 0; k < n; ++k)
       sum += problem.operators.load_areas()[contact.touching[k]] *
-             answer.unknowns[T * n + k];
+             unknowns[T * n + k];
     return sum;
   }
 

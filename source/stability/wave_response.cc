@@ -13,40 +13,50 @@ namespace RollingContact
     const double motion_share = 1e-9;
 
     /// residual of an answer over its right hand side
-    const double wave_tolerance = 1e-10;
+    const double wave_tolerance = 1e-9;
 
     const unsigned int most_corrections = 30;
+
+    /** A x of a real matrix, part by part. */
+    template <class Matrix>
+    ComplexVector times_complex(const Matrix &A, const ComplexVector &x)
+    {
+      const Eigen::VectorXd real = x.real(), imaginary = x.imag();
+      ComplexVector         result(A.rows());
+      result.real() = A * real;
+      result.imag() = A * imaginary;
+      return result;
+    }
   } // namespace
 
-  WaveResponse::WaveResponse(const LinearContact &contact,
-                             const ReducedPair   &pair,
-                             const double         speed,
-                             std::vector<double>  along)
-    : contact(contact)
-    , pair(pair)
-    , speed(speed)
-    , along(std::move(along))
-    , residual(contact, pair)
-    , N_u(contact.N_u)
-    , N_v(contact.N_v)
+  DenseMatrix WaveResponse::motions_of(const ReducedPair &pair)
   {
-    find_motions();
-    scale_rows();
-  }
-
-  void WaveResponse::find_motions()
-  {
-    U          = DenseMatrix::Zero(pair.Phi.rows(), 0);
-    amplitudes = DenseMatrix::Zero(0, pair.n_modes());
     if (pair.n_modes() == 0)
-      return;
+      return DenseMatrix::Zero(pair.Phi.rows(), 0);
     std::vector<double> values;
     const DenseMatrix   all = left_singular_vectors(pair.Phi, values);
     std::size_t         p   = 0;
     while (p < values.size() && values[p] > motion_share * values[0])
       ++p;
-    U          = all.leftCols(p);
-    amplitudes = U.transpose() * pair.Phi;
+    return all.leftCols(p);
+  }
+
+  WaveResponse::WaveResponse(const LinearContact &contact,
+                             const ReducedPair   &pair,
+                             const double         speed,
+                             std::vector<double>  along,
+                             const DenseMatrix   &motions)
+    : contact(contact)
+    , pair(pair)
+    , speed(speed)
+    , along(std::move(along))
+    , residual(contact, pair)
+    , U(motions)
+    , amplitudes(motions.transpose() * pair.Phi)
+    , N_u(contact.N_u * U)
+    , N_v(contact.N_v * U)
+  {
+    scale_rows();
   }
 
   void WaveResponse::scale_rows()
@@ -63,7 +73,7 @@ namespace RollingContact
   {
     const auto s = rate(wave_number);
     Factors    result{ComplexLU(residual.statics + s * residual.viscosity),
-                   (N_u * U) + s * (N_v * U)};
+                   N_u + s * N_v};
     if (result.contact.singular())
       throw ConvergenceError(
         "The contact has no answer to a wave of " +
@@ -81,18 +91,20 @@ namespace RollingContact
     return b;
   }
 
-  WaveResponse::AtWave::AtWave(const WaveResponse &response,
-                               const double        wave_number,
-                               const Factors      &factors)
+  WaveResponse::AtWave::AtWave(
+    const WaveResponse              &response,
+    const double                     wave_number,
+    const Factors                   &factors,
+    std::shared_ptr<const ComplexLU> factors_of_modes)
     : of(response)
     , factors(factors)
     , s(response.rate(wave_number))
     , delay(1. + s * response.pair.retardation)
-    , modal(modal_factors(response.pair, s))
+    , modal(std::move(factors_of_modes))
     , response([&]() {
       ComplexMatrix rates =
         of.amplitudes.transpose().cast<std::complex<double>>();
-      modal.solve(rates);
+      modal->solve(rates);
       return ComplexMatrix(of.amplitudes * rates);
     }())
     , reaction(
@@ -103,26 +115,25 @@ namespace RollingContact
   {}
 
   ComplexVector
-  WaveResponse::AtWave::modes_under(const ComplexVector &forces) const
-  {
-    if (of.pair.n_modes() == 0)
-      return ComplexVector::Zero(of.pair.Phi.rows());
-    ComplexVector eta = of.pair.Phi.transpose() * forces;
-    modal.solve(eta);
-    return of.pair.Phi * eta;
-  }
-
-  ComplexVector
   WaveResponse::AtWave::motion_under(const ComplexVector &forces) const
   {
-    return of.pair.W_res * forces / delay + modes_under(forces);
+    ComplexVector result = times_complex(of.pair.W_res, forces) / delay;
+    if (of.U.cols() > 0)
+      result +=
+        times_complex(of.U, response * times_complex(of.U.transpose(), forces));
+    return result;
   }
 
   ComplexVector WaveResponse::AtWave::product(const ComplexVector &y) const
   {
-    const ComplexVector u = modes_under(delay * (of.contact.forces * y));
-    return of.residual.statics * y + of.N_u * u +
-           s * (of.residual.viscosity * y + of.N_v * u);
+    ComplexVector result = times_complex(of.residual.statics, y) +
+                           s * times_complex(of.residual.viscosity, y);
+    if (of.U.cols() > 0)
+      {
+        const ComplexVector u = response * (reaction * y);
+        result += times_complex(of.N_u, u) + s * times_complex(of.N_v, u);
+      }
+    return result;
   }
 
   ComplexVector WaveResponse::AtWave::nearly_solved(ComplexVector r) const
@@ -135,7 +146,7 @@ namespace RollingContact
     return r - factors.motions * few;
   }
 
-  WaveAnswer WaveResponse::AtWave::answer(const ComplexVector &b) const
+  ComplexVector WaveResponse::AtWave::unknowns(const ComplexVector &b) const
   {
     const ComplexVector target = of.scales.asDiagonal() * b;
     ComplexVector       y      = nearly_solved(target);
@@ -153,10 +164,16 @@ namespace RollingContact
                                  significant(error, 2) + ".");
         y += nearly_solved(r);
       }
+    y.head(of.contact.n_tractions()) *= delay;
+    return y;
+  }
+
+  WaveAnswer WaveResponse::AtWave::answer(const ComplexVector &b) const
+  {
     WaveAnswer result;
-    result.unknowns = y;
-    result.unknowns.head(of.contact.n_tractions()) *= delay;
-    result.motion = motion_under(of.contact.forces * result.unknowns);
+    result.unknowns = unknowns(b);
+    result.motion =
+      motion_under(times_complex(of.contact.forces, result.unknowns));
     return result;
   }
 

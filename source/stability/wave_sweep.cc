@@ -2,35 +2,49 @@
 
 namespace RollingContact
 {
-  WaveSweep::AtSpeed::AtSpeed(const ContactProblem       &problem,
-                              const ContactState         &state,
-                              const LinearContactOptions &options,
-                              ReducedPair                 bodies,
-                              const double                thickness)
-    : contact(linear_contact(problem, state, options))
+  WaveSweep::AtSpeed::AtSpeed(const ContactProblem &problem,
+                              const ContactState   &state,
+                              LinearContact         linear,
+                              const double          speed,
+                              ReducedPair           bodies,
+                              const double          thickness,
+                              const AtSpeed        *other)
+    : contact(std::move(linear))
     , pair(std::move(bodies))
-    , growth(problem, state, contact, pair, options.speed, thickness)
-    , response(contact, pair, options.speed, growth.along())
+    , growth(problem, state, contact, pair, speed, thickness)
+    , motions(other != nullptr ? other->motions
+                               : WaveResponse::motions_of(pair))
+    , response(contact, pair, speed, growth.along(), motions)
+    , punch_x(growth.punch_forces(0), pair, motions)
+    , punch_z(growth.punch_forces(contact.n_tangential), pair, motions)
   {}
+
+  WaveSweep::Punch::Punch(const std::vector<double> &forces,
+                          const ReducedPair         &pair,
+                          const DenseMatrix         &motions)
+    : at_rest(as_vector(forces).dot(pair.W_res * as_vector(forces)))
+    , on_motions(motions.transpose() * as_vector(forces))
+  {}
+
+  std::complex<double>
+  WaveSweep::Punch::receptance(const WaveResponse::AtWave &at) const
+  {
+    return at_rest / at.retardation() +
+           (on_motions.transpose() * at.response_of_motions() * on_motions)
+             .value();
+  }
 
   PassedWave WaveSweep::AtSpeed::passed(const double                wave_number,
                                         const WaveResponse::AtWave &at,
                                         const WaveAnswer &answer) const
   {
     PassedWave result;
-    result.growth    = growth.growth(answer, wave_number, 1.);
-    result.load      = growth.load(answer);
-    const auto whole = at.answer(response.height_wave(0.));
-    result.filter    = std::abs(result.load) / std::abs(growth.load(whole));
-    const auto receptance = [&](const unsigned int component) {
-      const std::vector<double> forces = growth.punch_forces(component);
-      const auto                punch  = as_vector(forces);
-      return (punch.transpose() *
-              at.motion_under(punch.cast<std::complex<double>>()))
-        .value();
-    };
-    result.receptance_x = receptance(0);
-    result.receptance_z = receptance(contact.n_tangential);
+    result.growth       = growth.growth(answer, wave_number, 1.);
+    result.load         = growth.load(answer.unknowns);
+    const auto whole    = at.unknowns(response.height_wave(0.));
+    result.filter       = std::abs(result.load) / std::abs(growth.load(whole));
+    result.receptance_x = punch_x.receptance(at);
+    result.receptance_z = punch_z.receptance(at);
     return result;
   }
 
@@ -41,24 +55,42 @@ namespace RollingContact
                        const std::vector<double>  &speeds,
                        const BodiesAtSpeed        &bodies)
   {
+    LinearContactOptions at_first = options;
+    at_first.speed                = speeds.at(0);
     for (const double speed : speeds)
-      {
-        LinearContactOptions at_speed = options;
-        at_speed.speed                = speed;
-        cases.push_back(std::make_unique<const AtSpeed>(
-          problem, state, at_speed, bodies(speed), thickness));
-      }
+      cases.push_back(std::make_unique<const AtSpeed>(
+        problem,
+        state,
+        cases.empty() ? linear_contact(problem, state, at_first)
+                      : times_as_fast(contact(), speed / speeds[0]),
+        speed,
+        bodies(speed),
+        thickness,
+        cases.empty() ? nullptr : cases.front().get()));
   }
 
-  std::vector<PassedWave> WaveSweep::at(const double wave_number) const
+  WaveSweep::ModalFactors WaveSweep::modal(const double wave_number) const
+  {
+    ModalFactors result;
+    for (const auto &it : cases)
+      result.push_back(it->response.modal(wave_number));
+    return result;
+  }
+
+  std::vector<PassedWave> WaveSweep::at(const double        wave_number,
+                                        const ModalFactors &modal) const
   {
     const auto factors = cases.front()->response.factors(wave_number);
     std::vector<PassedWave> result;
-    for (const auto &it : cases)
+    for (std::size_t v = 0; v < cases.size(); ++v)
       {
-        const WaveResponse::AtWave at(it->response, wave_number, factors);
-        result.push_back(it->passed(
-          wave_number, at, at.answer(it->response.height_wave(wave_number))));
+        const WaveResponse        &response = cases[v]->response;
+        const WaveResponse::AtWave at(response,
+                                      wave_number,
+                                      factors,
+                                      modal.at(v));
+        result.push_back(cases[v]->passed(
+          wave_number, at, at.answer(response.height_wave(wave_number))));
       }
     return result;
   }
@@ -70,7 +102,10 @@ namespace RollingContact
   {
     const AtSpeed             &it      = *cases.at(speed);
     const auto                 factors = it.response.factors(wave_number);
-    const WaveResponse::AtWave at(it.response, wave_number, factors);
+    const WaveResponse::AtWave at(it.response,
+                                  wave_number,
+                                  factors,
+                                  it.response.modal(wave_number));
     return it.passed(wave_number,
                      at,
                      at.corrected(it.response.height_wave(wave_number),

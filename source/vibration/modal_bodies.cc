@@ -37,11 +37,9 @@ namespace RollingContact
         const VibratingBody<dim> &body  = *bodies[side];
         const DenseMatrix        &modes = body.modes.shapes;
         Part                     &part  = parts[side];
-        part.C_m        = modal_damping_matrix(body.modes, body.H, body.C);
-        part.viscous    = modal_damping_matrix(body.modes, {}, body.C);
-        part.H_m        = body.H.size() > 0
-                            ? projected(body.H, modes)
-                            : DenseMatrix::Zero(body.modes.size(), body.modes.size());
+        part.viscous                    = in_modes(body.modes, body.C);
+        part.H_m                        = in_modes(body.modes, body.H);
+        part.C_m = modal_damping_matrix(body.modes, part.H_m, part.viscous);
         hanging[side]   = body.absorbers(wanted.maximum_frequency, context);
         const auto axle = body.parameters.body_shape()->axle();
         if (body.parameters.axle_mass)

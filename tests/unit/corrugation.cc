@@ -100,12 +100,10 @@ namespace
 
     PassedWave wave(const Case &at) const
     {
-      return sweep({speed},
-                   [&](const double V) {
-                     return bodies(problem, at, V * at.ka);
-                   })
-        .at(at.ka)
-        .front();
+      const WaveSweep waves = sweep({speed}, [&](const double V) {
+        return bodies(problem, at, V * at.ka);
+      });
+      return waves.at(at.ka, waves.modal(at.ka)).front();
     }
 
     ContactProblem      problem;
@@ -208,10 +206,14 @@ BOOST_AUTO_TEST_CASE(a_factor_serves_all_speeds)
     return pair;
   };
   const std::vector<double> speeds{0.5, 1., 3.};
-  const auto                together = rolling.sweep(speeds, lossy).at(1.3);
+  const auto                passed = [&](const std::vector<double> &at) {
+    const WaveSweep waves = rolling.sweep(at, lossy);
+    return waves.at(1.3, waves.modal(1.3));
+  };
+  const auto together = passed(speeds);
   for (std::size_t v = 0; v < speeds.size(); ++v)
     {
-      const PassedWave alone = rolling.sweep({speeds[v]}, lossy).at(1.3)[0];
+      const PassedWave alone = passed({speeds[v]})[0];
       BOOST_TEST(std::abs(together[v].growth.total() - alone.growth.total()) <
                  1e-8 * std::abs(alone.growth.total()));
       BOOST_TEST(std::abs(together[v].load - alone.load) <
@@ -320,7 +322,8 @@ namespace
       BOOST_TEST(contact.n_slip() == 0u);
       for (const unsigned int i : contact.touching)
         along.push_back(rolling.problem.operators.positions()[i][0]);
-      response.emplace(contact, pair, 1., along);
+      response.emplace(
+        contact, pair, 1., along, WaveResponse::motions_of(pair));
     }
 
     static StabilityBodies::Grid grid_of(const unsigned int n)
@@ -346,7 +349,10 @@ namespace
       for (std::size_t k = 0; k < n; ++k)
         b[n + direction * n + k] = -1.;
       const auto                 factors = response->factors(ka);
-      const WaveResponse::AtWave at(*response, ka, factors);
+      const WaveResponse::AtWave at(*response,
+                                    ka,
+                                    factors,
+                                    response->modal(ka));
       const ComplexVector forces = contact.forces * at.answer(b).unknowns;
       return forces.segment(direction * contact.n_nodes, contact.n_nodes).sum();
     }

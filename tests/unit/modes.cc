@@ -300,8 +300,11 @@ BOOST_AUTO_TEST_CASE(losses_become_damping_ratios)
     BOOST_TEST(ratios[j] == 1e-3 + 0.01 + 0.05 / std::sqrt(modes.eigenvalue(j)),
                boost::test_tools::tolerance(1e-9));
   // as a matrix, with what couples the modes
-  const DenseMatrix all  = modal_damping_matrix(modes, H, C),
-                    none = modal_damping_matrix(modes, {}, {});
+  const DenseMatrix nothing = in_modes(modes, {}),
+                    all     = modal_damping_matrix(modes,
+                                               in_modes(modes, H),
+                                               in_modes(modes, C)),
+                    none    = modal_damping_matrix(modes, nothing, nothing);
   BOOST_TEST(none.norm() == 0.);
   for (std::size_t j = 0; j < modes.size(); ++j)
     BOOST_TEST(all(j, j) ==
@@ -311,8 +314,9 @@ BOOST_AUTO_TEST_CASE(losses_become_damping_ratios)
   SymmetricSparseMatrix one = springs.K;
   std::fill(one.values.begin(), one.values.end(), 0.);
   one.values[one.column_starts[3]] = 2.;
-  const DenseMatrix coupled        = modal_damping_matrix(modes, one, {});
-  const auto        place          = [&](const std::size_t j) {
+  const DenseMatrix coupled =
+    modal_damping_matrix(modes, in_modes(modes, one), nothing);
+  const auto place = [&](const std::size_t j) {
     return modes.shapes(3, j) / std::pow(modes.eigenvalue(j), 0.25);
   };
   BOOST_TEST(coupled(1, 2) == 2. * place(1) * place(2),

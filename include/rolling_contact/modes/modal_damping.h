@@ -23,11 +23,16 @@ namespace RollingContact
    *   C_ij = phi_i^T C phi_j + phi_i^T H phi_j / sqrt(omega_i omega_j),
    * that of viscous damping C and, of loss stiffness H, the viscous one in
    * which each mode loses at its own frequency what H takes from it; without
-   * losses of rigid modes. Units: 1/s.
+   * losses of rigid modes. From both in terms of the modes, Phi^T C Phi and
+   * Phi^T H Phi. Units: 1/s, 1/s^2.
    */
-  DenseMatrix modal_damping_matrix(const StructuralModes       &modes,
-                                   const SymmetricSparseMatrix &H,
-                                   const SymmetricSparseMatrix &C);
+  DenseMatrix modal_damping_matrix(const StructuralModes &modes,
+                                   const DenseMatrix     &H_m,
+                                   const DenseMatrix     &viscous);
+
+  /** Phi^T A Phi, zero if A is empty. */
+  DenseMatrix in_modes(const StructuralModes       &modes,
+                       const SymmetricSparseMatrix &A);
 } // namespace RollingContact
 
 #endif

@@ -68,8 +68,8 @@ namespace RollingContact
                   const double      wave_number,
                   const double      wear_coefficient) const;
 
-    /** The normal load of an answer. Units: N/m. */
-    std::complex<double> load(const WaveAnswer &answer) const;
+    /** The normal load of the unknowns of an answer. Units: N/m. */
+    std::complex<double> load(const ComplexVector &unknowns) const;
 
   private:
     void find_lines(const ContactProblem &problem, const double thickness);

@@ -5,6 +5,7 @@
 #include <rolling_contact/stability/contact_response.h>
 #include <rolling_contact/stability/correction.h>
 
+#include <memory>
 #include <vector>
 
 namespace RollingContact
@@ -48,13 +49,20 @@ namespace RollingContact
     };
 
     /**
+     * The few independent motions of the patch by modes, orthonormal columns.
+     */
+    static DenseMatrix motions_of(const ReducedPair &pair);
+
+    /**
      * @p along: places of the touching nodes of @p contact along the flow, m;
-     * @p speed: V of the contact and of @p pair, m/s. Keeps references to both.
+     * @p speed: V of the contact and of @p pair, m/s; @p motions: those of a
+     * pair with these modes, see motions_of(). Keeps references to both.
      */
     WaveResponse(const LinearContact &contact,
                  const ReducedPair   &pair,
                  const double         speed,
-                 std::vector<double>  along);
+                 std::vector<double>  along,
+                 const DenseMatrix   &motions);
 
     /** s = i k V. Units: 1/m, 1/s. */
     std::complex<double> rate(const double wave_number) const
@@ -63,6 +71,14 @@ namespace RollingContact
     }
 
     Factors factors(const double wave_number) const;
+
+    /** What the modes need, which waves over other nodes of the same bodies
+     * share. Units: 1/m. */
+    std::shared_ptr<const ComplexLU> modal(const double wave_number) const
+    {
+      return std::make_shared<const ComplexLU>(
+        modal_factors(pair, rate(wave_number)));
+    }
 
     /** b of a wave; with a second wave number 0 of the same s the patch moves
      * as one. Units: 1/m, m. */
@@ -75,10 +91,11 @@ namespace RollingContact
     class AtWave
     {
     public:
-      /** Units: 1/m. */
-      AtWave(const WaveResponse &response,
-             const double        wave_number,
-             const Factors      &factors);
+      /** @p modal: modal_factors() of the bodies at s. Units: 1/m. */
+      AtWave(const WaveResponse              &response,
+             const double                     wave_number,
+             const Factors                   &factors,
+             std::shared_ptr<const ComplexLU> modal);
 
       /** The answer to @p b. Throws ConvergenceError if none is found. */
       WaveAnswer answer(const ComplexVector &b) const;
@@ -92,41 +109,51 @@ namespace RollingContact
                            const BodyResponse  &bodies,
                            const unsigned int   n_steps) const;
 
-      /** W(s) of nodal forces. Units: N to m. */
-      ComplexVector motion_under(const ComplexVector &forces) const;
+      /** The unknowns of the answer to @p b alone. */
+      ComplexVector unknowns(const ComplexVector &b) const;
+
+      /** How modes answer forces on the motions U, U^T Phi D^-1 Phi^T U. Units:
+       * m/N. */
+      const ComplexMatrix &response_of_motions() const
+      {
+        return response;
+      }
+
+      /** 1 + tau s. */
+      std::complex<double> retardation() const
+      {
+        return delay;
+      }
 
     private:
-      /** What modes move under nodal forces. */
-      ComplexVector modes_under(const ComplexVector &forces) const;
+      /** W(s) of nodal forces. Units: N to m. */
+      ComplexVector motion_under(const ComplexVector &forces) const;
 
       /** T y and, nearly, T^-1 r, rows scaled; y (1 + tau s) are tractions. */
       ComplexVector product(const ComplexVector &y) const;
       ComplexVector nearly_solved(ComplexVector r) const;
 
-      const WaveResponse        &of;
-      const Factors             &factors;
-      const std::complex<double> s, delay; ///< delay = 1 + tau s
-      ComplexLU                  modal;
-      ComplexMatrix              response; ///< of the motions U, p x p
-      ComplexMatrix              reaction; ///< delay U^T forces, p x n_x
-      ComplexLU                  joined;
+      const WaveResponse              &of;
+      const Factors                   &factors;
+      const std::complex<double>       s, delay; ///< delay = 1 + tau s
+      std::shared_ptr<const ComplexLU> modal;
+      ComplexMatrix                    response; ///< of the motions U, p x p
+      ComplexMatrix                    reaction; ///< delay U^T forces, p x n_x
+      ComplexLU                        joined;
     };
 
   private:
     /** Rows of T have units of their own; scale them to the largest entry. */
     void scale_rows();
 
-    /** The few motions of the patch by modes, Phi = U amplitudes. */
-    void find_motions();
-
     const LinearContact &contact;
     const ReducedPair   &pair;
     double               speed;
     std::vector<double>  along;
     ResidualContact      residual;
-    DenseMatrix          N_u, N_v;      ///< scaled
-    Eigen::VectorXd      scales;        ///< of the rows
     DenseMatrix          U, amplitudes; ///< (T + 1) N x p, p x m
+    DenseMatrix          N_u, N_v;      ///< N_u U and N_v U, scaled
+    Eigen::VectorXd      scales;        ///< of the rows
   };
 } // namespace RollingContact
 

@@ -48,8 +48,14 @@ namespace RollingContact
               const std::vector<double>  &speeds,
               const BodiesAtSpeed        &bodies);
 
+    /** modal_factors() of the bodies at each speed, for waves of this number:
+     * those over other nodes of the same bodies share them. Units: 1/m. */
+    using ModalFactors = std::vector<std::shared_ptr<const ComplexLU>>;
+    ModalFactors modal(const double wave_number) const;
+
     /** A wave at each speed. Units: 1/m. Throws ConvergenceError. */
-    std::vector<PassedWave> at(const double wave_number) const;
+    std::vector<PassedWave> at(const double        wave_number,
+                               const ModalFactors &modal) const;
 
     /** A wave at the speed of this number with whole bodies, see
      * WaveResponse::corrected(). */
@@ -65,13 +71,30 @@ namespace RollingContact
     }
 
   private:
+    /** Nodal forces of a flat punch, and how the bodies answer them. */
+    struct Punch
+    {
+      Punch(const std::vector<double> &forces,
+            const ReducedPair         &pair,
+            const DenseMatrix         &motions);
+
+      /** Units: m/N. */
+      std::complex<double> receptance(const WaveResponse::AtWave &at) const;
+
+      double          at_rest;    ///< m/N
+      Eigen::VectorXd on_motions; ///< U^T forces
+    };
+
     struct AtSpeed
     {
-      AtSpeed(const ContactProblem       &problem,
-              const ContactState         &state,
-              const LinearContactOptions &options,
-              ReducedPair                 bodies,
-              const double                thickness);
+      /** @p other: the same contact and modes at another speed, or nullptr. */
+      AtSpeed(const ContactProblem &problem,
+              const ContactState   &state,
+              LinearContact         contact,
+              const double          speed,
+              ReducedPair           bodies,
+              const double          thickness,
+              const AtSpeed        *other);
 
       /** What an answer at this speed amounts to. */
       PassedWave passed(const double                wave_number,
@@ -81,7 +104,9 @@ namespace RollingContact
       LinearContact contact;
       ReducedPair   pair;
       WaveGrowth    growth;
+      DenseMatrix   motions;
       WaveResponse  response;
+      Punch         punch_x, punch_z;
     };
 
     std::vector<std::unique_ptr<const AtSpeed>> cases;
