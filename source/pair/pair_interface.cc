@@ -56,7 +56,7 @@ namespace RollingContact
 
     /**
      * The blocks or, in 3D, the sides that end less than an element away from
-     * the zone where nodes do not match, and what will do for such elements.
+     * the zone where nodes do not match, and what this zone takes.
      */
     template <int dim>
     std::string where_bodies_end(const PairSpec     &scene,
@@ -73,12 +73,13 @@ namespace RollingContact
         if (body->shape == "block" && body->block_length < length && !alike(0))
           text += " " + body->section +
                   "/Block length = " + significant(body->block_length, 6) +
-                  " m: " + at_least(length) + " will do.";
+                  " m: this zone takes " + at_least(length) + ".";
       if (dim == 3 && std::min(scene.wheel.width, scene.rail.width) < width &&
           !alike(1))
         text += " Wheel/Width = " + significant(scene.wheel.width, 6) +
                 " m and Rail/Width = " + significant(scene.rail.width, 6) +
-                " m: both " + at_least(width) + ", or equally wide, will do.";
+                " m: this zone takes " + at_least(width) +
+                " of both, or equal widths.";
       return text;
     }
 
