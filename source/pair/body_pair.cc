@@ -48,9 +48,10 @@ namespace RollingContact
       if (!shape.is_swept())
         throw InputError(
           body.section + "/Width = " + significant(body.width, 4) +
-          ": the contact zone is " + significant(2 * grading.zone_y, 3) +
-          " m wide; the patch must not reach the edges of "
-          "the body.");
+          " m: the contact zone is " + significant(2 * grading.zone_y, 3) +
+          " m wide, and the patch must not reach the edges of the body. Take " +
+          at_least(2 * grading.zone_y) +
+          ", a smaller load or smaller radii across.");
       throw InputError(
         "Profiles/Body sections = true: the contact zone reaches from " +
         significant(zone[0], 3) + " to " + significant(zone[1], 3) +
@@ -77,13 +78,20 @@ namespace RollingContact
             }
           const auto   shape = body->body_shape();
           const double reach = shape->reach_x();
+          if (grading.zone_x > reach && body->shape == "block")
+            throw InputError(
+              body->section +
+              "/Block length = " + significant(body->block_length, 4) +
+              " m: the contact zone is " + significant(2 * grading.zone_x, 3) +
+              " m long, beyond what the body offers. Take " +
+              at_least(room_for_zone(grading)[0]) +
+              ", a smaller load or smaller radii.");
           if (grading.zone_x > reach)
             throw InputError(
               body->section + ": the contact zone reaches " +
               significant(grading.zone_x, 3) +
               " m from its middle, beyond what the body offers (" +
-              significant(reach, 3) +
-              " m along x): check load, radii and Block length.");
+              significant(reach, 3) + " m along x): check load and radii.");
           check_room_across(*body, *shape, grading);
         }
     }

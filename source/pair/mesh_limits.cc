@@ -46,37 +46,51 @@ namespace RollingContact
              significant(*contact.normal_load * std::pow(factor, dim), 2) +
              " N";
     }
-    /**
-     * Half the width of the narrower of the bodies that the program meshes as
-     * discs and blocks; infinite if there is none. Units: m.
-     */
-    double narrower_reach(const PairSpec &scene)
-    {
-      double reach = std::numeric_limits<double>::infinity();
-      for (const BodySpec *body : {&scene.wheel, &scene.rail})
-        if (!body->rigid && !body->is_from_file())
-          {
-            const auto shape = body->body_shape();
-            if (!shape->is_swept())
-              reach = std::min(reach, shape->reach_y());
-          }
-      return reach;
-    }
   } // namespace
 
+  double narrower_reach(const PairSpec &scene)
+  {
+    double reach = std::numeric_limits<double>::infinity();
+    for (const BodySpec *body : {&scene.wheel, &scene.rail})
+      if (!body->rigid && !body->is_from_file())
+        {
+          const auto shape = body->body_shape();
+          if (!shape->is_swept())
+            reach = std::min(reach, shape->reach_y());
+        }
+    return reach;
+  }
+
   template <int dim>
-  void end_at_side(const PairSpec      &scene,
-                   const PatchEstimate &patch,
-                   Grading<dim>        &grading)
+  std::array<double, 2> room_for_zone(const Grading<dim> &grading)
+  {
+    const auto room = [](const std::array<double, 2> &zone,
+                         const double                 element) {
+      return 2 * (std::max(-zone[0], zone[1]) + element);
+    };
+    return {{room(grading.zone_along(), grading.element_size_x),
+             room(grading.zone_across(), grading.element_size_y)}};
+  }
+
+  std::string at_least(const double length)
+  {
+    const double half_last_digit = 5e-3;
+    return "at least " + significant((1 + half_last_digit) * length, 3) + " m";
+  }
+
+  template <int dim>
+  void end_at_side(const PairSpec &scene,
+                   const double    half_width_y,
+                   Grading<dim>   &grading)
   {
     const double reach = narrower_reach(scene), near = 2.5; // elements
-    if (dim == 2 || !patch.boxes.empty() ||
+    if (dim == 2 || !grading.zone_boxes.empty() ||
         grading.zone_y + near * grading.element_size_y < reach)
       return;
-    if (patch.half_width_y < reach)
+    if (half_width_y < reach)
       grading.zone_y = std::min(grading.zone_y, reach);
     grading.element_size_y =
-      reach / fewest_parts(reach, grading.element_size_y);
+      reach / (4 * fewest_parts(reach, 4 * grading.element_size_y));
   }
 
   template <int dim>
@@ -166,10 +180,10 @@ namespace RollingContact
     check_contact_memory(contact_nodes(grading) * components, on_grid);
   }
 
-  template void
-  end_at_side(const PairSpec &, const PatchEstimate &, Grading<2> &);
-  template void
-  end_at_side(const PairSpec &, const PatchEstimate &, Grading<3> &);
+  template std::array<double, 2> room_for_zone(const Grading<2> &);
+  template std::array<double, 2> room_for_zone(const Grading<3> &);
+  template void      end_at_side(const PairSpec &, const double, Grading<2> &);
+  template void      end_at_side(const PairSpec &, const double, Grading<3> &);
   template CellCount cells_to_mesh(const PairSpec &, const Grading<2> &);
   template CellCount cells_to_mesh(const PairSpec &, const Grading<3> &);
   template double    contact_nodes(const Grading<2> &);

@@ -2,6 +2,7 @@
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/mesh/file_body_mesh.h>
 #include <rolling_contact/pair/interface_mesh.h>
+#include <rolling_contact/pair/mesh_limits.h>
 #include <rolling_contact/pair/pair_interface.h>
 #include <rolling_contact/pair/profile_surface.h>
 #include <rolling_contact/pair/refined_coupling.h>
@@ -34,25 +35,51 @@ namespace RollingContact
     }
 
     /**
-     * The ends of the bodies along x or, in 3D, their sides, and what to do.
+     * Whether the nodes of two surfaces are at the same places along x or, @p
+     * d = 1, across.
      */
-    std::string where_bodies_end(const PairSpec &scene)
+    bool same_places(const Trace       &wheel,
+                     const Trace       &rail,
+                     const unsigned int d,
+                     const double       tolerance)
     {
+      const auto places = [&](const Trace &trace) {
+        std::vector<long long> found;
+        for (const auto &node : trace.nodes)
+          found.push_back(std::llround(node[d] / tolerance));
+        std::sort(found.begin(), found.end());
+        found.erase(std::unique(found.begin(), found.end()), found.end());
+        return found;
+      };
+      return places(wheel) == places(rail);
+    }
+
+    /**
+     * The blocks or, in 3D, the sides that end less than an element away from
+     * the zone where nodes do not match, and what this zone takes.
+     */
+    template <int dim>
+    std::string where_bodies_end(const PairSpec     &scene,
+                                 const Grading<dim> &grading,
+                                 const Trace        &wheel,
+                                 const Trace        &rail)
+    {
+      const auto [length, width] = room_for_zone(grading);
+      const auto alike           = [&](const unsigned int d) {
+        return same_places(wheel, rail, d, 1e-3 * grading.element_size_x);
+      };
       std::string text;
       for (const BodySpec *body : {&scene.wheel, &scene.rail})
-        if (body->shape == "block")
-          text += "the ends of " + body->section +
+        if (body->shape == "block" && body->block_length < length && !alike(0))
+          text += " " + body->section +
                   "/Block length = " + significant(body->block_length, 6) +
-                  " m, which may be longer, ";
-      if (scene.dimension == 3)
-        text += (text.empty() ? "" : "or near ") +
-                std::string("the sides of ") +
-                "Wheel/Width = " + significant(scene.wheel.width, 6) +
+                  " m: this zone takes " + at_least(length) + ".";
+      if (dim == 3 && std::min(scene.wheel.width, scene.rail.width) < width &&
+          !alike(1))
+        text += " Wheel/Width = " + significant(scene.wheel.width, 6) +
                 " m and Rail/Width = " + significant(scene.rail.width, 6) +
-                " m, which may be the same, ";
-      if (text.empty())
-        return "the ends of the bodies";
-      text.resize(text.size() - 2);
+                " m: this zone takes " + at_least(width) +
+                " of both, or equal widths.";
       return text;
     }
 
@@ -61,12 +88,13 @@ namespace RollingContact
      * the end of a running surface, and near the sides and ends of bodies that
      * are nearly as wide or long as each other.
      */
-    void check_matching_nodes(const PairSpec &scene,
-                              const Trace    &wheel,
-                              const Trace    &rail,
-                              const double    tolerance)
+    template <int dim>
+    void check_matching_nodes(const PairSpec     &scene,
+                              const Grading<dim> &grading,
+                              const Trace        &wheel,
+                              const Trace        &rail)
     {
-      if (nodes_match(wheel, rail, tolerance))
+      if (nodes_match(wheel, rail, 1e-9 * grading.zone_x))
         return;
       if (scene.profiles.has_true_sections())
         throw InputError(
@@ -75,10 +103,9 @@ namespace RollingContact
           "surface: check load and shift, or take Body sections = plain.");
       throw InputError(
         "The contact zone reaches where the elements of wheel and rail are not "
-        "alike, near " +
-        where_bodies_end(scene) +
-        ". Take more elements (Mesh/Elements across patch), or check radii and "
-        "load.");
+        "alike, at the ends of bodies." +
+        where_bodies_end(scene, grading, wheel, rail) +
+        " Take that, other Mesh/Elements across patch, or check radii and load.");
     }
 
     /**
@@ -141,7 +168,7 @@ namespace RollingContact
           if (trace.nodes.empty())
             trace = surface;
           else
-            check_matching_nodes(scene, trace, surface, 1e-9 * grading.zone_x);
+            check_matching_nodes(scene, grading, trace, surface);
         }
     const bool has_own_mesh =
       !is_generated(Side::wheel) && !is_generated(Side::rail);

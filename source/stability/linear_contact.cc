@@ -384,22 +384,4 @@ namespace RollingContact
     check_options(problem, options);
     return Linearisation(problem, state, options).build();
   }
-
-  LinearContact times_as_fast(LinearContact contact, const double ratio)
-  {
-    const std::size_t n = contact.touching.size();
-    for (std::size_t c = 0; c < contact.n_tangential; ++c)
-      for (std::size_t k = 0; k < n; ++k)
-        {
-          const std::size_t row = n + c * n + k;
-          if (contact.slips[k])
-            contact.N_v.row(row) /= ratio;
-          else
-            {
-              contact.N_u.row(row) *= ratio;
-              contact.N_r.row(row) *= ratio;
-            }
-        }
-    return contact;
-  }
 } // namespace RollingContact

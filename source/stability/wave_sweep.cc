@@ -2,6 +2,32 @@
 
 namespace RollingContact
 {
+  namespace
+  {
+    /**
+     * A state that rolls @p ratio times as fast with friction that does not
+     * depend on the speed: rows of sticking nodes have N_u and N_r times the
+     * ratio, those of slipping ones N_v over it.
+     */
+    LinearContact times_as_fast(LinearContact contact, const double ratio)
+    {
+      const std::size_t n = contact.touching.size();
+      for (std::size_t c = 0; c < contact.n_tangential; ++c)
+        for (std::size_t k = 0; k < n; ++k)
+          {
+            const std::size_t row = n + c * n + k;
+            if (contact.slips[k])
+              contact.N_v.row(row) /= ratio;
+            else
+              {
+                contact.N_u.row(row) *= ratio;
+                contact.N_r.row(row) *= ratio;
+              }
+          }
+      return contact;
+    }
+  } // namespace
+
   WaveSweep::AtSpeed::AtSpeed(const ContactProblem &problem,
                               const ContactState   &state,
                               LinearContact         linear,

@@ -103,6 +103,8 @@ namespace RollingContact
       grading = make_grading<dim>(
         scene, demands, patch, scene.mesh.elements_across_patch, offset);
       grading.enlarge_zone(enlargement);
+      if (!is_at_side)
+        end_at_side(scene, patch.half_width_y, grading);
     }
 
     bool enlarge_for(const SteadyState<dim> &steady);
@@ -113,6 +115,7 @@ namespace RollingContact
 
     double       offset; ///< in elements
     bool         is_aligned;
+    bool         is_at_side  = false; ///< of a body
     bool         is_grown    = false; ///< by more than the zone's elements
     unsigned int n_resized   = 0;
     unsigned int enlargement = 0; ///< of the zone, in elements
@@ -124,6 +127,7 @@ namespace RollingContact
   {
     if (!zone_too_small(steady))
       return false;
+    is_at_side               = reaches_side(scene, steady);
     const unsigned int asked = scene.mesh.elements_across_patch,
                        first =
                          patch.boxes.empty() ? std::max(1u, asked / 8) : 1,
@@ -354,7 +358,7 @@ namespace RollingContact
     // the patch of a state that is none means nothing
     if (!steady.solver.converged || !zone_too_small(steady))
       return false;
-    grading.enlarge_zone(1u << k);
+    RollingContact::enlarge_zone(scene, steady, 1u << k, grading);
     say_enlarged(grading, context.log);
     return true;
   }

@@ -128,7 +128,8 @@ namespace RollingContact
     grading.zone_x   = zone(half_width, grading.element_size_x);
     grading.upstream = demands.one_direction ? -scene.contact.flow() : 0;
     grading.zone_y   = zone(patch.half_width_y, grading.element_size_y);
-    end_at_side(scene, patch, grading);
+    if (patch.boxes.empty())
+      end_at_side(scene, patch.half_width_y, grading);
     grading.zone_depth = mesh.zone_depth * half_width *
                          grading.element_size_z() / grading.element_size_x;
     grading.growth            = mesh.growth_in(dim);
@@ -143,6 +144,41 @@ namespace RollingContact
     return grading;
   }
 
+  template <int dim>
+  bool reaches_side(const PairSpec &scene, const SteadyState<dim> &steady)
+  {
+    const double side =
+      narrower_reach(scene) - 1.5 * steady.grading.element_size_y;
+    const auto nodes = nodes_at_border(steady.pair->trace().border_nodes(),
+                                       steady.problem,
+                                       steady.state.pressure);
+    return dim == 3 &&
+           std::any_of(nodes.begin(), nodes.end(), [&](const unsigned int i) {
+             return std::abs(steady.problem.operators.positions()[i][1]) > side;
+           });
+  }
+
+  template <int dim>
+  void enlarge_zone(const PairSpec         &scene,
+                    const SteadyState<dim> &steady,
+                    const unsigned int      n_elements,
+                    Grading<dim>           &grading)
+  {
+    grading.enlarge_zone(n_elements);
+    if (grading.zone_boxes.empty() && !reaches_side(scene, steady))
+      grading.zone_y = std::min(grading.zone_y, narrower_reach(scene));
+  }
+
+  template bool       reaches_side(const PairSpec &, const SteadyState<2> &);
+  template bool       reaches_side(const PairSpec &, const SteadyState<3> &);
+  template void       enlarge_zone(const PairSpec &,
+                                   const SteadyState<2> &,
+                                   const unsigned int,
+                                   Grading<2> &);
+  template void       enlarge_zone(const PairSpec &,
+                                   const SteadyState<3> &,
+                                   const unsigned int,
+                                   Grading<3> &);
   template Grading<2> make_grading(const PairSpec &,
                                    const StateDemands &,
                                    const PatchEstimate &,

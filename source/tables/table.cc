@@ -178,7 +178,7 @@ namespace RollingContact
                                         const PairMaker<dim>   &make_pair)
   {
     Grading<dim> grading = base.grading;
-    grading.enlarge_zone(n_elements);
+    enlarge_zone(scene, base, n_elements, grading);
     say_enlarged(grading, context.log);
     ++n_bodies;
     return StateFinder<dim>(scene, demands_of(band), context, make_pair)

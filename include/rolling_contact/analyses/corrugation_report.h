@@ -22,7 +22,7 @@ namespace RollingContact
     /** With the growth of the wear coefficient asked for. */
     PassedWave passed;
 
-    /** Of Re G, see uncertainty_by_halves(). */
+    /** How far Re G may be off, see uncertainty_by_halves(). */
     std::optional<double> uncertainty;
 
     /** Re G with whole bodies, where it was asked for. */

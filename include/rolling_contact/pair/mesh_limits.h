@@ -2,9 +2,9 @@
 #define rolling_contact_pair_mesh_limits_h
 
 #include <rolling_contact/mesh/grading.h>
-#include <rolling_contact/pair/patch_estimate.h>
 #include <rolling_contact/scene/pair_spec.h>
 
+#include <array>
 #include <string>
 
 namespace RollingContact
@@ -17,15 +17,35 @@ namespace RollingContact
   inline constexpr double smallest_element = 3e-8;
 
   /**
-   * End the zone at the side of the narrower body, unless the patch goes beyond
-   * that, and let a whole number of elements reach to there where it is near:
-   * the last element of a body makes up for the rest, which bodies of unlike
-   * width do not have in common.
+   * Half the width of the narrower of the bodies that the program meshes as
+   * discs and blocks; infinite if there is none. Units: m.
+   */
+  double narrower_reach(const PairSpec &scene);
+
+  /**
+   * Length along x and, in 3D, width of a body about the origin that ends an
+   * element beyond the zone: where it does, all bodies have the zone's elements
+   * in common. Units: m.
    */
   template <int dim>
-  void end_at_side(const PairSpec      &scene,
-                   const PatchEstimate &patch,
-                   Grading<dim>        &grading);
+  std::array<double, 2> room_for_zone(const Grading<dim> &grading);
+
+  /**
+   * A length to ask for, rounded up: "at least 0.0123 m". Units: m.
+   */
+  std::string at_least(const double length);
+
+  /**
+   * End a zone without boxes at the side of the narrower body, unless a patch
+   * of this half-width goes beyond that, and let a whole number of elements
+   * reach to there where it is near, as the last element of a body makes up for
+   * the rest, which bodies of unlike width do not have in common; a multiple of
+   * four, as else there are no coarse cells which they are parts of. Units: m.
+   */
+  template <int dim>
+  void end_at_side(const PairSpec &scene,
+                   const double    half_width_y,
+                   Grading<dim>   &grading);
 
   /**
    * Cells of the bodies that the program meshes, counted without making them,

@@ -100,13 +100,6 @@ namespace RollingContact
   LinearContact linear_contact(const ContactProblem       &problem,
                                const ContactState         &state,
                                const LinearContactOptions &options);
-
-  /**
-   * The same state rolling @p ratio times as fast, whose friction does not
-   * depend on the speed: rows of sticking nodes have N_u and N_r times the
-   * ratio, those of slipping ones N_v over it.
-   */
-  LinearContact times_as_fast(LinearContact contact, const double ratio);
 } // namespace RollingContact
 
 #endif

@@ -128,6 +128,24 @@ namespace RollingContact
   }
 
   /**
+   * True if the patch reaches the border of the zone at the side of a disc or
+   * block, or in the line of nodes next to it.
+   */
+  template <int dim>
+  bool reaches_side(const PairSpec &scene, const SteadyState<dim> &steady);
+
+  /**
+   * Let the zone of a state grow by so many elements on each side, but across
+   * no farther than the sides of discs and blocks, unless the patch reaches
+   * these.
+   */
+  template <int dim>
+  void enlarge_zone(const PairSpec         &scene,
+                    const SteadyState<dim> &steady,
+                    const unsigned int      n_elements,
+                    Grading<dim>           &grading);
+
+  /**
    * Why a solve failed, "reason. Natural residual 1e-3, required 1e-10".
    */
   std::string shortfall(const SolverReport &solver, const double tolerance);
