@@ -165,7 +165,7 @@ namespace RollingContact
                                       }),
                             rates);
         by_frequency.add_curve(
-          label,
+          "",
           values_of(of_speed, [](const auto &row) { return row.frequency(); }),
           rates);
         at_place.insert(at_place.end(), of_speed.begin(), of_speed.end());
