@@ -5,6 +5,7 @@
 #include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/text.h>
+#include <rolling_contact/contact/resultants.h>
 #include <rolling_contact/run/progress.h>
 #include <rolling_contact/scene/shared_rules.h>
 #include <rolling_contact/stability/wave_sweep.h>
@@ -30,6 +31,12 @@ namespace RollingContact
     /// answers of whole bodies to a wave, each from the one before
     const unsigned int whole_steps = 3;
 
+    bool lies_on_pads(const BodyParameters &rail)
+    {
+      return !rail.rigid && rail.hub == Hub::elastic &&
+             rail.model.foundation.pad_spacing > 0.;
+    }
+
     LinearContactOptions options_of(const Situation &scene)
     {
       LinearContactOptions options;
@@ -42,7 +49,7 @@ namespace RollingContact
     {
       RollingConditions conditions(scene, scene.inputs->stability);
       if (scene.inputs->stability.rotation)
-        conditions.speed = speed;
+        conditions.speed = scene.contact.flow() * speed;
       conditions.hysteretic = true;
       return conditions;
     }
@@ -108,12 +115,18 @@ namespace RollingContact
     std::vector<WaveSweep> result;
     make_halves(at, steady);
     for (HalvedProblem &half : steady.halves)
-      if (const auto state =
-            state_of_half(at, steady.problem, steady.state, half))
-        result.push_back(
-          waves_over(at, half.problem, *state, [&](const double speed) {
-            return at_nodes(bodies(speed), half.coupling);
-          }));
+      try
+        {
+          const auto state =
+            state_of_half(at, steady.problem, steady.state, half);
+          if (state && resultants(half.problem, *state).n_touching > 0)
+            result.push_back(
+              waves_over(at, half.problem, *state, [&](const double speed) {
+                return at_nodes(bodies(speed), half.coupling);
+              }));
+        }
+      catch (const ConvergenceError &)
+        {} // it tells nothing of errors
     return result;
   }
 
@@ -133,7 +146,12 @@ namespace RollingContact
         const auto                           passed = whole.at(k, modal);
         std::vector<std::vector<PassedWave>> of_halves;
         for (const WaveSweep &half : halves)
-          of_halves.push_back(half.at(k, modal));
+          try
+            {
+              of_halves.push_back(half.at(k, modal));
+            }
+          catch (const ConvergenceError &)
+            {} // it tells nothing of errors
         for (std::size_t v = 0; v < speeds.size(); ++v)
           {
             CorrugationRow &row = found[v * wavelengths.size() + j];
@@ -161,7 +179,7 @@ namespace RollingContact
     CorrugationRow &most =
       *std::max_element(found.begin(), found.end(), grows_less);
     RollingConditions conditions = conditions_at(at, most.speed);
-    conditions.hysteretic        = false; // whole bodies have their own
+    conditions.hysteretic        = false; // they begin with viscous modes
     const WholeBodies<dim> bodies(rolling, conditions);
     const std::size_t      speed =
       std::find(speeds.begin(), speeds.end(), most.speed) - speeds.begin();
@@ -211,19 +229,28 @@ namespace RollingContact
   template <int dim>
   void Corrugation<dim>::run()
   {
-    const auto  offsets = section.offsets();
-    const auto &pads    = scene.rail.model.foundation;
-    if (offsets.empty())
-      run_at(scene,
-             !scene.rail.rigid && pads.pad_spacing > 0.
-               ? std::optional<double>(pads.pad_offset)
-               : std::optional<double>());
+    const auto             offsets = section.offsets();
+    std::vector<Situation> places;
     for (const double offset : offsets)
       {
         SceneParameters inputs                  = *scene.inputs;
         inputs.rail.model.foundation.pad_offset = offset;
-        run_at(Situation(inputs, &scene), offset);
+        places.emplace_back(inputs, &scene);
+        places.back().check_bodies();
       }
+    if (offsets.empty())
+      run_at(scene,
+             lies_on_pads(scene.rail)
+               ? std::optional<double>(scene.rail.model.foundation.pad_offset)
+               : std::optional<double>());
+    for (std::size_t i = 0; i < places.size(); ++i)
+      run_at(places[i], offsets[i]);
+    if (std::all_of(rows.begin(), rows.end(), [](const CorrugationRow &row) {
+          return row.passed.growth.total() == 0.;
+        }))
+      throw InputError(
+        "Analysis = corrugation: nothing slides, so that no wave "
+        "changes; give Contact/Creepage x, Creepage y or Spin.");
 
     ResultsTable table(context.folder, corrugation_file),
       peaks(context.folder, peaks_file);
@@ -248,26 +275,41 @@ namespace RollingContact
   template <int dim>
   void Corrugation<dim>::note_errors() const
   {
-    double largest = 0., of_patch = 0., of_bodies = -1.;
+    const CorrugationRow &most =
+      *std::max_element(rows.begin(), rows.end(), grows_less);
+    double                largest = 0.;
+    std::optional<double> of_patch, of_bodies;
+    const auto keep_larger = [](std::optional<double> &all, const double one) {
+      all = std::max(all.value_or(0.), one);
+    };
     for (const CorrugationRow &row : rows)
       {
-        largest  = std::max(largest, std::abs(row.passed.growth.total()));
-        of_patch = std::max(of_patch, row.uncertainty.value_or(0.));
+        largest = std::max(largest, std::abs(row.passed.growth.total()));
+        if (row.uncertainty)
+          keep_larger(of_patch, *row.uncertainty);
         if (row.of_whole_bodies)
-          of_bodies =
-            std::max(of_bodies, std::abs(*row.of_whole_bodies - row.rate()));
+          keep_larger(of_bodies, std::abs(*row.of_whole_bodies - row.rate()));
       }
-    if (largest == 0.)
-      return;
-    context.report.errors.push_back({"growth of waves",
-                                     of_patch / largest,
-                                     "the largest |G|",
-                                     "the same on every second node",
-                                     true,
-                                     ""});
-    if (of_bodies >= 0.)
+    if (of_patch)
+      context.report.errors.push_back(
+        {"growth of waves",
+         *of_patch / largest,
+         "the largest |G|",
+         "elements of twice the length",
+         true,
+         most.uncertainty
+           ? significant(*most.uncertainty / std::abs(most.rate()), 2) +
+               " of the one that grows most"
+           : ""});
+    else
+      context.log.warning(
+        "How far growth is off by the elements across the "
+        "patch is not known: no state with elements of twice "
+        "the length was found. Take more Mesh/Elements across "
+        "patch.");
+    if (of_bodies)
       context.report.errors.push_back({"growth of waves by modes",
-                                       of_bodies / largest,
+                                       *of_bodies / largest,
                                        "the largest |G|",
                                        "whole bodies",
                                        false,
@@ -303,19 +345,18 @@ namespace RollingContact
       if (contact.friction_coefficient == 0.)
         throw InputError(why + "Contact/Friction coefficient = 0: without "
                                "friction nothing wears; give one above 0.");
-      const Creepages &given = contact.creepages;
-      if (!scene.profiles.in_use() && given.x == 0. && given.y == 0. &&
-          given.spin == 0.)
+      const Creepages asked = contact.asked_creepages();
+      if (!scene.profiles.in_use() && !contact.forces.any() && asked.x == 0. &&
+          asked.y == 0. && asked.spin == 0.)
         throw InputError(why + "Contact/Creepage x, Creepage y and Spin are 0: "
                                "without creepage nothing wears; give one.");
       const auto &section = scene.own<CorrugationParameters>();
-      if (contact.falling_friction() && section.speeds_or(1.).size() > 1)
+      if (contact.falling_friction() && !section.speeds.empty())
         throw InputError(why + "Corrugation/Speeds = " + section.speeds +
                          ": friction that falls with the sliding speed has a "
                          "state of its own at each; leave Speeds empty and "
                          "give Contact/Speed.");
-      if (!section.pad_offsets.empty() &&
-          (scene.rail.rigid || scene.rail.model.foundation.pad_spacing == 0.))
+      if (!section.pad_offsets.empty() && !lies_on_pads(scene.rail))
         throw InputError("Corrugation/Pad offsets = " + section.pad_offsets +
                          ": the rail lies on no pads; give Rail/Hub = elastic "
                          "and Pad spacing, or leave Pad offsets empty.");

@@ -108,9 +108,14 @@ namespace RollingContact
     if (n == 0)
       return "no wave grows; the least flattened has " + where + ", exp(" +
              value + ") in " + significant(section.passages, 3) + " passages";
+    const auto n_surely =
+      std::count_if(rows.begin(), rows.end(), [](const auto &it) {
+        return it.rate() > it.uncertainty.value_or(0.);
+      });
     return std::to_string(n) + " of " + std::to_string(rows.size()) +
-           " waves grow; most that of " + where + ", exp(" + value + ") in " +
-           significant(section.passages, 3) + " passages";
+           " waves grow, " + std::to_string(n_surely) +
+           " beyond their uncertainty; most that of " + where + ", exp(" +
+           value + ") in " + significant(section.passages, 3) + " passages";
   }
 
   namespace

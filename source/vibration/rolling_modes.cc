@@ -1,4 +1,5 @@
 #include <rolling_contact/algebra/lapack.h>
+#include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/vibration/rolling_modes.h>
 
 #include <algorithm>
@@ -18,6 +19,11 @@ namespace RollingContact
       {
         const std::size_t m = modal.n_modes(side);
         Phi[side]           = DenseMatrix::Zero(W.rows(), m);
+        if (m == 0 && modal.axle(side))
+          throw InputError(
+            "Modes/Cut-off ratio: the " + name_of(side) +
+            ", whose axle moves, has no mode below the cut-off; take a higher "
+            "ratio or Maximum frequency, or Hub = clamped.");
         if (m == 0)
           continue;
         const VibratingBody<dim> &body = *modal.body(side);

@@ -1,4 +1,5 @@
 #include <rolling_contact/algebra/lapack.h>
+#include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/vibration/rolling_modes.h>
 
 namespace RollingContact
@@ -32,7 +33,13 @@ namespace RollingContact
   {
     const ModalBodies<dim> &modal = rolling.bodies();
     for (const Side side : both_sides)
-      if (modal.body(side) != nullptr && !modal.body(side)->waves)
+      if (modal.body(side) != nullptr && modal.n_modes(side) == 0)
+        throw InputError(
+          "Stability/Full model = true: the " + name_of(side) +
+          " has no mode below the cut-off to begin its answers with; take a "
+          "higher Modes/Cut-off ratio or Maximum frequency, or Full model = "
+          "false.");
+      else if (modal.body(side) != nullptr && !modal.body(side)->waves)
         bodies[side] = modal.whole_body(side, conditions);
   }
 
@@ -108,14 +115,13 @@ namespace RollingContact
         std::vector<ComplexVector> inertia;
         for (Eigen::Index j = 0; j < q; ++j)
           inertia.push_back(-s2 * MR.col(j));
-        const auto    of_unit = bodies[side]->solve(ComplexValues(q, s[k]),
-                                                 inertia,
-                                                 full_tolerance);
+        const auto of_unit =
+          bodies[side]->solve(ComplexValues(q, s[k]), inertia, full_tolerance);
         ComplexMatrix stiffness = s2 * axle.mass();
         for (Eigen::Index j = 0; j < q; ++j)
           stiffness.col(j) += s2 * (MR.transpose() * of_unit[j]);
-        ComplexVector d = R.transpose() * loads[k] -
-                          s2 * (MR.transpose() * answer.x[k]);
+        ComplexVector d =
+          R.transpose() * loads[k] - s2 * (MR.transpose() * answer.x[k]);
         ComplexLU(std::move(stiffness)).solve(d);
         for (Eigen::Index j = 0; j < q; ++j)
           answer.x[k] += d[j] * of_unit[j];
