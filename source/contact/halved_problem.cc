@@ -214,15 +214,16 @@ namespace RollingContact
       return {};
     const ContactOperators &operators = whole.operators;
     const SlipOperator     &slip      = operators.slip_operator();
-    half.coupling = SurfaceCoupling(
-      weights_of(half, grid, trace, operators.areas()), whole.n_nodes());
-    half.problem.operators            = ContactOperators(
+    half.coupling =
+      SurfaceCoupling(weights_of(half, grid, trace, operators.areas()),
+                      whole.n_nodes());
+    half.problem.operators = ContactOperators(
       half.trace.nodes,
       contact_matrix(half.trace, matrices, thickness),
       halved_compliance(half, whole),
       whole.n_tangential() > 0
-                   ? SlipOperator(half.trace, slip.kind(), matrices, slip.flow_direction())
-                   : SlipOperator(slip.kind()),
+        ? SlipOperator(half.trace, slip.kind(), matrices, slip.flow_direction())
+        : SlipOperator(slip.kind()),
       operators.coupling(),
       operators.nodal_forces());
     return half;

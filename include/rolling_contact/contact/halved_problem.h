@@ -19,7 +19,7 @@ namespace RollingContact
   {
     ContactProblem            problem;
     Trace                     trace;
-    std::vector<unsigned int> nodes; ///< their numbers in the whole problem
+    std::vector<unsigned int> nodes;    ///< their numbers in the whole problem
     SurfaceCoupling           coupling; ///< R, of the whole problem's nodes
 
     /**
