@@ -25,7 +25,7 @@ namespace RollingContact
     /// unknowns
     const double growth_along = 0.7, growth_across = 0.5, growth_in_depth = 0.3;
 
-    const int n_halvings_tried = 7;
+    const int n_tried = 7; ///< sizes smaller than the largest
 
     /// cells of a section under its running surface, across: m
     const double least_section_cell = 9e-3, largest_section_cell = 18e-3;
@@ -76,8 +76,7 @@ namespace RollingContact
                  direction.zone + core_margin * direction.element_size);
       if (!grows)
         return cells;
-      // the model of a distributed body, coarser far away, keeps its coarse
-      // cells
+      // a distributed body, coarser far away, keeps its coarse cells
       Grading<dim> near = grading;
       near.far_distance = Grading<dim>::infinity;
       cells.allowed     = [direction, scale, near](const double position) {
@@ -170,8 +169,7 @@ namespace RollingContact
 
     /**
      * Whether halving the coarse cells gives the elements of the zone of
-     * contact nodes all along it and right across it, as it does but for the
-     * last cells at the ends and edges of a body, which are longer or shorter.
+     * contact nodes, but for the last cells of a body, longer or shorter.
      */
     template <int dim>
     bool has_elements_of_zone(const CoarseBoxes<dim> &boxes,
@@ -243,10 +241,9 @@ namespace RollingContact
   {
     if (grading.is_uniform)
       return equal_boxes<dim>(shape, grading);
-    const int most =
-      std::max(0.,
-               std::floor(std::log2(largest_coarse_size<dim>(*shape, grading) /
-                                    grading.element_size_x)));
+    const double longest = largest_coarse_size<dim>(*shape, grading);
+    const int    most =
+      std::max(0., std::floor(std::log2(longest / grading.element_size_x)));
     CoarseBoxes<dim> best;
     double           fewest  = std::numeric_limits<double>::infinity();
     bool             matches = false; // the best has the elements of the zone
@@ -277,10 +274,13 @@ namespace RollingContact
     for (int k = most - 1; dim == 2 && !matches && k >= 0; --k)
       try_it(k, false);
     // in 2D long cells cost more than they save
-    for (int k = most; dim == 3 && k >= std::max(0, most - n_halvings_tried);
-         --k)
-      try_it(k, true);
-    for (int k = most; !matches && k >= 0; --k)
+    bool is_near = false; // the side, so that only small cells match
+    for (int k = most; dim == 3 && k >= std::max(0, most - n_tried); --k)
+      {
+        try_it(k, true);
+        is_near = is_near || !matches;
+      }
+    for (int k = most; (is_near || !matches) && k >= 0; --k)
       try_it(k, dim == 3, true);
     return {std::move(best), fewest};
   }

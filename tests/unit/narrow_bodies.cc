@@ -100,8 +100,8 @@ BOOST_AUTO_TEST_CASE(sides_near_the_patch_cost_few_cells)
 {
   SceneInMemory run;
   small(run.scene);
-  const auto cells = [&](const double width) {
-    widths(width, 4e-3)(run.scene);
+  const auto cells = [&](const double wheel, const double rail) {
+    widths(wheel, rail)(run.scene);
     const Situation &scene = run.situation();
     return cells_to_mesh(scene,
                          make_grading<3>(scene,
@@ -112,8 +112,9 @@ BOOST_AUTO_TEST_CASE(sides_near_the_patch_cost_few_cells)
       .total;
   };
   for (double width = 0.9e-3; width < 1.2e-3; width += 0.02e-3)
-    BOOST_TEST_CONTEXT(width << " m")
-  BOOST_TEST(cells(width) < 1.5 * cells(4e-3));
+    for (const double rail : {4e-3, width + 0.03e-3, width + 0.1e-3})
+      BOOST_TEST_CONTEXT(width << " m and " << rail << " m")
+  BOOST_TEST(cells(width, rail) < 1.5 * cells(4e-3, 4e-3));
 }
 
 /** What refusals ask for will do; a zone that grows asks again. */
