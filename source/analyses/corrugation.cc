@@ -10,6 +10,7 @@
 #include <rolling_contact/scene/shared_rules.h>
 #include <rolling_contact/stability/wave_sweep.h>
 #include <rolling_contact/state/estimate_errors.h>
+#include <rolling_contact/vibration/vibrations.h>
 
 #include <algorithm>
 #include <cmath>
@@ -35,14 +36,6 @@ namespace RollingContact
     {
       return !rail.rigid && rail.hub == Hub::elastic &&
              rail.model.foundation.pad_spacing > 0.;
-    }
-
-    LinearContactOptions options_of(const Situation &scene)
-    {
-      LinearContactOptions options;
-      options.friction = scene.inputs->friction_response();
-      options.memory   = scene.contact.friction_memory;
-      return options;
     }
 
     RollingConditions conditions_at(const Situation &scene, const double speed)
@@ -100,7 +93,7 @@ namespace RollingContact
   {
     return WaveSweep(problem,
                      state,
-                     options_of(at),
+                     linear_contact_options(at),
                      dim == 2 ? at.thickness() : 1.,
                      speeds,
                      bodies);
@@ -235,6 +228,7 @@ namespace RollingContact
       {
         SceneParameters inputs                  = *scene.inputs;
         inputs.rail.model.foundation.pad_offset = offset;
+        inputs.check();
         places.emplace_back(inputs, &scene);
         places.back().check_bodies();
       }
@@ -378,10 +372,11 @@ namespace RollingContact
         axes.push_back({"Corrugation/Pad offsets", "Rail/Pad offset", offsets});
       return axes;
     };
-    kind.linearises  = true;
-    kind.has_dampers = true;
-    kind.on_ranks    = false;
-    kind.rules       = {&check_linearised_state, &check_waves, &check_wearing};
+    kind.linearises   = true;
+    kind.passes_waves = true;
+    kind.has_dampers  = true;
+    kind.on_ranks     = false;
+    kind.rules        = {&check_linearised_state, &check_waves, &check_wearing};
     return kind;
   }
 } // namespace RollingContact

@@ -35,8 +35,8 @@ namespace RollingContact
   {
     entries.section("Corrugation").read_by_analyses("corrugation");
     entries.add("Wavelengths", wavelengths, "m").help =
-      "Of the waves on the surface: numbers separated by commas, or `shortest "
-      ": longest : number`, in equal ratios.";
+      "Lengths of the waves on the surface: numbers separated by commas, or "
+      "`shortest : longest : number`, in equal ratios.";
     entries.add("Speeds", speeds, "m/s").help = "Rolling speeds, " +
                                                 std::string(number_list_form) +
                                                 "; empty: Contact/Speed alone.";

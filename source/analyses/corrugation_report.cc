@@ -1,4 +1,5 @@
 #include <rolling_contact/analyses/corrugation_report.h>
+#include <rolling_contact/base/constants.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/run/figure.h>
 
@@ -10,9 +11,6 @@ namespace RollingContact
 {
   namespace
   {
-    /// 20 log10 e of a million passages
-    const double decibels_of_million = 8.685889638e6;
-
     bool are_neighbours(const CorrugationRow &a, const CorrugationRow &b)
     {
       return a.pad_offset == b.pad_offset && a.speed == b.speed;
@@ -80,7 +78,7 @@ namespace RollingContact
     table.set("growth_by_traction", row.passed.growth.by_traction.real());
     table.set("growth_by_slip", row.passed.growth.by_slip.real());
     table.set("growth_of_passages", row.rate() * section.passages);
-    table.set("growth_dB/1e6", row.rate() * decibels_of_million);
+    table.set("growth_dB/1e6", row.rate() * 1e6 * decibels_of_e);
     table.set("load_N/m", std::abs(row.passed.load));
     table.set("load_phase_rad", std::arg(row.passed.load));
     table.set("contact_filter_dB", 20 * std::log10(row.passed.filter));

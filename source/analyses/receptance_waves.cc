@@ -15,8 +15,8 @@ namespace RollingContact
 
     const char waves_file[] = "waves.csv";
 
-    /// 20 log10 e, and beyond which waves are not told: dB/m
-    const double decibels_of_fading = 8.685889638, strongest_decay = 100.;
+    /// beyond which waves are not told: dB/m
+    const double strongest_decay = 100.;
 
     const std::array<std::string, 3> ways_of_waves{
       {"along", "lateral", "vertical"}};
@@ -91,7 +91,7 @@ namespace RollingContact
         for (const Waveguide::Wave &wave :
              waves.waveguide().waves(Complex(0., 2 * pi * frequency)))
           {
-            const double decay = -wave.wavenumber.imag() * decibels_of_fading;
+            const double decay = -wave.wavenumber.imag() * decibels_of_e;
             if (decay > strongest_decay)
               break;
             const auto shares = waves.waveguide().shares(wave);

@@ -76,7 +76,7 @@ namespace RollingContact
           const auto shares = rail.waves->waveguide().shares(wave);
           if (std::max_element(shares.begin(), shares.end()) ==
               shares.begin() + axis)
-            return -wave.wavenumber.imag() * 20 / std::log(10.);
+            return -wave.wavenumber.imag() * decibels_of_e;
         }
     return std::numeric_limits<double>::quiet_NaN();
   }

@@ -40,4 +40,14 @@ namespace RollingContact
       });
     return lines;
   }
+
+  std::vector<double> widths_of_lines(const std::vector<double> &places)
+  {
+    std::vector<double> widths;
+    for (std::size_t k = 0; k < places.size(); ++k)
+      widths.push_back((places[k + 1 < places.size() ? k + 1 : k] -
+                        places[k > 0 ? k - 1 : k]) /
+                       2);
+    return widths;
+  }
 } // namespace RollingContact

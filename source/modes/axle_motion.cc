@@ -93,8 +93,10 @@ namespace RollingContact
     const DenseMatrix             P = shapes.transpose() * forces;
     const Eigen::LLT<DenseMatrix> root(rigid - P.transpose() * P);
     if (root.info() != Eigen::Success)
-      throw InputError("Wheel/Hub mass: the axle has no mass or no moment of "
-                       "inertia about an axis; give it those, kg and kg m^2.");
+      throw InputError(
+        "Wheel/Hub mass: wheel and axle are too light, or turn too "
+        "easily, for the inertia that the modes of the wheel "
+        "have; give Hub mass in kg and Hub inertia in kg m^2.");
     unit = root.matrixL().transpose().solve(DenseMatrix::Identity(q, q));
     held = P * unit;
   }

@@ -1,3 +1,4 @@
+#include <rolling_contact/contact/node_lines.h>
 #include <rolling_contact/contact/resultants.h>
 #include <rolling_contact/results/lines_across.h>
 #include <rolling_contact/results/state_damage.h>
@@ -10,17 +11,6 @@ namespace RollingContact
 {
   namespace
   {
-    /** Half the distance of the neighbours, at the ends of the neighbour. */
-    void set_widths(std::vector<LineAcross> &lines)
-    {
-      for (std::size_t k = 0; k < lines.size(); ++k)
-        {
-          const double before = lines[k > 0 ? k - 1 : k].y,
-                       behind = lines[k + 1 < lines.size() ? k + 1 : k].y;
-          lines[k].width      = (behind - before) / 2;
-        }
-    }
-
     /** Nodes by lines along x, these by their place over @p same_place. */
     std::map<long, std::vector<unsigned int>>
     nodes_of_lines(const SteadyState<3> &steady)
@@ -61,10 +51,14 @@ namespace RollingContact
           }
         lines.push_back(line);
       }
-    set_widths(lines);
-    for (LineAcross &line : lines)
-      if (line.width > 0.)
+    std::vector<double> places;
+    for (const LineAcross &line : lines)
+      places.push_back(line.y);
+    const std::vector<double> widths = widths_of_lines(places);
+    for (std::size_t k = 0; k < lines.size(); ++k)
+      if (LineAcross &line = lines[k]; widths[k] > 0.)
         {
+          line.width = widths[k];
           line.load /= line.width;
           line.heat /= line.width;
         }

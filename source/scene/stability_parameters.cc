@@ -10,7 +10,7 @@ namespace RollingContact
   {
     EntrySection &section = entries.section("Stability");
     section.read_with_reduced_bodies(
-      "Analysis = stability or stability map reads that section");
+      "Analysis = stability, stability map or corrugation reads that section");
     section.renews = Renews::loads;
     section.varies = asks<AnalysisTraits>([](const auto &analysis) {
       return analysis.has_many_states && analysis.linearises;
@@ -31,7 +31,15 @@ namespace RollingContact
       "Wheel of a wheelset in balance, see section Wheelset, whose place, "
       "motion and load are found first; `none`: they are those of sections "
       "Profiles and Contact.";
-    entries.add("Lowest frequency", lowest_frequency, "Hz").at_least(0.).help =
+    const Reader of_growth = {asks<AnalysisTraits>([](const auto &analysis) {
+                                return !analysis.passes_waves;
+                              }),
+                              "waves that pass vibrate at frequencies of "
+                              "their own"};
+    entries.add("Lowest frequency", lowest_frequency, "Hz")
+      .at_least(0.)
+      .read_by(of_growth)
+      .help =
       "Vibrations from this frequency up to Modes/Maximum frequency are "
       "looked at.";
     entries.add("Rotation", rotation).help =
@@ -40,13 +48,16 @@ namespace RollingContact
     entries.add("Added damping", added_damping, "1").at_least(0.).help =
       "Damping ratio that all modes of both bodies have in addition, as by a "
       "damper.";
-    entries.add("Count check", count).help =
+    entries.add("Count check", count).read_by(of_growth).help =
       "Count the unstable vibrations by the argument principle as well, "
       "independent of the eigenvalues.";
     entries.add("Full model", correct).help =
-      "Correct each unstable vibration by the equations of the whole bodies, "
-      "and tell how far it is from them.";
-    entries.add("Damping margin", damping_margin, "1").at_least(0.).help =
+      "Correct each unstable vibration, or the wave that grows most, by the "
+      "equations of the whole bodies, and tell how far it is from them.";
+    entries.add("Damping margin", damping_margin, "1")
+      .at_least(0.)
+      .read_by(of_growth)
+      .help =
       "Damping ratio that a cured mode shall have beyond being stable, for "
       "the damping that is needed.";
   }

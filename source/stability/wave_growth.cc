@@ -32,24 +32,20 @@ namespace RollingContact
   void WaveGrowth::find_lines(const ContactProblem &problem,
                               const double          thickness)
   {
-    const auto                lines = node_lines(problem.operators, 0);
-    std::vector<double>       width_at(problem.n_nodes(), thickness);
+    const auto          lines = node_lines(problem.operators, 0);
+    std::vector<double> y;
+    for (const auto &nodes : lines)
+      y.push_back(problem.operators.positions()[nodes.front()][1]);
+    const std::vector<double> width =
+      lines.size() > 1 ? widths_of_lines(y) : std::vector<double>{thickness};
     std::vector<unsigned int> line_at(problem.n_nodes(), 0);
-    const auto                y = [&](const std::size_t j) {
-      return problem.operators.positions()[lines[j].front()][1];
-    };
     for (std::size_t j = 0; j < lines.size(); ++j)
       for (const unsigned int node : lines[j])
-        {
-          line_at[node] = j;
-          if (lines.size() > 1)
-            width_at[node] =
-              (y(std::min(j + 1, lines.size() - 1)) - y(j > 0 ? j - 1 : 0)) / 2;
-        }
+        line_at[node] = j;
     for (const unsigned int node : contact.touching)
       {
-        widths.push_back(width_at[node]);
         line.push_back(line_at[node]);
+        widths.push_back(width[line.back()]);
       }
   }
 
@@ -100,8 +96,7 @@ namespace RollingContact
   }
 
   Growth WaveGrowth::growth(const WaveAnswer &answer,
-                            const double      wave_number,
-                            const double      wear_coefficient) const
+                            const double      wave_number) const
   {
     const std::complex<double> s(0., wave_number * speed);
     const SlipOperator        &slips = problem.operators.slip_operator();
@@ -110,10 +105,10 @@ namespace RollingContact
     Growth                     result;
     for (std::size_t k = 0; k < n; ++k)
       {
-        const unsigned int i = contact.touching[k];
-        const auto         weight =
-          share[k] * problem.operators.areas()[i] / widths[k] *
-          std::polar(wear_coefficient / speed, wave_number * places[k]);
+        const unsigned int i      = contact.touching[k];
+        const auto         weight = share[k] * problem.operators.areas()[i] /
+                            widths[k] *
+                            std::polar(1 / speed, wave_number * places[k]);
         for (std::size_t c = 0; c < contact.n_tangential; ++c)
           {
             std::complex<double> v = s * answer.motion[c * N + i];

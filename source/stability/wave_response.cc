@@ -75,10 +75,9 @@ namespace RollingContact
     Factors    result{ComplexLU(residual.statics + s * residual.viscosity),
                    N_u + s * N_v};
     if (result.contact.singular())
-      throw ConvergenceError(
-        "The contact has no answer to a wave of " +
-        significant(2e3 * std::acos(-1.) / wave_number, 4) +
-        " mm: its equations are singular.");
+      throw ConvergenceError("The contact has no answer to a wave of " +
+                             significant(2e3 * pi / wave_number, 4) +
+                             " mm: its equations are singular.");
     result.contact.solve(result.motions);
     return result;
   }
@@ -91,27 +90,25 @@ namespace RollingContact
     return b;
   }
 
-  WaveResponse::AtWave::AtWave(
-    const WaveResponse              &response,
-    const double                     wave_number,
-    const Factors                   &factors,
-    std::shared_ptr<const ComplexLU> factors_of_modes)
-    : of(response)
+  WaveResponse::AtWave::AtWave(const WaveResponse &wave_response,
+                               const double        wave_number,
+                               const Factors      &factors,
+                               const ComplexLU    &modal)
+    : of(wave_response)
     , factors(factors)
-    , s(response.rate(wave_number))
-    , delay(1. + s * response.pair.retardation)
-    , modal(std::move(factors_of_modes))
+    , s(of.rate(wave_number))
+    , delay(1. + s * of.pair.retardation)
     , response([&]() {
       ComplexMatrix rates =
         of.amplitudes.transpose().cast<std::complex<double>>();
-      modal->solve(rates);
+      modal.solve(rates);
       return ComplexMatrix(of.amplitudes * rates);
     }())
     , reaction(
         delay *
         (of.U.transpose() * of.contact.forces).cast<std::complex<double>>())
     , joined(ComplexMatrix::Identity(of.U.cols(), of.U.cols()) +
-             this->response * (reaction * factors.motions))
+             response * (reaction * factors.motions))
   {}
 
   ComplexVector

@@ -65,7 +65,7 @@ namespace RollingContact
                                         const WaveAnswer &answer) const
   {
     PassedWave result;
-    result.growth       = growth.growth(answer, wave_number, 1.);
+    result.growth       = growth.growth(answer, wave_number);
     result.load         = growth.load(answer.unknowns);
     const auto whole    = at.unknowns(response.height_wave(0.));
     result.filter       = std::abs(result.load) / std::abs(growth.load(whole));

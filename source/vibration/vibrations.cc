@@ -9,19 +9,19 @@ namespace RollingContact
 {
   namespace
   {
-    LinearContactOptions options_of(const Situation &scene)
-    {
-      LinearContactOptions options;
-      options.speed    = std::abs(scene.contact.rolling_speed());
-      options.friction = scene.inputs->friction_response();
-      options.memory   = scene.contact.friction_memory;
-      return options;
-    }
-
     /// vibrations that the whole bodies answer side by side: more gain little,
     /// and each keeps matrices of its own
     const std::size_t at_once = 8;
   } // namespace
+
+  LinearContactOptions linear_contact_options(const Situation &scene)
+  {
+    LinearContactOptions options;
+    options.speed    = std::abs(scene.contact.rolling_speed());
+    options.friction = scene.inputs->friction_response();
+    options.memory   = scene.contact.friction_memory;
+    return options;
+  }
 
   Vibrations::Vibrations(const Situation      &scene,
                          ReducedPair           reduced,
@@ -30,7 +30,7 @@ namespace RollingContact
     : lowest(2 * pi * scene.inputs->stability.lowest_frequency)
     , highest(2 * pi * scene.inputs->modes.maximum_frequency)
     , pair(std::move(reduced))
-    , linear(linear_contact(problem, state, options_of(scene)))
+    , linear(linear_contact(problem, state, linear_contact_options(scene)))
     , pencil(pair, linear)
     , all(pencil.eigenvalues())
   {

@@ -6,6 +6,7 @@
 #include "vibrating_pair.h"
 
 #include <rolling_contact/analyses/corrugation_report.h>
+#include <rolling_contact/contact/node_lines.h>
 #include <rolling_contact/references/wavy_carter.h>
 #include <rolling_contact/stability/wave_sweep.h>
 
@@ -130,12 +131,12 @@ BOOST_AUTO_TEST_CASE(growth_is_that_of_the_wavy_line_contact)
 {
   // by what bodies the second is near a resonance, where crests carry more
   for (const auto &[at, coarse, fine] :
-       {std::tuple(Case{0.5, 0.39, {-2.9, -0.28}, 0.}, 0.010, 0.003),
-        std::tuple(Case{0.5, 1.26, {0.14, -0.50}, 0.}, 0.013, 0.004),
-        std::tuple(Case{0.5, 0.5, {1.2, 0.}, {0.6, -0.6}}, 0.010, 0.003),
-        std::tuple(Case{0.9, 1., {1.2, 0.}, 0.}, 0.010, 0.003),
-        std::tuple(Case{2., 1., {1.2, 0.}, 0.}, 0.015, 0.004),
-        std::tuple(Case{2., 1., {1.2, 0.}, {0.6, -0.6}}, 0.015, 0.004)})
+       {std::tuple(Case{0.5, 0.39, {-2.9, -0.28}, 0.}, 0.004, 0.001),
+        std::tuple(Case{0.5, 1.26, {0.14, -0.50}, 0.}, 0.0125, 0.003),
+        std::tuple(Case{0.5, 0.5, {1.2, 0.}, {0.6, -0.6}}, 0.004, 0.001),
+        std::tuple(Case{0.9, 1., {1.2, 0.}, 0.}, 0.005, 0.002),
+        std::tuple(Case{2., 1., {1.2, 0.}, 0.}, 0.0095, 0.0024),
+        std::tuple(Case{2., 1., {1.2, 0.}, {0.6, -0.6}}, 0.0095, 0.0024)})
     {
       const double with_32  = error_of_growth(32, at),
                    with_128 = error_of_growth(128, at);
@@ -153,9 +154,12 @@ BOOST_AUTO_TEST_CASE(the_load_on_crests_is_that_of_the_wavy_line_contact)
   const Case       at{0.5, 1., {0.3, -0.4}, 0.};
   const PassedWave found = Rolling(128, 0.3, at.creepage).wave(at);
   const Complex    exact = closed_form(at).load();
-  BOOST_TEST(std::abs(found.load - exact) < 0.02 * std::abs(exact));
+  BOOST_TEST_MESSAGE("load off by "
+                     << std::abs(found.load / exact - 1.) << ", filter by "
+                     << found.filter - std::cyl_bessel_j(0., 1.));
+  BOOST_TEST(std::abs(found.load - exact) < 0.006 * std::abs(exact));
   // what a wave loses to one that lifts the whole patch: J0(ka)
-  BOOST_TEST(std::abs(found.filter - std::cyl_bessel_j(0., 1.)) < 0.005);
+  BOOST_TEST(std::abs(found.filter - std::cyl_bessel_j(0., 1.)) < 0.001);
   // long waves lose nothing
   const Case longer{0.5, 1e-3, {0.3, -0.4}, 0.};
   BOOST_TEST(std::abs(Rolling(32, 0.3, 0.5).wave(longer).filter - 1) < 1e-5);
@@ -193,7 +197,7 @@ BOOST_AUTO_TEST_CASE(a_long_wave_wears_as_the_load_it_makes)
       BOOST_TEST_MESSAGE("creepage " << creepage << ": power over load "
                                      << found << " of waves, " << by_load
                                      << " of states 5 % of the load apart");
-      BOOST_TEST(std::abs(found / by_load - 1) < 0.03);
+      BOOST_TEST(std::abs(found / by_load - 1) < 0.004);
     }
 }
 
@@ -235,15 +239,9 @@ BOOST_AUTO_TEST_CASE(the_flow_the_other_way_is_the_mirror_image)
 
 BOOST_AUTO_TEST_CASE(receptances_are_those_of_the_bodies)
 {
-  const Case          at{0.5, 1., {5., -0.4}, {2., -3.}};
-  const Rolling       rolling(32, 0.3, 0.5);
-  const PassedWave    found = rolling.wave(at);
-  const LinearContact contact =
-    linear_contact(rolling.problem, rolling.solution.state, [] {
-      LinearContactOptions options;
-      options.speed = speed;
-      return options;
-    }());
+  const Case       at{0.5, 1., {5., -0.4}, {2., -3.}};
+  const Rolling    rolling(32, 0.3, 0.5);
+  const PassedWave found = rolling.wave(at);
   // the punch leaves the half-planes the same real compliance in both
   const Complex local_x = found.receptance_x - at.alpha_t,
                 local_z = found.receptance_z - at.alpha;
@@ -451,7 +449,7 @@ namespace
     const Complex heavy = by_all({0., slow}) * slow * slow;
     BOOST_TEST_MESSAGE(dim << "D: mass " << -1 / heavy.real() << " kg of "
                            << disc + 5.);
-    BOOST_TEST(std::abs(heavy.real() * (disc + 5.) + 1) < 0.03);
+    BOOST_TEST(std::abs(heavy.real() * (disc + 5.) + 1) < 0.02);
     for (const double f : {300., 1500., 4000.})
       {
         const Complex s(0., 2 * pi * f);
@@ -485,6 +483,22 @@ BOOST_AUTO_TEST_CASE(peaks_are_those_of_each_speed_and_place)
   const std::vector<std::size_t> expected{0, 3, 5, 7, 9};
   BOOST_TEST(peaks_of_growth(rows) == expected,
              boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(growth_is_as_uncertain_as_halves_say)
+{
+  BOOST_TEST(!uncertainty_by_halves(1., {}).has_value());
+  BOOST_TEST(*uncertainty_by_halves(1., {4.}) == 3.);
+  // the mean is 2, the largest scatter 3
+  BOOST_TEST(*uncertainty_by_halves(1., {5., 1., 1., 1.}) == 1. + 3. / 2);
+  BOOST_TEST(*uncertainty_by_halves(-2., {-1., -3.}) == 0.5);
+}
+
+BOOST_AUTO_TEST_CASE(lines_share_the_distances_of_their_neighbours)
+{
+  const std::vector<double> widths = widths_of_lines({0., 1., 3., 7.}),
+                            expected{0.5, 1.5, 3., 2.};
+  BOOST_TEST(widths == expected, boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(wavelengths_are_in_equal_ratios_and_fit_a_wheel)

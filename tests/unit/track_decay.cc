@@ -1,6 +1,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "../references/timoshenko_rail.h"
+#include "rail_on_layer.h"
 #include "scene_run.h"
 
 #include <rolling_contact/analyses/decay_energies.h>
@@ -161,26 +162,14 @@ namespace
   {
     RailOnLayer()
     {
-      BodyParameters &rail              = scene.rail;
-      scene.dimension                   = 3;
-      scene.prm_folder                  = TEST_DATA "/../../prm";
-      scene.wheel.rigid                 = true;
-      rail.shape                        = "section";
-      rail.mesh_file                    = "sections/rail_2.msh";
-      rail.radius                       = 0.;
-      rail.block_length                 = 1.2;
-      rail.cells_along                  = 48;
-      rail.hub                          = Hub::elastic;
-      rail.modes                        = ModeModel::waveguide;
-      rail.model.elements               = ElementKind::enhanced;
-      rail.model.foundation.stiffness   = {{5e7, 5e7, 3.3e8}};
-      rail.model.foundation.loss_factor = 0.2;
-      rail.model.damping.loss_factor    = 0.02;
-      rail.material                     = {210e9, 0.3, 7850.};
-      section.lowest_frequency          = 400.;
-      section.highest_frequency         = 2000.;
-      section.load_radius               = 0.02;
-      body = std::make_unique<const VibratingBody<3>>(
+      scene.dimension   = 3;
+      scene.prm_folder  = TEST_DATA "/../../prm";
+      scene.wheel.rigid = true;
+      set_rail_on_layer(scene.rail, 1.2, 48);
+      section.lowest_frequency  = 400.;
+      section.highest_frequency = 2000.;
+      section.load_radius       = 0.02;
+      body                      = std::make_unique<const VibratingBody<3>>(
         situation(), Side::rail, scene.modes, 5000., context);
     }
 

@@ -1,5 +1,7 @@
 #include <boost/test/unit_test.hpp>
 
+#include "rail_on_layer.h"
+
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/modes/measuring_point.h>
 #include <rolling_contact/modes/modal_fit.h>
@@ -212,21 +214,9 @@ namespace
   BodySpec rail(const double length, const unsigned int cells)
   {
     BodyParameters parameters("Rail");
-    parameters.shape                        = "section";
-    parameters.mesh_file                    = "rail_2.msh";
-    parameters.radius                       = 0.;
-    parameters.lateral_radius               = 0.3;
-    parameters.block_length                 = length;
-    parameters.cells_along                  = cells;
-    parameters.hub                          = Hub::elastic;
-    parameters.modes                        = ModeModel::waveguide;
-    parameters.model.elements               = ElementKind::enhanced;
-    parameters.model.foundation.stiffness   = {{5e7, 5e7, 3.3e8}};
-    parameters.model.foundation.loss_factor = 0.2;
-    parameters.model.damping.loss_factor    = 0.02;
-    parameters.material                     = {E, 0.3, density};
+    set_rail_on_layer(parameters, length, cells);
     BodySpec spec(parameters);
-    spec.read_mesh(3, std::string(TEST_DATA) + "/../../prm/sections");
+    spec.read_mesh(3, std::string(TEST_DATA) + "/../../prm");
     return spec;
   }
 

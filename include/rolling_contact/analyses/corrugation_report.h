@@ -56,6 +56,7 @@ namespace RollingContact
   std::vector<std::size_t>
   peaks_of_growth(const std::vector<CorrugationRow> &rows);
 
+  /** Whether Re G of one wave is below that of another. */
   bool grows_less(const CorrugationRow &a, const CorrugationRow &b);
 
   /** Set all columns of a row of corrugation.csv and end it. */
@@ -63,7 +64,7 @@ namespace RollingContact
                const CorrugationParameters &section,
                ResultsTable                &table);
 
-  /** What the run found, in a line. */
+  /** The text of what the run found: how many waves grow, and most where. */
   std::string verdict(const std::vector<CorrugationRow> &rows,
                       const CorrugationParameters       &section);
 

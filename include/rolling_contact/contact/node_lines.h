@@ -11,6 +11,12 @@ namespace RollingContact
    */
   std::vector<std::vector<unsigned int>>
   node_lines(const ContactOperators &operators, const unsigned int axis);
+
+  /**
+   * Widths of parallel lines at these ascending places, more than one: half the
+   * distance of the lines on either side, at the ends of the one. Units: m.
+   */
+  std::vector<double> widths_of_lines(const std::vector<double> &places);
 } // namespace RollingContact
 
 #endif

@@ -52,6 +52,8 @@ namespace RollingContact
     bool has_many_states = false;
     /** Vibrations about a steady rolling state are linearised. */
     bool linearises = false;
+    /** They are driven by waves on the surface, at frequencies of these. */
+    bool passes_waves = false;
     /** The analysis takes bodies by their modes, on which Wheel/Dampers hang.
      */
     bool has_dampers = false;

@@ -9,11 +9,12 @@
 namespace RollingContact
 {
   /**
-   * How a wave grows by what it makes the contact wear, per passage.
+   * Growth G of a wave by what it makes the contact wear, per passage.
    */
   struct Growth
   {
-    /** By the disturbances of traction, and by those of slip. Units: 1. */
+    /** The parts by disturbances of traction, and of slip. Units: 1, or J/m^3
+     * over a wear coefficient. */
     std::complex<double> by_traction, by_slip;
 
     std::complex<double> total() const
@@ -43,7 +44,9 @@ namespace RollingContact
   public:
     /**
      * A steady state with friction at a speed V (m/s) of @p problem; widths
-     * across are those of the lines of nodes, in 2D the @p thickness (m).
+     * across are those of the lines of nodes, in 2D the @p thickness (m). Keeps
+     * references to the problem and its linearised @p contact. Throws
+     * ConvergenceError if a flat punch on the patch has no pressure.
      */
     WaveGrowth(const ContactProblem &problem,
                const ContactState   &state,
@@ -62,11 +65,8 @@ namespace RollingContact
      * as those of a flat punch on the patch do. */
     std::vector<double> punch_forces(const unsigned int c) const;
 
-    /** What the answer to a wave wears; k_w in m^3/J, the wave number in 1/m.
-     */
-    Growth growth(const WaveAnswer &answer,
-                  const double      wave_number,
-                  const double      wear_coefficient) const;
+    /** G over k_w of the answer to a wave. Units: 1/m, J/m^3. */
+    Growth growth(const WaveAnswer &answer, const double wave_number) const;
 
     /** The normal load of the unknowns of an answer. Units: N/m. */
     std::complex<double> load(const ComplexVector &unknowns) const;

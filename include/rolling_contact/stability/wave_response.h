@@ -5,13 +5,12 @@
 #include <rolling_contact/stability/contact_response.h>
 #include <rolling_contact/stability/correction.h>
 
-#include <memory>
 #include <vector>
 
 namespace RollingContact
 {
   /**
-   * What a passing wave makes of a contact: amplitudes that go as exp(s t).
+   * A contact's answer to a passing wave: amplitudes that go as exp(s t).
    */
   struct WaveAnswer
   {
@@ -70,14 +69,14 @@ namespace RollingContact
       return {0., wave_number * speed};
     }
 
+    /** Throws ConvergenceError if T without modes is singular. Units: 1/m. */
     Factors factors(const double wave_number) const;
 
-    /** What the modes need, which waves over other nodes of the same bodies
-     * share. Units: 1/m. */
-    std::shared_ptr<const ComplexLU> modal(const double wave_number) const
+    /** modal_factors() of the bodies, which waves over other nodes of the same
+     * bodies share. Units: 1/m. */
+    ComplexLU modal(const double wave_number) const
     {
-      return std::make_shared<const ComplexLU>(
-        modal_factors(pair, rate(wave_number)));
+      return modal_factors(pair, rate(wave_number));
     }
 
     /** b of a wave; with a second wave number 0 of the same s the patch moves
@@ -86,16 +85,16 @@ namespace RollingContact
 
     /**
      * Answers at one wave number, with factors of it at any speed. Keeps
-     * references to both.
+     * references to the response and to these.
      */
     class AtWave
     {
     public:
       /** @p modal: modal_factors() of the bodies at s. Units: 1/m. */
-      AtWave(const WaveResponse              &response,
-             const double                     wave_number,
-             const Factors                   &factors,
-             std::shared_ptr<const ComplexLU> modal);
+      AtWave(const WaveResponse &response,
+             const double        wave_number,
+             const Factors      &factors,
+             const ComplexLU    &modal);
 
       /** The answer to @p b. Throws ConvergenceError if none is found. */
       WaveAnswer answer(const ComplexVector &b) const;
@@ -133,13 +132,12 @@ namespace RollingContact
       ComplexVector product(const ComplexVector &y) const;
       ComplexVector nearly_solved(ComplexVector r) const;
 
-      const WaveResponse              &of;
-      const Factors                   &factors;
-      const std::complex<double>       s, delay; ///< delay = 1 + tau s
-      std::shared_ptr<const ComplexLU> modal;
-      ComplexMatrix                    response; ///< of the motions U, p x p
-      ComplexMatrix                    reaction; ///< delay U^T forces, p x n_x
-      ComplexLU                        joined;
+      const WaveResponse        &of;
+      const Factors             &factors;
+      const std::complex<double> s, delay; ///< delay = 1 + tau s
+      ComplexMatrix              response; ///< of the motions U, p x p
+      ComplexMatrix              reaction; ///< delay U^T forces, p x n_x
+      ComplexLU                  joined;
     };
 
   private:

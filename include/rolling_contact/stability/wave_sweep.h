@@ -10,12 +10,14 @@
 namespace RollingContact
 {
   /**
-   * What a wave of unit height does in a passage.
+   * A wave of unit height as it passes: how it grows, what load it makes, and
+   * how the bodies answer at its frequency.
    */
   struct PassedWave
   {
-    Growth               growth; ///< of a wear coefficient of one, J/m^3
-    std::complex<double> load;   ///< N/m
+    /** Over the wear coefficient k_w. Units: J/m^3. */
+    Growth               growth;
+    std::complex<double> load; ///< N/m
     /** |load| over that of a motion of the whole patch at the same rate: what
      * the contact filter leaves of the wave. */
     double filter = 1.;
@@ -50,7 +52,7 @@ namespace RollingContact
 
     /** modal_factors() of the bodies at each speed, for waves of this number:
      * those over other nodes of the same bodies share them. Units: 1/m. */
-    using ModalFactors = std::vector<std::shared_ptr<const ComplexLU>>;
+    using ModalFactors = std::vector<ComplexLU>;
     ModalFactors modal(const double wave_number) const;
 
     /** A wave at each speed. Units: 1/m. Throws ConvergenceError. */

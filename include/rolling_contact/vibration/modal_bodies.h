@@ -30,8 +30,8 @@ namespace RollingContact
     double added_damping =
       0.; ///< damping ratio that all modes have in addition
 
-    /** Whether losses that are no viscous ones stay apart, as loss stiffness:
-     * for answers at given real frequencies. */
+    /** True keeps losses that are not viscous apart, as loss stiffness, for
+     * answers at given real frequencies. */
     bool hysteretic = false;
 
     /**

@@ -31,6 +31,9 @@ namespace RollingContact
     }
   };
 
+  /** The speed and the friction that a scene linearises its states with. */
+  LinearContactOptions linear_contact_options(const Situation &scene);
+
   /**
    * All small vibrations about a steady rolling state, in the frequencies that
    * the scene looks at: from Stability/Lowest frequency to Modes/Maximum
