@@ -171,9 +171,9 @@ namespace RollingContact
   }
 
   std::optional<ContactState> state_of_half(const PairSpec       &scene,
-                                          const ContactProblem &whole,
-                                          const ContactState   &from,
-                                          HalvedProblem        &half)
+                                            const ContactProblem &whole,
+                                            const ContactState   &from,
+                                            HalvedProblem        &half)
   {
     half.take(whole);
     SolverControls controls = scene.solver.controls;
