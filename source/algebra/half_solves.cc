@@ -31,7 +31,7 @@ namespace RollingContact
     }
 
     template <std::size_t n_columns>
-    using Columns = std::array<std::vector<double> *, n_columns>;
+    using Blocks = std::array<std::vector<double> *, n_columns>;
 
     /**
      * A supernode with its part of the columns: rows of the diagonal, then
@@ -249,9 +249,9 @@ namespace RollingContact
     }
 
     template <std::size_t n_columns>
-    void forward(const cholmod_factor     &L,
-                 const Columns<n_columns> &x,
-                 std::vector<double>      &workspace)
+    void forward(const cholmod_factor    &L,
+                 const Blocks<n_columns> &x,
+                 std::vector<double>     &workspace)
     {
       const Supernodes         supernodes(L);
       const Kernels<n_columns> kernels;
@@ -283,9 +283,9 @@ namespace RollingContact
     }
 
     template <std::size_t n_columns>
-    void backward(const cholmod_factor     &L,
-                  const Columns<n_columns> &x,
-                  std::vector<double>      &workspace)
+    void backward(const cholmod_factor    &L,
+                  const Blocks<n_columns> &x,
+                  std::vector<double>     &workspace)
     {
       const Supernodes         supernodes(L);
       const Kernels<n_columns> kernels;

@@ -1,16 +1,13 @@
 #include <rolling_contact/analyses/corrugation.h>
 #include <rolling_contact/analyses/disturbed_state.h>
+#include <rolling_contact/analyses/disturbed_waves.h>
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/contact/resultants.h>
 #include <rolling_contact/run/progress.h>
 #include <rolling_contact/scene/shared_rules.h>
-#include <rolling_contact/stability/wave_sweep.h>
-#include <rolling_contact/state/estimate_errors.h>
-#include <rolling_contact/vibration/vibrations.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,9 +18,6 @@ namespace RollingContact
   {
     const char corrugation_file[] = "corrugation.csv";
     const char peaks_file[]       = "corrugation_peaks.csv";
-
-    /// a wave has so many elements at least
-    const double least_elements = 4.;
 
     /// part of the nodes about to slip or stick from which on growth is that
     /// of one side
@@ -36,15 +30,6 @@ namespace RollingContact
     {
       return !rail.rigid && rail.hub == Hub::elastic &&
              rail.model.foundation.pad_spacing > 0.;
-    }
-
-    RollingConditions conditions_at(const Situation &scene, const double speed)
-    {
-      RollingConditions conditions(scene, scene.inputs->stability);
-      if (scene.inputs->stability.rotation)
-        conditions.speed = scene.contact.flow() * speed;
-      conditions.hysteretic = true;
-      return conditions;
     }
   } // namespace
 
@@ -61,13 +46,13 @@ namespace RollingContact
   void Corrugation<dim>::require_elements(const SteadyState<dim> &steady) const
   {
     const double element = steady.grading.element_size_x;
-    if (wavelengths.front() < least_elements * element)
+    if (wavelengths.front() < least_elements_of_wave * element)
       throw InputError(
         "Corrugation/Wavelengths = " + section.wavelengths +
         ": elements along x are " + significant(1e3 * element, 3) +
-        " mm long, and a wave needs " + significant(least_elements, 1) +
+        " mm long, and a wave needs " + significant(least_elements_of_wave, 1) +
         " of them; the shortest must have at least " +
-        significant(1e3 * least_elements * element, 3) +
+        significant(1e3 * least_elements_of_wave * element, 3) +
         " mm, or take more Mesh/Elements across patch.");
   }
 
@@ -82,45 +67,6 @@ namespace RollingContact
         " % of the touching nodes are about to slip or to stick, where growth "
         "differs on either side: the creepage is close to saturation. Change "
         "Contact/Creepage or the load by a few percent and compare.");
-  }
-
-  template <int dim>
-  WaveSweep
-  Corrugation<dim>::waves_over(const Situation                &at,
-                               const ContactProblem           &problem,
-                               const ContactState             &state,
-                               const WaveSweep::BodiesAtSpeed &bodies) const
-  {
-    return WaveSweep(problem,
-                     state,
-                     linear_contact_options(at),
-                     dim == 2 ? at.thickness() : 1.,
-                     speeds,
-                     bodies);
-  }
-
-  template <int dim>
-  std::vector<WaveSweep> Corrugation<dim>::waves_over_halves(
-    const Situation                &at,
-    SteadyState<dim>               &steady,
-    const WaveSweep::BodiesAtSpeed &bodies) const
-  {
-    std::vector<WaveSweep> result;
-    make_halves(at, steady);
-    for (HalvedProblem &half : steady.halves)
-      try
-        {
-          const auto state =
-            state_of_half(at, steady.problem, steady.state, half);
-          if (state && resultants(half.problem, *state).n_touching > 0)
-            result.push_back(
-              waves_over(at, half.problem, *state, [&](const double speed) {
-                return at_nodes(bodies(speed), half.coupling);
-              }));
-        }
-      catch (const ConvergenceError &)
-        {} // it tells nothing of errors
-    return result;
   }
 
   template <int dim>
@@ -171,7 +117,7 @@ namespace RollingContact
   {
     CorrugationRow &most =
       *std::max_element(found.begin(), found.end(), grows_less);
-    RollingConditions conditions = conditions_at(at, most.speed);
+    RollingConditions conditions = conditions_of_waves(at, most.speed);
     conditions.hysteretic        = false; // they begin with viscous modes
     const WholeBodies<dim> bodies(rolling, conditions);
     const std::size_t      speed =
@@ -206,14 +152,14 @@ namespace RollingContact
                                     steady.problem.operators.W().dense());
     PhaseTimer::Scope       phase(context.timer, Phase::response);
     const auto              reduced = [&](const double speed) {
-      return rolling.reduced(conditions_at(at, speed));
+      return rolling.reduced(conditions_of_waves(at, speed));
     };
     const WaveSweep waves =
-      waves_over(at, steady.problem, steady.state, reduced);
+      waves_over(at, steady.problem, steady.state, speeds, reduced);
     warn_of_border(waves.contact());
     warn_of_fixed_edges(waves.contact(), at.contact.slip_operator, context.log);
     auto found =
-      sweep(waves, waves_over_halves(at, steady, reduced), pad_offset);
+      sweep(waves, waves_over_halves(at, steady, speeds, reduced), pad_offset);
     if (at.inputs->stability.correct)
       prove_fastest(at, rolling, waves, found);
     rows.insert(rows.end(), found.begin(), found.end());
@@ -345,11 +291,7 @@ namespace RollingContact
         throw InputError(why + "Contact/Creepage x, Creepage y and Spin are 0: "
                                "without creepage nothing wears; give one.");
       const auto &section = scene.own<CorrugationParameters>();
-      if (contact.falling_friction() && !section.speeds.empty())
-        throw InputError(why + "Corrugation/Speeds = " + section.speeds +
-                         ": friction that falls with the sliding speed has a "
-                         "state of its own at each; leave Speeds empty and "
-                         "give Contact/Speed.");
+      check_speeds_of_state(scene, "Corrugation/Speeds", section.speeds);
       if (!section.pad_offsets.empty() && !lies_on_pads(scene.rail))
         throw InputError("Corrugation/Pad offsets = " + section.pad_offsets +
                          ": the rail lies on no pads; give Rail/Hub = elastic "

@@ -1,7 +1,6 @@
 #include <rolling_contact/analyses/corrugation_parameters.h>
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/base/number_text.h>
 #include <rolling_contact/input/number_list.h>
 #include <rolling_contact/scene/entries.h>
 
@@ -14,21 +13,6 @@ namespace RollingContact
   {
     const std::vector<NamedValue<Side>> worn_bodies{{"rail", Side::rail},
                                                     {"wheel", Side::wheel}};
-
-    /** Numbers above 0, ascending, each once. */
-    std::vector<double> positive_numbers(const std::string &entry,
-                                         const std::string &text,
-                                         const std::string &unit)
-    {
-      auto numbers = number_list(entry, text);
-      std::sort(numbers.begin(), numbers.end());
-      numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-      if (!(numbers.front() > 0.))
-        throw InputError(entry + " = " + text + ": " +
-                         text_of(numbers.front()) +
-                         " is among them; give numbers above 0 " + unit + ".");
-      return numbers;
-    }
   } // namespace
 
   void CorrugationParameters::declare(Entries &entries)

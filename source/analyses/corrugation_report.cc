@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace RollingContact
 {
@@ -29,19 +28,6 @@ namespace RollingContact
                : "";
     }
   } // namespace
-
-  std::optional<double> uncertainty_by_halves(const double               rate,
-                                              const std::vector<double> &halves)
-  {
-    if (halves.empty())
-      return {};
-    const double n    = halves.size(),
-                 mean = std::accumulate(halves.begin(), halves.end(), 0.) / n;
-    double scatter    = 0.;
-    for (const double it : halves)
-      scatter = std::max(scatter, std::abs(it - mean));
-    return std::abs(rate - mean) + scatter / 2;
-  }
 
   std::vector<std::size_t>
   peaks_of_growth(const std::vector<CorrugationRow> &rows)

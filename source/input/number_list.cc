@@ -1,6 +1,8 @@
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/number_text.h>
 #include <rolling_contact/input/number_list.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -66,5 +68,18 @@ namespace RollingContact
       list[i] = range[0] + (range[1] - range[0]) * i / (n - 1);
     list.back() = range[1]; // without rounding
     return list;
+  }
+
+  std::vector<double> positive_numbers(const std::string &entry,
+                                       const std::string &text,
+                                       const std::string &unit)
+  {
+    auto numbers = number_list(entry, text);
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    if (!(numbers.front() > 0.))
+      throw InputError(entry + " = " + text + ": " + text_of(numbers.front()) +
+                       " is among them; give numbers above 0 " + unit + ".");
+    return numbers;
   }
 } // namespace RollingContact

@@ -6,6 +6,7 @@
 #include <rolling_contact/analyses/modes.h>
 #include <rolling_contact/analyses/quasi_static.h>
 #include <rolling_contact/analyses/receptance.h>
+#include <rolling_contact/analyses/rolling_noise.h>
 #include <rolling_contact/analyses/study_kind.h>
 #include <rolling_contact/analyses/transient.h>
 #include <rolling_contact/base/choices.h>
@@ -32,6 +33,7 @@ namespace RollingContact
                                                  stability_map_in_curves_kind(),
                                                  limit_cycle_kind(),
                                                  corrugation_kind(),
+                                                 rolling_noise_kind(),
                                                  wheelset_kind(),
                                                  profile_evolution_kind()};
     return kinds;

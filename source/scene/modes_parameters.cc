@@ -8,8 +8,8 @@ namespace RollingContact
   void ModesParameters::declare(Entries &entries)
   {
     entries.section("Modes").read_with_reduced_bodies(
-      "Analysis = modes, receptance, stability, stability map and corrugation "
-      "and Time/Bodies = reduced read that section");
+      "Analysis = modes, receptance, stability, stability map, corrugation and "
+      "rolling noise and Time/Bodies = reduced read that section");
     entries.add("Maximum frequency", maximum_frequency, "Hz")
       .at_least(0.)
       .help = "All modes up to this frequency are found.";

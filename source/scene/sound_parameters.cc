@@ -12,14 +12,22 @@ namespace RollingContact
   void SoundParameters::declare(Entries &entries)
   {
     EntrySection &section =
-      entries.section("Sound").read_by_analyses("transient");
-    const Reader estimates{asks<SoundParameters>(
-                             [](const auto &sound) { return sound.estimate; }),
-                           "Sound/Estimate = false"},
+      entries.section("Sound").read_by_analyses("transient and rolling noise");
+    const Reader tells{asks<AnalysisTraits, SoundParameters>(
+                         [](const auto &analysis, const auto &sound) {
+                           return analysis.passes_waves || sound.estimate;
+                         }),
+                       "Sound/Estimate = false"},
+      of_a_run{asks<AnalysisTraits>(
+                 [](const auto &analysis) { return !analysis.passes_waves; }),
+               "rolling noise has no steps in time"},
+      estimates{asks<SoundParameters>(
+                  [](const auto &sound) { return sound.estimate; }),
+                "Sound/Estimate = false"},
       writes{asks<SoundParameters>(
                [](const auto &sound) { return sound.wav_file; }),
              "Sound/WAV file = false"};
-    entries.add("Estimate", estimate).help =
+    entries.add("Estimate", estimate).read_by(of_a_run).help =
       "Whether a transient run of bodies by their modes (Time/Bodies = "
       "reduced, Dimension = 3) ends with an estimate of the sound that wheel "
       "and rail radiate. It keeps the velocities of all modes up to "
@@ -27,33 +35,36 @@ namespace RollingContact
     section.free_on_resume = in_all_scenes;
     entries.add("Density of air", air_density, "kg/m^3")
       .at_least(0.)
-      .read_by(estimates)
+      .read_by(tells)
       .help = "Density of the air around.";
     entries.add("Speed of sound", speed_of_sound, "m/s")
       .at_least(0.)
-      .read_by(estimates)
+      .read_by(tells)
       .help = "Speed of sound in the air around.";
-    entries.add("Distance", distance, "m")
-      .at_least(0.)
-      .read_by(estimates)
-      .help =
+    entries.add("Distance", distance, "m").at_least(0.).read_by(tells).help =
       "Distance from the contact at which the sound pressure is told, over "
       "ground that reflects all sound and alike in all directions.";
     entries.add("Skipped time", skipped_time, "s")
       .at_least(0.)
+      .read_by(of_a_run)
       .read_by(estimates)
       .help =
       "Beginning of the run that the sound leaves out: what is left of the "
       "start.";
-    entries.add("WAV file", wav_file).read_by(estimates).help =
+    entries.add("WAV file", wav_file)
+      .read_by(of_a_run)
+      .read_by(estimates)
+      .help =
       "Whether the sound pressure at that distance is written to be listened "
       "to, in pressure.wav: 24 bit, one channel.";
     entries.add("Sampling rate", sampling_rate, "Hz")
       .between(1000, 384000)
+      .read_by(of_a_run)
       .read_by(estimates)
       .read_by(writes)
       .help = "Sampling rate of the WAV file.";
     entries.add("Full scale pressure", full_scale_pressure, "Pa")
+      .read_by(of_a_run)
       .read_by(estimates)
       .read_by(writes)
       .help =
@@ -75,8 +86,7 @@ namespace RollingContact
     }
   } // namespace
 
-  void SoundParameters::check(const TimeSteps &steps,
-                              const double     maximum_frequency) const
+  void SoundParameters::check_air() const
   {
     require_positive("Density of air",
                      air_density,
@@ -85,6 +95,12 @@ namespace RollingContact
                      speed_of_sound,
                      "343 m/s at 20 degrees.");
     require_positive("Distance", distance, "7.5 m is usual.");
+  }
+
+  void SoundParameters::check(const TimeSteps &steps,
+                              const double     maximum_frequency) const
+  {
+    check_air();
     if (full_scale_pressure)
       require_positive("Full scale pressure",
                        *full_scale_pressure,

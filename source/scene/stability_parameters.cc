@@ -10,7 +10,8 @@ namespace RollingContact
   {
     EntrySection &section = entries.section("Stability");
     section.read_with_reduced_bodies(
-      "Analysis = stability, stability map or corrugation reads that section");
+      "Analysis = stability, stability map, corrugation or rolling noise reads "
+      "that section");
     section.renews = Renews::loads;
     section.varies = asks<AnalysisTraits>([](const auto &analysis) {
       return analysis.has_many_states && analysis.linearises;

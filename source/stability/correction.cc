@@ -10,13 +10,29 @@
 
 namespace RollingContact
 {
-  ComplexLU modal_factors(const ReducedPair &pair, const std::complex<double> s)
+  ModalFactors::ModalFactors(const ReducedPair         &pair,
+                             const std::complex<double> s)
+    : n_of_wheel(pair.n_wheel_modes)
   {
-    ComplexMatrix D = pair.K_m + s * pair.C_m;
-    D.diagonal().array() += s * s;
-    if (pair.H_m.size() > 0)
-      D += std::complex<double>(0., std::copysign(1., s.imag())) * pair.H_m;
-    return ComplexLU(std::move(D));
+    const Eigen::Index m = pair.n_modes();
+    for (const auto &[first, n] :
+         {std::pair<Eigen::Index, Eigen::Index>(0, n_of_wheel),
+          std::pair<Eigen::Index, Eigen::Index>(n_of_wheel, m - n_of_wheel)})
+      {
+        ComplexMatrix D = pair.K_m.block(first, first, n, n) +
+                          s * pair.C_m.block(first, first, n, n);
+        D.diagonal().array() += s * s;
+        if (pair.H_m.size() > 0)
+          D += std::complex<double>(0., std::copysign(1., s.imag())) *
+               pair.H_m.block(first, first, n, n);
+        of_bodies.emplace_back(std::move(D));
+      }
+  }
+
+  void ModalFactors::solve(Eigen::Ref<ComplexMatrix> B) const
+  {
+    of_bodies[0].solve(B.topRows(n_of_wheel));
+    of_bodies[1].solve(B.bottomRows(B.rows() - n_of_wheel));
   }
 
   bool CorrectedMode::undecided() const
@@ -42,7 +58,7 @@ namespace RollingContact
       using Complex = std::complex<double>;
       ComplexMatrix modal =
         (pair.Phi.transpose() * contact.forces).cast<Complex>();
-      modal_factors(pair, s).solve(modal);
+      ModalFactors(pair, s).solve(modal);
       const ComplexMatrix motion = pair.Phi.cast<Complex>() * modal +
                                    pair.W_res * contact.forces /
                                      (1. + s * pair.retardation),
@@ -59,9 +75,9 @@ namespace RollingContact
                                      const std::complex<double> s,
                                      const ComplexVector       &x)
     {
-      const ComplexVector forces  = contact.forces * x;
-      const ComplexLU     factors = modal_factors(pair, s);
-      ComplexVector       modal   = pair.Phi.transpose() * forces;
+      const ComplexVector forces = contact.forces * x;
+      const ModalFactors  factors(pair, s);
+      ComplexVector       modal = pair.Phi.transpose() * forces;
       factors.solve(modal);
       ComplexVector rate = pair.C_m * modal + 2. * s * modal;
       factors.solve(rate);
@@ -161,7 +177,7 @@ namespace RollingContact
                                  const ComplexVector       &forces)
   {
     ComplexVector modal = pair.Phi.transpose() * forces;
-    modal_factors(pair, s).solve(modal);
+    ModalFactors(pair, s).solve(modal);
     return pair.W_res * forces / (1. + s * pair.retardation) + pair.Phi * modal;
   }
 

@@ -76,6 +76,14 @@ namespace RollingContact
       share.push_back(in_line[line[k]]);
   }
 
+  std::vector<double> WaveGrowth::across() const
+  {
+    std::vector<double> result;
+    for (const unsigned int i : contact.touching)
+      result.push_back(problem.operators.positions()[i][1]);
+    return result;
+  }
+
   std::vector<double> WaveGrowth::punch_forces(const unsigned int c) const
   {
     std::vector<double> result((contact.n_tangential + 1) * contact.n_nodes,

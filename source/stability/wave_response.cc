@@ -27,6 +27,17 @@ namespace RollingContact
       result.imag() = A * imaginary;
       return result;
     }
+
+    [[noreturn]] void throw_without_answer(const std::complex<double> s,
+                                           const double               speed,
+                                           const double               error)
+    {
+      throw ConvergenceError("The contact's answer to a wave at " +
+                             significant(s.imag() / (2 * pi), 4) + " Hz and " +
+                             significant(speed, 4) +
+                             " m/s was not found: its residual is " +
+                             significant(error, 2) + ".");
+    }
   } // namespace
 
   DenseMatrix WaveResponse::motions_of(const ReducedPair &pair)
@@ -90,10 +101,43 @@ namespace RollingContact
     return b;
   }
 
+  WaveResponse::Reaction
+  WaveResponse::reaction(const double         wave_number,
+                         const Factors       &factors,
+                         const ComplexMatrix &waves) const
+  {
+    const auto         s = rate(wave_number);
+    const Eigen::Index n = waves.rows(), p = U.cols();
+    ComplexMatrix      target =
+      ComplexMatrix::Zero(contact.n_unknowns(), p + waves.cols());
+    target.leftCols(p) = N_u + s * N_v;
+    target.topRightCorner(n, waves.cols()) =
+      scales.head(n).asDiagonal() * waves;
+    const ComplexMatrix T = residual.statics + s * residual.viscosity;
+    ComplexMatrix       y = target;
+    factors.contact.solve(y);
+    for (unsigned int step = 0;; ++step)
+      {
+        ComplexMatrix r     = target - T * y;
+        const double  error = r.norm() / target.norm();
+        if (error <= wave_tolerance)
+          break;
+        if (step == most_corrections || !std::isfinite(error))
+          throw_without_answer(s, speed, error);
+        factors.contact.solve(r);
+        y += r;
+      }
+    DenseMatrix rows(p + 1, contact.n_unknowns());
+    rows.topRows(p) = U.transpose() * contact.forces;
+    rows.row(p) = contact.forces.bottomRows(contact.n_nodes).colwise().sum();
+    const ComplexMatrix all = (1. + s * pair.retardation) * (rows * y);
+    return {all.leftCols(p), all.rightCols(waves.cols())};
+  }
+
   WaveResponse::AtWave::AtWave(const WaveResponse &wave_response,
                                const double        wave_number,
                                const Factors      &factors,
-                               const ComplexLU    &modal)
+                               const ModalFactors &modal)
     : of(wave_response)
     , factors(factors)
     , s(of.rate(wave_number))
@@ -154,11 +198,7 @@ namespace RollingContact
         if (error <= wave_tolerance)
           break;
         if (step == most_corrections || !std::isfinite(error))
-          throw ConvergenceError("The contact's answer to a wave at " +
-                                 significant(s.imag() / (2 * pi), 4) +
-                                 " Hz and " + significant(of.speed, 4) +
-                                 " m/s was not found: its residual is " +
-                                 significant(error, 2) + ".");
+          throw_without_answer(s, of.speed, error);
         y += nearly_solved(r);
       }
     y.head(of.contact.n_tractions()) *= delay;

@@ -95,16 +95,17 @@ namespace RollingContact
         cases.empty() ? nullptr : cases.front().get()));
   }
 
-  WaveSweep::ModalFactors WaveSweep::modal(const double wave_number) const
+  std::vector<ModalFactors> WaveSweep::modal(const double wave_number) const
   {
-    ModalFactors result;
+    std::vector<ModalFactors> result;
     for (const auto &it : cases)
       result.push_back(it->response.modal(wave_number));
     return result;
   }
 
-  std::vector<PassedWave> WaveSweep::at(const double        wave_number,
-                                        const ModalFactors &modal) const
+  std::vector<PassedWave>
+  WaveSweep::at(const double                     wave_number,
+                const std::vector<ModalFactors> &modal) const
   {
     const auto factors = cases.front()->response.factors(wave_number);
     std::vector<PassedWave> result;
@@ -118,6 +119,19 @@ namespace RollingContact
         result.push_back(cases[v]->passed(
           wave_number, at, at.answer(response.height_wave(wave_number))));
       }
+    return result;
+  }
+
+  std::vector<WaveResponse::Reaction>
+  WaveSweep::reactions(const double                    wave_number,
+                       const Waves                    &waves,
+                       const std::vector<std::size_t> &at_speeds) const
+  {
+    const auto          factors = cases.front()->response.factors(wave_number);
+    const ComplexMatrix b       = waves(cases.front()->growth, wave_number);
+    std::vector<WaveResponse::Reaction> result;
+    for (const std::size_t v : at_speeds)
+      result.push_back(cases.at(v)->response.reaction(wave_number, factors, b));
     return result;
   }
 

@@ -137,6 +137,23 @@ namespace RollingContact::Sound
     }
   } // namespace
 
+  double radiated_power(const RadiatingBody    &body,
+                        const Eigen::MatrixXcd &velocities,
+                        const double            frequency,
+                        const Air              &air)
+  {
+    double power = 0.;
+    for (const RadiatingPart &part : body.parts)
+      {
+        const Eigen::MatrixXcd of_part = velocities(part.modes, Eigen::all);
+        power += part.efficiency(frequency) *
+                 (of_part.conjugate().cwiseProduct(part.surface * of_part))
+                   .real()
+                   .sum();
+      }
+    return air.density * air.speed * power;
+  }
+
   BodySound body_sound(const RadiatingBody                    &body,
                        const std::vector<std::vector<double>> &velocities,
                        const double                            time_step,

@@ -35,18 +35,6 @@ namespace RollingContact
     /** Tell how far growth may be off. */
     void note_errors() const;
 
-    /** Waves over a state at all speeds. */
-    WaveSweep waves_over(const Situation                &at,
-                         const ContactProblem           &problem,
-                         const ContactState             &state,
-                         const WaveSweep::BodiesAtSpeed &bodies) const;
-
-    /** Waves over the states on every second node that are found. */
-    std::vector<WaveSweep>
-    waves_over_halves(const Situation                &at,
-                      SteadyState<dim>               &steady,
-                      const WaveSweep::BodiesAtSpeed &bodies) const;
-
     /** Rows of all speeds, one speed after the other. */
     std::vector<CorrugationRow>
     sweep(const WaveSweep              &whole,

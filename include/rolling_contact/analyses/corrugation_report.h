@@ -40,16 +40,6 @@ namespace RollingContact
   };
 
   /**
-   * How far Re G may be off by the elements of the patch, from its values with
-   * elements of twice the length at several places of the mesh: by how much
-   * their mean differs, as growth is of first order, and half of the largest
-   * scatter about it, as the place of a mesh counts half as much with elements
-   * half as long. None without values.
-   */
-  std::optional<double>
-  uncertainty_by_halves(const double rate, const std::vector<double> &halves);
-
-  /**
    * Rows by place, speed and ascending wavelength: numbers of those that grow
    * more than both neighbours do, or at the ends of the range than the one.
    */

@@ -18,6 +18,14 @@ namespace RollingContact
    */
   std::vector<double> number_list(const std::string &entry,
                                   const std::string &text);
+
+  /**
+   * Numbers of a list, ascending, each once. Throws InputError if one is not
+   * above 0, naming the unit.
+   */
+  std::vector<double> positive_numbers(const std::string &entry,
+                                       const std::string &text,
+                                       const std::string &unit);
 } // namespace RollingContact
 
 #endif

@@ -24,6 +24,9 @@ namespace RollingContact
      */
     void check(const TimeSteps &steps, const double maximum_frequency) const;
 
+    /** Throws InputError unless air and distance are above 0. */
+    void check_air() const;
+
     /**
      * Steps at the beginning that are left out. Units: s.
      */

@@ -95,10 +95,21 @@ namespace RollingContact
                                      const CorrectionOptions &options = {});
 
   /**
-   * Factors of s^2 + s C_m + K_m, with the loss stiffness H_m if there is one.
+   * Factors of s^2 + s C_m + K_m, with the loss stiffness H_m if there is one,
+   * of wheel and rail each.
    */
-  ComplexLU modal_factors(const ReducedPair         &pair,
-                          const std::complex<double> s);
+  class ModalFactors
+  {
+  public:
+    ModalFactors(const ReducedPair &pair, const std::complex<double> s);
+
+    /** Amplitudes of all coordinates by their loads, in place, m x n. */
+    void solve(Eigen::Ref<ComplexMatrix> B) const;
+
+  private:
+    std::vector<ComplexLU> of_bodies;
+    Eigen::Index           n_of_wheel;
+  };
 
   /**
    * W(s) f of the reduced pair.

@@ -61,6 +61,9 @@ namespace RollingContact
       return places;
     }
 
+    /** Places of the touching nodes across it. Units: m. */
+    std::vector<double> across() const;
+
     /** Nodal forces of component @p c, tangential ones first, that sum to 1 N
      * as those of a flat punch on the patch do. */
     std::vector<double> punch_forces(const unsigned int c) const;

@@ -63,6 +63,12 @@ namespace RollingContact
                  std::vector<double>  along,
                  const DenseMatrix   &motions);
 
+    /** U^T Phi, p x m. */
+    const DenseMatrix &motions_of_coordinates() const
+    {
+      return amplitudes;
+    }
+
     /** s = i k V. Units: 1/m, 1/s. */
     std::complex<double> rate(const double wave_number) const
     {
@@ -72,16 +78,32 @@ namespace RollingContact
     /** Throws ConvergenceError if T without modes is singular. Units: 1/m. */
     Factors factors(const double wave_number) const;
 
-    /** modal_factors() of the bodies, which waves over other nodes of the same
-     * bodies share. Units: 1/m. */
-    ComplexLU modal(const double wave_number) const
+    /** What waves over other nodes of the same bodies share. Units: 1/m. */
+    ModalFactors modal(const double wave_number) const
     {
-      return modal_factors(pair, rate(wave_number));
+      return ModalFactors(pair, rate(wave_number));
     }
 
     /** b of a wave; with a second wave number 0 of the same s the patch moves
      * as one. Units: 1/m, m. */
     ComplexVector height_wave(const double wave_number) const;
+
+    /**
+     * How the patch reacts to amplitudes a of its motions U and to waves: the
+     * generalised forces U^T forces x, and in one row more the normal load, are
+     * of_waves - by_motions a.
+     */
+    struct Reaction
+    {
+      ComplexMatrix by_motions; ///< (p + 1) x p, N/m
+      ComplexMatrix of_waves;   ///< (p + 1) x J, N/m
+    };
+
+    /** Waves: b of the normal rows alone, n_a x J, m. Throws ConvergenceError.
+     * Units: 1/m. */
+    Reaction reaction(const double         wave_number,
+                      const Factors       &factors,
+                      const ComplexMatrix &waves) const;
 
     /**
      * Answers at one wave number, with factors of it at any speed. Keeps
@@ -90,11 +112,11 @@ namespace RollingContact
     class AtWave
     {
     public:
-      /** @p modal: modal_factors() of the bodies at s. Units: 1/m. */
+      /** @p modal: those of the bodies at s. Units: 1/m. */
       AtWave(const WaveResponse &response,
              const double        wave_number,
              const Factors      &factors,
-             const ComplexLU    &modal);
+             const ModalFactors &modal);
 
       /** The answer to @p b. Throws ConvergenceError if none is found. */
       WaveAnswer answer(const ComplexVector &b) const;

@@ -50,14 +50,13 @@ namespace RollingContact
               const std::vector<double>  &speeds,
               const BodiesAtSpeed        &bodies);
 
-    /** modal_factors() of the bodies at each speed, for waves of this number:
-     * those over other nodes of the same bodies share them. Units: 1/m. */
-    using ModalFactors = std::vector<ComplexLU>;
-    ModalFactors modal(const double wave_number) const;
+    /** The bodies at each speed, for waves of this number: those over other
+     * nodes of the same bodies share them. Units: 1/m. */
+    std::vector<ModalFactors> modal(const double wave_number) const;
 
     /** A wave at each speed. Units: 1/m. Throws ConvergenceError. */
-    std::vector<PassedWave> at(const double        wave_number,
-                               const ModalFactors &modal) const;
+    std::vector<PassedWave> at(const double                     wave_number,
+                               const std::vector<ModalFactors> &modal) const;
 
     /** A wave at the speed of this number with whole bodies, see
      * WaveResponse::corrected(). */
@@ -65,6 +64,30 @@ namespace RollingContact
                          const std::size_t   speed,
                          const BodyResponse &bodies,
                          const unsigned int  n_steps) const;
+
+    /** Waves that pass the touching nodes, as columns b of the normal rows. */
+    using Waves =
+      std::function<ComplexMatrix(const WaveGrowth &, const double)>;
+
+    /** How the patch reacts to its motions and to waves of this number, at the
+     * speeds of these numbers. Units: 1/m. Throws ConvergenceError. */
+    std::vector<WaveResponse::Reaction>
+    reactions(const double                    wave_number,
+              const Waves                    &waves,
+              const std::vector<std::size_t> &at_speeds) const;
+
+    /** U^T Phi, how coordinates move the patch at the speed of this number, by
+     * columns. */
+    const DenseMatrix &motions_of_coordinates(const std::size_t speed) const
+    {
+      return cases.at(speed)->response.motions_of_coordinates();
+    }
+
+    /** The bodies at the speed of this number. */
+    const ReducedPair &bodies(const std::size_t speed) const
+    {
+      return cases.at(speed)->pair;
+    }
 
     /** The contact at the first speed. */
     const LinearContact &contact() const

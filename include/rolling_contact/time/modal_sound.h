@@ -46,6 +46,16 @@ namespace RollingContact::Sound
   };
 
   /**
+   * The power that modes radiate together at a frequency, with these complex
+   * root mean square velocities: a row for each mode, columns that are
+   * incoherent with each other. Units: m kg^(1/2)/s, Hz, W.
+   */
+  double radiated_power(const RadiatingBody    &body,
+                        const Eigen::MatrixXcd &velocities,
+                        const double            frequency,
+                        const Air              &air);
+
+  /**
    * Frequencies that count. Units: Hz.
    */
   struct AudibleRange

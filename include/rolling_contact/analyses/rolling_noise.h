@@ -1,0 +1,83 @@
+#ifndef rolling_contact_analyses_rolling_noise_h
+#define rolling_contact_analyses_rolling_noise_h
+
+#include <rolling_contact/analyses/rolling_noise_parameters.h>
+#include <rolling_contact/analyses/rolling_noise_report.h>
+#include <rolling_contact/run/run_context.h>
+#include <rolling_contact/scene/analysis_kind.h>
+#include <rolling_contact/scene/situation.h>
+#include <rolling_contact/stability/passing_waves.h>
+#include <rolling_contact/state/steady_state.h>
+#include <rolling_contact/time/modal_sound.h>
+#include <rolling_contact/vibration/rolling_modes.h>
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace RollingContact
+{
+  /**
+   * Analysis = rolling noise: the sound that wheel and rail radiate by the
+   * roughness of their surfaces, in third octaves over speed, without steps in
+   * time: waves over a steady rolling state excite the modes of the bodies, by
+   * the contact as it is linearised there, in rolling_noise.csv.
+   */
+  class RollingNoise : public Analysis
+  {
+  public:
+    RollingNoise(const Situation &scene, RunContext &context);
+
+    void run() override;
+
+  private:
+    /** A body that radiates, and where its modes stand among all coordinates.
+     */
+    struct Radiator
+    {
+      Side                 side;
+      Sound::RadiatingBody body;
+      std::size_t          first = 0;
+    };
+
+    /** The third octaves that are told at a speed, by their centres in Hz. */
+    std::vector<double> centres_at(const double speed) const;
+
+    void find_radiators(const RollingModes<3> &rolling);
+
+    /** Reactions of the patches to waves of all speeds, at all bands. */
+    std::vector<PassingWaves> passing_waves(const WaveSweep &sweep) const;
+
+    /** What a unit of roughness makes of power and load at a frequency. */
+    Eigen::ArrayXd unit_powers(const PassingWaves &waves,
+                               const ModalFactors &modal,
+                               const double        frequency,
+                               const double        speed) const;
+
+    NoiseBand
+    band_at(const PassingWaves &waves, const double centre, const double speed);
+
+    /** See NoiseOfSpeed::uncertainty. */
+    std::optional<double>
+    uncertainty_at(const PassingWaves                      &whole,
+                   const std::vector<const PassingWaves *> &halves,
+                   const NoiseOfSpeed                      &found) const;
+
+    /** Tell how far it may be off, and write what was found. */
+    void report(const std::vector<NoiseOfSpeed> &found);
+
+    const Situation              &scene;
+    RunContext                   &context;
+    const RollingNoiseParameters &section;
+    const std::vector<double>     speeds;
+    Sound::Air                    air;
+    Roughness                     roughness;
+    std::vector<Radiator>         radiators;
+    double                        load    = 0.; ///< N
+    std::size_t                   n_lines = 0, n_coarse = 0;
+  };
+
+  AnalysisKind rolling_noise_kind();
+} // namespace RollingContact
+
+#endif

@@ -1,0 +1,336 @@
+#include <rolling_contact/algebra/adaptive_integral.h>
+#include <rolling_contact/analyses/disturbed_state.h>
+#include <rolling_contact/analyses/disturbed_waves.h>
+#include <rolling_contact/analyses/rolling_noise.h>
+#include <rolling_contact/analyses/roughness_bands.h>
+#include <rolling_contact/base/constants.h>
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/interrupt.h>
+#include <rolling_contact/base/number_text.h>
+#include <rolling_contact/base/text.h>
+#include <rolling_contact/run/progress.h>
+#include <rolling_contact/scene/shared_rules.h>
+#include <rolling_contact/time/a_weighting.h>
+#include <rolling_contact/time/radiating_surface.h>
+#include <rolling_contact/time/sound_report.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace RollingContact
+{
+  namespace
+  {
+    /// of powers of a band, by the error that its rule estimates
+    const double tolerance = 0.001;
+
+    /// lines of a band at which patches of longer elements are compared
+    const int compared_lines = 9;
+
+    /// values of unit_powers(); integration watches the first two
+    enum Values
+    {
+      of_wheel,
+      of_rail,
+      of_load,
+      of_load_of_one,
+      n_values
+    };
+
+    /** The mean over directions that are incoherent with each other. */
+    double sum_of_squares(const Eigen::VectorXcd &values)
+    {
+      return values.cwiseAbs2().sum();
+    }
+  } // namespace
+
+  RollingNoise::RollingNoise(const Situation &scene, RunContext &context)
+    : scene(scene)
+    , context(context)
+    , section(scene.inputs->own<RollingNoiseParameters>())
+    , speeds(section.speeds_or(std::abs(scene.contact.rolling_speed())))
+    , air(air_of(scene.inputs->sound))
+    , roughness(roughness_of(scene))
+  {}
+
+  std::vector<double> RollingNoise::centres_at(const double speed) const
+  {
+    return centres_of_bands(roughness,
+                            speed,
+                            scene.inputs->modes.maximum_frequency);
+  }
+
+  void RollingNoise::find_radiators(const RollingModes<3> &rolling)
+  {
+    for (const Side side : both_sides)
+      if (const VibratingBody<3> *body = rolling.bodies().body(side))
+        {
+          Radiator radiator{
+            side,
+            Sound::radiating_body(*body,
+                                  scene.inputs->modes.maximum_frequency,
+                                  air),
+            rolling.first_column(side)};
+          if (!radiator.body.frequencies.empty())
+            radiators.push_back(std::move(radiator));
+        }
+    if (radiators.empty())
+      throw InputError("Modes/Maximum frequency = " +
+                       text_of(scene.inputs->modes.maximum_frequency) +
+                       " Hz: no body has a mode up to there, and sound is "
+                       "estimated from modes; take more.");
+  }
+
+  std::vector<PassingWaves>
+  RollingNoise::passing_waves(const WaveSweep &sweep) const
+  {
+    const double                           edge = std::pow(10., 0.05);
+    std::vector<std::pair<double, double>> wave_numbers;
+    for (const double speed : speeds)
+      {
+        const auto centres = centres_at(speed);
+        wave_numbers.emplace_back(2 * pi * centres.front() / edge / speed,
+                                  2 * pi * centres.back() * edge / speed);
+      }
+    const bool by_table = section.filter == ContactFilter::table;
+    return RollingContact::passing_waves(
+      sweep,
+      speeds,
+      wave_numbers,
+      [&](const WaveGrowth &patch, const double wave_number) {
+        ComplexMatrix waves = random_waves(patch.along(),
+                                           patch.across(),
+                                           by_table ? 0. : wave_number,
+                                           section.coherence_of_waves());
+        // at last the patch moves as one
+        waves.conservativeResize(Eigen::NoChange, waves.cols() + 1);
+        waves.rightCols(1).setOnes();
+        return waves;
+      });
+  }
+
+  Eigen::ArrayXd RollingNoise::unit_powers(const PassingWaves &waves,
+                                           const ModalFactors &modal,
+                                           const double        frequency,
+                                           const double        speed) const
+  {
+    const auto         passed = waves.at(frequency, modal);
+    const Eigen::Index n      = passed.loads.size() - 1;
+    const double       filter =
+      section.filter == ContactFilter::table
+              ? std::pow(10., directive_contact_filter(load, speed / frequency) / 10)
+              : 1.;
+    Eigen::ArrayXd result = Eigen::ArrayXd::Zero(n_values);
+    for (const Radiator &it : radiators)
+      result[it.side == Side::wheel ? of_wheel : of_rail] =
+        filter *
+        Sound::radiated_power(
+          it.body,
+          2 * pi * frequency *
+            passed.amplitudes.block(it.first, 0, it.body.frequencies.size(), n),
+          frequency,
+          air);
+    result[of_load]        = filter * sum_of_squares(passed.loads.head(n));
+    result[of_load_of_one] = std::norm(passed.loads[n]);
+    return result;
+  }
+
+  NoiseBand RollingNoise::band_at(const PassingWaves &waves,
+                                  const double        centre,
+                                  const double        speed)
+  {
+    throw_if_interrupted();
+    const double half_width = std::log(10.) / 20;
+    const auto   all        = adaptive_integral(
+      [&](const double logarithm) {
+        const double f       = std::exp(logarithm),
+                     density = roughness.density(speed / f),
+                     a       = Sound::a_weighting(f);
+        const Eigen::ArrayXd powers =
+          density * unit_powers(waves, waves.modal(f), f, speed);
+        Eigen::ArrayXd values(n_values + 3);
+        values << powers, a * powers[of_wheel], a * powers[of_rail], density;
+        return values;
+      },
+      std::log(centre) - half_width,
+      std::log(centre) + half_width,
+      of_load,
+      tolerance);
+    n_lines += all.n_calls;
+    n_coarse += all.converged ? 0 : 1;
+    NoiseBand band;
+    band.centre                = centre;
+    band.roughness             = all.value[n_values + 2];
+    band.powers.wheel          = all.value[of_wheel];
+    band.powers.rail           = all.value[of_rail];
+    band.powers.weighted_wheel = all.value[n_values];
+    band.powers.weighted_rail  = all.value[n_values + 1];
+    band.powers.load           = all.value[of_load];
+    band.powers.load_of_one    = all.value[of_load_of_one];
+    return band;
+  }
+
+  std::optional<double>
+  RollingNoise::uncertainty_at(const PassingWaves                      &whole,
+                               const std::vector<const PassingWaves *> &halves,
+                               const NoiseOfSpeed &found) const
+  {
+    // of all bands the weighted powers, each as its lines say
+    std::vector<double> of_halves(halves.size(), 0.);
+    for (const NoiseBand &band : found.bands)
+      {
+        double              of_whole = 0.;
+        std::vector<double> sums(halves.size(), 0.);
+        for (int i = 0; i < compared_lines; ++i)
+          {
+            const double f =
+              band.centre *
+              std::pow(10., 0.1 * ((i + 0.5) / compared_lines - 0.5));
+            const ModalFactors modal = whole.modal(f);
+            const auto         power = [&](const PassingWaves &waves) {
+              const auto powers = unit_powers(waves, modal, f, found.speed);
+              return powers[of_wheel] + powers[of_rail];
+            };
+            of_whole += power(whole);
+            for (std::size_t j = 0; j < halves.size(); ++j)
+              sums[j] += power(*halves[j]);
+          }
+        for (std::size_t j = 0; j < halves.size(); ++j)
+          of_halves[j] += band.powers.weighted() * sums[j] / of_whole;
+      }
+    std::vector<double> levels;
+    for (const double power : of_halves)
+      levels.push_back(power_level(power));
+    return uncertainty_by_halves(power_level(found.sum().weighted()), levels);
+  }
+
+  void RollingNoise::run()
+  {
+    SteadyState<3> steady = disturbed_state<3>(scene, context);
+    load                  = steady.result.normal_force;
+    const double resolved =
+      least_elements_of_wave * steady.grading.element_size_x;
+    if (roughness.shortest < resolved)
+      {
+        context.log.message("Waves shorter than " +
+                            significant(1e3 * resolved, 3) + " mm, " +
+                            significant(least_elements_of_wave, 1) +
+                            " elements along x, are left out.");
+        roughness.shortest = resolved;
+      }
+    require_bands(scene, roughness, speeds);
+    const ModalBodies<3>  bodies(scene,
+                                scene.inputs->modes,
+                                steady.pair->bodies(),
+                                scene.inputs->modes.cut_off_ratio *
+                                  scene.inputs->modes.maximum_frequency,
+                                context);
+    const RollingModes<3> rolling(bodies,
+                                  *steady.pair,
+                                  steady.problem.operators.W().dense());
+    find_radiators(rolling);
+    PhaseTimer::Scope phase(context.timer, Phase::response);
+    const auto        reduced = [&](const double speed) {
+      return rolling.reduced(conditions_of_waves(scene, speed));
+    };
+    const WaveSweep sweep =
+      waves_over(scene, steady.problem, steady.state, speeds, reduced);
+    warn_of_fixed_edges(sweep.contact(),
+                        scene.contact.slip_operator,
+                        context.log);
+    const auto waves = passing_waves(sweep);
+    const auto sweeps_of_halves =
+      waves_over_halves(scene, steady, speeds, reduced);
+    std::vector<std::vector<PassingWaves>> of_halves;
+    for (const WaveSweep &half : sweeps_of_halves)
+      of_halves.push_back(passing_waves(half));
+
+    std::vector<NoiseOfSpeed> found;
+    for (std::size_t v = 0; v < speeds.size(); ++v)
+      {
+        NoiseOfSpeed of_speed;
+        of_speed.speed = speeds[v];
+        for (const double centre : centres_at(speeds[v]))
+          of_speed.bands.push_back(band_at(waves[v], centre, speeds[v]));
+        std::vector<const PassingWaves *> halves;
+        for (const auto &half : of_halves)
+          halves.push_back(&half[v]);
+        of_speed.uncertainty = uncertainty_at(waves[v], halves, of_speed);
+        found.push_back(std::move(of_speed));
+      }
+    report(found);
+  }
+
+  void RollingNoise::report(const std::vector<NoiseOfSpeed> &found)
+  {
+    context.log.message(std::to_string(n_lines) + " frequencies.");
+    if (n_coarse > 0)
+      context.log.warning(std::to_string(n_coarse) +
+                          " third octaves have resonances so sharp that their "
+                          "powers are known to less than " +
+                          significant(100 * tolerance, 2) + " %.");
+    std::optional<double> largest;
+    for (const NoiseOfSpeed &it : found)
+      if (it.uncertainty)
+        largest = std::max(largest.value_or(0.), *it.uncertainty);
+    if (largest)
+      context.report.errors.push_back({"sound power",
+                                       std::pow(10., *largest / 10) - 1,
+                                       "itself",
+                                       "elements of twice the length",
+                                       true,
+                                       significant(*largest, 2) +
+                                         " dB, without what the estimate of "
+                                         "radiation is off"});
+    else
+      context.log.warning(
+        "How far the noise is off by the elements across the patch is not "
+        "known: no state with elements of twice the length was found. Take "
+        "more Mesh/Elements across patch.");
+    report_noise(found,
+                 scene.inputs->sound,
+                 scene.inputs->output.plot,
+                 context);
+  }
+
+  namespace
+  {
+    void check_noise(const SceneParameters &scene)
+    {
+      const auto &section = scene.own<RollingNoiseParameters>();
+      if (scene.dimension == 2)
+        throw InputError("Dimension = 2: Analysis = rolling noise needs the "
+                         "surfaces that radiate; take Dimension = 3.");
+      scene.sound.check_air();
+      check_speeds_of_state(scene, "Rolling noise/Speeds", section.speeds);
+      if (!scene.rail.rigid && scene.rail.modes == ModeModel::waveguide)
+        throw InputError("Rail/Model = waveguide: the sound of a rail needs "
+                         "its modes; take Model = mesh.");
+    }
+
+    void check_roughness(const Situation &scene)
+    {
+      require_bands(scene,
+                    roughness_of(scene),
+                    scene.inputs->own<RollingNoiseParameters>().speeds_or(
+                      std::abs(scene.contact.rolling_speed())));
+    }
+  } // namespace
+
+  AnalysisKind rolling_noise_kind()
+  {
+    AnalysisKind kind = kind_of<RollingNoise>(
+      "rolling noise",
+      "the sound of wheel and rail by the roughness of their surfaces, over "
+      "frequency and speed, see section Rolling noise");
+    kind.sections = {"Modes", "Stability", "Rolling noise", "Sound"};
+    kind.own_section.emplace(RollingNoiseParameters());
+    kind.linearises      = true;
+    kind.passes_waves    = true;
+    kind.has_dampers     = true;
+    kind.on_ranks        = false;
+    kind.rules           = {&check_linearised_state, &check_noise};
+    kind.check_situation = &check_roughness;
+    return kind;
+  }
+} // namespace RollingContact

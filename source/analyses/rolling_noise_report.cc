@@ -1,0 +1,221 @@
+#include <rolling_contact/algebra/third_octaves.h>
+#include <rolling_contact/analyses/rolling_noise_report.h>
+#include <rolling_contact/base/text.h>
+#include <rolling_contact/run/figure.h>
+#include <rolling_contact/time/sound_pressure.h>
+#include <rolling_contact/time/sound_report.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace RollingContact
+{
+  namespace
+  {
+    const double reference_roughness = 1e-6; ///< m
+
+    /// below the total by so much a power is one of rounding
+    const double least_share = 1e-18;
+
+    void set_power(ResultsTable      &table,
+                   const std::string &column,
+                   const double       power,
+                   const double       total)
+    {
+      table.set_if(power > least_share * total, column, power_level(power));
+    }
+
+    void add_bands(const NoiseOfSpeed &of_speed, ResultsTable &table)
+    {
+      const NoisePowers all = of_speed.sum();
+      for (const NoiseBand &band : of_speed.bands)
+        {
+          const NoisePowers &powers = band.powers;
+          table.set("speed_m/s", of_speed.speed);
+          table.set("centre_frequency_Hz", band.centre);
+          table.set("wavelength_m", of_speed.speed / band.centre);
+          table.set("roughness_dB_re_1um",
+                    Signals::level(band.roughness, reference_roughness));
+          table.set("contact_filter_dB",
+                    10 * std::log10(powers.load / powers.load_of_one));
+          table.set("load_N", std::sqrt(powers.load));
+          set_power(table, "wheel_dB_re_1pW", powers.wheel, all.total());
+          set_power(table, "rail_dB_re_1pW", powers.rail, all.total());
+          set_power(table, "total_dB_re_1pW", powers.total(), all.total());
+          set_power(table,
+                    "total_dBA_re_1pW",
+                    powers.weighted(),
+                    all.weighted());
+          table.end_row();
+        }
+    }
+
+    double level_at_distance(const NoiseOfSpeed    &of_speed,
+                             const SoundParameters &sound)
+    {
+      return Signals::level(
+        Sound::mean_square_pressure(of_speed.sum().weighted(),
+                                    air_of(sound),
+                                    sound.distance),
+        20e-6);
+    }
+
+    void add_speed(const NoiseOfSpeed    &of_speed,
+                   const SoundParameters &sound,
+                   ResultsTable          &table)
+    {
+      const NoisePowers all = of_speed.sum();
+      table.set("speed_m/s", of_speed.speed);
+      set_power(table, "wheel_dBA_re_1pW", all.weighted_wheel, all.weighted());
+      set_power(table, "rail_dBA_re_1pW", all.weighted_rail, all.weighted());
+      set_power(table, "total_dBA_re_1pW", all.weighted(), all.weighted());
+      set_power(table, "total_dB_re_1pW", all.total(), all.total());
+      table.set("uncertainty_dB", of_speed.uncertainty);
+      table.set_if(all.weighted() > 0.,
+                   "sound_pressure_dBA_re_20uPa",
+                   level_at_distance(of_speed, sound));
+      table.set("load_N", std::sqrt(all.load));
+      table.set("lowest_band_Hz", of_speed.bands.front().centre);
+      table.set("highest_band_Hz", of_speed.bands.back().centre);
+      table.end_row();
+    }
+
+    std::vector<double>
+    levels_of(const std::vector<NoiseOfSpeed>                  &speeds,
+              const std::function<double(const NoisePowers &)> &power)
+    {
+      std::vector<double> result;
+      for (const NoiseOfSpeed &it : speeds)
+        result.push_back(power_level(power(it.sum())));
+      return result;
+    }
+
+    void draw(const std::vector<NoiseOfSpeed> &speeds, RunContext &context)
+    {
+      Figure bands("Rolling noise, an estimate",
+                   "frequency (Hz)",
+                   "sound power (dB(A) re 1 pW)"),
+        over_speed("", "speed (m/s)", "sound power (dB(A) re 1 pW)");
+      for (const NoiseOfSpeed &it : speeds)
+        {
+          std::vector<double> centres, levels;
+          for (const NoiseBand &band : it.bands)
+            {
+              centres.push_back(band.centre);
+              levels.push_back(power_level(band.powers.weighted()));
+            }
+          bands.add_curve(significant(it.speed, 3) + " m/s",
+                          centres,
+                          levels,
+                          CurveStyle::line_and_points);
+        }
+      bands.set_scales(AxisScale::logarithmic, AxisScale::linear);
+      if (speeds.size() > 1)
+        {
+          std::vector<double> at;
+          for (const NoiseOfSpeed &it : speeds)
+            at.push_back(it.speed);
+          const auto add = [&](const std::string &label, const auto &power) {
+            over_speed.add_curve(label,
+                                 at,
+                                 levels_of(speeds, power),
+                                 CurveStyle::line_and_points);
+          };
+          add("wheel", [](const auto &sum) { return sum.weighted_wheel; });
+          add("rail", [](const auto &sum) { return sum.weighted_rail; });
+          add("both", [](const auto &sum) { return sum.weighted(); });
+          over_speed.set_scales(AxisScale::logarithmic, AxisScale::linear);
+          bands.add_separate_panel(over_speed);
+        }
+      bands.draw(context, "rolling_noise");
+    }
+
+    std::string finding(const std::vector<NoiseOfSpeed> &speeds,
+                        const SoundParameters           &sound)
+    {
+      const NoiseOfSpeed &last  = speeds.back();
+      const NoisePowers   all   = last.sum();
+      const auto          slope = slope_of(speeds);
+      return "at " + significant(last.speed, 3) + " m/s power of the wheel " +
+             significant(power_level(all.weighted_wheel), 4) +
+             " dB(A), the rail " +
+             significant(power_level(all.weighted_rail), 4) +
+             " dB(A), together " + significant(power_level(all.weighted()), 4) +
+             (last.uncertainty ? " +- " + significant(*last.uncertainty, 2)
+                               : "") +
+             " dB(A) re 1 pW; at " + significant(sound.distance, 4) + " m " +
+             significant(level_at_distance(last, sound), 4) +
+             " dB(A) re 20 uPa" +
+             (slope ? "; " + significant(*slope, 3) + " dB per decade of speed"
+                    : "") +
+             ": radiation is an estimate to 3 dB at best";
+    }
+  } // namespace
+
+  NoisePowers &NoisePowers::operator+=(const NoisePowers &other)
+  {
+    wheel += other.wheel;
+    rail += other.rail;
+    weighted_wheel += other.weighted_wheel;
+    weighted_rail += other.weighted_rail;
+    load += other.load;
+    load_of_one += other.load_of_one;
+    return *this;
+  }
+
+  NoisePowers NoiseOfSpeed::sum() const
+  {
+    NoisePowers result;
+    for (const NoiseBand &band : bands)
+      result += band.powers;
+    return result;
+  }
+
+  double power_level(const double power)
+  {
+    return 10 * std::log10(power / 1e-12);
+  }
+
+  std::optional<double> slope_of(const std::vector<NoiseOfSpeed> &speeds)
+  {
+    const double n     = speeds.size();
+    double       sum_x = 0., sum_y = 0., sum_xx = 0., sum_xy = 0.;
+    for (const NoiseOfSpeed &it : speeds)
+      {
+        const double x = std::log10(it.speed),
+                     y = power_level(it.sum().weighted());
+        sum_x += x;
+        sum_y += y;
+        sum_xx += x * x;
+        sum_xy += x * y;
+      }
+    if (n < 2)
+      return {};
+    return (sum_xy - sum_x * sum_y / n) / (sum_xx - sum_x * sum_x / n);
+  }
+
+  void report_noise(const std::vector<NoiseOfSpeed> &speeds,
+                    const SoundParameters           &sound,
+                    const bool                       picture,
+                    RunContext                      &context)
+  {
+    ResultsTable bands(context.folder, "rolling_noise.csv"),
+      of_speeds(context.folder, "rolling_noise_speeds.csv");
+    for (const NoiseOfSpeed &it : speeds)
+      {
+        add_bands(it, bands);
+        add_speed(it, sound, of_speeds);
+      }
+    bands.flush();
+    of_speeds.flush();
+    context.log.message(of_speeds.screen_table({"speed_m/s",
+                                                "wheel_dBA_re_1pW",
+                                                "rail_dBA_re_1pW",
+                                                "total_dBA_re_1pW",
+                                                "uncertainty_dB",
+                                                "load_N"}));
+    context.report.set_finding("noise", finding(speeds, sound));
+    if (picture)
+      draw(speeds, context);
+  }
+} // namespace RollingContact
