@@ -65,13 +65,19 @@ namespace RollingContact
     for (const Side side : both_sides)
       if (const VibratingBody<3> *body = rolling.bodies().body(side))
         {
-          Radiator radiator{
-            side,
-            Sound::radiating_body(*body,
-                                  scene.inputs->modes.maximum_frequency,
-                                  air),
-            rolling.first_column(side)};
-          if (!radiator.body.frequencies.empty())
+          Radiator radiator{side};
+          if (body->is_without_ends())
+            radiator.rail = std::make_shared<Sound::RadiatingRail>(
+              *body, air, scene.inputs->stability.added_damping);
+          else
+            {
+              radiator.body =
+                Sound::radiating_body(*body,
+                                      scene.inputs->modes.maximum_frequency,
+                                      air);
+              radiator.first = rolling.first_column(side);
+            }
+          if (radiator.rail || !radiator.body.frequencies.empty())
             radiators.push_back(std::move(radiator));
         }
     if (radiators.empty())
@@ -79,6 +85,26 @@ namespace RollingContact
                        text_of(scene.inputs->modes.maximum_frequency) +
                        " Hz: no body has a mode up to there, and sound is "
                        "estimated from modes; take more.");
+  }
+
+  double RollingNoise::Radiator::power(const PassingWaves::Passed &passed,
+                                       const Eigen::Index          n_waves,
+                                       const double                frequency,
+                                       const Sound::Air           &air) const
+  {
+    if (rail)
+      {
+        const ComplexMatrix forces = passed.watched.leftCols(n_waves);
+        return (forces.adjoint() * rail->power_form(frequency) * forces)
+          .trace()
+          .real();
+      }
+    return Sound::radiated_power(
+      body,
+      2 * pi * frequency *
+        passed.amplitudes.block(first, 0, body.frequencies.size(), n_waves),
+      frequency,
+      air);
   }
 
   std::vector<PassingWaves>
@@ -123,13 +149,7 @@ namespace RollingContact
     Eigen::ArrayXd result = Eigen::ArrayXd::Zero(n_values);
     for (const Radiator &it : radiators)
       result[it.side == Side::wheel ? of_wheel : of_rail] =
-        filter *
-        Sound::radiated_power(
-          it.body,
-          2 * pi * frequency *
-            passed.amplitudes.block(it.first, 0, it.body.frequencies.size(), n),
-          frequency,
-          air);
+        filter * it.power(passed, n, frequency, air);
     result[of_load]        = filter * sum_of_squares(passed.loads.head(n));
     result[of_load_of_one] = std::norm(passed.loads[n]);
     return result;
@@ -231,7 +251,11 @@ namespace RollingContact
     find_radiators(rolling);
     PhaseTimer::Scope phase(context.timer, Phase::response);
     const auto        reduced = [&](const double speed) {
-      return rolling.reduced(conditions_of_waves(scene, speed));
+      ReducedPair pair = rolling.reduced(conditions_of_waves(scene, speed));
+      if (const auto *rail = bodies.body(Side::rail);
+          rail != nullptr && rail->is_without_ends())
+        pair.watched = rolling.relative_motions_of_waves(Side::rail);
+      return pair;
     };
     const WaveSweep sweep =
       waves_over(scene, steady.problem, steady.state, speeds, reduced);
@@ -303,9 +327,6 @@ namespace RollingContact
                          "surfaces that radiate; take Dimension = 3.");
       scene.sound.check_air();
       check_speeds_of_state(scene, "Rolling noise/Speeds", section.speeds);
-      if (!scene.rail.rigid && scene.rail.modes == ModeModel::waveguide)
-        throw InputError("Rail/Model = waveguide: the sound of a rail needs "
-                         "its modes; take Model = mesh.");
     }
 
     void check_roughness(const Situation &scene)

@@ -4,8 +4,10 @@
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/modes/waveguide_response.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <map>
 
 namespace RollingContact
@@ -57,6 +59,92 @@ namespace RollingContact
             roots[(std::uint64_t(2 * m + 1 + N) * (pad + 3 * N / 2)) % (2 * N)];
       return result;
     }
+
+    /**
+     * Integrals of a form over stretches along which waves fade, of amplitudes
+     * at the stretch's begin (ahead) and at its end (behind).
+     */
+    class WaveProducts
+    {
+    public:
+      WaveProducts(const ComplexMatrix &form,
+                   const ComplexVector &wavenumbers,
+                   const ComplexMatrix &u,
+                   const ComplexMatrix &u_behind)
+        : k(wavenumbers)
+        , ahead_ahead(u.adjoint() * form * u)
+        , behind_behind(u_behind.adjoint() * form * u_behind)
+        , ahead_behind(u.adjoint() * form * u_behind)
+      {}
+
+      /** Adds that of a stretch; nullptr where no waves go that way. */
+      void add(const double         length,
+               const ComplexMatrix *ahead,
+               const ComplexMatrix *behind,
+               ComplexMatrix       &sum)
+      {
+        const auto [place, is_new] = known.try_emplace(length);
+        Stretch &it                = place->second;
+        if (is_new)
+          it = stretch(length);
+        if (ahead != nullptr)
+          sum += ahead->adjoint() * it.ahead_ahead * *ahead;
+        if (behind != nullptr)
+          sum += behind->adjoint() * it.behind_behind * *behind;
+        if (ahead == nullptr || behind == nullptr)
+          return;
+        const ComplexMatrix both = ahead->adjoint() * it.ahead_behind * *behind;
+        sum += both + both.adjoint();
+      }
+
+    private:
+      struct Stretch
+      {
+        ComplexMatrix ahead_ahead, behind_behind, ahead_behind;
+      };
+
+      Stretch stretch(const double length) const
+      {
+        const Complex i(0., 1.);
+        const bool    ends = std::isfinite(length);
+        Stretch       result{ahead_ahead, behind_behind, ahead_behind};
+        for (Eigen::Index l = 0; l < k.size(); ++l)
+          for (Eigen::Index j = 0; j < k.size(); ++j)
+            {
+              // int exp(i k_j^* x) exp(-i k_l x) dx
+              const Complex rate  = i * (std::conj(k[j]) - k[l]);
+              const Complex alike = integral(rate, length);
+              result.ahead_ahead(j, l) *= alike;
+              result.behind_behind(j, l) *= alike;
+              // int exp(i k_j^* x) exp(-i k_l (length - x)) dx
+              const Complex between = i * (std::conj(k[j]) + k[l]);
+              if (ends)
+                result.ahead_behind(j, l) *=
+                  std::abs(between) * length < small
+                    ? std::exp(-i * k[l] * length) * length
+                    : (std::exp(i * std::conj(k[j]) * length) -
+                       std::exp(-i * k[l] * length)) /
+                        between;
+            }
+        return result;
+      }
+
+      /** int_0^length exp(rate x) dx. */
+      static Complex integral(const Complex rate, const double length)
+      {
+        if (!std::isfinite(length))
+          return -1. / rate;
+        return std::abs(rate) * length < small
+                 ? Complex(length)
+                 : (std::exp(rate * length) - 1.) / rate;
+      }
+
+      static constexpr double small = 1e-9;
+
+      const ComplexVector      &k;
+      ComplexMatrix             ahead_ahead, behind_behind, ahead_behind;
+      std::map<double, Stretch> known;
+    };
   } // namespace
 
   WaveguideResponse::WaveguideResponse(const Waveguide &guide,
@@ -181,7 +269,7 @@ namespace RollingContact
     return result;
   }
 
-  void WaveguideResponse::add_pads(const Place         &loaded,
+  void WaveguideResponse::add_pads(const double         x,
                                    const ComplexMatrix &force,
                                    std::vector<Source> &sources) const
   {
@@ -189,8 +277,8 @@ namespace RollingContact
     const double           spacing = guide.foundation().pad_spacing;
     const Eigen::Index     n = pads.stiffness.size(), n_all = Z.rows(),
                        n_loads = force.cols();
-    const double nearest       = spacing * std::round(loaded[0] / spacing);
-    const auto   load = on_lines(source_of(loaded[0] - nearest, force));
+    const double nearest       = spacing * std::round(x / spacing);
+    const auto   load          = on_lines(source_of(x - nearest, force));
     std::vector<std::vector<AtLine>> on_pad;
     for (const double line : pads.lines)
       on_pad.push_back(
@@ -240,7 +328,7 @@ namespace RollingContact
     const ComplexMatrix force = guide.motion_at(loaded).adjoint() * forces;
     std::vector<Source> sources{source_of(loaded[0], force)};
     if (guide.has_pads())
-      add_pads(loaded, force, sources);
+      add_pads(loaded[0], force, sources);
     // what a place of the section and a place along it say, each once
     std::map<const ComplexMatrix *, std::array<ComplexMatrix, 2>> moved;
     std::map<double, std::array<ComplexMatrix, 2>>                arriving;
@@ -270,6 +358,66 @@ namespace RollingContact
           at->second = {{motion * u, motion * u_behind}};
         result.middleRows(3 * p, 3) =
           at->second[0] * known->second[0] + at->second[1] * known->second[1];
+      }
+    return result;
+  }
+
+  std::vector<ComplexMatrix>
+  WaveguideResponse::integrals(const double                      x,
+                               const ComplexMatrix              &force,
+                               const std::vector<ComplexMatrix> &forms) const
+  {
+    std::vector<Source> sources{source_of(x, force)};
+    if (guide.has_pads())
+      add_pads(x, force, sources);
+    std::sort(sources.begin(), sources.end(), [](const auto &a, const auto &b) {
+      return a.x < b.x;
+    });
+    std::vector<WaveProducts> products;
+    for (const ComplexMatrix &form : forms)
+      products.emplace_back(form, wavenumbers, u, u_behind);
+    std::vector<ComplexMatrix> result(forms.size(),
+                                      ComplexMatrix::Zero(force.cols(),
+                                                          force.cols()));
+    const auto                 add = [&](const double         length,
+                         const ComplexMatrix *ahead,
+                         const ComplexMatrix *behind) {
+      for (std::size_t i = 0; i < products.size(); ++i)
+        products[i].add(length, ahead, behind, result[i]);
+    };
+    // what passes the sources ahead, from each of them on, and behind
+    std::vector<ComplexMatrix> behind(sources.size());
+    for (std::size_t i = sources.size(); i-- > 0;)
+      {
+        behind[i] = sources[i].behind;
+        if (i + 1 < sources.size())
+          behind[i] +=
+            (Complex(0., sources[i].x - sources[i + 1].x) * wavenumbers.array())
+              .exp()
+              .matrix()
+              .asDiagonal() *
+            behind[i + 1];
+      }
+    const double infinity = std::numeric_limits<double>::infinity();
+    add(infinity, nullptr, &behind.front());
+    ComplexMatrix ahead;
+    for (std::size_t i = 0; i < sources.size(); ++i)
+      {
+        if (i == 0)
+          ahead = sources[i].ahead;
+        else
+          ahead = ((Complex(0., sources[i - 1].x - sources[i].x) *
+                    wavenumbers.array())
+                       .exp()
+                       .matrix()
+                       .asDiagonal() *
+                     ahead +
+                   sources[i].ahead)
+                    .eval();
+        if (i + 1 < sources.size())
+          add(sources[i + 1].x - sources[i].x, &ahead, &behind[i + 1]);
+        else
+          add(infinity, &ahead, nullptr);
       }
     return result;
   }

@@ -104,10 +104,13 @@ namespace RollingContact
     ComplexLU(ComplexMatrix::Identity(p, p) +
               patch.by_motions.topRows(p) * response)
       .solve(forces);
+    const Eigen::Index  n = patch.of_waves.rows() - p;
+    const ComplexMatrix others =
+      patch.of_waves.bottomRows(n) -
+      patch.by_motions.bottomRows(n) * (response * forces);
     return {driven * forces,
-            (patch.of_waves.row(p) -
-             patch.by_motions.row(p) * response * forces)
-              .transpose()};
+            others.row(0).transpose(),
+            others.bottomRows(n - 1)};
   }
 
   std::vector<PassingWaves>

@@ -62,12 +62,17 @@ namespace RollingContact
 
   ReducedPair at_nodes(const ReducedPair &pair, const SurfaceCoupling &coupling)
   {
-    ReducedPair result = pair;
-    result.W_res       = coupling.to_interface(pair.W_res);
-    result.Phi.resize(result.W_res.rows(), pair.n_modes());
-    for (std::size_t j = 0; j < pair.n_modes(); ++j)
-      result.Phi.col(j) =
-        as_vector(coupling.to_interface(column_of(pair.Phi, j)));
+    ReducedPair result      = pair;
+    result.W_res            = coupling.to_interface(pair.W_res);
+    const auto at_interface = [&](const DenseMatrix &motions) {
+      DenseMatrix moved(result.W_res.rows(), motions.cols());
+      for (Eigen::Index j = 0; j < motions.cols(); ++j)
+        moved.col(j) = as_vector(coupling.to_interface(column_of(motions, j)));
+      return moved;
+    };
+    result.Phi = at_interface(pair.Phi);
+    if (pair.watched.size() > 0)
+      result.watched = at_interface(pair.watched);
     return result;
   }
 

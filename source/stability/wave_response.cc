@@ -127,9 +127,12 @@ namespace RollingContact
         factors.contact.solve(r);
         y += r;
       }
-    DenseMatrix rows(p + 1, contact.n_unknowns());
+    DenseMatrix rows(p + 1 + pair.watched.cols(), contact.n_unknowns());
     rows.topRows(p) = U.transpose() * contact.forces;
     rows.row(p) = contact.forces.bottomRows(contact.n_nodes).colwise().sum();
+    if (pair.watched.size() > 0)
+      rows.bottomRows(pair.watched.cols()) =
+        pair.watched.transpose() * contact.forces;
     const ComplexMatrix all = (1. + s * pair.retardation) * (rows * y);
     return {all.leftCols(p), all.rightCols(waves.cols())};
   }

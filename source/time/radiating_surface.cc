@@ -68,6 +68,29 @@ namespace RollingContact::Sound
       return parts;
     }
 
+    /** Along y and z. */
+    std::vector<std::function<double(double)>>
+    efficiencies_of(const OuterSurface &surface, const Air &air)
+    {
+      const auto   box     = surface.box();
+      const double length  = box[1][0] - box[0][0],
+                   section = surface.volume() / length, c = air.speed;
+      std::vector<std::function<double(double)>> result;
+      for (const unsigned int component : {1, 2})
+        {
+          const unsigned int across = 3 - component;
+          const double       a =
+            equivalent_radius(section,
+                              box[1][across] - box[0][across],
+                              surface.area([e = unit_vector(component)](
+                                             const Point<3> &) { return e; }) /
+                                length);
+          result.push_back(
+            [=](const double f) { return efficiency_of_cylinder(a, c, f); });
+        }
+      return result;
+    }
+
     std::vector<RadiatingPart> parts_of_beam(const OuterSurface &surface,
                                              const std::size_t   n_modes,
                                              const Air          &air)
@@ -75,25 +98,22 @@ namespace RollingContact::Sound
       std::vector<std::size_t> all(n_modes);
       for (std::size_t j = 0; j < n_modes; ++j)
         all[j] = j;
-      const auto   box     = surface.box();
-      const double length  = box[1][0] - box[0][0],
-                   section = surface.volume() / length, c = air.speed;
+      const auto                 efficiencies = efficiencies_of(surface, air);
       std::vector<RadiatingPart> parts;
       for (const unsigned int component : {1, 2})
-        {
-          const unsigned int across = 3 - component;
-          const auto         direction =
-            [e = unit_vector(component)](const Point<3> &) { return e; };
-          const double a = equivalent_radius(section,
-                                             box[1][across] - box[0][across],
-                                             surface.area(direction) / length);
-          parts.push_back({all, surface.form(direction), [=](const double f) {
-                             return efficiency_of_cylinder(a, c, f);
-                           }});
-        }
+        parts.push_back({all,
+                         surface.form([e = unit_vector(component)](
+                                        const Point<3> &) { return e; }),
+                         efficiencies[component - 1]});
       return parts;
     }
   } // namespace
+
+  std::vector<std::function<double(double)>>
+  efficiencies_of_beam(const VibratingBody<3> &body, const Air &air)
+  {
+    return efficiencies_of(OuterSurface(*body.body, DenseMatrix(), 0), air);
+  }
 
   RadiatingBody radiating_body(const VibratingBody<3> &body,
                                const double            maximum_frequency,

@@ -301,6 +301,20 @@ namespace RollingContact
            response.field(at, places[1], forces.bottomRows(3));
   }
 
+  std::vector<ComplexMatrix>
+  RailWaves::integrals(const Complex                     s,
+                       const std::vector<ComplexMatrix> &forms,
+                       const double                      added_damping) const
+  {
+    const DenseMatrix on_points = motions_of_points().transpose();
+    return WaveguideResponse(*waves, s, added_damping)
+      .integrals(places[0][0],
+                 waves->motion_at(places[0]).adjoint() * on_points.topRows(3) +
+                   waves->motion_at(places[1]).adjoint() *
+                     on_points.bottomRows(3),
+                 forms);
+  }
+
   DenseMatrix RailWaves::shapes(const std::vector<Place> &at) const
   {
     DenseMatrix result(3 * at.size(), fit.frequencies.size());

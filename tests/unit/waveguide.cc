@@ -5,6 +5,7 @@
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/modes/measuring_point.h>
 #include <rolling_contact/modes/modal_fit.h>
+#include <rolling_contact/modes/section_outline.h>
 #include <rolling_contact/modes/waveguide_response.h>
 #include <rolling_contact/vibration/rail_waves.h>
 
@@ -168,6 +169,83 @@ BOOST_AUTO_TEST_CASE(pads_close_to_each_other_are_a_layer)
         BOOST_TEST(std::abs(vertical(on_pads, s, x) - layer) <
                    4e-4 * std::abs(vertical(on_layer, s, 0.)));
       }
+}
+
+BOOST_AUTO_TEST_CASE(the_whole_rail_is_integrated)
+{
+  StraightBody on_layer = bar(2e6), on_pads = bar(2e6);
+  on_pads.foundation.pad_spacing = 0.25;
+  on_pads.foundation.pad_length  = 0.06;
+  on_pads.foundation.pad_offset  = 0.03;
+  for (StraightBody *body : {&on_layer, &on_pads})
+    {
+      body->damping.loss_factor = 0.3;
+      const Waveguide     guide = waves_of(*body);
+      const Complex       s     = at_frequency(900.);
+      const ComplexMatrix there = guide.motion_at(top), // 3 x fields
+        loads                   = ComplexMatrix::Identity(3, 2) +
+                ComplexMatrix::Constant(3, 2, Complex(0., 0.2));
+      // of the motion outwards of two places
+      const Waveguide::Place     side{{0., width / 2, -height / 3}};
+      const ComplexMatrix        row = guide.motion_at(side);
+      std::vector<ComplexMatrix> forms{there.row(2).adjoint() * there.row(2),
+                                       row.row(1).adjoint() * row.row(1)};
+      const WaveguideResponse    response(guide, s);
+      const auto exact = response.integrals(0., there.adjoint() * loads, forms);
+
+      // trapezoids, finer near the load where waves fade at once
+      ComplexMatrix       sums[2] = {ComplexMatrix::Zero(2, 2),
+                                     ComplexMatrix::Zero(2, 2)};
+      std::vector<double> x;
+      for (double at = 0., step = 1e-4; at < 12.; at += step)
+        {
+          x.push_back(at);
+          step = std::min(4e-3, 1e-4 + 0.02 * at);
+        }
+      for (const double way : {-1., 1.})
+        {
+          std::vector<Waveguide::Place> places;
+          for (const double at : x)
+            for (const Waveguide::Place &of : {top, side})
+              places.push_back({{way * at, of[1], of[2]}});
+          // a place at the load belongs to both sides
+          const ComplexMatrix moved = response.field(places, top, loads);
+          for (std::size_t i = 0; i < x.size(); ++i)
+            {
+              const double h = (i > 0 ? x[i] - x[i - 1] : 0.) / 2 +
+                               (i + 1 < x.size() ? x[i + 1] - x[i] : 0.) / 2;
+              const auto top_z  = moved.row(6 * i + 2),
+                         side_y = moved.row(6 * i + 4);
+              sums[0] += h * top_z.adjoint() * top_z;
+              sums[1] += h * side_y.adjoint() * side_y;
+            }
+        }
+      for (unsigned int form = 0; form < 2; ++form)
+        {
+          const double error =
+            (exact[form] - sums[form]).norm() / exact[form].norm();
+          BOOST_TEST_MESSAGE("integral of the rail off by " << error);
+          BOOST_TEST(error < 3e-3);
+          BOOST_TEST((exact[form] - exact[form].adjoint()).norm() <
+                     1e-10 * exact[form].norm());
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(the_outline_of_a_section_leaves_out_its_foot)
+{
+  const auto outline = outline_of(bar(1e6).shape.section);
+  double     length = 0., across = 0., turned = 0.;
+  for (const OutlinePoint &at : outline)
+    {
+      length += at.length;
+      across += at.length * at.normal[1] * at.normal[1];
+      turned += at.length * at.point[1] * at.normal[0] * at.normal[0];
+    }
+  BOOST_TEST(length == width + 2 * height, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(across == width, boost::test_tools::tolerance(1e-12));
+  // int z ds of both sides
+  BOOST_TEST(turned == -height * height, boost::test_tools::tolerance(1e-12));
 }
 
 /** Pads apart: the sum over many pads, each of them solved for. */

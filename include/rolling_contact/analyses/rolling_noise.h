@@ -9,8 +9,10 @@
 #include <rolling_contact/stability/passing_waves.h>
 #include <rolling_contact/state/steady_state.h>
 #include <rolling_contact/time/modal_sound.h>
+#include <rolling_contact/time/radiating_rail.h>
 #include <rolling_contact/vibration/rolling_modes.h>
 
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -31,13 +33,19 @@ namespace RollingContact
     void run() override;
 
   private:
-    /** A body that radiates, and where its modes stand among all coordinates.
-     */
+    /** A body that radiates by its modes, and where these stand among all
+     * coordinates, or by all the length of a rail without ends. */
     struct Radiator
     {
-      Side                 side;
-      Sound::RadiatingBody body;
-      std::size_t          first = 0;
+      double power(const PassingWaves::Passed &passed,
+                   const Eigen::Index          n_waves,
+                   const double                frequency,
+                   const Sound::Air           &air) const;
+
+      Side                                  side;
+      Sound::RadiatingBody                  body  = {};
+      std::size_t                           first = 0;
+      std::shared_ptr<Sound::RadiatingRail> rail  = {};
     };
 
     /** The third octaves that are told at a speed, by their centres in Hz. */

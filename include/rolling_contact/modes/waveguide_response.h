@@ -45,6 +45,17 @@ namespace RollingContact
                         const Place              &loaded,
                         const ComplexMatrix      &forces) const;
 
+    /**
+     * The motion of the whole body under forces on the fields of its section at
+     * x, column by column, as quadratic forms F of the amplitudes U of these
+     * fields at each place: int U^H F U dx, exact by waves. Units: m; those of
+     * F times N^2 m^3.
+     */
+    std::vector<ComplexMatrix>
+    integrals(const double                      x,
+              const ComplexMatrix              &force,
+              const std::vector<ComplexMatrix> &forms) const;
+
   private:
     /**
      * Forces at one x, by what they give to waves ahead and behind: rows by
@@ -59,8 +70,8 @@ namespace RollingContact
     /** What @p force on the fields of the section, column by column, gives. */
     Source source_of(const double x, const ComplexMatrix &force) const;
 
-    /** Forces of pads under a load. */
-    void add_pads(const Place         &loaded,
+    /** Forces of pads under a load at x. */
+    void add_pads(const double         x,
                   const ComplexMatrix &force,
                   std::vector<Source> &sources) const;
 

@@ -36,6 +36,7 @@ namespace RollingContact
     {
       ComplexMatrix    amplitudes; ///< of all coordinates, m kg^(1/2)
       Eigen::VectorXcd loads;      ///< normal ones, N
+      ComplexMatrix    watched;    ///< forces on ReducedPair::watched, N
     };
 
     /**

@@ -31,6 +31,9 @@ namespace RollingContact
     DenseMatrix H_m;
     DenseMatrix Phi;   ///< (T + 1) N x m, 1/sqrt(kg)
     DenseMatrix W_res; ///< (T + 1) N square, symmetric, m/N
+    /** Motions of the nodes whose generalised forces are asked for besides,
+     * (T + 1) N rows; empty where there are none. */
+    DenseMatrix watched;
 
     double retardation = 0.; ///< tau, s
 

@@ -90,13 +90,14 @@ namespace RollingContact
 
     /**
      * How the patch reacts to amplitudes a of its motions U and to waves: the
-     * generalised forces U^T forces x, and in one row more the normal load, are
-     * of_waves - by_motions a.
+     * generalised forces U^T forces x, in one row more the normal load, and in
+     * further ones those on the pair's watched motions, are of_waves -
+     * by_motions a.
      */
     struct Reaction
     {
-      ComplexMatrix by_motions; ///< (p + 1) x p, N/m
-      ComplexMatrix of_waves;   ///< (p + 1) x J, N/m
+      ComplexMatrix by_motions; ///< rows x p, N/m
+      ComplexMatrix of_waves;   ///< rows x J, N/m
     };
 
     /** Waves: b of the normal rows alone, n_a x J, m. Throws ConvergenceError.

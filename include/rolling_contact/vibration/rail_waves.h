@@ -118,6 +118,16 @@ namespace RollingContact
      */
     DenseMatrix shapes(const std::vector<Place> &places) const;
 
+    /**
+     * int of quadratic forms of the amplitudes of the section's fields over the
+     * whole rail, see WaveguideResponse::integrals(), as forms of the four
+     * forces: 4 x 4. Units: 1/s.
+     */
+    std::vector<ComplexMatrix>
+    integrals(const Complex                     s,
+              const std::vector<ComplexMatrix> &forms,
+              const double                      added_damping = 0.) const;
+
     const Waveguide &waveguide() const
     {
       return *waves;

@@ -87,6 +87,12 @@ namespace RollingContact
       return four_motions[side];
     }
 
+    /** Motions of all contact nodes, as the relative motion, by those four. */
+    DenseMatrix relative_motions_of_waves(const Side side) const
+    {
+      return at_contact(side, four_motions[side]);
+    }
+
     /** RailWaves::beyond_mesh() of a rail without ends, less what is known of
      * it at the contact nodes. */
     const DenseMatrix &beyond_mesh(const Side side) const
