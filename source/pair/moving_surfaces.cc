@@ -111,8 +111,13 @@ namespace RollingContact
         surface.is_periodic() && !doubt.empty())
       warnings.push_back(doubt);
     waves.rms_slope = surface.rms_slope;
+    if (!record->is_map())
+      waves.shortest[1] = 0.;
     if (resolved)
-      waves.rms_slope = std::hypot(waves.rms_slope, resolved->rms_slope);
+      {
+        waves.shortest[1] = std::max(waves.shortest[1], resolved->shortest[1]);
+        waves.rms_slope   = std::hypot(waves.rms_slope, resolved->rms_slope);
+      }
     resolved = waves;
     const auto found =
       std::make_shared<const RecordSurface>(record, surface, sizes, passage);

@@ -15,7 +15,7 @@ namespace RollingContact
     if (!resolved)
       return;
     table.set("cut_off_wavelength_x_m", resolved->shortest[0]);
-    if (dim == 3)
+    if (resolved->shortest[1] > 0.)
       table.set("cut_off_wavelength_y_m", resolved->shortest[1]);
     table.set("rms_slope", resolved->rms_slope);
   }
@@ -43,8 +43,8 @@ namespace RollingContact
       significant(resolved->rms_slope, 3);
     if (dim == 3)
       text += ", area E* slope / N = " + significant(slope_over_pressure, 3);
-    context.report.set_finding("roughness", text);
-    if (result.max_pressure > 3 * k)
+    context.report.set_finding("rough", text);
+    if (resolved->shortest[1] > 0. && result.max_pressure > 3 * k)
       context.log.warning(
         "Of the rough surface the peak pressure is " +
         significant(1e-6 * result.max_pressure, 4) +

@@ -15,6 +15,8 @@ namespace RollingContact
 
     const double most_missing = 0.01; // of the points
 
+    const double least_spacing = 1e-9, most_spacing = 1.; // m
+
     /** A point beside another one, and the weight of their difference. */
     struct Neighbour
     {
@@ -42,6 +44,13 @@ namespace RollingContact
     void check_size_and_measured(const SurfaceFile &file,
                                  const MeasuredMap &map)
     {
+      for (const double spacing : {map.dx, map.dy})
+        if (map.n_x > 1 && map.n_y > 1 &&
+            !(spacing >= least_spacing && spacing <= most_spacing))
+          file.reject("its points are " + significant(spacing, 4) +
+                      " m apart, 1e-9 to 1 m are taken. Check Surfaces/"
+                      "Position unit, 1e-3 for millimetres, or the scales of "
+                      "the file, in m.");
       if (map.n_x < least_along || map.n_y < least_lines)
         file.reject("it has " + std::to_string(map.n_x) + " points along by " +
                     std::to_string(map.n_y) + " across; " +

@@ -35,7 +35,7 @@ namespace RollingContact
   std::string text_of_waves(const std::array<double, 2> &shortest)
   {
     return millimetres(shortest[0]) +
-           (std::abs(shortest[1] / shortest[0] - 1) < 0.01
+           (shortest[1] == 0. || std::abs(shortest[1] / shortest[0] - 1) < 0.01
               ? ""
               : " along and " + millimetres(shortest[1]) + " across");
   }
@@ -45,7 +45,7 @@ namespace RollingContact
                              const std::array<double, 2> &shortest)
   {
     const std::array<double, 2> passed{
-      {shortest[0], record.is_map() ? shortest[1] : shortest[0]}};
+      {shortest[0], record.is_map() ? shortest[1] : 0.}};
     const std::string about =
       record.is_map()
         ? " about a plane with a mean of " + micrometres(record.mean) +

@@ -370,6 +370,8 @@ BOOST_FIXTURE_TEST_CASE(bad_maps_are_refused_by_their_line, Maps)
   refused(with(sdf, "aISO", "xISO"), "line 1: \"xISO-1.0\" is no beginning");
   refused(with(sdf, "Xscale = 0.0001", "Xscale = 0"), "line 5: Xscale = 0: it");
   refused(with(sdf, "Xscale = 0.0001", "Xscale = nan"), "line 5: Xscale = nan");
+  refused(with(sdf, "Xscale = 0.0001", "Xscale = 1e300"),
+          "its points are 1e+300 m apart, 1e-9 to 1 m are taken");
   refused(with(sdf, "Zscale = 1e-6", "Zscale = -1"), "line 7: Zscale = -1");
   refused(with(sdf, "Yscale", "Wscale"), "line 10: the header has no Yscale");
   refused(with(sdf, "NumPoints = 21", "NumPoints = 2.5"), "line 3: NumPoints");
@@ -652,6 +654,20 @@ BOOST_FIXTURE_TEST_CASE(maps_move_with_the_flow, Maps)
       BOOST_TEST(surfaces.resolved.has_value());
       BOOST_TEST(surfaces.resolved->shortest[1] == 2e-3);
     }
+  // slopes of both bodies add up as random ones; a line has no waves across
+  const double of_rail =
+    MovingSurfaces(Situation(scene), sizes).resolved->rms_slope;
+  scene.surfaces.height.wheel = "grid: map.csv";
+  BOOST_TEST(MovingSurfaces(Situation(scene), sizes).resolved->rms_slope ==
+               std::sqrt(2.) * of_rail,
+             boost::test_tools::tolerance(1e-9));
+  scene.surfaces.height.wheel = "middle line: grid: map.csv";
+  BOOST_TEST(MovingSurfaces(Situation(scene), sizes).resolved->shortest[1] ==
+             2e-3);
+  scene.surfaces.height.rail = "";
+  BOOST_TEST(MovingSurfaces(Situation(scene), sizes).resolved->shortest[1] ==
+             0.);
+  scene.surfaces.height.wheel = "";
   // as roughness it stands, and its positions are x
   scene.surfaces.height.rail = "";
   scene.contact.roughness    = "grid: stands.csv";

@@ -24,8 +24,8 @@ namespace RollingContact
 
   /**
    * What of measured surfaces the elements see: the shortest waves along x and
-   * y that their filter passes, of half of it none, and the root mean square of
-   * the gradient that is left. Units: m, 1.
+   * y that their filter passes, of half of it none, 0 along y without a map,
+   * and the root mean square of the gradient that is left. Units: m, 1.
    */
   struct ResolvedWaves
   {

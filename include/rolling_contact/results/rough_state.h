@@ -19,8 +19,8 @@ namespace RollingContact
    * Where a file gives heights, tell area of contact A and peak pressure of a
    * state with their cut-off wavelength, as shorter waves would make the one
    * smaller and the other higher, and in 3D A E* slope / N; the slope is the
-   * root mean square of the gradient. Warn where the peak pressure is above 3
-   * k, k = Wear/Shear yield stress: what is elastic here would yield.
+   * root mean square of the gradient. Of a map warn where the peak pressure is
+   * above 3 k, k = Wear/Shear yield stress: what is elastic here would yield.
    */
   template <int dim>
   void tell_rough_state(const PairSpec         &scene,

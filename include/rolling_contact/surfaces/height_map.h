@@ -17,7 +17,8 @@ namespace RollingContact
    * a border, so that whole waves have no mean. Missing points, below 1 %, are
    * filled; y = 0 is the middle of a map without places, and x = 0 its
    * beginning, or its middle if it @p stands. Throws InputError: less than 10
-   * points along or 4 lines, more points missing, heights beyond 5 mm.
+   * points along or 4 lines, spacings beyond 1e-9 to 1 m, more points missing,
+   * heights beyond 5 mm.
    */
   SurfaceRecord
   surface_of_map(const SurfaceFile &file, MeasuredMap map, const bool stands);

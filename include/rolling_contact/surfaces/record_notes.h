@@ -17,7 +17,8 @@ namespace RollingContact
                              const std::array<double, 2> &shortest);
 
   /**
-   * The shortest wavelengths that pass a filter, along and across, as text.
+   * The shortest wavelengths that pass a filter, along and, unless it is 0,
+   * across, as text.
    * Units: m.
    */
   std::string text_of_waves(const std::array<double, 2> &shortest);
