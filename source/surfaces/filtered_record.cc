@@ -75,8 +75,7 @@ namespace RollingContact
                                  const Signals::CutOff &cut_off,
                                  const double           circumference,
                                  const double           stretch)
-    : rms(Signals::root_mean_square(record.heights))
-    , along{record.begin, record.spacing, 0., record.n_along()}
+    : along{record.begin, record.spacing, 0., record.n_along()}
     , across{record.first_line, record.line_spacing, 0., record.n_lines}
   {
     coefficients         = record.heights;
@@ -90,10 +89,14 @@ namespace RollingContact
       {
         if (has_first_again)
           coefficients = without_last(record);
-        along.n       = coefficients.size() / record.n_lines;
+        along.n = coefficients.size() / record.n_lines;
+        for (std::size_t k = 0; k < coefficients.size(); ++k)
+          coefficients[k] += record.slope_along * record.spacing *
+                             (k % along.n - (record.n_along() - 1.) / 2);
         along.period  = circumference;
         along.spacing = circumference / along.n;
       }
+    rms = Signals::root_mean_square(coefficients);
     const Signals::GridDirection x{along.n, along.spacing, is_periodic()},
       y{across.n, record.is_map() ? across.spacing : 1., false};
     const std::vector<double> smooth =

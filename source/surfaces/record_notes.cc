@@ -49,8 +49,11 @@ namespace RollingContact
     const std::string about =
       record.is_map()
         ? " about a plane with a mean of " + micrometres(record.mean) +
-            " and slopes of " + significant(record.slope_along, 2) +
-            " along and " + significant(record.slope_across, 2) + " across"
+            " and slopes of " +
+            (filtered.is_periodic()
+               ? ""
+               : significant(record.slope_along, 2) + " along and ") +
+            significant(record.slope_across, 2) + " across"
         : " about a mean of " + micrometres(record.mean);
     return record.entry + ": " + points_of(record) + ", rms " +
            micrometres(filtered.rms) + about +
@@ -64,11 +67,18 @@ namespace RollingContact
 
   std::string doubt_of_ends(const SurfaceRecord &record)
   {
-    const auto &heights = record.heights;
-    double      largest = 0.;
-    for (std::size_t k = 1; k < heights.size(); ++k)
-      largest = std::max(largest, std::abs(heights[k] - heights[k - 1]));
-    const double jump = heights.front() - heights.back();
+    const auto       &heights = record.heights;
+    const std::size_t n       = record.n_along();
+    const double      slope   = record.slope_along * record.spacing;
+    double            largest = 0., jump = 0.;
+    for (std::size_t k = 0; k < heights.size(); ++k)
+      if (k % n > 0)
+        largest =
+          std::max(largest, std::abs(heights[k] - heights[k - 1] + slope));
+      else if (const double here =
+                 heights[k] - heights[k + n - 1] - slope * (n - 1.);
+               std::abs(here) > std::abs(jump))
+        jump = here;
     if (std::abs(jump) <= 3 * largest)
       return "";
     return record.entry + ": \"" + record.file +

@@ -16,7 +16,8 @@ namespace RollingContact
   public:
     /**
      * A record that goes once around a @p circumference, to 1 %, is scaled to
-     * it and goes on periodically; others, and all if it is 0, go on as mirror
+     * it and goes on periodically, with the slope along that was taken out;
+     * others, and all if it is 0, go on as mirror
      * images beyond their ends, as maps do across. Of a map a wave with the
      * wave numbers k along and l across has the amplitude of one with
      *
