@@ -36,20 +36,6 @@ namespace RollingContact::Signals
     {
       return reinterpret_cast<fftw_complex *>(values.data());
     }
-
-    /** Twice the value of each but the ends, by FFTW's REDFT00. */
-    std::vector<double> cosine_sums(std::vector<double> values)
-    {
-      std::vector<double> sums(values.size());
-      run([&]() {
-        return fftw_plan_r2r_1d(static_cast<int>(values.size()),
-                                values.data(),
-                                sums.data(),
-                                FFTW_REDFT00,
-                                FFTW_ESTIMATE);
-      });
-      return sums;
-    }
   } // namespace
 
   std::vector<std::complex<double>> fourier_sums(std::vector<double> values)
@@ -232,20 +218,57 @@ namespace RollingContact::Signals
     return factors.size() * circle->n_sums() * sizeof(std::complex<double>);
   }
 
-  std::vector<double> cosine_amplitudes(std::vector<double> values)
+  namespace
   {
-    const std::size_t last = values.size() - 1;
-    values                 = cosine_sums(std::move(values));
-    for (std::size_t k = 0; k <= last; ++k)
-      values[k] /= static_cast<double>(k == 0 || k == last ? 2 * last : last);
-    return values;
-  }
+    /** What FFTW makes of a direction; of a single value itself. */
+    struct Transform
+    {
+      fftw_r2r_kind       there, back;
+      double              factor; ///< of there and back
+      std::vector<double> wave_numbers;
+    };
 
-  std::vector<double>
-  values_of_cosine_amplitudes(std::vector<double> amplitudes)
+    Transform transform_of(const GridDirection &direction)
+    {
+      const std::size_t n        = direction.n;
+      const bool        mirrored = !direction.again && n > 1;
+      const double      period   = mirrored ? 2. * (n - 1.) : n;
+      Transform         found{mirrored ? FFTW_REDFT00 : FFTW_R2HC,
+                      mirrored ? FFTW_REDFT00 : FFTW_HC2R,
+                      period,
+                      {}};
+      // real parts of waves come first, imaginary ones from the end
+      for (std::size_t k = 0; k < n; ++k)
+        found.wave_numbers.push_back((mirrored ? k : std::min(k, n - k)) /
+                                     (period * direction.spacing));
+      return found;
+    }
+  } // namespace
+
+  void
+  scale_waves(std::vector<double>                                     &values,
+              const GridDirection                                     &along,
+              const GridDirection                                     &across,
+              const std::function<double(const double, const double)> &factor)
   {
-    for (std::size_t k = 1; k + 1 < amplitudes.size(); ++k)
-      amplitudes[k] /= 2;
-    return cosine_sums(std::move(amplitudes));
+    const Transform x = transform_of(along), y = transform_of(across);
+    const auto      transform = [&](const fftw_r2r_kind of_x,
+                               const fftw_r2r_kind of_y) {
+      run([&]() {
+        return fftw_plan_r2r_2d(static_cast<int>(across.n),
+                                static_cast<int>(along.n),
+                                values.data(),
+                                values.data(),
+                                of_y,
+                                of_x,
+                                FFTW_ESTIMATE);
+      });
+    };
+    transform(x.there, y.there);
+    for (std::size_t l = 0; l < across.n; ++l)
+      for (std::size_t k = 0; k < along.n; ++k)
+        values[l * along.n + k] *=
+          factor(x.wave_numbers[k], y.wave_numbers[l]) / (x.factor * y.factor);
+    transform(x.back, y.back);
   }
 } // namespace RollingContact::Signals

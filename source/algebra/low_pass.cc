@@ -1,4 +1,3 @@
-#include <rolling_contact/algebra/fourier.h>
 #include <rolling_contact/algebra/low_pass.h>
 #include <rolling_contact/base/constants.h>
 
@@ -20,26 +19,16 @@ namespace RollingContact::Signals
            2;
   }
 
-  std::vector<double> low_pass_periodic(const std::vector<double> &values,
-                                        const double               spacing,
-                                        const CutOff              &cut_off)
+  std::vector<double> low_pass(std::vector<double>  values,
+                               const GridDirection &along,
+                               const GridDirection &across,
+                               const CutOff        &cut_off,
+                               const double         stretch)
   {
-    const double length = spacing * static_cast<double>(values.size());
-    auto         sums   = fourier_sums(values);
-    for (std::size_t k = 0; k < sums.size(); ++k)
-      sums[k] *= cut_off.gain(static_cast<double>(k) / length);
-    return values_of_fourier_sums(std::move(sums), values.size());
-  }
-
-  std::vector<double> low_pass_mirrored(const std::vector<double> &values,
-                                        const double               spacing,
-                                        const CutOff              &cut_off)
-  {
-    const double length = 2 * spacing * static_cast<double>(values.size() - 1);
-    auto         waves  = cosine_amplitudes(values);
-    for (std::size_t k = 0; k < waves.size(); ++k)
-      waves[k] *= cut_off.gain(static_cast<double>(k) / length);
-    return values_of_cosine_amplitudes(std::move(waves));
+    scale_waves(values, along, across, [&](const double k, const double l) {
+      return cut_off.gain(std::hypot(k, stretch * l));
+    });
+    return values;
   }
 
   double root_mean_square(const std::vector<double> &values)

@@ -32,10 +32,10 @@ namespace RollingContact
             std::string(body->is_section() ? "with a section from a file ("
                                            : "from a mesh file (") +
             body->section + "/Shape) has one mesh only, a study needs many.");
-      if (scene.surfaces.in_use())
+      if (scene.surfaces.in_use() || names_a_record(scene.contact.roughness))
         throw InputError("Analysis = accuracy study: its meshes would each "
-                         "show another surface (section Surfaces). Leave the "
-                         "heights empty.");
+                         "show another surface (section Surfaces, or a file of "
+                         "Contact/Roughness). Leave the heights empty.");
       if (scene.contact.forces.any())
         throw InputError("Contact/Longitudinal force, Lateral force or Spin "
                          "moment and Analysis = accuracy study: a study "

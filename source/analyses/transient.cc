@@ -8,6 +8,7 @@
 #include <rolling_contact/input/prm_entries.h>
 #include <rolling_contact/results/bodies_report.h>
 #include <rolling_contact/results/result_error.h>
+#include <rolling_contact/results/rough_state.h>
 #include <rolling_contact/results/state_report.h>
 #include <rolling_contact/run/progress.h>
 #include <rolling_contact/time/checkpoint_schedule.h>
@@ -220,6 +221,7 @@ namespace RollingContact
         significant(1e3 * progress.rolled_distance, 6) + " mm, " +
         std::to_string(progress.n_impacts) + " impacts of nodes");
     note_state(stepper.current(), context.report);
+    tell_rough_state(scene, stepper.current(), context);
     if (const auto velocity = stepper.bodies().wheel_velocity())
       context.report.set_finding(
         "wheel",

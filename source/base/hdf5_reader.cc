@@ -3,6 +3,7 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/hdf5_reader.h>
 
+#include <algorithm>
 #include <memory>
 
 namespace RollingContact
@@ -86,6 +87,36 @@ namespace RollingContact
              "it has " + std::to_string(values.size()) + " numbers, not " +
                std::to_string(n));
     return values;
+  }
+
+  std::vector<std::size_t> Hdf5Reader::shape(const std::string &path) const
+  {
+    const Opened array(H5Dopen2(file, path.c_str(), H5P_DEFAULT), &H5Dclose);
+    if (array.id < 0)
+      reject(path, "there is no such array");
+    const Opened         space(H5Dget_space(array.id), &H5Sclose);
+    const int            n = H5Sget_simple_extent_ndims(space.id);
+    std::vector<hsize_t> sizes(std::max(0, n));
+    H5Sget_simple_extent_dims(space.id, sizes.data(), nullptr);
+    return {sizes.begin(), sizes.end()};
+  }
+
+  double Hdf5Reader::attribute(const std::string &path,
+                               const std::string &name) const
+  {
+    const Opened array(H5Dopen2(file, path.c_str(), H5P_DEFAULT), &H5Dclose);
+    if (array.id < 0)
+      reject(path, "there is no such array");
+    const Opened attribute(H5Aopen(array.id, name.c_str(), H5P_DEFAULT),
+                           &H5Aclose);
+    if (attribute.id < 0)
+      reject(path, "it has no attribute " + name);
+    const Opened space(H5Aget_space(attribute.id), &H5Sclose);
+    double       value = 0.;
+    if (H5Sget_simple_extent_npoints(space.id) != 1 ||
+        H5Aread(attribute.id, H5T_NATIVE_DOUBLE, &value) < 0)
+      reject(path, "the attribute " + name + " is no number");
+    return value;
   }
 
   std::string Hdf5Reader::text(const std::string &path) const

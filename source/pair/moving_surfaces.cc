@@ -2,6 +2,7 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/pair/moving_surfaces.h>
+#include <rolling_contact/pair/passing_surface.h>
 #include <rolling_contact/pair/patch_estimate.h>
 #include <rolling_contact/surfaces/expression_check.h>
 #include <rolling_contact/surfaces/record_notes.h>
@@ -11,35 +12,8 @@
 
 namespace RollingContact
 {
-  /**
-   * Height over the coordinate X of the material, see MovingSurfaces, and y.
-   */
-  class MovingSurfaces::Surface
-  {
-  public:
-    virtual ~Surface() = default;
-
-    virtual double height(const double X, const double y) const = 0;
-
-    /** Throws InputError where there is no surface under the wheel, at X. */
-    virtual void require(const double) const
-    {}
-  };
-
   namespace
   {
-    /** Elements in the shortest wave that passes a filter; half as many in the
-     * longest that does not. */
-    const double elements_in_wave = 4.;
-
-    /**
-     * How far the wheel has rolled, Position included, while the run lasts.
-     */
-    struct Rolled
-    {
-      double least, most;
-    };
-
     /** Length of a turn; 0 for what is no disc. */
     double turn_of(const PairSpec &scene, const Side side)
     {
@@ -68,90 +42,13 @@ namespace RollingContact
       const double           turn;
     };
 
-    class RecordSurface : public MovingSurfaces::Surface
-    {
-    public:
-      RecordSurface(const std::shared_ptr<const SurfaceRecord> &record,
-                    const FilteredRecord                       &filtered,
-                    const double                                flow,
-                    const double                                turn)
-        : record(record)
-        , filtered(filtered)
-        , flow(flow)
-        , turn(turn)
-      {}
-
-      double height(const double X, const double) const override
-      {
-        return filtered.value(-flow * X);
-      }
-
-      void require(const double X) const override
-      {
-        require(Rolled{-flow * X, -flow * X});
-      }
-
-      /** Refuse to roll beyond an end of the record. */
-      void require(const Rolled &rolled) const;
-
-    private:
-      const std::shared_ptr<const SurfaceRecord> record;
-      const FilteredRecord                       filtered;
-      const double                               flow, turn;
-    };
-
-    void RecordSurface::require(const Rolled &rolled) const
-    {
-      const double rounding = 1e-6 * record->spacing;
-      if (filtered.is_periodic() || (rolled.least >= record->begin - rounding &&
-                                     rolled.most <= record->end() + rounding))
-        return;
-      throw InputError(
-        record->entry + ": \"" + record->file + "\": it goes from " +
-        significant(record->begin, 6) + " to " + significant(record->end(), 6) +
-        " m, and the wheel rolls " +
-        (rolled.least < rolled.most
-           ? "from " + significant(rolled.least, 6) + " to "
-           : "to ") +
-        significant(rolled.most, 6) +
-        " m of it. Take another Surfaces/Position or Position unit, a shorter "
-        "run or a longer record" +
-        (turn > 0. ? ", or one of the whole turn of " + significant(turn, 6) +
-                       " m, which comes again."
-                   : "."));
-    }
-
-    /**
-     * Refuses what a record cannot do for this zone.
-     */
-    void check_record(const SurfaceRecord &record,
-                      const double         shortest,
-                      const ZoneSizes     &sizes)
-    {
-      const std::string file = record.entry + ": \"" + record.file + "\": ";
-      if (record.spacing > 2 * sizes.reach[0])
-        throw InputError(
-          file + "its points are " + significant(record.spacing, 4) +
-          " m apart, more than the " + significant(2 * sizes.reach[0], 3) +
-          " m that may touch. Check Surfaces/Position unit, or take a finer "
-          "record.");
-      if (shortest < elements_in_wave * sizes.element[0] * (1 - 1e-9))
-        throw InputError(
-          "Surfaces/Shortest wavelength = " + significant(shortest, 4) +
-          ": at least 4 elements make a wave, " +
-          significant(elements_in_wave * sizes.element[0], 4) +
-          " m on this mesh. Take a longer one, 0, or more Mesh/Elements across "
-          "patch.");
-    }
-
     /** First and last X of the material that passes the zone. */
-    std::array<double, 2> material_that_passes(const Rolled    &rolled,
-                                               const double     flow,
-                                               const ZoneSizes &sizes)
+    std::array<double, 2> material_that_passes(const SurfacePassage &passage,
+                                               const ZoneSizes      &sizes)
     {
       // the flow brings what lies against it
-      const auto [first, last] =
-        std::minmax({-flow * rolled.least, -flow * rolled.most});
+      const auto [first, last] = std::minmax(
+        {-passage.flow * passage.least, -passage.flow * passage.most});
       return {{first - sizes.reach[0], last + sizes.reach[0]}};
     }
 
@@ -192,52 +89,85 @@ namespace RollingContact
     }
   } // namespace
 
+  std::shared_ptr<const MovingSurfaces::Surface>
+  MovingSurfaces::filtered(const std::shared_ptr<const SurfaceRecord> &record,
+                           const ZoneSizes                            &sizes,
+                           const SurfacePassage                       &passage,
+                           const double shortest_wavelength)
+  {
+    ResolvedWaves waves;
+    for (unsigned int d = 0; d < 2; ++d)
+      waves.shortest[d] = shortest_wavelength > 0.
+                            ? shortest_wavelength
+                            : elements_in_wave * sizes.element[d];
+    FilteredRecord surface(*record,
+                           {waves.shortest[0], waves.shortest[0] / 2},
+                           passage.turn,
+                           waves.shortest[1] / waves.shortest[0]);
+    check_record(*record, surface, waves.shortest, sizes);
+    surface.keep_across(-sizes.reach[1], sizes.reach[1]);
+    notes.push_back(note_of_filter(*record, surface, waves.shortest));
+    if (const std::string doubt = doubt_of_ends(*record);
+        surface.is_periodic() && !doubt.empty())
+      warnings.push_back(doubt);
+    waves.rms_slope = surface.rms_slope;
+    if (!record->is_map())
+      waves.shortest[1] = 0.;
+    if (resolved)
+      {
+        waves.shortest[1] = std::max(waves.shortest[1], resolved->shortest[1]);
+        waves.rms_slope   = std::hypot(waves.rms_slope, resolved->rms_slope);
+      }
+    resolved = waves;
+    const auto found =
+      std::make_shared<const RecordSurface>(record, surface, sizes, passage);
+    found->require(passage.least, passage.most);
+    return found;
+  }
+
   MovingSurfaces::MovingSurfaces(const PairSpec &scene, const ZoneSizes &sizes)
     : moves(scene.surfaces.in_use())
     , flow(scene.contact.flow())
     , position(scene.surfaces.position)
     , share(scene.surfaces.share)
   {
-    if (!moves)
-      return;
-    const SurfaceSpec &given = scene.surfaces;
-    const Rolled       rolled{given.least_rolled, given.most_rolled};
-    const double       shortest = given.shortest_wavelength > 0.
-                                    ? given.shortest_wavelength
-                                    : elements_in_wave * sizes.element[0];
+    const SurfaceSpec &given   = scene.surfaces;
+    const bool         is_even = !scene.profiles.in_use();
+    if (given.standing)
+      standing = filtered(given.standing,
+                          sizes,
+                          {0., 0., -1., 0., true, is_even},
+                          given.shortest_wavelength);
     for (const Side side : both_sides)
       {
-        const double turn = turn_of(scene, side);
+        const SurfacePassage passage{given.least_rolled,
+                                     given.most_rolled,
+                                     flow,
+                                     turn_of(scene, side),
+                                     false,
+                                     is_even};
         if (const auto &record = given.records[side])
-          {
-            const FilteredRecord filtered(*record,
-                                          {shortest, shortest / 2},
-                                          turn);
-            check_record(*record, shortest, sizes);
-            const auto surface = std::make_shared<const RecordSurface>(record,
-                                                                       filtered,
-                                                                       flow,
-                                                                       turn);
-            surface->require(rolled);
-            surfaces[side] = surface;
-            notes.push_back(note_of_filter(*record, filtered, shortest));
-            if (const std::string doubt = doubt_of_ends(*record);
-                filtered.is_periodic() && !doubt.empty())
-              warnings.push_back(doubt);
-          }
+          surfaces[side] =
+            filtered(record, sizes, passage, given.shortest_wavelength);
         if (const auto &expression = given.expressions[side])
           {
             surfaces[side] =
-              std::make_shared<const ExpressionSurface>(*expression, turn);
+              std::make_shared<const ExpressionSurface>(*expression,
+                                                        passage.turn);
             examine(*expression,
                     *surfaces[side],
                     {given.entry(side), given.height[side], "", 0.},
-                    material_that_passes(rolled, flow, sizes),
-                    turn,
+                    material_that_passes(passage, sizes),
+                    passage.turn,
                     sizes,
                     warnings);
           }
       }
+  }
+
+  double MovingSurfaces::standing_height(const double x, const double y) const
+  {
+    return standing ? standing->height(x, y) : 0.;
   }
 
   double MovingSurfaces::height(const double x,
@@ -286,7 +216,7 @@ namespace RollingContact
 
   void check_moving_surfaces(const PairSpec &scene)
   {
-    if (!scene.surfaces.in_use())
+    if (!scene.surfaces.in_use() && !scene.surfaces.standing)
       return;
     const PatchEstimate patch = estimate_patch(scene);
     const double        n     = scene.mesh.elements_across_patch;

@@ -261,6 +261,7 @@ namespace RollingContact
                                     : -height(Side::wheel, *wheel, i) -
                                         height(Side::rail, *rail, i)) +
                           roughness.value(at[i][0], at[i][1]) -
+                          surfaces.standing_height(at[i][0], at[i][1]) -
                           (demands.surfaces_in_time || !surfaces.in_use()
                              ? 0.
                              : surfaces.height(at[i][0], at[i][1], 0.)));

@@ -8,6 +8,7 @@
 #include <rolling_contact/results/reference_2d.h>
 #include <rolling_contact/results/reference_3d.h>
 #include <rolling_contact/results/result_row.h>
+#include <rolling_contact/results/rough_state.h>
 #include <rolling_contact/results/state_damage.h>
 
 #include <algorithm>
@@ -269,6 +270,7 @@ namespace RollingContact
                                  : PatchAreas(),
                           solved,
                           table);
+    set_roughness_columns(steady, table);
     if (steady.problem.operators.time_scaling().rate == 0.)
       set_bound_columns(scene, steady, table);
     if (solved)

@@ -5,6 +5,7 @@
 #include <rolling_contact/results/linearity_check.h>
 #include <rolling_contact/results/reference_2d.h>
 #include <rolling_contact/results/result_error.h>
+#include <rolling_contact/results/rough_state.h>
 #include <rolling_contact/results/state_report.h>
 #include <rolling_contact/run/figure.h>
 #include <rolling_contact/run/log.h>
@@ -299,6 +300,7 @@ namespace RollingContact
                           " nodes touch: the patch is unresolved, take more "
                           "elements (Mesh/Elements across patch).");
     warn_of_turning_normal(last);
+    tell_rough_state(scene, last, context);
     warn_of_unknown_errors(context);
     if (n_unresolved > 0)
       context.log.warning(

@@ -75,8 +75,10 @@ namespace RollingContact
     entries.add("Roughness", roughness, "m").help =
       "Added to the gap of the smooth profiles: an expression in x and y (m) "
       "such as 2e-6*cos(2*pi*x/1e-3), with pi and the functions of the "
-      "histories in section Time; empty for none. It does not travel with the "
-      "material.";
+      "histories in section Time; or taken from it, heights out of a body: " +
+      std::string(kinds_of_surface_files) +
+      ", in units of section Surfaces, its positions along x; empty for none. "
+      "It does not travel with the material.";
   }
 
   void ContactParameters::declare_friction(Entries &entries)
@@ -304,7 +306,8 @@ namespace RollingContact
   void ContactParameters::check(const unsigned int dimension,
                                 const bool         needs_load) const
   {
-    const Roughness   understood(roughness);
+    const Roughness understood(roughness);
+    check_dimension_of_file("Contact/Roughness", roughness, dimension);
     const HotFriction hot(friction_over_temperature);
     check_load(needs_load);
     check_friction_law();

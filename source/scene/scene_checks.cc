@@ -114,11 +114,12 @@ namespace RollingContact
       return;
     const std::string target =
       "Mesh/Target error = " + text_of(*mesh.target_error);
-    if (surfaces.in_use())
+    if (surfaces.in_use() || names_a_record(contact.roughness))
       throw InputError(
         target +
-        ": the error of surfaces that move (section Surfaces) is not known "
-        "beforehand. Leave it empty and give Mesh/Elements across patch.");
+        ": the error of surfaces that move (section Surfaces) or come from a "
+        "file is not known beforehand. Leave it empty and give Mesh/Elements "
+        "across patch.");
     if (analysis.has_own_meshes)
       return;
     if (contact.friction_coefficient <= 0.)

@@ -220,14 +220,16 @@ namespace RollingContact
   {
     if (!inputs->analysis.has_contact)
       return;
-    if (earlier && name_same_surfaces(earlier->surfaces, surfaces))
+    if (earlier && name_same_surfaces(earlier->surfaces, surfaces) &&
+        earlier->contact.roughness == contact.roughness)
       {
+        surfaces.standing    = earlier->surfaces.standing;
         surfaces.records     = earlier->surfaces.records;
         surfaces.expressions = earlier->surfaces.expressions;
         surfaces.share       = earlier->surfaces.share;
       }
     else
-      surfaces.read(inputs->prm_folder);
+      surfaces.read(inputs->prm_folder, contact.roughness);
     surfaces.least_rolled = surfaces.most_rolled = surfaces.position;
     if (surfaces.in_use())
       {

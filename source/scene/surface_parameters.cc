@@ -1,5 +1,6 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/number_text.h>
+#include <rolling_contact/scene/contact_parameters.h>
 #include <rolling_contact/scene/entries.h>
 #include <rolling_contact/scene/surface_parameters.h>
 #include <rolling_contact/surfaces/height_expression.h>
@@ -11,14 +12,22 @@ namespace RollingContact
     const char smooth[] = "Surfaces/Wheel height and Rail height are empty";
 
     const std::vector<Reader> files{
-      {asks<SurfaceParameters>(
-         [](const auto &surfaces) { return surfaces.in_use(); }),
+      {asks<SurfaceParameters, ContactParameters>(
+         [](const auto &surfaces, const auto &contact) {
+           return surfaces.in_use() || surfaces.has_files(contact.roughness);
+         }),
        smooth},
-      {asks<SurfaceParameters>([](const auto &surfaces) {
-         return names_a_record(surfaces.height.wheel) ||
-                names_a_record(surfaces.height.rail);
-       }),
+      {asks<SurfaceParameters, ContactParameters>(
+         [](const auto &surfaces, const auto &contact) {
+           return surfaces.has_files(contact.roughness);
+         }),
        "it is that of a file, and an expression gives the heights"}};
+
+    std::string otherwise_of_heights()
+    {
+      return ", " + std::string(kinds_of_surface_files) +
+             ", or leave it empty.";
+    }
 
     const char share_otherwise[] =
       " for heights, if(abs(y) < 2e-3, 0.2, 1) for shares, or leave it empty.";
@@ -32,11 +41,12 @@ namespace RollingContact
     const auto declare_height =
       [&](const Side side, const std::string &name, const std::string &help) {
         entries.add(name, height[side], "m").help =
-          help + " An expression in x and y (m), the frame's at "
-                 "`Position` 0, which moves with the material, or "
-                 "`FILE.csv` or `table: FILE column`, whose positions "
-                 "count as the wheel runs (file relative to this one); "
-                 "empty for a smooth one.";
+          help +
+          " An expression in x and y (m), the frame's at `Position` 0, which "
+          "moves with the material, or " +
+          kinds_of_surface_files +
+          ", whose positions count as the wheel runs (file relative to this "
+          "one); empty for a smooth one.";
       };
     declare_height(Side::wheel,
                    "Wheel height",
@@ -102,13 +112,13 @@ namespace RollingContact
                            "or take Dimension = 3.");
       }
     for (const Side side : both_sides)
-      if (!height[side].empty() && !names_a_record(height[side]))
+      if (names_a_record(height[side]))
+        check_dimension_of_file(entry(side), height[side], dimension);
+      else if (!height[side].empty())
         {
           const HeightExpression tried(entry(side),
                                        height[side],
-                                       ", a file, "
-                                       "FILE.csv or table: FILE column, or "
-                                       "leave it empty.");
+                                       otherwise_of_heights());
           if (dimension == 2 && tried.depends_on_y())
             throw InputError(entry(side) + " = " + height[side] +
                              ": in 2D there is no y; give an expression in x, "
@@ -116,8 +126,12 @@ namespace RollingContact
         }
   }
 
-  void SurfaceSpec::read(const std::filesystem::path &folder)
+  void SurfaceSpec::read(const std::filesystem::path &folder,
+                         const std::string           &roughness)
   {
+    if (names_a_record(roughness))
+      standing = std::make_shared<const SurfaceRecord>(read_surface_record(
+        "Contact/Roughness", roughness, folder, units, true));
     share =
       friction_share.empty()
         ? nullptr
@@ -132,10 +146,10 @@ namespace RollingContact
           records[side] = std::make_shared<const SurfaceRecord>(
             read_surface_record(entry(side), height[side], folder, units));
         else
-          expressions[side] = std::make_shared<const HeightExpression>(
-            entry(side),
-            height[side],
-            ", a file, FILE.csv or table: FILE column, or leave it empty.");
+          expressions[side] =
+            std::make_shared<const HeightExpression>(entry(side),
+                                                     height[side],
+                                                     otherwise_of_heights());
       }
   }
 } // namespace RollingContact

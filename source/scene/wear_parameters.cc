@@ -73,8 +73,13 @@ namespace RollingContact
     entries.add("Density", density, "kg/m^3").read_by(reports).help =
       "By which worn mass is depth.";
     entries.add("Shear yield stress", shear_yield_stress, "Pa")
-      .read_by(reports)
-      .help = "k, for the indices of fatigue and the shakedown map.";
+      .read_by({[reports](const SceneParameters &scene) {
+                  return reports.reads(scene) ||
+                         scene.surfaces.has_files(scene.contact.roughness);
+                },
+                reports.otherwise})
+      .help = "k, for the indices of fatigue, the shakedown map, and the "
+              "warning of peak pressures on measured surfaces.";
     entries.choice("Archard coefficients", archard_scatter, scatters)
       .read_by(reports)
       .help = "Where in the scatter of their measurements the coefficients of "

@@ -74,15 +74,15 @@ namespace RollingContact::Profiles
     }
 
     /** The head down to its lower corner. */
-    struct Head
+    struct HeadOutline
     {
       std::vector<Point> points;
       Point              side_end, lower_corner, underside;
     };
 
-    Head head()
+    HeadOutline head()
     {
-      Head         head;
+      HeadOutline  head;
       const double a1 = std::asin(first_joint / 300),
                    a3 = M_PI / 2 - std::atan(head_slope);
       const Point c1{{0., rail_60e1_height / mm - 300}},
@@ -190,8 +190,8 @@ namespace RollingContact::Profiles
 
   RailLandmarks landmarks_60e1()
   {
-    const Head head_mm = head();
-    const auto scaled  = [](const Point &point) {
+    const HeadOutline head_mm = head();
+    const auto        scaled  = [](const Point &point) {
       return Point{{mm * point[0], mm * point[1]}};
     };
     return {scaled(head_mm.side_end), scaled(head_mm.lower_corner)};

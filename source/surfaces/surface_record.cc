@@ -1,103 +1,44 @@
-#include <boost/algorithm/string.hpp>
 #include <boost/crc.hpp>
 #include <boost/math/interpolators/makima.hpp>
 
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/base/files.h>
 #include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/input/text_table.h>
-#include <rolling_contact/surfaces/surface_record.h>
+#include <rolling_contact/surfaces/height_map.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <optional>
 
 namespace RollingContact
 {
   namespace
   {
-    const std::size_t least_heights = 10, most_bytes = 200'000'000;
+    const std::size_t least_heights = 10;
 
     const double largest_gap = 2.5;  // over the median of the spacings
     const double uneven      = 0.01; // of a spacing
 
-    const std::string keyword = "table:";
-
-    /** What the text of the entry names. */
-    struct Source
-    {
-      std::string file;
-      std::size_t column = 2;
-    };
-
     /**
-     * Reads a file into points and complains about its lines.
+     * Points of a line as in its file, and complaints about them.
      */
-    class RecordFile
+    struct RecordFile : public SurfaceFile
     {
-    public:
-      RecordFile(const std::string           &entry,
-                 const std::string           &text,
-                 const std::filesystem::path &folder)
-        : entry(entry)
-        , text(text)
+      explicit RecordFile(const SurfaceFile &file)
+        : SurfaceFile(file)
       {
-        const Source source = source_of_text();
-        path                = folder / source.file;
-        read(source.column);
-      }
-
-      [[noreturn]] void reject(const std::string &reason,
-                               const std::size_t  line = 0) const
-      {
-        throw InputError(
-          entry + " = " + quotable(text, 200) + ": " +
-          (path.empty() ? std::string() : '"' + path.string() + '"') +
-          (line > 0 ? ", line " + std::to_string(line) : "") + ": " + reason);
-      }
-
-      std::filesystem::path file() const
-      {
-        return path;
-      }
-
-      std::vector<double>      positions, heights; ///< as in the file
-      std::vector<std::size_t> lines;
-
-    private:
-      Source source_of_text() const
-      {
-        if (text.compare(0, keyword.size(), keyword) != 0)
-          return {text};
-        std::string rest  = trimmed(text.substr(keyword.size()));
-        const auto  space = rest.find_last_of(" \t");
-        if (space == std::string::npos)
-          return {rest};
-        const std::string column = rest.substr(space + 1);
-        if (column.size() > 3 ||
-            column.find_first_not_of("0123456789") != std::string::npos ||
-            std::stoul(column) < 2)
-          reject("the column of the height is a number from 2 on, not \"" +
-                 quotable(column) + "\".");
-        return {trimmed(rest.substr(0, space)), std::stoul(column)};
+        read(file.column());
       }
 
       void read(const std::size_t column);
 
-      const std::string     entry, text;
-      std::filesystem::path path;
+      std::vector<double>      positions, heights;
+      std::vector<std::size_t> lines;
     };
 
     void RecordFile::read(const std::size_t column)
     {
-      const std::string problem = why_unreadable(path);
-      if (!problem.empty())
-        reject("cannot be read: " + problem + ".");
-      if (size_of(path) > most_bytes)
-        reject("it has " + human_bytes(static_cast<double>(size_of(path))) +
-               "; at most " + human_bytes(most_bytes) + " are read.");
       TextLines file(path);
       bool      has_names = false;
       while (file.next())
@@ -218,35 +159,90 @@ namespace RollingContact
         record.heights.push_back(
           curve(std::min(last, record.begin + k * record.spacing)));
     }
+
+    SurfaceRecord record_of_line(const RecordFile  &file,
+                                 const RecordUnits &units)
+    {
+      check_gaps(file, units.position);
+      SurfaceRecord record;
+      record.mean =
+        units.height *
+        std::accumulate(file.heights.begin(), file.heights.end(), 0.) /
+        file.heights.size();
+      check_heights(file, units, record.mean);
+      std::vector<double> positions = file.positions, heights = file.heights;
+      for (double &position : positions)
+        position *= units.position;
+      for (double &height : heights)
+        height = units.height * height - record.mean;
+      space_evenly(std::move(positions), std::move(heights), record);
+      return record;
+    }
+
+    /** The line of a map next to y = 0, about its mean. */
+    SurfaceRecord middle_line_of(const SurfaceFile &file, SurfaceRecord map)
+    {
+      const double place = -map.first_line / map.line_spacing;
+      if (!(place >= -0.5 && place <= map.n_lines - 0.5))
+        file.reject("its lines go from y = " + significant(map.first_line, 6) +
+                    " to " + significant(map.last_line(), 6) +
+                    " m: there is none at y = 0.");
+      const std::size_t n     = map.n_along(),
+                        first = n * static_cast<std::size_t>(
+                                      std::min(std::round(std::max(0., place)),
+                                               map.n_lines - 1.));
+      map.heights = std::vector<double>(map.heights.begin() + first,
+                                        map.heights.begin() + first + n);
+      map.n_lines = 1;
+      const double own_mean =
+        std::accumulate(map.heights.begin(), map.heights.end(), 0.) / n;
+      for (double &height : map.heights)
+        height -= own_mean;
+      map.mean += own_mean;
+      return map;
+    }
   } // namespace
 
   bool names_a_record(const std::string &text)
   {
-    return text.compare(0, keyword.size(), keyword) == 0 ||
-           boost::ends_with(text, ".csv");
+    const SurfaceFile::Source source = SurfaceFile::source_of(text);
+    return source.kind != SurfaceFile::Kind::none || source.mirrored ||
+           source.middle_line;
+  }
+
+  bool names_a_map(const std::string &text)
+  {
+    const SurfaceFile::Source source = SurfaceFile::source_of(text);
+    return source.kind != SurfaceFile::Kind::none &&
+           source.kind != SurfaceFile::Kind::line && !source.middle_line;
+  }
+
+  void check_dimension_of_file(const std::string &entry,
+                               const std::string &text,
+                               const unsigned int dimension)
+  {
+    if (dimension == 2 && names_a_map(text))
+      throw InputError(entry + " = " + quotable(text, 200) +
+                       ": in 2D there is no y; write `middle line:` in front "
+                       "of the map for its line next to y = 0, or take "
+                       "Dimension = 3.");
   }
 
   SurfaceRecord read_surface_record(const std::string           &entry,
                                     const std::string           &text,
                                     const std::filesystem::path &folder,
-                                    const RecordUnits           &units)
+                                    const RecordUnits           &units,
+                                    const bool                   stands)
   {
-    const RecordFile file(entry, text, folder);
-    check_gaps(file, units.position);
-    SurfaceRecord record;
+    const SurfaceFile file(entry, text, folder);
+    SurfaceRecord     record =
+      file.source.kind == SurfaceFile::Kind::line
+            ? record_of_line(RecordFile(file), units)
+            : surface_of_map(file, read_measured_map(file, units), stands);
+    if (file.source.middle_line)
+      record = middle_line_of(file, std::move(record));
     record.entry = entry;
-    record.file  = file.file().string();
-    record.mean =
-      units.height *
-      std::accumulate(file.heights.begin(), file.heights.end(), 0.) /
-      file.heights.size();
-    check_heights(file, units, record.mean);
-    std::vector<double> positions = file.positions, heights = file.heights;
-    for (double &position : positions)
-      position *= units.position;
-    for (double &height : heights)
-      height = units.height * height - record.mean;
-    space_evenly(std::move(positions), std::move(heights), record);
+    record.file  = file.path;
     return record;
   }
 
@@ -256,7 +252,10 @@ namespace RollingContact
     for (const double height : heights)
       crc.process_bytes(&height, sizeof(height));
     return std::to_string(heights.size()) + " heights from " +
-           significant(begin, 9) + " to " + significant(end(), 9) +
-           " m, CRC-32 " + std::to_string(crc.checksum());
+           significant(begin, 9) + " to " + significant(end(), 9) + " m, " +
+           (is_map() ? "y = " + significant(first_line, 9) + " to " +
+                         significant(last_line(), 9) + " m, "
+                     : "") +
+           "CRC-32 " + std::to_string(crc.checksum());
   }
 } // namespace RollingContact

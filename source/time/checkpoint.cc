@@ -200,6 +200,8 @@ namespace RollingContact
       if (const auto &record = scene.surfaces.records[side])
         names[SurfaceParameters::entry(side) + " (record)"] =
           record->fingerprint();
+    if (const auto &standing = scene.surfaces.standing)
+      names["Contact/Roughness (record)"] = standing->fingerprint();
     return names;
   }
 } // namespace RollingContact

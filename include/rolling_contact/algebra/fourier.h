@@ -22,17 +22,29 @@ namespace RollingContact::Signals
                          const std::size_t                 n);
 
   /**
-   * Amplitudes a_k with x_j = sum_k a_k cos(pi j k / (n - 1)) of values that
-   * continue as mirror images beyond both ends (discrete cosine transform of
-   * the first kind). At least two values.
+   * Values at equal spacing along a direction of a grid, which come again
+   * behind the last one or go on as mirror images about the first and the last.
+   * Units: of length.
    */
-  std::vector<double> cosine_amplitudes(std::vector<double> values);
+  struct GridDirection
+  {
+    std::size_t n       = 1;
+    double      spacing = 1.;
+    bool        again   = false;
+  };
 
   /**
-   * The values of cosine_amplitudes(), which it inverts.
+   * Multiply each wave of values on a grid, row by row along the first
+   * direction, by a @p factor of its wave numbers along and across, by FFTW: no
+   * wave is shifted. The n waves of a direction are those with k / (n spacing),
+   * k up to n / 2, of values that come again, and cosines with
+   * k / (2 (n - 1) spacing), k < n, of mirror images. Units: waves per length.
    */
-  std::vector<double>
-  values_of_cosine_amplitudes(std::vector<double> amplitudes);
+  void
+  scale_waves(std::vector<double>                                     &values,
+              const GridDirection                                     &along,
+              const GridDirection                                     &across,
+              const std::function<double(const double, const double)> &factor);
 
   /**
    * Sums over the places of a grid, n_x times n_y of them, of influences that

@@ -1,6 +1,8 @@
 #ifndef rolling_contact_algebra_low_pass_h
 #define rolling_contact_algebra_low_pass_h
 
+#include <rolling_contact/algebra/fourier.h>
+
 #include <vector>
 
 namespace RollingContact::Signals
@@ -22,17 +24,15 @@ namespace RollingContact::Signals
   };
 
   /**
-   * Values at equal spacing without their short waves; they go on periodically
-   * after a spacing more.
+   * Values on a grid, row by row, without their short waves: one with k waves
+   * per length along and l across keeps what the cut-off leaves of
+   * sqrt(k^2 + (stretch l)^2).
    */
-  std::vector<double> low_pass_periodic(const std::vector<double> &values,
-                                        const double               spacing,
-                                        const CutOff              &cut_off);
-
-  /** Low pass of values that continue as mirror images beyond both ends. */
-  std::vector<double> low_pass_mirrored(const std::vector<double> &values,
-                                        const double               spacing,
-                                        const CutOff              &cut_off);
+  std::vector<double> low_pass(std::vector<double>  values,
+                               const GridDirection &along,
+                               const GridDirection &across,
+                               const CutOff        &cut_off,
+                               const double         stretch = 1.);
 
   /**
    * Root mean square of the values about zero.

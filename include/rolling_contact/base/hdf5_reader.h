@@ -32,6 +32,12 @@ namespace RollingContact
     std::vector<double> numbers(const std::string &path,
                                 const std::size_t  n) const;
 
+    /** Numbers of places in each dimension of an array. */
+    std::vector<std::size_t> shape(const std::string &path) const;
+
+    /** The number that an array has as an attribute. */
+    double attribute(const std::string &path, const std::string &name) const;
+
     std::string text(const std::string &path) const;
 
   private:

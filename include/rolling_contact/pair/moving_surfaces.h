@@ -11,6 +11,8 @@
 
 namespace RollingContact
 {
+  struct SurfacePassage;
+
   /**
    * Sizes of the elements of a zone of contact nodes and how far it reaches
    * from the origin, along x and y. Units: m.
@@ -21,12 +23,25 @@ namespace RollingContact
   };
 
   /**
+   * What of measured surfaces the elements see: the shortest waves along x and
+   * y that their filter passes, of half of it none, 0 along y without a map,
+   * and the root mean square of the gradient that is left. Units: m, 1.
+   */
+  struct ResolvedWaves
+  {
+    std::array<double, 2> shortest;
+    double                rms_slope = 0.;
+  };
+
+  /**
    * Heights of wheel and rail that move with the material, section `Surfaces`,
    * on the nodes of a zone of contact. When the material has moved by s along x
    * from t = 0, at x is its point X = x - s - flow * Position, flow being the
    * sign of the speed: an expression's height at X. A file's positions count as
-   * the wheel runs, -flow * X. A wheel and other discs come again after a turn,
-   * for expressions with X within half a turn of 0. Units: m.
+   * the wheel runs, -flow * X; y of a map is the frame's. A wheel and other
+   * discs come again after a turn, for expressions with X within half a turn of
+   * 0. Beside them what stands, Contact/Roughness from a file, with positions
+   * along x. Units: m.
    */
   class MovingSurfaces
   {
@@ -35,7 +50,8 @@ namespace RollingContact
      * Filter the scene's records for the elements and look at what expressions
      * have, along all that the run lets pass. Throws InputError: waves of fewer
      * than two elements, steps, heights beyond reason, a record that ends
-     * before the run, a tread that does not close where the run comes to it.
+     * before the run, a map that ends within the zone, a tread that does not
+     * close where the run comes to it.
      */
     MovingSurfaces(const PairSpec &scene, const ZoneSizes &sizes);
 
@@ -49,6 +65,9 @@ namespace RollingContact
      * material moved by @p travelled along x since t = 0.
      */
     double height(const double x, const double y, const double travelled) const;
+
+    /** Height that stands at a place of the frame, 0 without a file of it. */
+    double standing_height(const double x, const double y) const;
 
     /** Heights at many places. Units: m. */
     std::vector<double> heights(const std::vector<std::array<double, 2>> &at,
@@ -65,13 +84,24 @@ namespace RollingContact
     /** What was filtered, to be told. */
     std::vector<std::string> notes, warnings;
 
+    /** Where a file gives heights. */
+    std::optional<ResolvedWaves> resolved;
+
     class Surface;
 
   private:
+    /** The surface of a file for these elements, and what is told of it. */
+    std::shared_ptr<const Surface>
+    filtered(const std::shared_ptr<const SurfaceRecord> &record,
+             const ZoneSizes                            &sizes,
+             const SurfacePassage                       &passage,
+             const double                                shortest_wavelength);
+
     bool                                    moves;
     double                                  flow, position;
     std::shared_ptr<const HeightExpression> share; ///< of mu; or none
     PerSide<std::shared_ptr<const Surface>> surfaces;
+    std::shared_ptr<const Surface>          standing; ///< or none
   };
 
   /**

@@ -63,7 +63,7 @@ namespace RollingContact
      * expected, where the edge law was left out or did not settle, where
      * another solver stood in, where the normals of profiles turn over the
      * plane of contact, and of the strains of the last state if they are
-     * large.
+     * large; tell_rough_state() of it.
      */
     void warn(const SteadyState<dim> &last) const;
 

@@ -36,6 +36,16 @@ namespace RollingContact
     }
 
     /**
+     * Whether a file gives heights, here or as @p roughness, which is
+     * Contact/Roughness.
+     */
+    bool has_files(const std::string &roughness) const
+    {
+      return names_a_record(height.wheel) || names_a_record(height.rail) ||
+             names_a_record(roughness);
+    }
+
+    /**
      * "Surfaces/Wheel height" or "Surfaces/Rail height".
      */
     static std::string entry(const Side side);
@@ -58,15 +68,20 @@ namespace RollingContact
     {}
 
     /**
-     * Read expressions and records; files are relative to the folder. Throws
+     * Read expressions and records, and the file that @p roughness,
+     * Contact/Roughness, may name; files are relative to the folder. Throws
      * InputError.
      */
-    void read(const std::filesystem::path &folder);
+    void read(const std::filesystem::path &folder,
+              const std::string           &roughness);
 
     /** An expression or a record of each side, or none for a smooth one. */
     PerSide<std::shared_ptr<const SurfaceRecord>>    records;
     PerSide<std::shared_ptr<const HeightExpression>> expressions;
     std::shared_ptr<const HeightExpression>          share; ///< of mu; or none
+
+    /** The file of Contact/Roughness, which stands; or none. */
+    std::shared_ptr<const SurfaceRecord> standing;
 
     /** How far the wheel has rolled, `Position` included, while the run lasts.
      * Units: m. */
