@@ -2,6 +2,7 @@
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
+#include <rolling_contact/modes/wave_products.h>
 #include <rolling_contact/modes/waveguide_response.h>
 
 #include <algorithm>
@@ -59,92 +60,6 @@ namespace RollingContact
             roots[(std::uint64_t(2 * m + 1 + N) * (pad + 3 * N / 2)) % (2 * N)];
       return result;
     }
-
-    /**
-     * Integrals of a form over stretches along which waves fade, of amplitudes
-     * at the stretch's begin (ahead) and at its end (behind).
-     */
-    class WaveProducts
-    {
-    public:
-      WaveProducts(const ComplexMatrix &form,
-                   const ComplexVector &wavenumbers,
-                   const ComplexMatrix &u,
-                   const ComplexMatrix &u_behind)
-        : k(wavenumbers)
-        , ahead_ahead(u.adjoint() * form * u)
-        , behind_behind(u_behind.adjoint() * form * u_behind)
-        , ahead_behind(u.adjoint() * form * u_behind)
-      {}
-
-      /** Adds that of a stretch; nullptr where no waves go that way. */
-      void add(const double         length,
-               const ComplexMatrix *ahead,
-               const ComplexMatrix *behind,
-               ComplexMatrix       &sum)
-      {
-        const auto [place, is_new] = known.try_emplace(length);
-        Stretch &it                = place->second;
-        if (is_new)
-          it = stretch(length);
-        if (ahead != nullptr)
-          sum += ahead->adjoint() * it.ahead_ahead * *ahead;
-        if (behind != nullptr)
-          sum += behind->adjoint() * it.behind_behind * *behind;
-        if (ahead == nullptr || behind == nullptr)
-          return;
-        const ComplexMatrix both = ahead->adjoint() * it.ahead_behind * *behind;
-        sum += both + both.adjoint();
-      }
-
-    private:
-      struct Stretch
-      {
-        ComplexMatrix ahead_ahead, behind_behind, ahead_behind;
-      };
-
-      Stretch stretch(const double length) const
-      {
-        const Complex i(0., 1.);
-        const bool    ends = std::isfinite(length);
-        Stretch       result{ahead_ahead, behind_behind, ahead_behind};
-        for (Eigen::Index l = 0; l < k.size(); ++l)
-          for (Eigen::Index j = 0; j < k.size(); ++j)
-            {
-              // int exp(i k_j^* x) exp(-i k_l x) dx
-              const Complex rate  = i * (std::conj(k[j]) - k[l]);
-              const Complex alike = integral(rate, length);
-              result.ahead_ahead(j, l) *= alike;
-              result.behind_behind(j, l) *= alike;
-              // int exp(i k_j^* x) exp(-i k_l (length - x)) dx
-              const Complex between = i * (std::conj(k[j]) + k[l]);
-              if (ends)
-                result.ahead_behind(j, l) *=
-                  std::abs(between) * length < small
-                    ? std::exp(-i * k[l] * length) * length
-                    : (std::exp(i * std::conj(k[j]) * length) -
-                       std::exp(-i * k[l] * length)) /
-                        between;
-            }
-        return result;
-      }
-
-      /** int_0^length exp(rate x) dx. */
-      static Complex integral(const Complex rate, const double length)
-      {
-        if (!std::isfinite(length))
-          return -1. / rate;
-        return std::abs(rate) * length < small
-                 ? Complex(length)
-                 : (std::exp(rate * length) - 1.) / rate;
-      }
-
-      static constexpr double small = 1e-9;
-
-      const ComplexVector      &k;
-      ComplexMatrix             ahead_ahead, behind_behind, ahead_behind;
-      std::map<double, Stretch> known;
-    };
   } // namespace
 
   WaveguideResponse::WaveguideResponse(const Waveguide &guide,
