@@ -171,9 +171,12 @@ set linetype cycle 8
                       is_map ? "1:2:(0)"
                       : curves[i].style == CurveStyle::bars
                         ? "1:2:(0):1:($2-0.17):($2+0.17)"
+                      : curves[i].style == CurveStyle::name_beside
+                        ? "1:2:(" + quoted(curves[i].label) + ')'
                         : "1:2",
                       look(i),
-                      curves[i].label.empty()
+                      curves[i].label.empty() ||
+                          curves[i].style == CurveStyle::name_beside
                         ? "notitle"
                         : "title " + quoted(curves[i].label)));
     if (items.empty())
@@ -193,7 +196,8 @@ set linetype cycle 8
     for (const Figure *panel : all_panels())
       {
         for (const Curve &curve : panel->curves)
-          longest = std::max(longest, n_characters(curve.label));
+          if (curve.style != CurveStyle::name_beside)
+            longest = std::max(longest, n_characters(curve.label));
         for (const Band &band : panel->bands)
           longest = std::max(longest, n_characters(band.label));
       }
@@ -355,6 +359,9 @@ set linetype cycle 8
     if (curve.style == CurveStyle::bars)
       return fmt::format("with boxxyerror fillstyle solid noborder linetype {}",
                          index + 1);
+    if (curve.style == CurveStyle::name_beside)
+      return "with labels noenhanced center offset 0,0.7 font \",11\" "
+             "textcolor \"#222222\"";
     const auto n_references =
       std::count_if(curves.begin(), curves.begin() + index, [](const Curve &c) {
         return c.style == CurveStyle::reference;

@@ -154,11 +154,8 @@ namespace RollingContact
   std::string StabilityMap<dim>::mode_of(const Vibrations          &vibrations,
                                          const std::complex<double> s) const
   {
-    const Side    side = bodies->body(Side::wheel) ? Side::wheel : Side::rail;
     const Finding finding = vibrations.template find<dim>({s}, nullptr).front();
-    const auto    nearest =
-      rolling->nearest_mode(side, finding.mode.participation());
-    return nearest ? bodies->body(side)->characters[nearest->first].name() : "";
+    return rolling->nearest_name(finding.mode.participation());
   }
 
   template <int dim>

@@ -1,0 +1,126 @@
+#include <boost/test/unit_test.hpp>
+
+#include <rolling_contact/stability/threshold.h>
+
+#include <cmath>
+#include <vector>
+
+using namespace RollingContact;
+
+/** Where a growth turns, by functions whose zeros are known. */
+BOOST_AUTO_TEST_SUITE(thresholds)
+
+namespace
+{
+  using Growth = std::function<double(double)>;
+
+  Threshold threshold_of(const Growth          &growth,
+                         const ThresholdSearch &search = {})
+  {
+    return first_threshold(
+      growth(0.),
+      [&](const double change) -> std::optional<double> {
+        return growth(change);
+      },
+      search);
+  }
+
+  void holds(const Threshold &found, const double zero, const double width)
+  {
+    BOOST_TEST(found.crossed);
+    BOOST_TEST(found.known);
+    BOOST_TEST(found.before <= zero);
+    BOOST_TEST(zero <= found.behind);
+    BOOST_TEST(found.behind - found.before <= width * (1 + 1e-6));
+  }
+} // namespace
+
+BOOST_AUTO_TEST_CASE(a_straight_line_takes_few_states)
+{
+  for (const double zero : {0.013, 0.25, 0.4, 0.77, 0.999})
+    for (const double sign : {1., -1.})
+      {
+        const Threshold found =
+          threshold_of([&](const double t) { return sign * 7 * (zero - t); });
+        holds(found, zero, 0.01);
+        BOOST_TEST((found.growth_before > 0.) == (sign > 0.));
+        BOOST_TEST(std::abs(found.slope() + sign * 7) < 1e-9);
+        BOOST_TEST(found.n_states <= 5u);
+      }
+}
+
+BOOST_AUTO_TEST_CASE(curves_and_jumps_are_enclosed)
+{
+  const double zero = 0.31;
+  // a last node that sticks: the growth jumps to another value
+  const double sides[][2] = {{8., -1.3}, {1e-3, -40.}, {40., -1e-3}};
+  for (const auto &side : sides)
+    {
+      const Threshold found = threshold_of(
+        [&](const double t) { return t < zero ? side[0] : side[1]; });
+      holds(found, zero, 0.01);
+      BOOST_TEST(found.n_states < 20u);
+    }
+  // a curve whose secants all end on one side of its zero, as a line would
+  const Threshold bent = threshold_of(
+    [&](const double t) { return std::sqrt(2.) - std::sqrt(1 + t / zero); });
+  holds(bent, zero, 0.01);
+  BOOST_TEST(bent.n_states <= 5u);
+  holds(threshold_of([&](const double t) {
+          return std::pow(zero / (t + 0.01), 6) -
+                 std::pow(zero / (zero + 0.01), 6);
+        }),
+        zero,
+        0.01);
+  for (const double width : {0.1, 1e-3, 1e-6})
+    {
+      const Threshold found = threshold_of(
+        [&](const double t) { return std::cos(t / zero) - std::cos(1.); },
+        {0.25, 1., width});
+      holds(found, zero, width);
+      BOOST_TEST(found.n_states < 30u);
+    }
+  // the first of two that steps tell apart
+  holds(threshold_of([](const double t) { return (t - 0.3) * (t - 0.7); }),
+        0.3,
+        0.01);
+}
+
+BOOST_AUTO_TEST_CASE(what_never_turns_or_is_not_known)
+{
+  const Threshold never = threshold_of([](const double t) { return 1 + t; });
+  BOOST_TEST(!never.crossed);
+  BOOST_TEST(never.known);
+  BOOST_TEST(never.behind == 1.);
+  BOOST_TEST(never.n_states == 3u);
+  // no growth of exactly zero
+  BOOST_TEST(!threshold_of([](double) { return 0.; }).crossed);
+
+  std::vector<double> asked;
+  const auto          known_up_to = [&](const double last) {
+    asked.clear();
+    return first_threshold(1., [&](const double t) -> std::optional<double> {
+      asked.push_back(t);
+      if (t > last)
+        return {};
+      return 0.9 - t;
+    });
+  };
+  const Threshold unknown = known_up_to(0.6);
+  BOOST_TEST(!unknown.crossed);
+  BOOST_TEST(!unknown.known);
+  BOOST_TEST(unknown.behind == 1.);
+  BOOST_TEST(asked.size() == 3u);
+  BOOST_TEST(known_up_to(1.).crossed);
+  // an interval without states between two that are known
+  const Threshold gap =
+    first_threshold(1., [](const double t) -> std::optional<double> {
+      if (t > 0.26 && t < 0.49)
+        return {};
+      return 0.38 - t;
+    });
+  BOOST_TEST(!gap.crossed);
+  BOOST_TEST(!gap.known);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
