@@ -74,11 +74,8 @@ namespace RollingContact
     return drivers;
   }
 
-  StateDriver more_damping(const double now, const ComplexValues &growing)
+  StateDriver more_damping(const double now, const double lacking)
   {
-    double lacking = 0.;
-    for (const auto &s : growing)
-      lacking = std::max(lacking, s.real() / std::abs(s));
     StateDriver driver;
     driver.quantity = "added damping";
     driver.now      = now;

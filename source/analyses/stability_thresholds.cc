@@ -270,9 +270,12 @@ namespace RollingContact
     const bool               squeals = vibrations.n_unstable() > 0;
     std::vector<StateDriver> drivers =
       squeals ? possible_cures(scene.contact) : possible_onsets(scene.contact);
+    double lacking = 0.;
+    for (const auto &s : vibrations.least_damped(0))
+      lacking = std::max(lacking, s.real() / std::abs(s));
     if (squeals)
-      drivers.push_back(more_damping(scene.inputs->stability.added_damping,
-                                     vibrations.least_damped(0)));
+      drivers.push_back(
+        more_damping(scene.inputs->stability.added_damping, lacking));
     const std::size_t n_elements = n_along(steady.problem, contact);
     unsigned int      n_states   = 0;
     for (const StateDriver &driver : drivers)

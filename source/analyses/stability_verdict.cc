@@ -11,8 +11,8 @@ namespace RollingContact
 {
   namespace
   {
-    /** Those that turn the verdict, the smallest share of a change first, then
-     * those without a share. */
+    /** Thresholds that turn the verdict, the smallest share of a change first,
+     * then those without a share. */
     std::vector<DrivingThreshold>
     turning(const std::vector<DrivingThreshold> &thresholds)
     {
@@ -95,10 +95,13 @@ namespace RollingContact
     std::string
     table_of_thresholds(const std::vector<DrivingThreshold> &thresholds)
     {
+      const std::vector<DrivingThreshold> found = turning(thresholds);
+      if (found.empty())
+        return "";
       std::string text =
-        "| quantity | now | threshold | +- | stable from | change | vibration |\n"
+        "\n| quantity | now | threshold | +- | stable from | change | vibration |\n"
         "|---|---|---|---|---|---|---|\n";
-      for (const DrivingThreshold &it : turning(thresholds))
+      for (const DrivingThreshold &it : found)
         text += fmt::format("| {} | {} | {} | {} | {} | {} | {} {} Hz |\n",
                             it.quantity,
                             significant(it.now, 4),
@@ -108,7 +111,14 @@ namespace RollingContact
                             it.share > 0. ? percent(it.share) : "",
                             it.mode,
                             significant(it.frequency, 5));
-      return text;
+      return text +
+             "\nOne quantity is changed at a time, on the same mesh; the "
+             "smallest change first, as a share of the value or of all "
+             "creepage. +- has the interval that is left, what the whole "
+             "bodies differ by, and where a node begins to stick the part of "
+             "the value that one element is of the patch. Added damping is "
+             "that of all modes of the bodies, of which a vibration has a "
+             "part.\n";
     }
 
     void write_thresholds(const std::vector<DrivingThreshold> &thresholds,
@@ -203,17 +213,12 @@ namespace RollingContact
     if (!thresholds.empty())
       {
         write_thresholds(thresholds, context.folder);
+        std::string words = text_of(thresholds);
+        context.report.set_finding(squeals ? "cures" : "onset", words);
+        words[0] = std::toupper(words[0]);
         text += "\n## " +
                 std::string(squeals ? "What stops it" : "What would start it") +
-                "\n\n" + table_of_thresholds(thresholds) +
-                "\nOne quantity is changed at a time, on the same mesh; the "
-                "smallest change first, as a share of the value or of all "
-                "creepage. +- has the interval that is left, what the whole "
-                "bodies differ by, and where a node begins to stick the part "
-                "of the value that one element is of the patch.\n";
-        const std::string words = text_of(thresholds);
-        text += "\n" + words + ".\n";
-        context.report.set_finding(squeals ? "cures" : "onset", words);
+                "\n\n" + words + ".\n" + table_of_thresholds(thresholds);
       }
     context.folder.write_atomically("verdict.md", text);
   }

@@ -1,11 +1,15 @@
 #include <boost/test/unit_test.hpp>
 
+#include "stability_bodies.h"
+
 #include <rolling_contact/stability/threshold.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 using namespace RollingContact;
+using namespace StabilityBodies;
 
 /** Where a growth turns, by functions whose zeros are known. */
 BOOST_AUTO_TEST_SUITE(thresholds)
@@ -121,6 +125,48 @@ BOOST_AUTO_TEST_CASE(what_never_turns_or_is_not_known)
     });
   BOOST_TEST(!gap.crossed);
   BOOST_TEST(!gap.known);
+}
+
+/** Modes that follow are as soft as before at rest; the others are as they
+ * were. */
+BOOST_AUTO_TEST_CASE(fast_modes_follow)
+{
+  const Grid          grid{5, 3};
+  const unsigned int  m    = 14;
+  const ReducedPair   pair = random_pair(grid, m, 6);
+  std::vector<double> stiffness;
+  for (unsigned int k = 0; k < m; ++k)
+    stiffness.push_back(pair.K_m(k, k));
+  std::sort(stiffness.begin(), stiffness.end());
+  for (const unsigned int n : {0u, 5u, m})
+    {
+      const double highest =
+        std::sqrt(n == 0   ? stiffness[0] / 2
+                  : n == m ? stiffness[m - 1] * 2
+                           : (stiffness[n - 1] + stiffness[n]) / 2);
+      const CondensedPair slow = condensed(pair, highest);
+      BOOST_TEST(slow.kept.size() == n);
+      BOOST_TEST(slow.pair.n_modes() == n);
+      check(slow.pair);
+      unsigned int of_wheel = 0;
+      for (unsigned int k = 0; k < n; ++k)
+        {
+          BOOST_TEST(slow.pair.K_m(k, k) ==
+                     pair.K_m(slow.kept[k], slow.kept[k]));
+          BOOST_TEST(slow.pair.K_m(k, k) < highest * highest);
+          of_wheel += slow.kept[k] < pair.n_wheel_modes;
+        }
+      BOOST_TEST(slow.pair.n_wheel_modes == of_wheel);
+      BOOST_TEST(slow.pair.retardation == pair.retardation);
+      const DenseMatrix before = static_compliance(pair);
+      BOOST_TEST((static_compliance(slow.pair) - before).norm() <
+                 1e-12 * before.norm());
+      std::vector<double> ones(n, 1.);
+      const auto          all = slow.expanded(ones, m);
+      BOOST_TEST(all.size() == m);
+      for (unsigned int k = 0; k < m; ++k)
+        BOOST_TEST(all[k] == (pair.K_m(k, k) < highest * highest ? 1. : 0.));
+    }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

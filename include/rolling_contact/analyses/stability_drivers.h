@@ -1,7 +1,6 @@
 #ifndef rolling_contact_analyses_stability_drivers_h
 #define rolling_contact_analyses_stability_drivers_h
 
-#include <rolling_contact/algebra/lapack.h>
 #include <rolling_contact/scene/contact_parameters.h>
 #include <rolling_contact/stability/threshold.h>
 
@@ -45,9 +44,9 @@ namespace RollingContact
 
   /**
    * Damping of all modes beyond what they have @p now, in steps of the largest
-   * ratio that vibrations lack (eigenvalues in 1/s).
+   * ratio that vibrations are @p lacking.
    */
-  StateDriver more_damping(const double now, const ComplexValues &growing);
+  StateDriver more_damping(const double now, const double lacking);
 } // namespace RollingContact
 
 #endif

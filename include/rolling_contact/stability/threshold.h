@@ -31,7 +31,7 @@ namespace RollingContact
     double       growth_behind = 0.;
     unsigned int n_states      = 0; ///< growths asked for
 
-    /** Of growth over the change, across the interval. */
+    /** The slope of growth over the change, across the interval. */
     double slope() const
     {
       return (growth_behind - growth_before) / (behind - before);
