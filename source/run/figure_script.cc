@@ -164,6 +164,14 @@ set linetype cycle 8
         text += "set cblabel " + quoted(map.label) + " noenhanced offset 1,0\n";
         add(fmt::format("'{}.dat' index {} with pm3d notitle", name, block++));
       }
+    // black lines are seen on dark colours as well
+    if (is_map)
+      for (std::size_t i = 0; i < curves.size(); ++i)
+        if (curves[i].style == CurveStyle::reference)
+          add(fmt::format("'{}.dat' index {} using 1:2:(0) with lines "
+                          "linewidth 3.4 linecolor \"#FFFFFF\" notitle",
+                          name,
+                          block + i));
     for (std::size_t i = 0; i < curves.size(); ++i)
       add(fmt::format("'{}.dat' index {} using {} {} {}",
                       name,
