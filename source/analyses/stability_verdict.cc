@@ -117,8 +117,8 @@ namespace RollingContact
              "creepage. +- has the interval that is left, what the whole "
              "bodies differ by, and where a node begins to stick the part of "
              "the value that one element is of the patch. Added damping is "
-             "that of all modes of the bodies, of which a vibration has a "
-             "part.\n";
+             "a ratio of all modes of the bodies, each at its own "
+             "frequency.\n";
     }
 
     void write_thresholds(const std::vector<DrivingThreshold> &thresholds,

@@ -172,21 +172,21 @@ set linetype cycle 8
                           "linewidth 3.4 linecolor \"#FFFFFF\" notitle",
                           name,
                           block + i));
+    // marks in expressions are read twice
     for (std::size_t i = 0; i < curves.size(); ++i)
-      add(fmt::format("'{}.dat' index {} using {} {} {}",
-                      name,
-                      block++,
-                      is_map ? "1:2:(0)"
-                      : curves[i].style == CurveStyle::bars
-                        ? "1:2:(0):1:($2-0.17):($2+0.17)"
-                      : curves[i].style == CurveStyle::name_beside
-                        ? "1:2:(" + quoted(curves[i].label) + ')'
-                        : "1:2",
-                      look(i),
-                      curves[i].label.empty() ||
-                          curves[i].style == CurveStyle::name_beside
-                        ? "notitle"
-                        : "title " + quoted(curves[i].label)));
+      add(fmt::format(
+        "'{}.dat' index {} using {} {} {}",
+        name,
+        block++,
+        is_map                                ? "1:2:(0)"
+        : curves[i].style == CurveStyle::bars ? "1:2:(0):1:($2-0.17):($2+0.17)"
+        : curves[i].style == CurveStyle::name_beside
+          ? "1:2:(" + quoted(enhanced(enhanced(curves[i].label))) + ')'
+          : "1:2",
+        look(i),
+        curves[i].label.empty() || curves[i].style == CurveStyle::name_beside
+          ? "notitle"
+          : "title " + quoted(curves[i].label)));
     if (items.empty())
       add("NaN notitle");
     for (std::size_t i = 0; i < bands.size(); ++i)
@@ -368,7 +368,7 @@ set linetype cycle 8
       return fmt::format("with boxxyerror fillstyle solid noborder linetype {}",
                          index + 1);
     if (curve.style == CurveStyle::name_beside)
-      return "with labels noenhanced center offset 0,0.7 font \",11\" "
+      return "with labels center offset 0,0.7 font \",11\" "
              "textcolor \"#222222\"";
     const auto n_references =
       std::count_if(curves.begin(), curves.begin() + index, [](const Curve &c) {

@@ -137,7 +137,7 @@ BOOST_FIXTURE_TEST_CASE(names_of_points, DrawingRun)
   BOOST_TEST(is_drawn("names"));
   BOOST_TEST(
     contains(script("names"),
-             "index 1 using 1:2:('it''s_0L3') with labels noenhanced"));
+             "index 1 using 1:2:('it''s\\\\\\_0L3') with labels center"));
   BOOST_TEST(contains(script("names"), "unset key"));
   BOOST_TEST(contains(read(files.folder / "names.svg"), "s_0L3"));
 }
