@@ -1,6 +1,7 @@
 #include <rolling_contact/analyses/disturbed_state.h>
 #include <rolling_contact/analyses/stability.h>
 #include <rolling_contact/analyses/stability_report.h>
+#include <rolling_contact/analyses/stability_verdict.h>
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/interrupt.h>
@@ -201,6 +202,14 @@ namespace RollingContact
     const std::string counted =
       counted_again(scene, vibrations, findings, context.log);
     context.report.set_finding("squeal", verdict(scene, findings, counted));
+    std::vector<std::string> names;
+    for (const Finding &finding : findings)
+      names.push_back(rolling.nearest_name(finding.mode.participation()));
+    std::vector<DrivingThreshold> thresholds;
+    if (scene.inputs->stability.thresholds)
+      thresholds =
+        find_thresholds(scene, steady, rolling, vibrations, findings, context);
+    tell_verdict(scene, findings, names, counted, thresholds, context);
     double backward = 0.;
     for (const Finding &finding : findings)
       if (finding.corrected)
@@ -226,11 +235,12 @@ namespace RollingContact
                 context.folder);
       }
     if (scene.inputs->output.plot)
-      plot_eigenvalues(vibrations.eigenvalues(),
-                       findings,
-                       scene.inputs->stability.lowest_frequency,
-                       scene.inputs->modes.maximum_frequency,
-                       context);
+      plot_growth(vibrations.eigenvalues(),
+                  findings,
+                  names,
+                  scene.inputs->stability.lowest_frequency,
+                  scene.inputs->modes.maximum_frequency,
+                  context);
   }
 
   template class Stability<2>;

@@ -1,16 +1,23 @@
 #include <rolling_contact/analyses/stability_report.h>
 #include <rolling_contact/base/constants.h>
-#include <rolling_contact/base/text.h>
 #include <rolling_contact/run/figure.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace RollingContact
 {
   namespace
   {
-    /// largest damping ratio that the picture shows (%)
-    const double shown_damping = 1.;
+    /// fastest decay that the picture shows, over the largest growth or decay
+    /// of the vibrations that are listed
+    const double shown_decay = 2.;
+
+    /// relative difference of frequencies below which one name is enough
+    const double near_by = 0.05;
+
+    /// relative difference of eigenvalues that are the same one
+    const double same = 1e-6;
 
     /** By how much the lateral force leads the normal one: the phase of their
      * sums over the patch. */
@@ -45,6 +52,25 @@ namespace RollingContact
       table.set(name + "_mode_share", share);
       table.set(name + "_mode_name",
                 bodies.body(side)->characters[mode].name());
+    }
+  } // namespace
+
+  namespace
+  {
+    /** Whether another vibration of this name, near by and growing more, has it
+     * in the picture. */
+    bool stands_for_it(const std::vector<Finding>     &findings,
+                       const std::vector<std::string> &names,
+                       const std::size_t               k)
+    {
+      for (std::size_t j = 0; j < findings.size(); ++j)
+        if (names[j] == names[k] &&
+            findings[j].growth() > findings[k].growth() &&
+            std::abs(
+              findings[j].mode.frequency() / findings[k].mode.frequency() - 1) <
+              near_by)
+          return true;
+      return false;
     }
   } // namespace
 
@@ -88,65 +114,61 @@ namespace RollingContact
     table.end_row();
   }
 
-  std::string verdict(const Situation            &scene,
-                      const std::vector<Finding> &findings,
-                      const std::string          &counted)
+  void plot_growth(const ComplexValues            &eigenvalues,
+                   const std::vector<Finding>     &findings,
+                   const std::vector<std::string> &names,
+                   const double                    lowest,
+                   const double                    highest,
+                   RunContext                     &context)
   {
-    const Finding *fastest = nullptr;
-    std::size_t    n       = 0;
+    double largest = 0.;
     for (const Finding &finding : findings)
-      if (finding.unstable())
-        {
-          ++n;
-          if (fastest == nullptr || finding.growth() > fastest->growth())
-            fastest = &finding;
-        }
-    if (fastest == nullptr)
-      return "no vibration grows between " +
-             significant(scene.inputs->stability.lowest_frequency, 4) +
-             " and " + significant(scene.inputs->modes.maximum_frequency, 5) +
-             " Hz" + counted;
-    return std::to_string(n) + (n == 1 ? " mode grows" : " modes grow") +
-           counted + "; the fastest at " +
-           significant(fastest->mode.frequency(), 5) + " Hz by " +
-           significant(fastest->growth(), 3) + " 1/s" +
-           (fastest->corrected
-              ? ", needs a damping ratio of " +
-                  significant(fastest->corrected->damping_needed, 2) + " more"
-              : "");
-  }
-
-  void plot_eigenvalues(const ComplexValues        &eigenvalues,
-                        const std::vector<Finding> &findings,
-                        const double                lowest,
-                        const double                highest,
-                        RunContext                 &context)
-  {
-    std::vector<double> f, zeta, unstable_f, unstable_zeta;
+      largest = std::max(largest, std::abs(finding.growth()));
+    const auto kilohertz = [](const std::complex<double> s) {
+      return s.imag() / (2 * pi * 1000);
+    };
+    std::vector<double> f, growth;
     for (const auto &s : eigenvalues)
-      if (s.imag() / (2 * pi) >= lowest && s.imag() / (2 * pi) <= highest)
+      if (1000 * kilohertz(s) >= lowest && 1000 * kilohertz(s) <= highest &&
+          s.real() >= -shown_decay * largest)
         {
-          const double ratio = -100 * s.real() / std::abs(s);
-          if (ratio > shown_damping)
+          const auto is_same = [&](const Finding &it) {
+            return std::abs(it.mode.s - s) <= same * std::abs(s);
+          };
+          if (std::any_of(findings.begin(), findings.end(), is_same))
             continue;
-          f.push_back(s.imag() / (2 * pi * 1000));
-          zeta.push_back(ratio);
-        }
-    for (const Finding &finding : findings)
-      if (finding.unstable())
-        {
-          unstable_f.push_back(finding.mode.frequency() / 1000);
-          unstable_zeta.push_back(100 * finding.mode.damping_ratio());
+          f.push_back(kilohertz(s));
+          growth.push_back(s.real());
         }
     Figure figure("Vibrations about the steady rolling state",
                   "frequency (kHz)",
-                  "damping ratio (%)");
-    figure.add_curve("below 1 %", f, zeta, CurveStyle::points);
-    if (!unstable_f.empty())
-      figure.add_curve("unstable",
-                       unstable_f,
-                       unstable_zeta,
-                       CurveStyle::points);
+                  "growth (1/s)");
+    figure.add_curve("",
+                     {lowest / 1000, highest / 1000},
+                     {0., 0.},
+                     CurveStyle::reference);
+    // the first colour decays, the second grows
+    for (const bool grows : {false, true})
+      {
+        std::vector<double> all_f      = grows ? std::vector<double>() : f,
+                            all_growth = grows ? std::vector<double>() : growth;
+        for (const Finding &finding : findings)
+          if (finding.unstable() == grows)
+            {
+              all_f.push_back(finding.mode.frequency() / 1000);
+              all_growth.push_back(finding.growth());
+            }
+        figure.add_curve(grows ? "grow" : "decay",
+                         all_f,
+                         all_growth,
+                         CurveStyle::points);
+      }
+    for (std::size_t k = 0; k < findings.size(); ++k)
+      if (!names[k].empty() && !stands_for_it(findings, names, k))
+        figure.add_curve(names[k],
+                         {findings[k].mode.frequency() / 1000},
+                         {findings[k].growth()},
+                         CurveStyle::name_beside);
     figure.draw(context, "stability");
   }
 

@@ -164,18 +164,29 @@ set linetype cycle 8
         text += "set cblabel " + quoted(map.label) + " noenhanced offset 1,0\n";
         add(fmt::format("'{}.dat' index {} with pm3d notitle", name, block++));
       }
+    // black lines are seen on dark colours as well
+    if (is_map)
+      for (std::size_t i = 0; i < curves.size(); ++i)
+        if (curves[i].style == CurveStyle::reference)
+          add(fmt::format("'{}.dat' index {} using 1:2:(0) with lines "
+                          "linewidth 3.4 linecolor \"#FFFFFF\" notitle",
+                          name,
+                          block + i));
+    // marks in expressions are read twice
     for (std::size_t i = 0; i < curves.size(); ++i)
-      add(fmt::format("'{}.dat' index {} using {} {} {}",
-                      name,
-                      block++,
-                      is_map ? "1:2:(0)"
-                      : curves[i].style == CurveStyle::bars
-                        ? "1:2:(0):1:($2-0.17):($2+0.17)"
-                        : "1:2",
-                      look(i),
-                      curves[i].label.empty()
-                        ? "notitle"
-                        : "title " + quoted(curves[i].label)));
+      add(fmt::format(
+        "'{}.dat' index {} using {} {} {}",
+        name,
+        block++,
+        is_map                                ? "1:2:(0)"
+        : curves[i].style == CurveStyle::bars ? "1:2:(0):1:($2-0.17):($2+0.17)"
+        : curves[i].style == CurveStyle::name_beside
+          ? "1:2:(" + quoted(enhanced(enhanced(curves[i].label))) + ')'
+          : "1:2",
+        look(i),
+        curves[i].label.empty() || curves[i].style == CurveStyle::name_beside
+          ? "notitle"
+          : "title " + quoted(curves[i].label)));
     if (items.empty())
       add("NaN notitle");
     for (std::size_t i = 0; i < bands.size(); ++i)
@@ -193,7 +204,8 @@ set linetype cycle 8
     for (const Figure *panel : all_panels())
       {
         for (const Curve &curve : panel->curves)
-          longest = std::max(longest, n_characters(curve.label));
+          if (curve.style != CurveStyle::name_beside)
+            longest = std::max(longest, n_characters(curve.label));
         for (const Band &band : panel->bands)
           longest = std::max(longest, n_characters(band.label));
       }
@@ -355,6 +367,9 @@ set linetype cycle 8
     if (curve.style == CurveStyle::bars)
       return fmt::format("with boxxyerror fillstyle solid noborder linetype {}",
                          index + 1);
+    if (curve.style == CurveStyle::name_beside)
+      return "with labels center offset 0,0.7 font \",11\" "
+             "textcolor \"#222222\"";
     const auto n_references =
       std::count_if(curves.begin(), curves.begin() + index, [](const Curve &c) {
         return c.style == CurveStyle::reference;

@@ -37,6 +37,12 @@ namespace RollingContact
                               }),
                               "waves that pass vibrate at frequencies of "
                               "their own"};
+    const Reader one_state = {asks<AnalysisTraits>([](const auto &analysis) {
+                                return analysis.linearises &&
+                                       !analysis.has_many_states &&
+                                       !analysis.passes_waves;
+                              }),
+                              "Analysis = stability of one state reads it"};
     entries.add("Lowest frequency", lowest_frequency, "Hz")
       .at_least(0.)
       .read_by(of_growth)
@@ -55,6 +61,9 @@ namespace RollingContact
     entries.add("Full model", correct).help =
       "Correct each unstable vibration, or the wave that grows most, by the "
       "equations of the whole bodies, and tell how far it is from them.";
+    entries.add("Thresholds", thresholds).read_by(one_state).help =
+      "Follow friction, creepages and damping from the state until the last "
+      "vibration ceases to grow, or the first one begins to.";
     entries.add("Damping margin", damping_margin, "1")
       .at_least(0.)
       .read_by(of_growth)

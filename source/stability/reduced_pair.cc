@@ -3,6 +3,7 @@
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/stability/reduced_pair.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace RollingContact
@@ -73,6 +74,49 @@ namespace RollingContact
     result.Phi = at_interface(pair.Phi);
     if (pair.watched.size() > 0)
       result.watched = at_interface(pair.watched);
+    return result;
+  }
+
+  std::vector<double> CondensedPair::expanded(const std::vector<double> &values,
+                                              const std::size_t n_modes) const
+  {
+    std::vector<double> all(n_modes, 0.);
+    for (std::size_t k = 0; k < kept.size(); ++k)
+      all[kept[k]] = values[k];
+    return all;
+  }
+
+  CondensedPair condensed(const ReducedPair &pair, const double highest)
+  {
+    CondensedPair             result;
+    std::vector<unsigned int> fast;
+    for (unsigned int k = 0; k < pair.n_modes(); ++k)
+      (pair.K_m(k, k) > highest * highest ? fast : result.kept).push_back(k);
+    const std::size_t m    = result.kept.size();
+    ReducedPair      &slow = result.pair;
+    const auto        part = [&](const DenseMatrix &M) {
+      DenseMatrix kept(M.size() == 0 ? 0 : m, M.size() == 0 ? 0 : m);
+      for (Eigen::Index i = 0; i < kept.rows(); ++i)
+        for (Eigen::Index j = 0; j < kept.cols(); ++j)
+          kept(i, j) = M(result.kept[i], result.kept[j]);
+      return kept;
+    };
+    slow.K_m = part(pair.K_m);
+    slow.C_m = part(pair.C_m);
+    slow.H_m = part(pair.H_m);
+    slow.Phi.resize(pair.Phi.rows(), m);
+    for (std::size_t k = 0; k < m; ++k)
+      slow.Phi.col(k) = pair.Phi.col(result.kept[k]);
+    DenseMatrix followers(pair.Phi.rows(), fast.size());
+    for (std::size_t k = 0; k < fast.size(); ++k)
+      followers.col(k) =
+        pair.Phi.col(fast[k]) / std::sqrt(pair.K_m(fast[k], fast[k]));
+    slow.W_res         = pair.W_res + followers * followers.transpose();
+    slow.retardation   = pair.retardation;
+    slow.n_wheel_modes = std::lower_bound(result.kept.begin(),
+                                          result.kept.end(),
+                                          pair.n_wheel_modes) -
+                         result.kept.begin();
     return result;
   }
 

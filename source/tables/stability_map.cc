@@ -57,6 +57,35 @@ namespace RollingContact
         }
       return worst;
     }
+
+    /** "; along Contact/Friction coefficient growth begins between 0.2 and
+     * 0.25, by a straight line at 0.231", with each change of the verdict along
+     * a single axis. */
+    std::string thresholds_along_axis(const TablePlan    &plan,
+                                      const ResultsTable &results)
+    {
+      if (plan.axes.size() != 1)
+        return "";
+      const TableAxis                   &axis = plan.axes[0];
+      std::vector<std::optional<double>> growth(axis.values.size());
+      for (std::size_t row = 0; row < results.n_rows(); ++row)
+        growth[state_of_row(results, row)] =
+          results.number(row, "largest_growth_1/s");
+      std::string text;
+      for (std::size_t k = 1; k < growth.size(); ++k)
+        if (growth[k - 1] && growth[k] &&
+            (*growth[k - 1] > 0.) != (*growth[k] > 0.))
+          {
+            const double one = axis.values[k - 1], other = axis.values[k],
+                         share = *growth[k - 1] / (*growth[k - 1] - *growth[k]);
+            text += std::string(text.empty() ? "" : ", ") +
+                    (*growth[k] > 0. ? "begins" : "ends") + " between " +
+                    significant(one, 4) + " and " + significant(other, 4) +
+                    ", by a straight line at " +
+                    significant(one + share * (other - one), 3);
+          }
+      return text.empty() ? "" : "; along " + axis.entry + " growth " + text;
+    }
   } // namespace
 
   template <int dim>
@@ -154,11 +183,8 @@ namespace RollingContact
   std::string StabilityMap<dim>::mode_of(const Vibrations          &vibrations,
                                          const std::complex<double> s) const
   {
-    const Side    side = bodies->body(Side::wheel) ? Side::wheel : Side::rail;
     const Finding finding = vibrations.template find<dim>({s}, nullptr).front();
-    const auto    nearest =
-      rolling->nearest_mode(side, finding.mode.participation());
-    return nearest ? bodies->body(side)->characters[nearest->first].name() : "";
+    return rolling->nearest_name(finding.mode.participation());
   }
 
   template <int dim>
@@ -207,7 +233,10 @@ namespace RollingContact
     if (fastest == growing.end() || !(fastest->real() > 0.))
       return;
     const WholeBodies<dim> whole(*rolling, conditions);
-    proof = Proof{state, vibrations.find({*fastest}, &whole)[0]};
+    const Finding          finding = vibrations.find({*fastest}, &whole)[0];
+    proof                          = Proof{state,
+                  finding,
+                  rolling->nearest_name(finding.mode.participation())};
   }
 
   template <int dim>
@@ -260,9 +289,12 @@ namespace RollingContact
                           " states has a vibration that grows";
     if (row < results.n_rows())
       {
-        const std::size_t  state = state_of_row(results, row);
-        const std::string *mode =
-          results.value<std::string>(row, "fastest_mode");
+        const std::size_t  state  = state_of_row(results, row);
+        const bool         proved = proof && proof->state == state;
+        const std::string *named =
+                            results.value<std::string>(row, "fastest_mode"),
+                          *mode =
+                            named == nullptr && proved ? &proof->mode : named;
         verdict =
           std::to_string(n_unstable) + " of " + std::to_string(n_solved) +
           " states have vibrations that grow; the fastest at " +
@@ -270,11 +302,12 @@ namespace RollingContact
           (mode && !mode->empty() ? ", mode " + *mode + "," : "") + " by " +
           significant(results.number(row, "largest_growth_1/s").value(), 3) +
           " 1/s where " + plan.name(state);
-        if (proof && proof->state == state)
+        if (proved)
           verdict += ", " + significant(proof->finding.growth(), 3) +
                      " 1/s by the whole bodies";
       }
-    context.report.set_finding("squeal", verdict);
+    context.report.set_finding("squeal",
+                               verdict + thresholds_along_axis(plan, results));
     if (proof)
       context.report.errors.push_back(
         {"growth of the fastest vibration",

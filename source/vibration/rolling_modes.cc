@@ -223,6 +223,16 @@ namespace RollingContact
   }
 
   template <int dim>
+  std::string
+  RollingModes<dim>::nearest_name(const std::vector<double> &shares) const
+  {
+    for (const Side side : both_sides)
+      if (const auto nearest = nearest_mode(side, shares))
+        return modal.body(side)->characters[nearest->first].name();
+    return "";
+  }
+
+  template <int dim>
   std::vector<double> RollingModes<dim>::static_amplitudes(
     const std::vector<double> &forces,
     const RollingConditions   &conditions) const

@@ -81,23 +81,32 @@ def track_decay():
 
 
 def stability():
-    """Damping ratios in percent of all below 1 %, and those that grow."""
+    """Growth over frequency: what grows, what decays, names and the line of no growth."""
     rows = table("stability.csv")
-    curves = {label: points for label, columns, points in charts("stability")
-              if columns == ["frequency (kHz)", "damping ratio (%)"]}
+    curves = [(label, points) for label, columns, points in charts("stability")
+              if columns == ["frequency (kHz)", "growth (1/s)"]]
 
     def point(row):
-        s = complex(float(row["growth_1/s"]), 2 * math.pi * float(row["frequency_Hz"]))
-        return s.imag / 2 / math.pi / 1000, -100 * s.real / abs(s)
+        return float(row["frequency_Hz"]) / 1000, float(row["corrected_growth_1/s"] or row["growth_1/s"])
 
-    below = sorted(curves["below 1 %"])
-    for wanted in sorted(point(row) for row in rows):
-        if wanted[1] < 1:
-            check("an eigenvalue", any(abs(f / wanted[0] - 1) < 1e-4 and abs(z / wanted[1] - 1) < 1e-2
-                                       for f, z in below), wanted)
+    grow, decay = ([points for label, points in curves if label == name][0] for name in ("grow", "decay"))
     unstable = [point(row) for row in rows if row["unstable"] == "true"]
-    check("some grow", unstable and all(ratio < 0 for _, ratio in unstable))
-    same_points("unstable", curves["unstable"], unstable)
+    check("some grow", unstable and all(growth > 0 for _, growth in unstable))
+    same_points("grow", grow, unstable)
+    check("no other grows", all(growth <= 0 for _, growth in decay))
+    for row in rows:
+        if row["unstable"] != "true":
+            check("a vibration that decays, once",
+                  sum(abs(f / point(row)[0] - 1) < 1e-6 and abs(g / point(row)[1] - 1) < 1e-6
+                      for f, g in decay) == 1, row)
+    check("zero", any(len(points) == 2 and all(growth == 0 for _, growth in points) for _, points in curves))
+    named = {label: points[0] for label, points in curves if len(points) == 1 and label not in ("grow", "decay")}
+    for row in rows:
+        name = row["wheel_mode_name"]
+        check("a name", name in named, row)
+        check("its place", any(row["wheel_mode_name"] == name and point(row)[0] and
+                               abs(named[name][0] / point(row)[0] - 1) < 1e-6 and
+                               abs(named[name][1] / point(row)[1] - 1) < 1e-6 for row in rows), name)
 
 
 def modes(body):

@@ -107,6 +107,15 @@ BOOST_FIXTURE_TEST_CASE(maps, DrawingRun)
   BOOST_TEST(contains(script("map"),
                       "splot 'map.dat' index 0 with pm3d notitle, \\\n"
                       "  'map.dat' index 1 using 1:2:(0) with lines"));
+  // a reference lies on white, to be seen on dark colours
+  figure.add_curve("", {0., 3.}, {6., 5.}, CurveStyle::reference);
+  figure.draw(drawing, "map");
+  BOOST_TEST(
+    contains(script("map"),
+             "index 0 with pm3d notitle, \\\n  'map.dat' index 2 using "
+             "1:2:(0) with lines linewidth 3.4 linecolor "
+             "\"#FFFFFF\" notitle, \\\n  'map.dat' index 1 using"));
+  BOOST_TEST(is_drawn("map"));
   // ranges to the digit of the data, or gnuplot cuts the outer cells
   Figure thirds("", "x", "y");
   thirds.add_map("v", {1 / 3., 2 / 3.}, {8 / 9., 5000 / 3.}, {1., 2., 3., 4.});
@@ -115,6 +124,22 @@ BOOST_FIXTURE_TEST_CASE(maps, DrawingRun)
                       "set xrange [0.333333333:0.666666667]\n"
                       "set yrange [0.888888889:1666.66667]\n"));
   BOOST_TEST(contains(thirds.data(), "\n0.666666667\t1666.66667\t4\n"));
+}
+
+/** Names stand above their points, and not in the legend. */
+BOOST_FIXTURE_TEST_CASE(names_of_points, DrawingRun)
+{
+  Figure figure("", "x", "y");
+  figure.add_curve("", {1., 2.}, {3., 4.}, CurveStyle::points);
+  figure.add_curve("it's_0L3", {2.}, {4.}, CurveStyle::name_beside);
+  figure.draw(drawing, "names");
+  BOOST_TEST(said.str() == "");
+  BOOST_TEST(is_drawn("names"));
+  BOOST_TEST(
+    contains(script("names"),
+             "index 1 using 1:2:('it''s\\\\\\_0L3') with labels center"));
+  BOOST_TEST(contains(script("names"), "unset key"));
+  BOOST_TEST(contains(read(files.folder / "names.svg"), "s_0L3"));
 }
 
 /** The course of a long curve stays, its extremes included. */

@@ -6,6 +6,8 @@
 #include "complaint.h"
 #include "stability_bodies.h"
 
+#include <rolling_contact/stability/threshold.h>
+
 #include <algorithm>
 #include <functional>
 
@@ -175,6 +177,22 @@ BOOST_AUTO_TEST_CASE(two_masses_flutter)
         return flutter(masses, mu).real();
       });
       BOOST_TEST(std::abs(found - masses.critical_friction()) < 1e-6);
+      // the first threshold, as cures are found: from stable and from growing
+      for (const double now : {0.2, 3.})
+        {
+          const double    width = 1e-5;
+          const Threshold first = first_threshold(
+            flutter(masses, now).real(),
+            [&](const double change) {
+              return std::optional<double>(
+                flutter(masses, now + (now < 1. ? change : -change)).real());
+            },
+            {0.25, 2.9, width});
+          const double at =
+            now + (now < 1. ? 1 : -1) * (first.before + first.behind) / 2;
+          BOOST_TEST(first.crossed);
+          BOOST_TEST(std::abs(at - masses.critical_friction()) < width);
+        }
     }
 }
 

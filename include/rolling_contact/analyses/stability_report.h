@@ -19,22 +19,16 @@ namespace RollingContact
                ResultsTable            &table);
 
   /**
-   * "3 modes grow, ...; the fastest at 1038 Hz by 1 1/s, ...", with what a
-   * second count says.
+   * Draws growth over frequency, of all eigenvalues between two frequencies
+   * (Hz) and of the findings, by the whole bodies if they are known, with their
+   * names.
    */
-  std::string verdict(const Situation            &scene,
-                      const std::vector<Finding> &findings,
-                      const std::string          &counted);
-
-  /**
-   * Draws damping ratios over frequency, of all eigenvalues between two
-   * frequencies (Hz), and the unstable ones.
-   */
-  void plot_eigenvalues(const ComplexValues        &eigenvalues,
-                        const std::vector<Finding> &findings,
-                        const double                lowest,
-                        const double                highest,
-                        RunContext                 &context);
+  void plot_growth(const ComplexValues            &eigenvalues,
+                   const std::vector<Finding>     &findings,
+                   const std::vector<std::string> &names,
+                   const double                    lowest,
+                   const double                    highest,
+                   RunContext                     &context);
 } // namespace RollingContact
 
 #endif

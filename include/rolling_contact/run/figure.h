@@ -19,7 +19,9 @@ namespace RollingContact
     /** A line that stands out of others on which it lies. */
     thick,
     /** From x = 0 to each point, see set_names(). */
-    bars
+    bars,
+    /** No point but the label, above each. */
+    name_beside
   };
 
   enum class MapColours

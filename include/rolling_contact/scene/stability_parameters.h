@@ -34,6 +34,7 @@ namespace RollingContact
     bool   rotation         = true;
     bool   count            = true;
     bool   correct          = true;
+    bool   thresholds       = true;
     double damping_margin   = 0.;
     double added_damping    = 0.; ///< of all modes, damping ratio
 

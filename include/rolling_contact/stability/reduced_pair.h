@@ -4,6 +4,8 @@
 #include <rolling_contact/algebra/dense_matrix.h>
 #include <rolling_contact/contact/surface_coupling.h>
 
+#include <vector>
+
 namespace RollingContact
 {
   /**
@@ -59,6 +61,29 @@ namespace RollingContact
    */
   ReducedPair at_nodes(const ReducedPair     &pair,
                        const SurfaceCoupling &coupling);
+
+  /**
+   * A pair of which fast modes only follow, and the columns of the modes that
+   * are left.
+   */
+  struct CondensedPair
+  {
+    ReducedPair               pair;
+    std::vector<unsigned int> kept;
+
+    /** Values of the modes of this pair as those of the whole one, 0 for modes
+     * that follow. */
+    std::vector<double> expanded(const std::vector<double> &values,
+                                 const std::size_t          n_modes) const;
+  };
+
+  /**
+   * Take the modes d with a stiffness K_dd above @p highest squared (1/s) as
+   * static: W_res + Phi_d K_dd^-1 Phi_d^T, by the diagonal of K_m; their
+   * inertia, their damping but tau, and what couples them to others are left
+   * out.
+   */
+  CondensedPair condensed(const ReducedPair &pair, const double highest);
 
   /**
    * Let the material of the bodies pass through their modes, as a wheel does

@@ -39,6 +39,7 @@ namespace RollingContact
     {
       std::size_t state = 0;
       Finding     finding;
+      std::string mode; ///< its name
     };
 
     void take_bodies(const Situation        &scene,

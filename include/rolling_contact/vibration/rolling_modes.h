@@ -41,6 +41,10 @@ namespace RollingContact
     std::optional<std::pair<std::size_t, double>>
     nearest_mode(const Side side, const std::vector<double> &shares) const;
 
+    /** The name of that mode, "0L3": of the wheel, of the rail where the wheel
+     * has none; empty where neither has. */
+    std::string nearest_name(const std::vector<double> &shares) const;
+
     /**
      * Static amplitudes of all coordinates under nodal forces, Lambda^-1 Phi^T
      * f of modes, absorbers at rest with them. Units: N to m kg^(1/2).
