@@ -246,6 +246,43 @@ namespace RollingContact
     profiles.check(wheel.radius, prm_folder);
   }
 
+  namespace
+  {
+    /**
+     * Surfaces that are straight across touch up to the side of a body, which
+     * discs and blocks have, in states that are steady.
+     */
+    void check_line_contact(const SceneParameters &scene)
+    {
+      const AnalysisTraits &analysis = scene.analysis;
+      if (!analysis.has_bodies || !analysis.has_contact)
+        return;
+      const std::string given =
+        "Wheel/Lateral radius = 0 and Rail/Lateral radius = 0: both surfaces are "
+        "straight across and touch up to the sides of the bodies. ";
+      for (const BodyParameters *body : {&scene.wheel, &scene.rail})
+        if (!body->rigid && body->shape != "disc" && body->shape != "block")
+          throw InputError(given +
+                           "The ends of such a contact are known on "
+                           "discs and blocks; " +
+                           body->section + "/Shape = " + body->shape +
+                           " takes a Lateral radius, or profiles.");
+      if (analysis.marches || analysis.linearises || analysis.has_own_meshes ||
+          analysis.has_many_states)
+        throw InputError(given +
+                         "Analysis = quasi-static, creep curve and load curve "
+                         "take that; for " +
+                         analysis.name +
+                         " give a Lateral radius, so that the patch ends "
+                         "before the sides.");
+      if (scene.mesh.target_error)
+        throw InputError(
+          given + "Mesh/Target error = " + text_of(*scene.mesh.target_error) +
+          ": no bound of the error is known there; leave it empty and give "
+          "Mesh/Elements across patch.");
+    }
+  } // namespace
+
   void SceneParameters::check_curvatures() const
   {
     if (profiles.in_use())
@@ -253,8 +290,12 @@ namespace RollingContact
     const auto curvature = [](const double radius) {
       return radius == 0. ? 0. : 1 / radius;
     };
-    if (dimension == 3 &&
-        curvature(wheel.lateral_radius) + curvature(rail.lateral_radius) <= 0.)
+    if (dimension == 3 && wheel.lateral_radius == 0. &&
+        rail.lateral_radius == 0.)
+      check_line_contact(*this);
+    else if (dimension == 3 &&
+             curvature(wheel.lateral_radius) + curvature(rail.lateral_radius) <=
+               0.)
       throw InputError(
         "Wheel/Lateral radius = " + text_of(wheel.lateral_radius) +
         " and Rail/Lateral radius = " + text_of(rail.lateral_radius) +
