@@ -2,6 +2,7 @@
 #include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/scene/scene_parameters.h>
+#include <rolling_contact/surfaces/crown.h>
 
 #include <cmath>
 
@@ -248,6 +249,27 @@ namespace RollingContact
 
   namespace
   {
+    bool touch_in_line(const SceneParameters &scene)
+    {
+      return scene.dimension == 3 && !scene.profiles.in_use() &&
+             scene.wheel.lateral_radius == 0. &&
+             scene.rail.lateral_radius == 0.;
+    }
+
+    /** A crown has the length of the line that it is for. */
+    void check_crowns(const SceneParameters &scene)
+    {
+      for (const Side side : both_sides)
+        if (const std::string entry = SurfaceParameters::entry(side);
+            !touch_in_line(scene) &&
+            crown_named(entry, scene.surfaces.height[side]))
+          throw InputError(
+            entry + " = " + scene.surfaces.height[side] +
+            ": a crown is for bodies that touch from side to side; set "
+            "Wheel/Lateral radius and Rail/Lateral radius to 0 m without "
+            "profiles, or give an expression in y.");
+    }
+
     /**
      * Surfaces that are straight across touch up to the side of a body, which
      * discs and blocks have, in states that are steady.
@@ -285,13 +307,13 @@ namespace RollingContact
 
   void SceneParameters::check_curvatures() const
   {
+    check_crowns(*this);
     if (profiles.in_use())
       return;
     const auto curvature = [](const double radius) {
       return radius == 0. ? 0. : 1 / radius;
     };
-    if (dimension == 3 && wheel.lateral_radius == 0. &&
-        rail.lateral_radius == 0.)
+    if (touch_in_line(*this))
       check_line_contact(*this);
     else if (dimension == 3 &&
              curvature(wheel.lateral_radius) + curvature(rail.lateral_radius) <=

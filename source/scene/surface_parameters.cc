@@ -2,6 +2,7 @@
 #include <rolling_contact/base/number_text.h>
 #include <rolling_contact/scene/entries.h>
 #include <rolling_contact/scene/surface_parameters.h>
+#include <rolling_contact/surfaces/crown.h>
 #include <rolling_contact/surfaces/height_expression.h>
 
 namespace RollingContact
@@ -35,7 +36,9 @@ namespace RollingContact
           help + " An expression in x and y (m), the frame's at "
                  "`Position` 0, which moves with the material, or "
                  "`FILE.csv` or `table: FILE column`, whose positions "
-                 "count as the wheel runs (file relative to this one); "
+                 "count as the wheel runs (file relative to this one); or a "
+                 "crown, `lundberg : LOAD` or `johns-gohar : LOAD` (N), on "
+                 "bodies that are straight across; "
                  "empty for a smooth one.";
       };
     declare_height(Side::wheel,
@@ -102,7 +105,14 @@ namespace RollingContact
                            "or take Dimension = 3.");
       }
     for (const Side side : both_sides)
-      if (!height[side].empty() && !names_a_record(height[side]))
+      if (crown_named(entry(side), height[side]))
+        {
+          if (dimension == 2)
+            throw InputError(entry(side) + " = " + height[side] +
+                             ": in 2D there are no ends across; take "
+                             "Dimension = 3.");
+        }
+      else if (!height[side].empty() && !names_a_record(height[side]))
         {
           const HeightExpression tried(entry(side),
                                        height[side],
@@ -126,7 +136,7 @@ namespace RollingContact
                                                    share_otherwise);
     for (const Side side : both_sides)
       {
-        if (height[side].empty())
+        if (height[side].empty() || crown_named(entry(side), height[side]))
           continue;
         if (names_a_record(height[side]))
           records[side] = std::make_shared<const SurfaceRecord>(
