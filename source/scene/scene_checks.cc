@@ -297,6 +297,11 @@ namespace RollingContact
                          analysis.name +
                          " give a Lateral radius, so that the patch ends "
                          "before the sides.");
+      if (scene.mesh.adaptive_levels > 0)
+        throw InputError(given + "Mesh/Adaptive levels = " +
+                         std::to_string(scene.mesh.adaptive_levels) +
+                         " refines no line contact; take 0, and Mesh/Rim "
+                         "levels for its ends.");
       if (scene.mesh.target_error)
         throw InputError(
           given + "Mesh/Target error = " + text_of(*scene.mesh.target_error) +

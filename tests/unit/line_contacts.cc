@@ -147,6 +147,10 @@ BOOST_AUTO_TEST_CASE(refusals)
                         scene.surfaces.height.wheel = "lundberg : 500";
                       }),
                       "Surfaces/Wheel height = lundberg : 500: a crown"));
+  BOOST_TEST(contains(refusal([](SceneParameters &scene) {
+                        scene.mesh.adaptive_levels = 1;
+                      }),
+                      "Mesh/Adaptive levels = 1 refines no line contact"));
   for (const char *text : {"lundberg", "lundberg : many", "johns-gohar : 0"})
     BOOST_TEST(contains(refusal([&](SceneParameters &scene) {
                           scene.surfaces.height.wheel = text;
