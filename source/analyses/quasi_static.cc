@@ -6,6 +6,7 @@
 #include <rolling_contact/results/bodies_report.h>
 #include <rolling_contact/results/body_fields.h>
 #include <rolling_contact/results/interface_fields.h>
+#include <rolling_contact/results/line_contact.h>
 #include <rolling_contact/results/lines_across.h>
 #include <rolling_contact/results/profile_columns.h>
 #include <rolling_contact/results/profile_plot.h>
@@ -135,7 +136,10 @@ namespace RollingContact
     note_hot_friction(scene, steady, context.report);
     note_profiles(scene, steady, context.report);
     if constexpr (dim == 3)
-      note_damage(scene, steady, context.report);
+      {
+        note_line_contact(scene, steady, context.report);
+        note_damage(scene, steady, context.report);
+      }
     warn_of_missed_target(scene, context);
   }
 

@@ -84,13 +84,27 @@ namespace RollingContact
                    Grading<dim>   &grading)
   {
     const double reach = narrower_reach(scene), near = 2.5; // elements
+    const auto   fit = [&]() {
+      grading.element_size_y =
+        reach / (4 * fewest_parts(reach, 4 * grading.element_size_y));
+    };
+    if (scene.touches_in_line())
+      {
+        for (ZoneBox &box : grading.zone_boxes)
+          {
+            box.lower[1] = -reach;
+            box.upper[1] = reach;
+          }
+        grading.zone_y = reach;
+        fit();
+        return;
+      }
     if (dim == 2 || !grading.zone_boxes.empty() ||
         grading.zone_y + near * grading.element_size_y < reach)
       return;
     if (half_width_y < reach)
       grading.zone_y = std::min(grading.zone_y, reach);
-    grading.element_size_y =
-      reach / (4 * fewest_parts(reach, 4 * grading.element_size_y));
+    fit();
   }
 
   template <int dim>

@@ -1,9 +1,12 @@
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
+#include <rolling_contact/pair/mesh_limits.h>
 #include <rolling_contact/pair/moving_surfaces.h>
 #include <rolling_contact/pair/passing_surface.h>
 #include <rolling_contact/pair/patch_estimate.h>
+#include <rolling_contact/references/hertz_line.h>
+#include <rolling_contact/surfaces/crown.h>
 #include <rolling_contact/surfaces/expression_check.h>
 #include <rolling_contact/surfaces/record_notes.h>
 
@@ -41,6 +44,37 @@ namespace RollingContact
       const HeightExpression expression;
       const double           turn;
     };
+
+    class CrownSurface : public MovingSurfaces::Surface
+    {
+    public:
+      CrownSurface(const Crown &crown, const Crown::Roller &roller)
+        : crown(crown)
+        , roller(roller)
+      {}
+
+      double height(const double, const double y) const override
+      {
+        return -crown.drop(y, roller);
+      }
+
+    private:
+      const Crown         crown;
+      const Crown::Roller roller;
+    };
+
+    /** The line contact under the load of a crown. */
+    Crown::Roller roller_of(const PairSpec &scene, const Crown &crown)
+    {
+      const PairConstants constants = pair_constants(scene);
+      const double        length    = 2 * narrower_reach(scene);
+      return {length,
+              References::hertz_line(crown.load / length,
+                                     constants.relative_radius,
+                                     constants.contact_modulus)
+                .half_width,
+              constants.contact_modulus};
+    }
 
     /** First and last X of the material that passes the zone. */
     std::array<double, 2> material_that_passes(const SurfacePassage &passage,
@@ -146,6 +180,11 @@ namespace RollingContact
                                      turn_of(scene, side),
                                      false,
                                      is_even};
+        if (const auto crown =
+              crown_named(given.entry(side), given.height[side]))
+          surfaces[side] =
+            std::make_shared<const CrownSurface>(*crown,
+                                                 roller_of(scene, *crown));
         if (const auto &record = given.records[side])
           surfaces[side] =
             filtered(record, sizes, passage, given.shortest_wavelength);

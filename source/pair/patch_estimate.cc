@@ -1,6 +1,7 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/mesh/profile_patch.h>
+#include <rolling_contact/pair/mesh_limits.h>
 #include <rolling_contact/pair/patch_estimate.h>
 #include <rolling_contact/references/hertz_ellipse.h>
 #include <rolling_contact/references/hertz_line.h>
@@ -72,7 +73,8 @@ namespace RollingContact
     constants.relative_radius =
       References::relative_radius(finite_or_flat(wheel.radius),
                                   finite_or_flat(rail.radius));
-    if (scene.dimension == 3 && !scene.profiles.in_use())
+    if (scene.dimension == 3 && !scene.profiles.in_use() &&
+        !scene.touches_in_line())
       constants.lateral_relative_radius =
         References::relative_radius(finite_or_flat(wheel.lateral_radius),
                                     finite_or_flat(rail.lateral_radius));
@@ -159,13 +161,27 @@ namespace RollingContact
                                    : estimate_patch(scene).half_width_x > 0.;
   }
 
+  namespace
+  {
+    /** The rectangle of a line contact of this length (m). */
+    void set_ends(const double length, PatchEstimate &estimate)
+    {
+      const double a = estimate.half_width_x, w = length / 2;
+      estimate.half_width_y = estimate.narrowest_y = w;
+      estimate.shortest_x                          = a;
+      estimate.boxes = {ZoneBox{{{-a, -w}}, {{a, w}}}};
+    }
+  } // namespace
+
   PatchEstimate estimate_patch(const PairSpec              &scene,
                                const std::optional<double> &load)
   {
     if (scene.profiles.in_use())
       return estimate_of_profiles(scene, load);
-    if (scene.dimension == 3)
+    if (scene.dimension == 3 && !scene.touches_in_line())
       return estimate_ellipse(scene, load);
+    const double length =
+      scene.dimension == 2 ? scene.thickness() : 2 * narrower_reach(scene);
     const PairConstants constants = pair_constants(scene);
     const auto          hertz     = [&](const double half_width) {
       return References::hertz_line_of_half_width(half_width,
@@ -182,7 +198,7 @@ namespace RollingContact
       {
         if (*load > 0.)
           estimate.half_width_x =
-            References::hertz_line(*load / scene.thickness(),
+            References::hertz_line(*load / length,
                                    constants.relative_radius,
                                    constants.contact_modulus)
               .half_width;
@@ -198,7 +214,9 @@ namespace RollingContact
         *scene.contact.approach);
     if (estimate.half_width_x > 0.)
       estimate.normal_force =
-        hertz(estimate.half_width_x).load_per_length() * scene.thickness();
+        hertz(estimate.half_width_x).load_per_length() * length;
+    if (scene.dimension == 3 && estimate.half_width_x > 0.)
+      set_ends(length, estimate);
     return estimate;
   }
 } // namespace RollingContact

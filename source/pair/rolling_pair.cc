@@ -102,6 +102,17 @@ namespace RollingContact
   }
 
   template <int dim>
+  std::vector<bool> RollingPair<dim>::border_nodes() const
+  {
+    std::vector<bool> border = trace().border_nodes();
+    for (unsigned int i = 0; i < border.size(); ++i)
+      if (border[i] && scene.touches_in_line())
+        border[i] =
+          !trace().element_size(i, +1) || !trace().element_size(i, -1);
+    return border;
+  }
+
+  template <int dim>
   bool RollingPair<dim>::compliance_is_exact() const
   {
     return body_pair.body_solver() != BodySolver::distributed;

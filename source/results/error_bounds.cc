@@ -227,6 +227,13 @@ namespace RollingContact
     return of_residual * found.residual_tangential;
   }
 
+  namespace
+  {
+    const char ends_of_line[] =
+      "at the ends of a line contact pressure and tractions follow no closed "
+      "form";
+  }
+
   ErrorBounds error_bounds(const BoundCircumstances &found)
   {
     ErrorBounds bounds;
@@ -279,6 +286,12 @@ namespace RollingContact
   ErrorBounds error_bounds(const PairSpec         &scene,
                            const SteadyState<dim> &steady)
   {
+    if (scene.touches_in_line())
+      {
+        ErrorBounds unknown;
+        unknown.text = ends_of_line;
+        return unknown;
+      }
     const BoundCircumstances found = bound_circumstances(scene, steady);
     return steady.estimate
              ? estimated_bounds(found, *steady.estimate, steady.result)

@@ -65,16 +65,34 @@ namespace RollingContact
     return lines;
   }
 
+  namespace
+  {
+    /** Places on rail and wheel of a line at y; none beyond their ends. */
+    void set_places_on_profiles(const Profiles::ContactFrame &frame,
+                                const double                  y,
+                                ResultsTable                 &table)
+    {
+      const Profiles::ProfileCurve &wheel =
+        frame.wheel_on_rail().wheel_profile();
+      const auto rail   = frame.rail_in_track(y);
+      const auto length = frame.wheel_arc_length(y);
+      table.set_if(rail.has_value(), "y_track_m", rail ? (*rail)[0] : 0.);
+      table.set_if(rail.has_value(), "height_m", rail ? (*rail)[1] : 0.);
+      table.set_if(length.has_value(),
+                   "y_wheel_m",
+                   length ? wheel.at(*length).y : 0.);
+    }
+  } // namespace
+
   void write_lines_across(const PairSpec       &scene,
                           const SteadyState<3> &steady,
                           RunContext           &context,
                           const std::string    &file)
   {
     const Profiles::ContactFrame *frame = scene.frame.get();
-    if (!frame || !steady.solver.converged || steady.result.n_touching == 0)
+    if (!(frame || scene.touches_in_line()) || !steady.solver.converged ||
+        steady.result.n_touching == 0)
       return;
-    const Profiles::ProfileCurve &wheel =
-      frame->wheel_on_rail().wheel_profile();
     ResultsTable               table(context.folder, file);
     std::optional<StateDamage> damage;
     if (StateDamage::is_asked(scene, steady.problem))
@@ -85,13 +103,8 @@ namespace RollingContact
           continue;
         table.set("y_m", line.y);
         table.set("width_m", line.width);
-        const auto rail   = frame->rail_in_track(line.y);
-        const auto length = frame->wheel_arc_length(line.y);
-        table.set_if(rail.has_value(), "y_track_m", rail ? (*rail)[0] : 0.);
-        table.set_if(rail.has_value(), "height_m", rail ? (*rail)[1] : 0.);
-        table.set_if(length.has_value(),
-                     "y_wheel_m",
-                     length ? wheel.at(*length).y : 0.);
+        if (frame)
+          set_places_on_profiles(*frame, line.y, table);
         table.set("max_pressure_Pa", line.max_pressure);
         table.set("load_N/m", line.load);
         table.set("dissipation_J/m2", line.heat);

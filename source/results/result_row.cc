@@ -3,6 +3,7 @@
 #include <rolling_contact/contact/uniqueness.h>
 #include <rolling_contact/pair/friction_heat.h>
 #include <rolling_contact/results/error_bounds.h>
+#include <rolling_contact/results/line_contact.h>
 #include <rolling_contact/results/nodal_values.h>
 #include <rolling_contact/results/profile_columns.h>
 #include <rolling_contact/results/reference_2d.h>
@@ -286,7 +287,10 @@ namespace RollingContact
         if constexpr (dim == 2)
           set_reference_columns(scene, steady, table);
         else
-          set_ellipse_columns(scene, steady, table);
+          {
+            set_ellipse_columns(scene, steady, table);
+            set_line_contact_columns(scene, steady, table);
+          }
         set_profile_columns(scene, steady, table);
         if constexpr (dim == 3)
           set_damage_columns(scene, steady, table);

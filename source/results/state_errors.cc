@@ -127,7 +127,7 @@ namespace RollingContact
                           const TractionField  *finest,
                           StateErrors          &result)
     {
-      if (scene.profiles.in_use())
+      if (scene.profiles.in_use() || scene.touches_in_line())
         {
           if (finest != nullptr)
             set_differences(scene, steady, *finest, result);

@@ -129,7 +129,8 @@ namespace RollingContact
       "a third of the time. `automatic`: split where its error is below that of "
       "the elements across the patch.";
     entries.add("Rim levels", rim_levels, "1").between(0, 10).help =
-      "Further halvings of the element size at the rim of the patch.";
+      "Further halvings of the element size at the rim of the patch; of a line "
+      "contact at its ends alone.";
     entries.choice("Rim edges", rim_edges, named_rim_edges).help =
       "Which part of the rim: `leading` or `both`.";
     entries.add("Adaptive levels", adaptive_levels, "1").between(0, 20).help =

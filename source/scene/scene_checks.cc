@@ -2,6 +2,7 @@
 #include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/scene/scene_parameters.h>
+#include <rolling_contact/surfaces/crown.h>
 
 #include <cmath>
 
@@ -247,15 +248,82 @@ namespace RollingContact
     profiles.check(wheel.radius, prm_folder);
   }
 
+  namespace
+  {
+    bool touch_in_line(const SceneParameters &scene)
+    {
+      return scene.dimension == 3 && !scene.profiles.in_use() &&
+             scene.wheel.lateral_radius == 0. &&
+             scene.rail.lateral_radius == 0.;
+    }
+
+    /** A crown has the length of the line that it is for. */
+    void check_crowns(const SceneParameters &scene)
+    {
+      for (const Side side : both_sides)
+        if (const std::string entry = SurfaceParameters::entry(side);
+            !touch_in_line(scene) &&
+            crown_named(entry, scene.surfaces.height[side]))
+          throw InputError(
+            entry + " = " + scene.surfaces.height[side] +
+            ": a crown is for bodies that touch from side to side; set "
+            "Wheel/Lateral radius and Rail/Lateral radius to 0 m without "
+            "profiles, or give an expression in y.");
+    }
+
+    /**
+     * Surfaces that are straight across touch up to the side of a body, which
+     * discs and blocks have, in states that are steady.
+     */
+    void check_line_contact(const SceneParameters &scene)
+    {
+      const AnalysisTraits &analysis = scene.analysis;
+      if (!analysis.has_bodies || !analysis.has_contact)
+        return;
+      const std::string given =
+        "Wheel/Lateral radius = 0 and Rail/Lateral radius = 0: both surfaces are "
+        "straight across and touch up to the sides of the bodies. ";
+      for (const BodyParameters *body : {&scene.wheel, &scene.rail})
+        if (!body->rigid && body->shape != "disc" && body->shape != "block")
+          throw InputError(given +
+                           "The ends of such a contact are known on "
+                           "discs and blocks; " +
+                           body->section + "/Shape = " + body->shape +
+                           " takes a Lateral radius, or profiles.");
+      if (analysis.marches || analysis.linearises || analysis.has_own_meshes ||
+          analysis.has_many_states)
+        throw InputError(given +
+                         "Analysis = quasi-static, creep curve and load curve "
+                         "take that; for " +
+                         analysis.name +
+                         " give a Lateral radius, so that the patch ends "
+                         "before the sides.");
+      if (scene.mesh.adaptive_levels > 0)
+        throw InputError(given + "Mesh/Adaptive levels = " +
+                         std::to_string(scene.mesh.adaptive_levels) +
+                         " refines no line contact; take 0, and Mesh/Rim "
+                         "levels for its ends.");
+      if (scene.mesh.target_error)
+        throw InputError(
+          given + "Mesh/Target error = " + text_of(*scene.mesh.target_error) +
+          ": no bound of the error is known there; leave it empty and give "
+          "Mesh/Elements across patch.");
+    }
+  } // namespace
+
   void SceneParameters::check_curvatures() const
   {
+    check_crowns(*this);
     if (profiles.in_use())
       return;
     const auto curvature = [](const double radius) {
       return radius == 0. ? 0. : 1 / radius;
     };
-    if (dimension == 3 &&
-        curvature(wheel.lateral_radius) + curvature(rail.lateral_radius) <= 0.)
+    if (touch_in_line(*this))
+      check_line_contact(*this);
+    else if (dimension == 3 &&
+             curvature(wheel.lateral_radius) + curvature(rail.lateral_radius) <=
+               0.)
       throw InputError(
         "Wheel/Lateral radius = " + text_of(wheel.lateral_radius) +
         " and Rail/Lateral radius = " + text_of(rail.lateral_radius) +

@@ -3,6 +3,7 @@
 #include <rolling_contact/scene/contact_parameters.h>
 #include <rolling_contact/scene/entries.h>
 #include <rolling_contact/scene/surface_parameters.h>
+#include <rolling_contact/surfaces/crown.h>
 #include <rolling_contact/surfaces/height_expression.h>
 
 namespace RollingContact
@@ -46,7 +47,8 @@ namespace RollingContact
           "moves with the material, or " +
           kinds_of_surface_files +
           ", whose positions count as the wheel runs (file relative to this "
-          "one); empty for a smooth one.";
+          "one); or a crown, `lundberg : LOAD` or `johns-gohar : LOAD` (N), on "
+          "bodies that are straight across; empty for a smooth one.";
       };
     declare_height(Side::wheel,
                    "Wheel height",
@@ -112,7 +114,14 @@ namespace RollingContact
                            "or take Dimension = 3.");
       }
     for (const Side side : both_sides)
-      if (names_a_record(height[side]))
+      if (crown_named(entry(side), height[side]))
+        {
+          if (dimension == 2)
+            throw InputError(entry(side) + " = " + height[side] +
+                             ": in 2D there are no ends across; take "
+                             "Dimension = 3.");
+        }
+      else if (names_a_record(height[side]))
         check_dimension_of_file(entry(side), height[side], dimension);
       else if (!height[side].empty())
         {
@@ -140,7 +149,7 @@ namespace RollingContact
                                                    share_otherwise);
     for (const Side side : both_sides)
       {
-        if (height[side].empty())
+        if (height[side].empty() || crown_named(entry(side), height[side]))
           continue;
         if (names_a_record(height[side]))
           records[side] = std::make_shared<const SurfaceRecord>(

@@ -136,10 +136,9 @@ namespace RollingContact
     if (!patch.boxes.empty() && enlargement > 0)
       {
         n_around *= 2;
-        for (const unsigned int i :
-             nodes_at_border(steady.pair->trace().border_nodes(),
-                             steady.problem,
-                             steady.state.pressure))
+        for (const unsigned int i : nodes_at_border(steady.pair->border_nodes(),
+                                                    steady.problem,
+                                                    steady.state.pressure))
           {
             const auto &at = steady.problem.operators.positions()[i];
             patch.boxes.push_back(ZoneBox{at, at}.grown(

@@ -32,11 +32,14 @@ namespace RollingContact
                                    const PatchEstimate &patch,
                                    const unsigned int   elements_across_patch)
     {
-      const double longest = 1.9; // over the width of an element
-      const double widest  = 1.5; // over its length
-      const double ratio   = patch.half_width_y / patch.half_width_x;
-      double       n       = elements_across_patch;
-      if (ratio > 1.)
+      const double longest            = 1.9; // over the width of an element
+      const double widest             = 1.5; // over its length
+      const double longest_along_line = 2.;  // over its length, where alike
+      const double ratio              = patch.half_width_y / patch.half_width_x;
+      double       n                  = elements_across_patch;
+      if (scene.touches_in_line())
+        n = std::ceil(n * ratio / longest_along_line);
+      else if (ratio > 1.)
         n = std::ceil(
           n * std::max(1., ratio / (patch.boxes.empty() ? widest : 1.)));
       else
@@ -99,6 +102,32 @@ namespace RollingContact
         }
       grading.upstream = 0;
     }
+    /**
+     * Refine the ends of a line contact, its sides in y, in place of the rim at
+     * its leading edge: by some of the smallest elements around each.
+     */
+    template <int dim>
+    void refine_ends(Grading<dim> &grading)
+    {
+      if (dim == 3 && grading.rim_levels > 0)
+        for (const double end : {-grading.zone_y, grading.zone_y})
+          {
+            const double    around = 2., beyond = 2.;
+            RefinedBox<dim> box;
+            box.size =
+              std::ldexp(grading.element_size_x, -int(grading.rim_levels));
+            const double share =
+              around * box.size / grading.element_size_x; // of an element
+            box.upper[0]       = beyond * grading.zone_x;
+            box.lower[0]       = -box.upper[0];
+            box.upper[1]       = end + share * grading.element_size_y;
+            box.lower[1]       = end - share * grading.element_size_y;
+            box.upper[dim - 1] = 0.;
+            box.lower[dim - 1] = -share * grading.element_size_z();
+            grading.boxes.push_back(box);
+          }
+      grading.rim_levels = 0;
+    }
   } // namespace
 
   template <int dim>
@@ -128,7 +157,7 @@ namespace RollingContact
     grading.zone_x   = zone(half_width, grading.element_size_x);
     grading.upstream = demands.one_direction ? -scene.contact.flow() : 0;
     grading.zone_y   = zone(patch.half_width_y, grading.element_size_y);
-    if (patch.boxes.empty())
+    if (patch.boxes.empty() || scene.touches_in_line())
       end_at_side(scene, patch.half_width_y, grading);
     grading.zone_depth = mesh.zone_depth * half_width *
                          grading.element_size_z() / grading.element_size_x;
@@ -139,6 +168,8 @@ namespace RollingContact
     grading.trailing_edge_x   = -grading.leading_edge_x;
     grading.leading_edge_only = mesh.rim_edges == RimEdges::leading;
     grading.rim_width         = 2 * grading.element_size_x;
+    if (scene.touches_in_line())
+      refine_ends(grading);
     if (!patch.boxes.empty())
       set_zone_boxes(patch, demands.other_patches, grading);
     return grading;
@@ -149,10 +180,10 @@ namespace RollingContact
   {
     const double side =
       narrower_reach(scene) - 1.5 * steady.grading.element_size_y;
-    const auto nodes = nodes_at_border(steady.pair->trace().border_nodes(),
+    const auto nodes = nodes_at_border(steady.pair->border_nodes(),
                                        steady.problem,
                                        steady.state.pressure);
-    return dim == 3 &&
+    return dim == 3 && !scene.touches_in_line() &&
            std::any_of(nodes.begin(), nodes.end(), [&](const unsigned int i) {
              return std::abs(steady.problem.operators.positions()[i][1]) > side;
            });
@@ -165,7 +196,9 @@ namespace RollingContact
                     Grading<dim>           &grading)
   {
     grading.enlarge_zone(n_elements);
-    if (grading.zone_boxes.empty() && !reaches_side(scene, steady))
+    if (scene.touches_in_line())
+      end_at_side(scene, grading.zone_y, grading);
+    else if (grading.zone_boxes.empty() && !reaches_side(scene, steady))
       grading.zone_y = std::min(grading.zone_y, narrower_reach(scene));
   }
 

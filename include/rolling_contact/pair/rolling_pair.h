@@ -77,6 +77,12 @@ namespace RollingContact
     }
 
     /**
+     * True for the nodes at borders of the zone beyond which bodies go on: all
+     * but those at the ends of a line contact.
+     */
+    std::vector<bool> border_nodes() const;
+
+    /**
      * Directions of a body's displacement that are among the values of the
      * contact: all, or z alone without friction. Numbers of axes, from 0.
      */

@@ -57,7 +57,18 @@ namespace RollingContact
     bool has_plain_surfaces() const
     {
       return contact.roughness.empty() && !profiles.in_use() &&
-             !surfaces.in_use() && surfaces.friction_share.empty();
+             !touches_in_line() && !surfaces.in_use() &&
+             surfaces.friction_share.empty();
+    }
+
+    /**
+     * Whether surfaces that are straight across touch in a line from side to
+     * side of the narrower body, in 3D and without profiles.
+     */
+    bool touches_in_line() const
+    {
+      return dimension == 3 && !profiles.in_use() &&
+             wheel.lateral_radius == 0. && rail.lateral_radius == 0.;
     }
 
     /**

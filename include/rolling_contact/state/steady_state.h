@@ -122,7 +122,7 @@ namespace RollingContact
   template <int dim>
   bool zone_too_small(const SteadyState<dim> &steady)
   {
-    return reaches_border(steady.pair->trace().border_nodes(),
+    return reaches_border(steady.pair->border_nodes(),
                           steady.problem,
                           steady.state.pressure);
   }
