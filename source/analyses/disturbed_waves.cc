@@ -72,17 +72,6 @@ namespace RollingContact
     return std::abs(value - mean) + scatter / 2;
   }
 
-  void check_speeds_of_state(const SceneParameters &scene,
-                             const std::string     &entry,
-                             const std::string     &text)
-  {
-    if (scene.contact.falling_friction() && !text.empty())
-      throw InputError(entry + " = " + text +
-                       ": friction that falls with the sliding speed has a "
-                       "state of its own at each; leave Speeds empty and give "
-                       "Contact/Speed.");
-  }
-
   template std::vector<WaveSweep>
   waves_over_halves(const Situation &,
                     SteadyState<2> &,

@@ -41,6 +41,17 @@ namespace RollingContact
                              "for it; give Mesh/Elements across patch.");
   }
 
+  void check_speeds_of_state(const SceneParameters &scene,
+                             const std::string     &entry,
+                             const std::string     &text)
+  {
+    if (scene.contact.falling_friction() && !text.empty())
+      throw InputError(entry + " = " + text +
+                       ": friction that falls with the sliding speed has a "
+                       "state of its own at each; leave Speeds empty and give "
+                       "Contact/Speed.");
+  }
+
   void check_lone_bodies(const SceneParameters &scene)
   {
     scene.modes.check();

@@ -43,12 +43,6 @@ namespace RollingContact
    */
   std::optional<double>
   uncertainty_by_halves(const double value, const std::vector<double> &halves);
-
-  /** Throws InputError where friction falls with the sliding speed and @p
-   * entry, of @p text, gives speeds: the state is not the same at each. */
-  void check_speeds_of_state(const SceneParameters &scene,
-                             const std::string     &entry,
-                             const std::string     &text);
 } // namespace RollingContact
 
 #endif

@@ -20,6 +20,12 @@ namespace RollingContact
    */
   void check_linearised_state(const SceneParameters &scene);
 
+  /** Throws InputError where friction falls with the sliding speed and @p
+   * entry, of @p text, gives speeds: the state is not the same at each. */
+  void check_speeds_of_state(const SceneParameters &scene,
+                             const std::string     &entry,
+                             const std::string     &text);
+
   /**
    * Rules for analyses of each body alone. Throws InputError.
    */
