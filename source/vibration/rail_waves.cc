@@ -94,7 +94,9 @@ namespace RollingContact
     for (const double y : {-beside_contact, beside_contact})
       places.push_back({{0., y, shape->surface_height(0., y)}});
     waves = waveguide_of(range.cut_off, interrupt, highest_degree);
-    rest  = at_contact(at_rest_rate()).real();
+    // reciprocal, on pads but for what the farthest of them bear
+    const DenseMatrix slow_motion = at_contact(at_rest_rate()).real();
+    rest                          = (slow_motion + slow_motion.transpose()) / 2;
   }
 
   std::unique_ptr<const Waveguide>
