@@ -130,6 +130,13 @@ namespace RollingContact
       bands.draw(context, "rolling_noise");
     }
 
+    /** A rigid body radiates nothing. */
+    std::string text_of_level(const double power)
+    {
+      return power > 0. ? significant(power_level(power), 4) + " dB(A)"
+                        : "nothing";
+    }
+
     std::string finding(const std::vector<NoiseOfSpeed> &speeds,
                         const SoundParameters           &sound)
     {
@@ -137,10 +144,9 @@ namespace RollingContact
       const NoisePowers   all   = last.sum();
       const auto          slope = slope_of(speeds);
       return "at " + significant(last.speed, 3) + " m/s power of the wheel " +
-             significant(power_level(all.weighted_wheel), 4) +
-             " dB(A), the rail " +
-             significant(power_level(all.weighted_rail), 4) +
-             " dB(A), together " + significant(power_level(all.weighted()), 4) +
+             text_of_level(all.weighted_wheel) + ", the rail " +
+             text_of_level(all.weighted_rail) + ", together " +
+             significant(power_level(all.weighted()), 4) +
              (last.uncertainty ? " +- " + significant(*last.uncertainty, 2)
                                : "") +
              " dB(A) re 1 pW; at " + significant(sound.distance, 4) + " m " +
