@@ -80,8 +80,6 @@ namespace RollingContact
         *worst = cell_of(f, worst->begin, middle);
         cells.push_back(cell_of(f, middle, end));
       }
-    // each halving asked for two cells in place of one
-    result.n_calls = 15 * (2 * cells.size() - n_cells);
     return result;
   }
 } // namespace RollingContact

@@ -144,8 +144,7 @@ namespace RollingContact
     const ModalBodies<dim>  bodies(at,
                                   at.inputs->modes,
                                   steady.pair->bodies(),
-                                  at.inputs->modes.cut_off_ratio *
-                                    at.inputs->modes.maximum_frequency,
+                                  at.inputs->modes.cut_off(),
                                   context);
     const RollingModes<dim> rolling(bodies,
                                     *steady.pair,
@@ -242,11 +241,7 @@ namespace RollingContact
                " of the one that grows most"
            : ""});
     else
-      context.log.warning(
-        "How far growth is off by the elements across the "
-        "patch is not known: no state with elements of twice "
-        "the length was found. Take more Mesh/Elements across "
-        "patch.");
+      warn_of_unknown_halves("growth", context.log);
     if (of_bodies)
       context.report.errors.push_back({"growth of waves by modes",
                                        *of_bodies / largest,

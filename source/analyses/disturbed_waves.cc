@@ -72,6 +72,14 @@ namespace RollingContact
     return std::abs(value - mean) + scatter / 2;
   }
 
+  void warn_of_unknown_halves(const std::string &quantity, Log &log)
+  {
+    log.warning("How far " + quantity +
+                " is off by the elements across the patch is not known: no "
+                "state with elements of twice the length was found. Take more "
+                "Mesh/Elements across patch.");
+  }
+
   template std::vector<WaveSweep>
   waves_over_halves(const Situation &,
                     SteadyState<2> &,

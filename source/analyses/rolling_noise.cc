@@ -8,10 +8,10 @@
 #include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/run/progress.h>
 #include <rolling_contact/scene/shared_rules.h>
 #include <rolling_contact/time/a_weighting.h>
 #include <rolling_contact/time/radiating_surface.h>
+#include <rolling_contact/time/sound_pressure.h>
 #include <rolling_contact/time/sound_report.h>
 
 #include <algorithm>
@@ -26,22 +26,6 @@ namespace RollingContact
 
     /// lines of a band at which patches of longer elements are compared
     const int compared_lines = 9;
-
-    /// values of unit_powers(); integration watches the first two
-    enum Values
-    {
-      of_wheel,
-      of_rail,
-      of_load,
-      of_load_of_one,
-      n_values
-    };
-
-    /** The mean over directions that are incoherent with each other. */
-    double sum_of_squares(const Eigen::VectorXcd &values)
-    {
-      return values.cwiseAbs2().sum();
-    }
   } // namespace
 
   RollingNoise::RollingNoise(const Situation &scene, RunContext &context)
@@ -53,11 +37,12 @@ namespace RollingContact
     , roughness(roughness_of(scene))
   {}
 
-  std::vector<double> RollingNoise::centres_at(const double speed) const
+  std::vector<Signals::ThirdOctave>
+  RollingNoise::bands_at(const double speed) const
   {
-    return centres_of_bands(roughness,
-                            speed,
-                            scene.inputs->modes.maximum_frequency);
+    return bands_of_waves(roughness,
+                          speed,
+                          scene.inputs->modes.maximum_frequency);
   }
 
   void RollingNoise::find_radiators(const RollingModes<3> &rolling)
@@ -110,13 +95,12 @@ namespace RollingContact
   std::vector<PassingWaves>
   RollingNoise::passing_waves(const WaveSweep &sweep) const
   {
-    const double                           edge = std::pow(10., 0.05);
     std::vector<std::pair<double, double>> wave_numbers;
     for (const double speed : speeds)
       {
-        const auto centres = centres_at(speed);
-        wave_numbers.emplace_back(2 * pi * centres.front() / edge / speed,
-                                  2 * pi * centres.back() * edge / speed);
+        const auto bands = bands_at(speed);
+        wave_numbers.emplace_back(2 * pi * bands.front().lower_edge() / speed,
+                                  2 * pi * bands.back().upper_edge() / speed);
       }
     const bool by_table = section.filter == ContactFilter::table;
     return RollingContact::passing_waves(
@@ -146,55 +130,51 @@ namespace RollingContact
       section.filter == ContactFilter::table
               ? std::pow(10., directive_contact_filter(load, speed / frequency) / 10)
               : 1.;
-    Eigen::ArrayXd result = Eigen::ArrayXd::Zero(n_values);
+    Eigen::ArrayXd result = Eigen::ArrayXd::Zero(NoisePowers::weighted_wheel);
     for (const Radiator &it : radiators)
-      result[it.side == Side::wheel ? of_wheel : of_rail] =
+      result[it.side == Side::wheel ? NoisePowers::wheel : NoisePowers::rail] =
         filter * it.power(passed, n, frequency, air);
-    result[of_load]        = filter * sum_of_squares(passed.loads.head(n));
-    result[of_load_of_one] = std::norm(passed.loads[n]);
+    result[NoisePowers::load] = filter * passed.loads.head(n).squaredNorm();
+    result[NoisePowers::load_of_one] = std::norm(passed.loads[n]);
     return result;
   }
 
-  NoiseBand RollingNoise::band_at(const PassingWaves &waves,
-                                  const double        centre,
-                                  const double        speed)
+  NoiseBand RollingNoise::band_at(const PassingWaves         &waves,
+                                  const Signals::ThirdOctave &third_octave,
+                                  const double                speed)
   {
     throw_if_interrupted();
-    const double half_width = std::log(10.) / 20;
-    const auto   all        = adaptive_integral(
+    const auto all = adaptive_integral(
       [&](const double logarithm) {
         const double f       = std::exp(logarithm),
                      density = roughness.density(speed / f),
                      a       = Sound::a_weighting(f);
         const Eigen::ArrayXd powers =
           density * unit_powers(waves, waves.modal(f), f, speed);
-        Eigen::ArrayXd values(n_values + 3);
-        values << powers, a * powers[of_wheel], a * powers[of_rail], density;
+        Eigen::ArrayXd values(NoisePowers::n_values + 1);
+        values << powers, a * powers.head(2), density;
         return values;
       },
-      std::log(centre) - half_width,
-      std::log(centre) + half_width,
-      of_load,
+      std::log(third_octave.lower_edge()),
+      std::log(third_octave.upper_edge()),
+      NoisePowers::load,
       tolerance);
-    n_lines += all.n_calls;
     n_coarse += all.converged ? 0 : 1;
     NoiseBand band;
-    band.centre                = centre;
-    band.roughness             = all.value[n_values + 2];
-    band.powers.wheel          = all.value[of_wheel];
-    band.powers.rail           = all.value[of_rail];
-    band.powers.weighted_wheel = all.value[n_values];
-    band.powers.weighted_rail  = all.value[n_values + 1];
-    band.powers.load           = all.value[of_load];
-    band.powers.load_of_one    = all.value[of_load_of_one];
+    band.centre        = third_octave.centre;
+    band.roughness     = all.value[NoisePowers::n_values];
+    band.powers.values = all.value.head(NoisePowers::n_values);
     return band;
   }
 
-  std::optional<double>
-  RollingNoise::uncertainty_at(const PassingWaves                      &whole,
-                               const std::vector<const PassingWaves *> &halves,
-                               const NoiseOfSpeed &found) const
+  std::optional<double> RollingNoise::uncertainty_at(
+    const std::size_t                             v,
+    const std::vector<PassingWaves>              &whole,
+    const std::vector<std::vector<PassingWaves>> &halves,
+    const NoiseOfSpeed                           &found) const
   {
+    if (halves.empty())
+      return {};
     // of all bands the weighted powers, each as its lines say
     std::vector<double> of_halves(halves.size(), 0.);
     for (const NoiseBand &band : found.bands)
@@ -206,22 +186,23 @@ namespace RollingContact
             const double f =
               band.centre *
               std::pow(10., 0.1 * ((i + 0.5) / compared_lines - 0.5));
-            const ModalFactors modal = whole.modal(f);
+            const ModalFactors modal = whole[v].modal(f);
             const auto         power = [&](const PassingWaves &waves) {
               const auto powers = unit_powers(waves, modal, f, found.speed);
-              return powers[of_wheel] + powers[of_rail];
+              return powers[NoisePowers::wheel] + powers[NoisePowers::rail];
             };
-            of_whole += power(whole);
+            of_whole += power(whole[v]);
             for (std::size_t j = 0; j < halves.size(); ++j)
-              sums[j] += power(*halves[j]);
+              sums[j] += power(halves[j][v]);
           }
         for (std::size_t j = 0; j < halves.size(); ++j)
           of_halves[j] += band.powers.weighted() * sums[j] / of_whole;
       }
     std::vector<double> levels;
     for (const double power : of_halves)
-      levels.push_back(power_level(power));
-    return uncertainty_by_halves(power_level(found.sum().weighted()), levels);
+      levels.push_back(Sound::power_level(power));
+    return uncertainty_by_halves(Sound::power_level(found.sum().weighted()),
+                                 levels);
   }
 
   void RollingNoise::run()
@@ -242,8 +223,7 @@ namespace RollingContact
     const ModalBodies<3>  bodies(scene,
                                 scene.inputs->modes,
                                 steady.pair->bodies(),
-                                scene.inputs->modes.cut_off_ratio *
-                                  scene.inputs->modes.maximum_frequency,
+                                scene.inputs->modes.cut_off(),
                                 context);
     const RollingModes<3> rolling(bodies,
                                   *steady.pair,
@@ -274,12 +254,9 @@ namespace RollingContact
       {
         NoiseOfSpeed of_speed;
         of_speed.speed = speeds[v];
-        for (const double centre : centres_at(speeds[v]))
-          of_speed.bands.push_back(band_at(waves[v], centre, speeds[v]));
-        std::vector<const PassingWaves *> halves;
-        for (const auto &half : of_halves)
-          halves.push_back(&half[v]);
-        of_speed.uncertainty = uncertainty_at(waves[v], halves, of_speed);
+        for (const auto &band : bands_at(speeds[v]))
+          of_speed.bands.push_back(band_at(waves[v], band, speeds[v]));
+        of_speed.uncertainty = uncertainty_at(v, waves, of_halves, of_speed);
         found.push_back(std::move(of_speed));
       }
     report(found);
@@ -287,7 +264,6 @@ namespace RollingContact
 
   void RollingNoise::report(const std::vector<NoiseOfSpeed> &found)
   {
-    context.log.message(std::to_string(n_lines) + " frequencies.");
     if (n_coarse > 0)
       context.log.warning(std::to_string(n_coarse) +
                           " third octaves have resonances so sharp that their "
@@ -307,10 +283,7 @@ namespace RollingContact
                                          " dB, without what the estimate of "
                                          "radiation is off"});
     else
-      context.log.warning(
-        "How far the noise is off by the elements across the patch is not "
-        "known: no state with elements of twice the length was found. Take "
-        "more Mesh/Elements across patch.");
+      warn_of_unknown_halves("the noise", context.log);
     report_noise(found,
                  scene.inputs->sound,
                  scene.inputs->output.plot,
@@ -331,10 +304,12 @@ namespace RollingContact
 
     void check_roughness(const Situation &scene)
     {
+      const auto &section = scene.inputs->own<RollingNoiseParameters>();
       require_bands(scene,
                     roughness_of(scene),
-                    scene.inputs->own<RollingNoiseParameters>().speeds_or(
-                      std::abs(scene.contact.rolling_speed())));
+                    section.speeds_or(std::abs(scene.contact.rolling_speed())));
+      if (section.filter == ContactFilter::table && scene.contact.normal_load)
+        directive_contact_filter(*scene.contact.normal_load, 1.);
     }
   } // namespace
 

@@ -2,6 +2,7 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/input/number_list.h>
 #include <rolling_contact/scene/entries.h>
+#include <rolling_contact/scene/scene_parameters.h>
 
 namespace RollingContact
 {
@@ -32,9 +33,14 @@ namespace RollingContact
       "across by Coherence across, `patch` of waves alike across, both by the "
       "patch itself; `table` by the tables of the directive (EU) 2021/1226 for "
       "wheels of 920 mm.";
-    entries.add("Coherence across", coherence, "1").at_least(0.).help =
-      "c: places y and y' across cohere by exp(-c k |y - y'|), k = "
-      "2 pi over the wavelength; 0 is `patch`.";
+    entries.add("Coherence across", coherence, "1")
+      .at_least(0.)
+      .read_by({asks_own<RollingNoiseParameters>([](const auto &noise) {
+                  return noise.filter == ContactFilter::random_across;
+                }),
+                "Contact filter = random across reads it"})
+      .help = "c: places y and y' across cohere by exp(-c k |y - y'|), k = "
+              "2 pi over the wavelength; 0 is `patch`.";
   }
 
   void RollingNoiseParameters::check() const

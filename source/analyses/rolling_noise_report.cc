@@ -5,7 +5,6 @@
 #include <rolling_contact/time/sound_pressure.h>
 #include <rolling_contact/time/sound_report.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace RollingContact
@@ -22,7 +21,9 @@ namespace RollingContact
                    const double       power,
                    const double       total)
     {
-      table.set_if(power > least_share * total, column, power_level(power));
+      table.set_if(power > least_share * total,
+                   column,
+                   Sound::power_level(power));
     }
 
     void add_bands(const NoiseOfSpeed &of_speed, ResultsTable &table)
@@ -37,15 +38,15 @@ namespace RollingContact
           table.set("roughness_dB_re_1um",
                     Signals::level(band.roughness, reference_roughness));
           table.set("contact_filter_dB",
-                    10 * std::log10(powers.load / powers.load_of_one));
-          table.set("load_N", std::sqrt(powers.load));
-          set_power(table, "wheel_dB_re_1pW", powers.wheel, all.total());
-          set_power(table, "rail_dB_re_1pW", powers.rail, all.total());
-          set_power(table, "total_dB_re_1pW", powers.total(), all.total());
-          set_power(table,
-                    "total_dBA_re_1pW",
-                    powers.weighted(),
-                    all.weighted());
+                    10 * std::log10(powers[NoisePowers::load] /
+                                    powers[NoisePowers::load_of_one]));
+          table.set("load_N", std::sqrt(powers[NoisePowers::load]));
+          for (const auto &[column, power] :
+               {std::pair("wheel_dB_re_1pW", powers[NoisePowers::wheel]),
+                std::pair("rail_dB_re_1pW", powers[NoisePowers::rail]),
+                std::pair("total_dB_re_1pW", powers.total()),
+                std::pair("total_dBA_re_1pW", powers.weighted())})
+            set_power(table, column, power, all.total());
           table.end_row();
         }
     }
@@ -53,11 +54,8 @@ namespace RollingContact
     double level_at_distance(const NoiseOfSpeed    &of_speed,
                              const SoundParameters &sound)
     {
-      return Signals::level(
-        Sound::mean_square_pressure(of_speed.sum().weighted(),
-                                    air_of(sound),
-                                    sound.distance),
-        20e-6);
+      return Sound::pressure_level(Sound::mean_square_pressure(
+        of_speed.sum().weighted(), air_of(sound), sound.distance));
     }
 
     void add_speed(const NoiseOfSpeed    &of_speed,
@@ -66,28 +64,20 @@ namespace RollingContact
     {
       const NoisePowers all = of_speed.sum();
       table.set("speed_m/s", of_speed.speed);
-      set_power(table, "wheel_dBA_re_1pW", all.weighted_wheel, all.weighted());
-      set_power(table, "rail_dBA_re_1pW", all.weighted_rail, all.weighted());
-      set_power(table, "total_dBA_re_1pW", all.weighted(), all.weighted());
-      set_power(table, "total_dB_re_1pW", all.total(), all.total());
+      for (const auto &[column, power] :
+           {std::pair("wheel_dBA_re_1pW", all[NoisePowers::weighted_wheel]),
+            std::pair("rail_dBA_re_1pW", all[NoisePowers::weighted_rail]),
+            std::pair("total_dBA_re_1pW", all.weighted()),
+            std::pair("total_dB_re_1pW", all.total())})
+        set_power(table, column, power, all.total());
       table.set("uncertainty_dB", of_speed.uncertainty);
       table.set_if(all.weighted() > 0.,
                    "sound_pressure_dBA_re_20uPa",
                    level_at_distance(of_speed, sound));
-      table.set("load_N", std::sqrt(all.load));
+      table.set("load_N", std::sqrt(all[NoisePowers::load]));
       table.set("lowest_band_Hz", of_speed.bands.front().centre);
       table.set("highest_band_Hz", of_speed.bands.back().centre);
       table.end_row();
-    }
-
-    std::vector<double>
-    levels_of(const std::vector<NoiseOfSpeed>                  &speeds,
-              const std::function<double(const NoisePowers &)> &power)
-    {
-      std::vector<double> result;
-      for (const NoiseOfSpeed &it : speeds)
-        result.push_back(power_level(power(it.sum())));
-      return result;
     }
 
     void draw(const std::vector<NoiseOfSpeed> &speeds, RunContext &context)
@@ -102,7 +92,7 @@ namespace RollingContact
           for (const NoiseBand &band : it.bands)
             {
               centres.push_back(band.centre);
-              levels.push_back(power_level(band.powers.weighted()));
+              levels.push_back(Sound::power_level(band.powers.weighted()));
             }
           bands.add_curve(significant(it.speed, 3) + " m/s",
                           centres,
@@ -112,17 +102,22 @@ namespace RollingContact
       bands.set_scales(AxisScale::logarithmic, AxisScale::linear);
       if (speeds.size() > 1)
         {
-          std::vector<double> at;
-          for (const NoiseOfSpeed &it : speeds)
-            at.push_back(it.speed);
           const auto add = [&](const std::string &label, const auto &power) {
+            std::vector<double> at, levels;
+            for (const NoiseOfSpeed &it : speeds)
+              {
+                at.push_back(it.speed);
+                levels.push_back(Sound::power_level(power(it.sum())));
+              }
             over_speed.add_curve(label,
                                  at,
-                                 levels_of(speeds, power),
+                                 levels,
                                  CurveStyle::line_and_points);
           };
-          add("wheel", [](const auto &sum) { return sum.weighted_wheel; });
-          add("rail", [](const auto &sum) { return sum.weighted_rail; });
+          add("wheel",
+              [](const auto &sum) { return sum[NoisePowers::weighted_wheel]; });
+          add("rail",
+              [](const auto &sum) { return sum[NoisePowers::weighted_rail]; });
           add("both", [](const auto &sum) { return sum.weighted(); });
           over_speed.set_scales(AxisScale::logarithmic, AxisScale::linear);
           bands.add_separate_panel(over_speed);
@@ -133,7 +128,7 @@ namespace RollingContact
     /** A rigid body radiates nothing. */
     std::string text_of_level(const double power)
     {
-      return power > 0. ? significant(power_level(power), 4) + " dB(A)"
+      return power > 0. ? significant(Sound::power_level(power), 4) + " dB(A)"
                         : "nothing";
     }
 
@@ -144,9 +139,9 @@ namespace RollingContact
       const NoisePowers   all   = last.sum();
       const auto          slope = slope_of(speeds);
       return "at " + significant(last.speed, 3) + " m/s power of the wheel " +
-             text_of_level(all.weighted_wheel) + ", the rail " +
-             text_of_level(all.weighted_rail) + ", together " +
-             significant(power_level(all.weighted()), 4) +
+             text_of_level(all[NoisePowers::weighted_wheel]) + ", the rail " +
+             text_of_level(all[NoisePowers::weighted_rail]) + ", together " +
+             significant(Sound::power_level(all.weighted()), 4) +
              (last.uncertainty ? " +- " + significant(*last.uncertainty, 2)
                                : "") +
              " dB(A) re 1 pW; at " + significant(sound.distance, 4) + " m " +
@@ -158,46 +153,26 @@ namespace RollingContact
     }
   } // namespace
 
-  NoisePowers &NoisePowers::operator+=(const NoisePowers &other)
-  {
-    wheel += other.wheel;
-    rail += other.rail;
-    weighted_wheel += other.weighted_wheel;
-    weighted_rail += other.weighted_rail;
-    load += other.load;
-    load_of_one += other.load_of_one;
-    return *this;
-  }
-
   NoisePowers NoiseOfSpeed::sum() const
   {
     NoisePowers result;
     for (const NoiseBand &band : bands)
-      result += band.powers;
+      result.values += band.powers.values;
     return result;
-  }
-
-  double power_level(const double power)
-  {
-    return 10 * std::log10(power / 1e-12);
   }
 
   std::optional<double> slope_of(const std::vector<NoiseOfSpeed> &speeds)
   {
-    const double n     = speeds.size();
-    double       sum_x = 0., sum_y = 0., sum_xx = 0., sum_xy = 0.;
-    for (const NoiseOfSpeed &it : speeds)
-      {
-        const double x = std::log10(it.speed),
-                     y = power_level(it.sum().weighted());
-        sum_x += x;
-        sum_y += y;
-        sum_xx += x * x;
-        sum_xy += x * y;
-      }
-    if (n < 2)
+    if (speeds.size() < 2)
       return {};
-    return (sum_xy - sum_x * sum_y / n) / (sum_xx - sum_x * sum_x / n);
+    Eigen::ArrayXd x(speeds.size()), y(speeds.size());
+    for (std::size_t i = 0; i < speeds.size(); ++i)
+      {
+        x[i] = std::log10(speeds[i].speed);
+        y[i] = Sound::power_level(speeds[i].sum().weighted());
+      }
+    x -= x.mean();
+    return (x * y).sum() / x.square().sum();
   }
 
   void report_noise(const std::vector<NoiseOfSpeed> &speeds,

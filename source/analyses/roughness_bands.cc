@@ -11,12 +11,7 @@ namespace RollingContact
   namespace
   {
     const double lowest_frequency = 20.; ///< Hz
-
-    double centre_of(const int band)
-    {
-      return std::pow(10., band / 10.);
-    }
-  } // namespace
+  }                                      // namespace
 
   Roughness roughness_of(const Situation &scene)
   {
@@ -30,24 +25,22 @@ namespace RollingContact
     return result;
   }
 
-  std::vector<double> centres_of_bands(const Roughness &roughness,
-                                       const double     speed,
-                                       const double     highest)
+  std::vector<Signals::ThirdOctave> bands_of_waves(const Roughness &roughness,
+                                                   const double     speed,
+                                                   const double     highest)
   {
-    const double        edge = std::pow(10., 0.05), rounding = 1 + 1e-9;
-    std::vector<double> centres;
-    for (int band = std::round(10 * std::log10(lowest_frequency));
-         centre_of(band) < highest;
-         ++band)
+    const double                      rounding = 1 + 1e-9;
+    std::vector<Signals::ThirdOctave> bands;
+    Signals::ThirdOctave              band;
+    for (int k = std::round(10 * std::log10(lowest_frequency));; ++k)
       {
-        const double lower = centre_of(band) / edge,
-                     upper = centre_of(band) * edge;
-        if (upper <= highest * rounding &&
-            speed / upper * rounding >= roughness.shortest &&
-            speed / lower <= roughness.longest * rounding)
-          centres.push_back(centre_of(band));
+        band.centre = std::pow(10., k / 10.);
+        if (band.upper_edge() > highest * rounding)
+          return bands;
+        if (speed / band.upper_edge() * rounding >= roughness.shortest &&
+            speed / band.lower_edge() <= roughness.longest * rounding)
+          bands.push_back(band);
       }
-    return centres;
   }
 
   void require_bands(const Situation           &scene,
@@ -56,7 +49,7 @@ namespace RollingContact
   {
     const double highest = scene.inputs->modes.maximum_frequency;
     for (const double speed : speeds)
-      if (centres_of_bands(roughness, speed, highest).empty())
+      if (bands_of_waves(roughness, speed, highest).empty())
         throw InputError(
           "Rolling noise: no third octave up to Modes/Maximum frequency = " +
           text_of(highest) + " Hz has waves of " +

@@ -157,8 +157,7 @@ namespace RollingContact
     const ModalBodies<dim>  bodies(scene,
                                   scene.inputs->modes,
                                   steady.pair->bodies(),
-                                  scene.inputs->modes.cut_off_ratio *
-                                    scene.inputs->modes.maximum_frequency,
+                                  scene.inputs->modes.cut_off(),
                                   context);
     const RollingModes<dim> rolling(bodies,
                                     *steady.pair,

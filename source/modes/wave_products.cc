@@ -12,6 +12,9 @@ namespace RollingContact
     /// rates times lengths below which there is nothing but the length
     const double small = 1e-9;
 
+    /// lengths that differ by less are one, m
+    const double same_length = 1e-9;
+
     /** int_0^length exp(rate x) dx. */
     Complex integral(const Complex rate, const double length)
     {
@@ -38,8 +41,9 @@ namespace RollingContact
                          const ComplexMatrix *behind,
                          ComplexMatrix       &sum)
   {
-    const auto [place, is_new] = known.try_emplace(length);
-    Stretch &it                = place->second;
+    const auto [place, is_new] =
+      known.try_emplace(std::round(length / same_length));
+    Stretch &it = place->second;
     if (is_new)
       it = stretch(length);
     if (ahead != nullptr)

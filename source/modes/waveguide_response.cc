@@ -236,14 +236,22 @@ namespace RollingContact
       " pads; give the rail a larger Loss factor, or take Pad spacing = 0.");
   }
 
+  auto WaveguideResponse::sources_of(const double         x,
+                                     const ComplexMatrix &force) const
+    -> std::vector<Source>
+  {
+    std::vector<Source> sources{source_of(x, force)};
+    if (guide.has_pads())
+      add_pads(x, force, sources);
+    return sources;
+  }
+
   ComplexMatrix WaveguideResponse::field(const std::vector<Place> &places,
                                          const Place              &loaded,
                                          const ComplexMatrix      &forces) const
   {
     const ComplexMatrix force = guide.motion_at(loaded).adjoint() * forces;
-    std::vector<Source> sources{source_of(loaded[0], force)};
-    if (guide.has_pads())
-      add_pads(loaded[0], force, sources);
+    const std::vector<Source> sources = sources_of(loaded[0], force);
     // what a place of the section and a place along it say, each once
     std::map<const ComplexMatrix *, std::array<ComplexMatrix, 2>> moved;
     std::map<double, std::array<ComplexMatrix, 2>>                arriving;
@@ -282,9 +290,7 @@ namespace RollingContact
                                const ComplexMatrix              &force,
                                const std::vector<ComplexMatrix> &forms) const
   {
-    std::vector<Source> sources{source_of(x, force)};
-    if (guide.has_pads())
-      add_pads(x, force, sources);
+    std::vector<Source> sources = sources_of(x, force);
     std::sort(sources.begin(), sources.end(), [](const auto &a, const auto &b) {
       return a.x < b.x;
     });

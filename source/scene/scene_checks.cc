@@ -1,6 +1,7 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/text.h>
+#include <rolling_contact/scene/pair_spec.h>
 #include <rolling_contact/scene/scene_parameters.h>
 #include <rolling_contact/surfaces/crown.h>
 
@@ -250,19 +251,13 @@ namespace RollingContact
 
   namespace
   {
-    bool touch_in_line(const SceneParameters &scene)
-    {
-      return scene.dimension == 3 && !scene.profiles.in_use() &&
-             scene.wheel.lateral_radius == 0. &&
-             scene.rail.lateral_radius == 0.;
-    }
-
     /** A crown has the length of the line that it is for. */
     void check_crowns(const SceneParameters &scene)
     {
       for (const Side side : both_sides)
         if (const std::string entry = SurfaceParameters::entry(side);
-            !touch_in_line(scene) &&
+            !touch_in_line(
+              scene.dimension, scene.profiles, scene.wheel, scene.rail) &&
             crown_named(entry, scene.surfaces.height[side]))
           throw InputError(
             entry + " = " + scene.surfaces.height[side] +
@@ -319,7 +314,7 @@ namespace RollingContact
     const auto curvature = [](const double radius) {
       return radius == 0. ? 0. : 1 / radius;
     };
-    if (touch_in_line(*this))
+    if (touch_in_line(dimension, profiles, wheel, rail))
       check_line_contact(*this);
     else if (dimension == 3 &&
              curvature(wheel.lateral_radius) + curvature(rail.lateral_radius) <=

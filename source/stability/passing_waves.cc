@@ -14,6 +14,32 @@ namespace RollingContact
   {
     /// waves of a third octave at which reactions are found
     const int reactions_of_band = 9;
+
+    /** By cubics in the logarithm of the wave number. */
+    WaveResponse::Reaction reaction_at(const double        wave_number,
+                                       const PassingWaves &waves)
+    {
+      const double at = std::log(wave_number / waves.first) /
+                        std::log(waves.ratio),
+                   last = waves.reactions.size() - 4.;
+      const auto i      = static_cast<std::size_t>(
+        std::clamp(std::floor(at) - 1., 0., std::max(last, 0.)));
+      const double                t = at - i;
+      const std::array<double, 4> weights{-(t - 1) * (t - 2) * (t - 3) / 6,
+                                          t * (t - 2) * (t - 3) / 2,
+                                          -t * (t - 1) * (t - 3) / 2,
+                                          t * (t - 1) * (t - 2) / 6};
+      WaveResponse::Reaction      result;
+      result.by_motions = weights[0] * waves.reactions.at(i).by_motions;
+      result.of_waves   = weights[0] * waves.reactions[i].of_waves;
+      for (std::size_t j = 1; j < weights.size(); ++j)
+        {
+          result.by_motions +=
+            weights[j] * waves.reactions.at(i + j).by_motions;
+          result.of_waves += weights[j] * waves.reactions[i + j].of_waves;
+        }
+      return result;
+    }
   } // namespace
 
   ComplexMatrix random_waves(const std::vector<double> &along,
@@ -50,51 +76,15 @@ namespace RollingContact
     return b;
   }
 
-  PassingWaves::PassingWaves(const WaveSweep                    &sweep,
-                             const std::size_t                   number,
-                             const double                        speed,
-                             const double                        first,
-                             const double                        ratio,
-                             std::vector<WaveResponse::Reaction> reactions)
-    : sweep(sweep)
-    , number(number)
-    , speed(speed)
-    , first(first)
-    , ratio(ratio)
-    , reactions(std::move(reactions))
-  {}
-
   ModalFactors PassingWaves::modal(const double frequency) const
   {
     return ModalFactors(sweep.bodies(number), {0., 2 * pi * frequency});
   }
 
-  WaveResponse::Reaction PassingWaves::reaction(const double wave_number) const
-  {
-    const double at   = std::log(wave_number / first) / std::log(ratio),
-                 last = reactions.size() - 4.;
-    const auto i      = static_cast<std::size_t>(
-      std::clamp(std::floor(at) - 1., 0., std::max(last, 0.)));
-    const double                t = at - i;
-    const std::array<double, 4> weights{-(t - 1) * (t - 2) * (t - 3) / 6,
-                                        t * (t - 2) * (t - 3) / 2,
-                                        -t * (t - 1) * (t - 3) / 2,
-                                        t * (t - 1) * (t - 2) / 6};
-    WaveResponse::Reaction      result;
-    result.by_motions = weights[0] * reactions.at(i).by_motions;
-    result.of_waves   = weights[0] * reactions[i].of_waves;
-    for (std::size_t j = 1; j < weights.size(); ++j)
-      {
-        result.by_motions += weights[j] * reactions.at(i + j).by_motions;
-        result.of_waves += weights[j] * reactions[i + j].of_waves;
-      }
-    return result;
-  }
-
   PassingWaves::Passed PassingWaves::at(const double        frequency,
                                         const ModalFactors &modal) const
   {
-    const auto         patch   = reaction(2 * pi * frequency / speed);
+    const auto         patch   = reaction_at(2 * pi * frequency / speed, *this);
     const DenseMatrix &motions = sweep.motions_of_coordinates(number);
     const Eigen::Index p       = motions.rows();
     ComplexMatrix driven = motions.transpose().cast<std::complex<double>>();
@@ -144,12 +134,12 @@ namespace RollingContact
       }
     std::vector<PassingWaves> result;
     for (std::size_t v = 0; v < speeds.size(); ++v)
-      result.emplace_back(sweep,
-                          v,
-                          speeds[v],
-                          std::pow(ratio, ranges[v].first),
-                          ratio,
-                          std::move(reactions[v]));
+      result.push_back({sweep,
+                        v,
+                        speeds[v],
+                        std::pow(ratio, ranges[v].first),
+                        ratio,
+                        std::move(reactions[v])});
     return result;
   }
 } // namespace RollingContact

@@ -95,12 +95,7 @@ namespace RollingContact
 
   std::complex<double> WaveGrowth::load(const ComplexVector &unknowns) const
   {
-    const std::size_t    n = contact.touching.size(), T = contact.n_tangential;
-    std::complex<double> sum = 0.;
-    for (std::size_t k = 0; k < n; ++k)
-      sum += problem.operators.load_areas()[contact.touching[k]] *
-             unknowns[T * n + k];
-    return sum;
+    return contact.normal_load() * unknowns;
   }
 
   Growth WaveGrowth::growth(const WaveAnswer &answer,

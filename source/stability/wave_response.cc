@@ -28,15 +28,30 @@ namespace RollingContact
       return result;
     }
 
-    [[noreturn]] void throw_without_answer(const std::complex<double> s,
-                                           const double               speed,
-                                           const double               error)
+    /** Solution of an equation at a rate and a speed, by steps of a nearly
+     * exact one. Throws ConvergenceError. */
+    template <class Values, class Product, class Solution>
+    Values refined(const Values              &target,
+                   const std::complex<double> s,
+                   const double               speed,
+                   const Product             &product,
+                   const Solution            &nearly_solved)
     {
-      throw ConvergenceError("The contact's answer to a wave at " +
-                             significant(s.imag() / (2 * pi), 4) + " Hz and " +
-                             significant(speed, 4) +
-                             " m/s was not found: its residual is " +
-                             significant(error, 2) + ".");
+      Values y = nearly_solved(target);
+      for (unsigned int step = 0;; ++step)
+        {
+          const Values r     = target - product(y);
+          const double error = r.norm() / target.norm();
+          if (error <= wave_tolerance)
+            return y;
+          if (step == most_corrections || !std::isfinite(error))
+            throw ConvergenceError("The contact's answer to a wave at " +
+                                   significant(s.imag() / (2 * pi), 4) +
+                                   " Hz and " + significant(speed, 4) +
+                                   " m/s was not found: its residual is " +
+                                   significant(error, 2) + ".");
+          y += nearly_solved(r);
+        }
     }
   } // namespace
 
@@ -114,22 +129,18 @@ namespace RollingContact
     target.topRightCorner(n, waves.cols()) =
       scales.head(n).asDiagonal() * waves;
     const ComplexMatrix T = residual.statics + s * residual.viscosity;
-    ComplexMatrix       y = target;
-    factors.contact.solve(y);
-    for (unsigned int step = 0;; ++step)
-      {
-        ComplexMatrix r     = target - T * y;
-        const double  error = r.norm() / target.norm();
-        if (error <= wave_tolerance)
-          break;
-        if (step == most_corrections || !std::isfinite(error))
-          throw_without_answer(s, speed, error);
+    const ComplexMatrix y = refined(
+      target,
+      s,
+      speed,
+      [&](const ComplexMatrix &x) { return ComplexMatrix(T * x); },
+      [&](ComplexMatrix r) {
         factors.contact.solve(r);
-        y += r;
-      }
+        return r;
+      });
     DenseMatrix rows(p + 1 + pair.watched.cols(), contact.n_unknowns());
     rows.topRows(p) = U.transpose() * contact.forces;
-    rows.row(p) = contact.forces.bottomRows(contact.n_nodes).colwise().sum();
+    rows.row(p)     = contact.normal_load();
     if (pair.watched.size() > 0)
       rows.bottomRows(pair.watched.cols()) =
         pair.watched.transpose() * contact.forces;
@@ -193,17 +204,12 @@ namespace RollingContact
   ComplexVector WaveResponse::AtWave::unknowns(const ComplexVector &b) const
   {
     const ComplexVector target = of.scales.asDiagonal() * b;
-    ComplexVector       y      = nearly_solved(target);
-    for (unsigned int step = 0;; ++step)
-      {
-        const ComplexVector r     = target - product(y);
-        const double        error = r.norm() / target.norm();
-        if (error <= wave_tolerance)
-          break;
-        if (step == most_corrections || !std::isfinite(error))
-          throw_without_answer(s, of.speed, error);
-        y += nearly_solved(r);
-      }
+    ComplexVector       y      = refined(
+      target,
+      s,
+      of.speed,
+      [&](const ComplexVector &x) { return product(x); },
+      [&](const ComplexVector &r) { return nearly_solved(r); });
     y.head(of.contact.n_tractions()) *= delay;
     return y;
   }

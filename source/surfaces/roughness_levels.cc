@@ -152,6 +152,11 @@ namespace RollingContact
       throw InputError(source + ": give `" + iso_3095_limit +
                        "`, or FILE.csv with the columns wavelength_m and "
                        "level_dB, or with a record of heights in m.");
+    if (names_a_map(text))
+      throw InputError(source +
+                       ": a map has no levels over one wavelength; "
+                       "give `middle line: " +
+                       text + "`.");
     const std::filesystem::path file = folder / text;
     if (!has_levels(file))
       return levels_of_record(source, entry, text, folder);

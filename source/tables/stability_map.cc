@@ -117,13 +117,12 @@ namespace RollingContact
       {
         bodies.reset();
         touching = now;
-        bodies   = std::make_unique<ModalBodies<dim>>(
-          scene,
-          scene.inputs->modes,
-          now,
-          scene.inputs->modes.cut_off_ratio *
-            scene.inputs->modes.maximum_frequency,
-          context);
+        bodies =
+          std::make_unique<ModalBodies<dim>>(scene,
+                                             scene.inputs->modes,
+                                             now,
+                                             scene.inputs->modes.cut_off(),
+                                             context);
       }
     PhaseTimer::Scope phase(context.timer, Phase::modes);
     rolling =

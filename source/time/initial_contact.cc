@@ -259,13 +259,13 @@ namespace RollingContact
                                          RunContext         &context)
   {
     ReducedBodies<dim> bodies;
-    bodies.base  = solve_steady_state<dim>(scene, demands, context);
-    bodies.modes = std::make_shared<ModalBodies<dim>>(
-      scene,
-      scene.inputs->modes,
-      bodies.base.pair->bodies(),
-      scene.inputs->modes.cut_off_ratio * scene.inputs->modes.maximum_frequency,
-      context);
+    bodies.base = solve_steady_state<dim>(scene, demands, context);
+    bodies.modes =
+      std::make_shared<ModalBodies<dim>>(scene,
+                                         scene.inputs->modes,
+                                         bodies.base.pair->bodies(),
+                                         scene.inputs->modes.cut_off(),
+                                         context);
     return bodies;
   }
 

@@ -1,4 +1,5 @@
 #include <rolling_contact/algebra/fourier.h>
+#include <rolling_contact/algebra/third_octaves.h>
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/time/sound_pressure.h>
 
@@ -12,6 +13,16 @@ namespace RollingContact::Sound
                               const double distance)
   {
     return air.density * air.speed * power / (2 * pi * distance * distance);
+  }
+
+  double power_level(const double power)
+  {
+    return 10 * std::log10(power / 1e-12);
+  }
+
+  double pressure_level(const double mean_square)
+  {
+    return Signals::level(mean_square, 20e-6);
   }
 
   std::size_t steps_of_whole_samples(const std::size_t  n,

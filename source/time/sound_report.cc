@@ -21,21 +21,11 @@ namespace RollingContact
 
     const std::string wav_name = "pressure.wav";
 
-    const double reference_power    = 1e-12; ///< W
-    const double reference_pressure = 20e-6; ///< Pa
-
     /// below the highest by so much a power is one of rounding
     const double negligible = 1e-18;
 
-    double power_level(const double power)
-    {
-      return 10 * std::log10(power / reference_power);
-    }
-
-    double pressure_level(const double mean_square)
-    {
-      return Signals::level(mean_square, reference_pressure);
-    }
+    using Sound::power_level;
+    using Sound::pressure_level;
 
     /** Sum of the lines of a spectrum, weighted with A if so. */
     double sum_of(const Signals::PowerSpectrum &spectrum, const bool weighted)

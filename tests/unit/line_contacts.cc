@@ -37,14 +37,6 @@ namespace
     scene.mesh.growth                  = 0.8;
   }
 
-  SceneRun<3>::Change widths(const double wheel, const double rail)
-  {
-    return [=](SceneParameters &scene) {
-      scene.wheel.width = wheel;
-      scene.rail.width  = rail;
-    };
-  }
-
   /** Largest pressures of the lines across over that of the middle one. */
   std::vector<double> along(const SceneRun<3> &run)
   {

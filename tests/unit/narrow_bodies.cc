@@ -32,14 +32,6 @@ namespace
     scene.mesh.growth                  = 0.8;
   }
 
-  SceneRun<3>::Change widths(const double wheel, const double rail)
-  {
-    return [=](SceneParameters &scene) {
-      scene.wheel.width = wheel;
-      scene.rail.width  = rail;
-    };
-  }
-
   double approach(const double wheel, const double rail)
   {
     const SceneRun<3> run(small, widths(wheel, rail));

@@ -8,6 +8,7 @@
 #include <rolling_contact/stability/passing_waves.h>
 #include <rolling_contact/surfaces/roughness_levels.h>
 #include <rolling_contact/time/modal_sound.h>
+#include <rolling_contact/time/sound_pressure.h>
 
 #include <cmath>
 #include <filesystem>
@@ -71,11 +72,9 @@ BOOST_AUTO_TEST_CASE(waves_across_cohere_as_they_are_asked_to)
 BOOST_AUTO_TEST_CASE(sharp_resonances_are_integrated)
 {
   // int dx / (x^2 + d^2) = (atan(b/d) - atan(a/d)) / d
-  const double d    = 1e-5;
-  std::size_t  most = 0;
-  const auto   all  = adaptive_integral(
+  const double d   = 1e-5;
+  const auto   all = adaptive_integral(
     [&](const double x) {
-      ++most;
       return Eigen::ArrayXd(
         Eigen::Array3d(1 / (x * x + d * d), std::exp(x), 1.));
     },
@@ -84,7 +83,6 @@ BOOST_AUTO_TEST_CASE(sharp_resonances_are_integrated)
     2,
     1e-4);
   BOOST_TEST(all.converged);
-  BOOST_TEST(all.n_calls == most);
   const double exact = (std::atan(0.13 / d) - std::atan(-0.1 / d)) / d;
   BOOST_TEST(std::abs(all.value[0] / exact - 1) < 1e-4);
   BOOST_TEST(std::abs(all.value[1] / (std::exp(0.13) - std::exp(-0.1)) - 1) <
@@ -159,6 +157,9 @@ BOOST_AUTO_TEST_CASE(levels_are_read_from_files)
       BOOST_TEST(said.find(tells) != std::string::npos, text << ": " << said);
     }
   BOOST_TEST(complaint([]() {
+               roughness_levels("Rail roughness", "ground.sdf", "");
+             }).find("give `middle line: ground.sdf`") != std::string::npos);
+  BOOST_TEST(complaint([]() {
                roughness_levels("Rail roughness", "rough", "");
              }).find(iso_3095_limit) != std::string::npos);
 }
@@ -217,13 +218,15 @@ BOOST_AUTO_TEST_CASE(the_slope_is_that_of_levels_over_speed)
       NoiseOfSpeed it;
       it.speed = speed;
       it.bands.resize(2);
-      it.bands[0].powers.weighted_wheel = 1e-9 * std::pow(speed, 3.);
-      it.bands[1].powers.weighted_rail  = 2e-9 * std::pow(speed, 3.);
+      it.bands[0].powers.values[NoisePowers::weighted_wheel] =
+        1e-9 * std::pow(speed, 3.);
+      it.bands[1].powers.values[NoisePowers::weighted_rail] =
+        2e-9 * std::pow(speed, 3.);
       speeds.push_back(it);
       BOOST_TEST(slope_of(speeds).has_value() == (speeds.size() > 1));
     }
   BOOST_TEST(*slope_of(speeds) == 30., boost::test_tools::tolerance(1e-12));
-  BOOST_TEST(power_level(speeds[0].sum().weighted()) ==
+  BOOST_TEST(Sound::power_level(speeds[0].sum().weighted()) ==
                10 * std::log10(3e-6 / 1e-12),
              boost::test_tools::tolerance(1e-12));
 }

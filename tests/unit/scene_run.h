@@ -82,6 +82,15 @@ namespace RollingContact
 
     SteadyState<dim> steady;
   };
+
+  /** Bodies as wide as this, m. */
+  inline SceneRun<3>::Change widths(const double wheel, const double rail)
+  {
+    return [=](SceneParameters &scene) {
+      scene.wheel.width = wheel;
+      scene.rail.width  = rail;
+    };
+  }
 } // namespace RollingContact
 
 #endif

@@ -225,7 +225,7 @@ BOOST_AUTO_TEST_CASE(the_whole_rail_is_integrated)
           const double error =
             (exact[form] - sums[form]).norm() / exact[form].norm();
           BOOST_TEST_MESSAGE("integral of the rail off by " << error);
-          BOOST_TEST(error < 3e-3);
+          BOOST_TEST(error < 2e-4);
           BOOST_TEST((exact[form] - exact[form].adjoint()).norm() <
                      1e-10 * exact[form].norm());
         }

@@ -14,7 +14,6 @@ namespace RollingContact
   {
     Eigen::ArrayXd value;
     Eigen::ArrayXd error; ///< estimated, by far too large where it is small
-    std::size_t    n_calls   = 0;
     bool           converged = true;
   };
 

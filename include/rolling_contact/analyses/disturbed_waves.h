@@ -1,6 +1,7 @@
 #ifndef rolling_contact_analyses_disturbed_waves_h
 #define rolling_contact_analyses_disturbed_waves_h
 
+#include <rolling_contact/run/log.h>
 #include <rolling_contact/scene/situation.h>
 #include <rolling_contact/stability/wave_sweep.h>
 #include <rolling_contact/state/steady_state.h>
@@ -43,6 +44,9 @@ namespace RollingContact
    */
   std::optional<double>
   uncertainty_by_halves(const double value, const std::vector<double> &halves);
+
+  /** Warns that no state with elements of twice the length was found. */
+  void warn_of_unknown_halves(const std::string &quantity, Log &log);
 } // namespace RollingContact
 
 #endif

@@ -1,6 +1,7 @@
 #ifndef rolling_contact_analyses_rolling_noise_h
 #define rolling_contact_analyses_rolling_noise_h
 
+#include <rolling_contact/algebra/third_octaves.h>
 #include <rolling_contact/analyses/rolling_noise_parameters.h>
 #include <rolling_contact/analyses/rolling_noise_report.h>
 #include <rolling_contact/run/run_context.h>
@@ -8,7 +9,6 @@
 #include <rolling_contact/scene/situation.h>
 #include <rolling_contact/stability/passing_waves.h>
 #include <rolling_contact/state/steady_state.h>
-#include <rolling_contact/time/modal_sound.h>
 #include <rolling_contact/time/radiating_rail.h>
 #include <rolling_contact/vibration/rolling_modes.h>
 
@@ -48,8 +48,8 @@ namespace RollingContact
       std::shared_ptr<Sound::RadiatingRail> rail  = {};
     };
 
-    /** The third octaves that are told at a speed, by their centres in Hz. */
-    std::vector<double> centres_at(const double speed) const;
+    /** The third octaves that are told at a speed. */
+    std::vector<Signals::ThirdOctave> bands_at(const double speed) const;
 
     void find_radiators(const RollingModes<3> &rolling);
 
@@ -62,14 +62,16 @@ namespace RollingContact
                                const double        frequency,
                                const double        speed) const;
 
-    NoiseBand
-    band_at(const PassingWaves &waves, const double centre, const double speed);
+    NoiseBand band_at(const PassingWaves         &waves,
+                      const Signals::ThirdOctave &third_octave,
+                      const double                speed);
 
     /** See NoiseOfSpeed::uncertainty. */
     std::optional<double>
-    uncertainty_at(const PassingWaves                      &whole,
-                   const std::vector<const PassingWaves *> &halves,
-                   const NoiseOfSpeed                      &found) const;
+    uncertainty_at(const std::size_t                             speed,
+                   const std::vector<PassingWaves>              &whole,
+                   const std::vector<std::vector<PassingWaves>> &halves,
+                   const NoiseOfSpeed                           &found) const;
 
     /** Tell how far it may be off, and write what was found. */
     void report(const std::vector<NoiseOfSpeed> &found);
@@ -81,8 +83,8 @@ namespace RollingContact
     Sound::Air                    air;
     Roughness                     roughness;
     std::vector<Radiator>         radiators;
-    double                        load    = 0.; ///< N
-    std::size_t                   n_lines = 0, n_coarse = 0;
+    double                        load     = 0.; ///< N
+    std::size_t                   n_coarse = 0;
   };
 
   AnalysisKind rolling_noise_kind();

@@ -1,6 +1,8 @@
 #ifndef rolling_contact_analyses_rolling_noise_report_h
 #define rolling_contact_analyses_rolling_noise_report_h
 
+#include <Eigen/Core>
+
 #include <rolling_contact/run/run_context.h>
 #include <rolling_contact/scene/sound_parameters.h>
 
@@ -10,26 +12,40 @@
 namespace RollingContact
 {
   /**
-   * Mean squares and sound powers of a band, or of all, at one speed.
+   * Sound powers (W; weighted_: with A) and mean squares of the normal load
+   * (N^2; load_of_one: without the contact filter) of a band, or of all, at one
+   * speed.
    */
   struct NoisePowers
   {
-    double wheel = 0., rail = 0.;                   ///< W
-    double weighted_wheel = 0., weighted_rail = 0.; ///< with A, W
-    double load        = 0.; ///< mean square of the normal load, N^2
-    double load_of_one = 0.; ///< the same without the contact filter, N^2
+    enum Value
+    {
+      wheel,
+      rail,
+      load,
+      load_of_one,
+      weighted_wheel,
+      weighted_rail,
+      n_values
+    };
+
+    double operator[](const Value value) const
+    {
+      return values[value];
+    }
 
     double total() const
     {
-      return wheel + rail;
+      return values[wheel] + values[rail];
     }
 
     double weighted() const
     {
-      return weighted_wheel + weighted_rail;
+      return values[weighted_wheel] + values[weighted_rail];
     }
 
-    NoisePowers &operator+=(const NoisePowers &other);
+    Eigen::Array<double, n_values, 1> values =
+      Eigen::Array<double, n_values, 1>::Zero();
   };
 
   /** A third octave of rolling at a speed. */
@@ -51,9 +67,6 @@ namespace RollingContact
 
     NoisePowers sum() const;
   };
-
-  /** 10 lg(W / 1 pW). Units: W, dB. */
-  double power_level(const double power);
 
   /** dB per decade of speed of the A-weighted power, by least squares; none of
    * one speed. */

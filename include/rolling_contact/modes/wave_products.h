@@ -42,7 +42,7 @@ namespace RollingContact
 
     ComplexVector             k;
     ComplexMatrix             ahead_ahead, behind_behind, ahead_behind;
-    std::map<double, Stretch> known; ///< by length
+    std::map<double, Stretch> known; ///< by length, rounded
   };
 } // namespace RollingContact
 

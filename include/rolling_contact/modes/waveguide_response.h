@@ -75,6 +75,10 @@ namespace RollingContact
                   const ComplexMatrix &force,
                   std::vector<Source> &sources) const;
 
+    /** Forces at x, and of the pads under them. */
+    std::vector<Source> sources_of(const double         x,
+                                   const ComplexMatrix &force) const;
+
     /** What arrives of a source at one line of pads: at the first pad ahead,
      * which this is the number of, and at the one behind that. */
     struct AtLine

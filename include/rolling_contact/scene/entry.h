@@ -35,6 +35,18 @@ namespace RollingContact
   }
 
   /**
+   * A condition on the section that one analysis alone reads. Where it is used
+   * the type of a scene is complete.
+   */
+  template <class Section, class Condition>
+  SceneCondition asks_own(const Condition &condition)
+  {
+    return [condition](const auto &scene) {
+      return condition(scene.template own<Section>());
+    };
+  }
+
+  /**
    * Who reads an entry: the scenes in which it has an effect, and a clause that
    * says why it has none in the others.
    */

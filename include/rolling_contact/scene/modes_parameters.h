@@ -19,6 +19,12 @@ namespace RollingContact
      */
     void check() const;
 
+    /** Modes up to here are the basis, Hz. */
+    double cut_off() const
+    {
+      return cut_off_ratio * maximum_frequency;
+    }
+
     double maximum_frequency = 5000.; ///< Hz
     double cut_off_ratio     = 2.;    ///< of a basis over the maximum frequency
     double tolerance         = 1e-8;

@@ -27,6 +27,19 @@ namespace RollingContact
                               const BodyParameters    &rail);
 
   /**
+   * Whether surfaces that are straight across touch in a line from side to side
+   * of the narrower body, in 3D and without profiles.
+   */
+  inline bool touch_in_line(const unsigned int       dimension,
+                            const ProfileParameters &profiles,
+                            const BodyParameters    &wheel,
+                            const BodyParameters    &rail)
+  {
+    return dimension == 3 && !profiles.in_use() && wheel.lateral_radius == 0. &&
+           rail.lateral_radius == 0.;
+  }
+
+  /**
    * Two bodies in rolling contact: what they are made of, where they touch,
    * what presses and drags them, and the mesh and the solvers of their contact.
    */
@@ -61,14 +74,10 @@ namespace RollingContact
              surfaces.friction_share.empty();
     }
 
-    /**
-     * Whether surfaces that are straight across touch in a line from side to
-     * side of the narrower body, in 3D and without profiles.
-     */
+    /** See touch_in_line(). */
     bool touches_in_line() const
     {
-      return dimension == 3 && !profiles.in_use() &&
-             wheel.lateral_radius == 0. && rail.lateral_radius == 0.;
+      return touch_in_line(dimension, profiles, wheel, rail);
     }
 
     /**

@@ -85,6 +85,12 @@ namespace RollingContact
 
     unsigned int n_slip() const;
 
+    /** The normal load by the unknowns, a row of n_x. Units: m^2. */
+    Eigen::RowVectorXd normal_load() const
+    {
+      return forces.bottomRows(n_nodes).colwise().sum();
+    }
+
     unsigned int n_border() const
     {
       return n_opening + n_slipping + n_sticking;

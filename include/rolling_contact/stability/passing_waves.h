@@ -28,9 +28,8 @@ namespace RollingContact
    * patch does is smooth in the wave number: it is found at equal ratios and
    * interpolated by cubics; the modes are exact at each frequency.
    */
-  class PassingWaves
+  struct PassingWaves
   {
-  public:
     /** Columns: waves that are incoherent with each other. */
     struct Passed
     {
@@ -39,18 +38,6 @@ namespace RollingContact
       ComplexMatrix    watched;    ///< forces on ReducedPair::watched, N
     };
 
-    /**
-     * A speed (m/s) of @p sweep by its number; @p reactions: four or more, of
-     * wave numbers from @p first (1/m) on, each @p ratio times the one before.
-     * Keeps a reference to the sweep.
-     */
-    PassingWaves(const WaveSweep                    &sweep,
-                 const std::size_t                   number,
-                 const double                        speed,
-                 const double                        first,
-                 const double                        ratio,
-                 std::vector<WaveResponse::Reaction> reactions);
-
     /** Units: Hz. */
     ModalFactors modal(const double frequency) const;
 
@@ -58,12 +45,13 @@ namespace RollingContact
      * nodes share. Units: Hz. */
     Passed at(const double frequency, const ModalFactors &modal) const;
 
-  private:
-    WaveResponse::Reaction reaction(const double wave_number) const;
+    const WaveSweep &sweep;
+    std::size_t      number; ///< of the speed in it
+    double           speed;  ///< m/s
 
-    const WaveSweep                    &sweep;
-    std::size_t                         number;
-    double                              speed, first, ratio;
+    /** Four or more, of wave numbers from first (1/m) on, each ratio times the
+     * one before. */
+    double                              first, ratio;
     std::vector<WaveResponse::Reaction> reactions;
   };
 

@@ -14,6 +14,12 @@ namespace RollingContact::Sound
                               const Air   &air,
                               const double distance);
 
+  /** Level of a sound power re 1 pW. Units: W, dB. */
+  double power_level(const double power);
+
+  /** Level of a mean square of sound pressure re 20 uPa. Units: Pa^2, dB. */
+  double pressure_level(const double mean_square);
+
   /**
    * How many of @p n steps, at most a hundredth fewer, are most nearly a whole
    * number of samples at @p rate. Units: s, Hz.
