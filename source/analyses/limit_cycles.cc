@@ -288,10 +288,11 @@ namespace RollingContact
       return {{"Limit cycle/Values", cycle.axis_entry(), cycle.axis_values()}};
     };
     kind.marches        = true;
-    kind.until_periodic = true;
-    kind.on_ranks       = false;
-    kind.rules          = {&check_limit_cycle};
-    kind.resumption     = [](const Situation &scene) {
+    kind.until_periodic       = true;
+    kind.has_row_for_each_run = true;
+    kind.on_ranks             = false;
+    kind.rules                = {&check_limit_cycle};
+    kind.resumption           = [](const Situation &scene) {
       return RunFolder::Resumption{entries_free_on_resume(*scene.inputs),
                                    "limit_cycle_state.txt",
                                    {},

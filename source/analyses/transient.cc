@@ -115,7 +115,10 @@ namespace RollingContact
           " % at Modes/Maximum frequency = " + significant(f, 5) + " Hz.");
       }
     describe_surfaces(*stepper.current().pair, context);
-    warn_of_long_steps(stepper, steps);
+    warn_of_long_steps(scene,
+                       stepper.current(),
+                       std::abs(stepper.drive().speed.value(0.)) * steps.length,
+                       context);
     if (!scene.inputs->time.inertia)
       describe_factors(stepper.current(), context);
     auto      &objects = context.report.objects;
@@ -136,24 +139,6 @@ namespace RollingContact
         stepper.current().problem.operators.W().memory_consumption(),
         "");
     add("tangential compliance, B1, B2", slips, 0, "frictionless");
-  }
-
-  template <int dim>
-  void Transient<dim>::warn_of_long_steps(const ContactStepper<dim> &stepper,
-                                          const TimeSteps &steps) const
-  {
-    const double rolled =
-                   std::abs(stepper.drive().speed.value(0.)) * steps.length,
-                 element = stepper.current().grading.element_size_x;
-    if (scene.surfaces.in_use() && rolled > element * (1 + 1e-9))
-      context.log.warning(
-        "A step rolls " + millimetres(rolled) + ", an element is " +
-        millimetres(element) +
-        " long: in the history waves of the surfaces "
-        "shorter than " +
-        millimetres(2 * rolled) +
-        " look like longer ones. Take shorter steps (Time/Time step or Step "
-        "length).");
   }
 
   template <int dim>

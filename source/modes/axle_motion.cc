@@ -97,8 +97,26 @@ namespace RollingContact
         "Wheel/Hub mass: wheel and axle are too light, or turn too "
         "easily, for the inertia that the modes of the wheel "
         "have; give Hub mass in kg and Hub inertia in kg m^2.");
-    unit = root.matrixL().transpose().solve(DenseMatrix::Identity(q, q));
-    held = P * unit;
+    unit       = root.matrixL().transpose().solve(DenseMatrix::Identity(q, q));
+    held       = P * unit;
+    along_z    = dim - 1; // x, z and a turn, or x, y, z and turns
+    coupling_z = column_of(P, along_z);
+  }
+
+  std::vector<double>
+  AxleMotion::relative_to_axle(const std::vector<double> &coordinates) const
+  {
+    const auto      all = as_vector(coordinates);
+    Eigen::VectorXd eta = all.head(held.rows()) - held * all.tail(unit.cols());
+    return {eta.data(), eta.data() + eta.size()};
+  }
+
+  double AxleMotion::velocity_along_z(const std::vector<double> &rates) const
+  {
+    const Eigen::VectorXd axle = unit * as_vector(rates).tail(unit.cols());
+    return (dot(coupling_z, relative_to_axle(rates)) +
+            rigid.row(along_z).dot(axle)) /
+           rigid(along_z, along_z);
   }
 
   void AxleMotion::join(DenseMatrix &matrix) const

@@ -7,6 +7,7 @@
 #include <rolling_contact/pair/patch_estimate.h>
 #include <rolling_contact/references/hertz_line.h>
 #include <rolling_contact/surfaces/crown.h>
+#include <rolling_contact/surfaces/dent.h>
 #include <rolling_contact/surfaces/expression_check.h>
 #include <rolling_contact/surfaces/record_notes.h>
 
@@ -44,6 +45,42 @@ namespace RollingContact
       const HeightExpression expression;
       const double           turn;
     };
+
+    /** A dent that comes again after a turn; a rail has it once. */
+    class DentSurface : public MovingSurfaces::Surface
+    {
+    public:
+      DentSurface(const Dent &dent, const double turn)
+        : dent(dent)
+        , turn(turn)
+      {}
+
+      double height(const double X, const double) const override
+      {
+        return dent.height(turn > 0. ? X - turn * std::round(X / turn) : X,
+                           turn / (2 * pi));
+      }
+
+    private:
+      const Dent   dent;
+      const double turn;
+    };
+
+    void check_size(const Dent &dent, const Examined &it, const double turn)
+    {
+      const std::string given = it.entry + " = " + it.text + ": ";
+      if (dent.kind == Dent::Kind::flat && turn == 0.)
+        throw InputError(given + "a flat is that of a disc, and this body is "
+                                 "none; take dip : LENGTH, DEPTH.");
+      if (dent.length < 8 * it.element)
+        throw InputError(given + "it is shorter than eight elements (" +
+                         significant(8 * it.element, 3) +
+                         " m), which the mesh does not follow; take more "
+                         "Mesh/Elements across patch.");
+      if (turn > 0. && dent.length > turn / 4)
+        throw InputError(given + "it is longer than a quarter of a turn (" +
+                         significant(turn / 4, 4) + " m); give less.");
+    }
 
     class CrownSurface : public MovingSurfaces::Surface
     {
@@ -86,6 +123,17 @@ namespace RollingContact
       return {{first - sizes.reach[0], last + sizes.reach[0]}};
     }
 
+    std::string judge_along_x(const MovingSurfaces::Surface &surface,
+                              const Examined                &it,
+                              const std::array<double, 2>   &passes)
+    {
+      const auto along_x = [&](const double X) {
+        return surface.height(X, 0.);
+      };
+      return judge(it,
+                   short_waves(along_x, passes[0], passes[1], it.element));
+    }
+
     /**
      * Hold an expression against the elements, and add what is to be warned of.
      */
@@ -102,14 +150,9 @@ namespace RollingContact
           warnings.push_back(warning);
       };
       const auto [begin, end] = passes;
-      it.axis                 = "x";
-      it.element              = sizes.element[0];
       if (turn > 0.)
         check_seam(expression, it, turn, begin, end);
-      const auto along_x = [&](const double X) {
-        return surface.height(X, 0.);
-      };
-      add(judge(it, short_waves(along_x, begin, end, it.element)));
+      add(judge_along_x(surface, it, passes));
       if (!expression.depends_on_y())
         return;
       const double middle = begin + sizes.reach[0];
@@ -180,8 +223,22 @@ namespace RollingContact
                                      turn_of(scene, side),
                                      false,
                                      is_even};
-        if (const auto crown =
-              crown_named(given.entry(side), given.height[side]))
+        const Examined it{given.entry(side),
+                          given.height[side],
+                          "x",
+                          sizes.element[0]};
+        const auto     passes = material_that_passes(passage, sizes);
+        if (const auto dent = dent_named(it.entry, it.text))
+          {
+            check_size(*dent, it, passage.turn);
+            surfaces[side] =
+              std::make_shared<const DentSurface>(*dent, passage.turn);
+            if (const std::string doubt =
+                  judge_along_x(*surfaces[side], it, passes);
+                !doubt.empty())
+              warnings.push_back(doubt);
+          }
+        if (const auto crown = crown_named(it.entry, it.text))
           surfaces[side] =
             std::make_shared<const CrownSurface>(*crown,
                                                  roller_of(scene, *crown));
@@ -195,8 +252,8 @@ namespace RollingContact
                                                         passage.turn);
             examine(*expression,
                     *surfaces[side],
-                    {given.entry(side), given.height[side], "", 0.},
-                    material_that_passes(passage, sizes),
+                    it,
+                    passes,
                     passage.turn,
                     sizes,
                     warnings);

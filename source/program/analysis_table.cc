@@ -2,6 +2,7 @@
 #include <rolling_contact/analyses/corrugation.h>
 #include <rolling_contact/analyses/creep_curve.h>
 #include <rolling_contact/analyses/limit_cycles.h>
+#include <rolling_contact/analyses/impacts.h>
 #include <rolling_contact/analyses/load_curve.h>
 #include <rolling_contact/analyses/modes.h>
 #include <rolling_contact/analyses/quasi_static.h>
@@ -32,6 +33,7 @@ namespace RollingContact
                                                  stability_in_curves_kind(),
                                                  stability_map_in_curves_kind(),
                                                  limit_cycle_kind(),
+                                                 impact_kind(),
                                                  corrugation_kind(),
                                                  rolling_noise_kind(),
                                                  wheelset_kind(),

@@ -53,6 +53,32 @@ namespace RollingContact
         "elastic bodies here do not, and pressures are lower then.");
   }
 
+  template <int dim>
+  void warn_of_long_steps(const PairSpec         &scene,
+                          const SteadyState<dim> &steady,
+                          const double            rolled,
+                          RunContext             &context)
+  {
+    const double element = steady.grading.element_size_x;
+    if (scene.surfaces.in_use() && rolled > element * (1 + 1e-9))
+      context.log.warning(
+        "A step rolls " + millimetres(rolled) + ", an element is " +
+        millimetres(element) +
+        " long: in the history waves of the surfaces "
+        "shorter than " +
+        millimetres(2 * rolled) +
+        " look like longer ones. Take shorter steps (Time/Time step or Step "
+        "length).");
+  }
+
+  template void warn_of_long_steps(const PairSpec &,
+                                   const SteadyState<2> &,
+                                   const double,
+                                   RunContext &);
+  template void warn_of_long_steps(const PairSpec &,
+                                   const SteadyState<3> &,
+                                   const double,
+                                   RunContext &);
   template void set_roughness_columns(const SteadyState<2> &, ResultsTable &);
   template void set_roughness_columns(const SteadyState<3> &, ResultsTable &);
   template void

@@ -5,6 +5,28 @@
 
 namespace RollingContact
 {
+  namespace
+  {
+    /** The axle moves as forces of contact differ from those of the start. */
+    void check_axle_in_time(const SceneParameters &scene)
+    {
+      const std::string     why  = "Wheel/Hub = mass: ";
+      const TimeParameters &time = scene.time;
+      if (scene.contact.normal_load && !time.hold_approach)
+        throw InputError(why + "with a constant Contact/Normal load nothing "
+                               "moves the axle; set Time/Hold approach = true, "
+                               "which takes the load as that of the start.");
+      if (!time.approach.empty())
+        throw InputError(why + "Time/Approach = " + time.approach +
+                         " would move the axle, which moves by the forces on "
+                         "it; leave it empty, or take Hub = clamped.");
+      if (scene.analysis.records_run && scene.sound.estimate)
+        throw InputError(why + "Sound/Estimate = true knows how a wheel "
+                               "radiates whose hub is held; set it to false, "
+                               "or take Hub = clamped.");
+    }
+  } // namespace
+
   void SceneParameters::check_reduced_bodies() const
   {
     if (!marches())
@@ -59,9 +81,11 @@ namespace RollingContact
     if (!contact.speed || !time.speed.empty())
       throw InputError(why + "give a constant Contact/Speed in m/s and leave "
                              "Time/Speed empty.");
-    if (!wheel.rigid && is_loose(wheel.hub))
-      throw InputError(why + "Wheel/Hub = free or mass has no steady state; "
-                             "take clamped or elastic.");
+    if (!wheel.rigid && wheel.hub == Hub::free)
+      throw InputError(why + "Wheel/Hub = free has no steady state; take "
+                             "clamped, elastic or mass.");
+    if (moves_axle())
+      check_axle_in_time(*this);
     if (body_solver == BodySolver::distributed)
       throw InputError("Body solver = distributed: " + why +
                        "modes are found with a factor; take direct or "

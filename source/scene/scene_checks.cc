@@ -12,8 +12,7 @@ namespace RollingContact
   void SceneParameters::check_hubs() const
   {
     const bool dynamic = marches() && time.inertia;
-    const bool hangs_on_axle =
-      !wheel.rigid && wheel.hub == Hub::mass && analysis.linearises;
+    const bool hangs_on_axle = moves_axle();
     if (!dynamic || time.initial_state == InitialState::steady)
       for (const BodyParameters *body : {&wheel, &rail})
         if (body != &wheel || !hangs_on_axle)

@@ -31,7 +31,7 @@ namespace RollingContact
     , surfaces(inputs.surfaces)
     , wear(inputs.wear)
   {
-    if (inputs.analysis.linearises)
+    if (inputs.moves_axle())
       wheel.hold_axle();
   }
 

@@ -4,6 +4,7 @@
 #include <rolling_contact/scene/entries.h>
 #include <rolling_contact/scene/surface_parameters.h>
 #include <rolling_contact/surfaces/crown.h>
+#include <rolling_contact/surfaces/dent.h>
 #include <rolling_contact/surfaces/height_expression.h>
 
 namespace RollingContact
@@ -48,7 +49,9 @@ namespace RollingContact
           kinds_of_surface_files +
           ", whose positions count as the wheel runs (file relative to this "
           "one); or a crown, `lundberg : LOAD` or `johns-gohar : LOAD` (N), on "
-          "bodies that are straight across; empty for a smooth one.";
+          "bodies that are straight across; or at x = 0 of the material a dent, "
+          "`flat : LENGTH` (m) of a disc or `dip : LENGTH, DEPTH` (m); empty "
+          "for a smooth one.";
       };
     declare_height(Side::wheel,
                    "Wheel height",
@@ -121,6 +124,8 @@ namespace RollingContact
                              ": in 2D there are no ends across; take "
                              "Dimension = 3.");
         }
+      else if (dent_named(entry(side), height[side]))
+        continue;
       else if (names_a_record(height[side]))
         check_dimension_of_file(entry(side), height[side], dimension);
       else if (!height[side].empty())
@@ -149,7 +154,8 @@ namespace RollingContact
                                                    share_otherwise);
     for (const Side side : both_sides)
       {
-        if (height[side].empty() || crown_named(entry(side), height[side]))
+        if (height[side].empty() || crown_named(entry(side), height[side]) ||
+            dent_named(entry(side), height[side]))
           continue;
         if (names_a_record(height[side]))
           records[side] = std::make_shared<const SurfaceRecord>(

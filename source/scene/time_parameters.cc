@@ -36,9 +36,8 @@ namespace RollingContact
 
     const Reader recorded_runs{
       asks<AnalysisTraits>(
-        [](const auto &analysis) { return !analysis.until_periodic; }),
-      "Analysis = limit cycle always stops when the motion is periodic, and has "
-      "a row for each run"};
+        [](const auto &analysis) { return !analysis.has_row_for_each_run; }),
+      "this analysis says itself when a run ends, and has a row for each"};
     const Reader runs_to_their_end{
       [](const SceneParameters &scene) {
         return scene.analysis.records_run && !scene.looks_for_cycles() &&
@@ -47,8 +46,7 @@ namespace RollingContact
       "Analysis = transient with Time/Bodies = full and Time/Stop when periodic "
       "= false reads it"};
     const Reader runs_until_periodic{[](const SceneParameters &scene) {
-                                       return !scene.analysis.records_run ||
-                                              scene.looks_for_cycles();
+                                       return scene.looks_for_cycles();
                                      },
                                      "Time/Stop when periodic = true reads it"};
   } // namespace

@@ -80,7 +80,7 @@ namespace RollingContact
                                     return s.outcome.contact_velocity[2];
                                   }}})
           columns.push_back(column);
-      if (is_loose(scene.wheel.hub) && !scene.wheel.rigid)
+      if (scene.wheel.moves_along_z())
         columns.push_back({"wheel_velocity_m/s",
                            [](S s) { return *s.outcome.wheel_velocity; }});
       if (scene.surfaces.in_use())

@@ -100,6 +100,13 @@ namespace RollingContact
   }
 
   template <int dim>
+  std::optional<double> ReducedRolling<dim>::wheel_velocity() const
+  {
+    const auto along_z = bodies.wheel_velocity(motion.state().rate);
+    return along_z ? -*along_z : along_z; // towards the rail in its own frame
+  }
+
+  template <int dim>
   BodyDynamics::Memory ReducedRolling<dim>::memory_consumption() const
   {
     BodyDynamics::Memory memory;
@@ -128,20 +135,24 @@ namespace RollingContact
   template <int dim>
   void ReducedRolling<dim>::watch(const WatchedPoints<dim> &points)
   {
-    const std::size_t n = motion.bodies().n_modes();
-    watched             = DenseMatrix::Zero(points.n_values(), n);
-    for (std::size_t j = 0; j < n; ++j)
+    watched = DenseMatrix::Zero(points.n_values(), motion.bodies().n_modes());
+    for (const Side side : both_sides)
       {
-        const auto [side, mode] = bodies.coordinate_of(j);
-        if (!points.has_any(side) || mode >= modal->n_modes(side))
-          continue; // absorbers move no point of the body
-        const auto               &body  = *modal->body(side);
-        const std::vector<double> moved = points.values_of(
-          side, body.body->field(column_of(body.mode_shapes(), mode)));
-        // those of the rail are behind those of the wheel
-        const std::size_t place =
-          side == Side::wheel ? 0 : watched.rows() - moved.size();
-        watched.col(j).segment(place, moved.size()) = as_vector(moved);
+        if (!points.has_any(side) || modal->n_modes(side) == 0)
+          continue;
+        const auto &body  = *modal->body(side);
+        DenseMatrix moved = DenseMatrix::Zero(points.n_values(side),
+                                              modal->n_modes(side));
+        for (Eigen::Index j = 0; j < moved.cols(); ++j)
+          moved.col(j) = as_vector(points.values_of(
+            side, body.body->field(column_of(body.mode_shapes(), j))));
+        if (const AxleMotion *axle = modal->axle(side))
+          axle->join(moved, DenseMatrix::Zero(moved.rows(), axle->size()));
+        // absorbers move no point of the body; the rail's are behind the wheel's
+        watched.block(side == Side::wheel ? 0 : watched.rows() - moved.rows(),
+                      bodies.first_column(side),
+                      moved.rows(),
+                      moved.cols()) = moved;
       }
   }
 

@@ -201,15 +201,6 @@ namespace RollingContact
   }
 
   template <int dim>
-  std::pair<Side, std::size_t>
-  RollingModes<dim>::coordinate_of(const std::size_t column) const
-  {
-    const std::size_t n_wheel = first_column(Side::rail);
-    return column < n_wheel ? std::pair(Side::wheel, column)
-                            : std::pair(Side::rail, column - n_wheel);
-  }
-
-  template <int dim>
   std::optional<std::pair<std::size_t, double>>
   RollingModes<dim>::nearest_mode(const Side                 side,
                                   const std::vector<double> &shares) const
@@ -285,11 +276,30 @@ namespace RollingContact
   RollingModes<dim>::displacement(const Side                 side,
                                   const std::vector<double> &eta) const
   {
-    const VibratingBody<dim> &body  = *modal.body(side);
-    const auto                first = eta.begin() + first_column(side);
-    return body.body->field(
-      body.mode_shapes() *
-      std::vector<double>(first, first + modal.n_modes(side)));
+    const VibratingBody<dim> &body       = *modal.body(side);
+    std::vector<double>       amplitudes = part_of(side, eta);
+    if (const AxleMotion *axle = modal.axle(side))
+      amplitudes = axle->relative_to_axle(amplitudes);
+    amplitudes.resize(modal.n_modes(side));
+    return body.body->field(body.mode_shapes() * amplitudes);
+  }
+
+  template <int dim>
+  std::optional<double>
+  RollingModes<dim>::wheel_velocity(const std::vector<double> &rates) const
+  {
+    const AxleMotion *axle = modal.axle(Side::wheel);
+    return axle ? axle->velocity_along_z(part_of(Side::wheel, rates))
+                : std::optional<double>();
+  }
+
+  template <int dim>
+  std::vector<double>
+  RollingModes<dim>::part_of(const Side                 side,
+                             const std::vector<double> &coordinates) const
+  {
+    const auto first = coordinates.begin() + first_column(side);
+    return {first, first + modal.n_coordinates(side)};
   }
 
   template class RollingModes<2>;

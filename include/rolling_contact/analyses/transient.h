@@ -36,12 +36,6 @@ namespace RollingContact
                   const TimeSteps           &steps) const;
 
     /**
-     * Warn if the time steps are too long to resolve the surfaces that move.
-     */
-    void warn_of_long_steps(const ContactStepper<dim> &stepper,
-                            const TimeSteps           &steps) const;
-
-    /**
      * March to the end with rows, fields, checkpoints and the display of the
      * progress.
      */

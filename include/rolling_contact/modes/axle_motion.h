@@ -54,6 +54,18 @@ namespace RollingContact
     /** Join what the motions z move, from what the modes and R move. */
     void join(DenseMatrix &shapes, const DenseMatrix &of_motions) const;
 
+    /** Amplitudes eta of the modes, the motion relative to the axle, by those
+     * of a body's coordinates, q before z: eta = q - P r z. */
+    std::vector<double>
+    relative_to_axle(const std::vector<double> &coordinates) const;
+
+    /**
+     * Velocity along z of the centre of mass of body and axle by the rates of a
+     * body's coordinates, q before z: (P_z eta' + M_R,z d') / M_R,zz. Units:
+     * m/s.
+     */
+    double velocity_along_z(const std::vector<double> &rates) const;
+
     /** M_R. Units: kg. */
     const DenseMatrix &mass() const
     {
@@ -71,6 +83,8 @@ namespace RollingContact
     DenseMatrix rigid;  ///< q x q
     DenseMatrix unit;   ///< q x q
     DenseMatrix held;   ///< P r, m x q
+    std::vector<double> coupling_z; ///< P of the translation along z, m values
+    Eigen::Index        along_z = 0; ///< which of the motions that is
   };
 } // namespace RollingContact
 

@@ -39,6 +39,11 @@ namespace RollingContact
       return dim * n_points;
     }
 
+    std::size_t n_values(const Side side) const
+    {
+      return dim * n_of_body[side];
+    }
+
     /**
      * Values at all points, from fields of the bodies in their own frames; @p
      * field is called for bodies with points, on all ranks. Collective.

@@ -26,6 +26,16 @@ namespace RollingContact
   void tell_rough_state(const PairSpec         &scene,
                         const SteadyState<dim> &steady,
                         RunContext             &context);
+
+  /**
+   * Where surfaces pass, warn of steps in time that roll more than an element.
+   * @p rolled in a step, m.
+   */
+  template <int dim>
+  void warn_of_long_steps(const PairSpec         &scene,
+                          const SteadyState<dim> &steady,
+                          const double            rolled,
+                          RunContext             &context);
 } // namespace RollingContact
 
 #endif

@@ -65,6 +65,8 @@ namespace RollingContact
     /** Each run goes on until the motion repeats itself, from starts that the
      * analysis finds. */
     bool until_periodic = false;
+    /** Runs in time have a row of results.csv each, and no history. */
+    bool has_row_for_each_run = false;
     /** Section Accuracy study gives the meshes, or the time steps. */
     bool has_own_meshes = false;
     /** Profiles wear from state to state. */

@@ -185,6 +185,12 @@ namespace RollingContact
     /** The mass that a hub which is held at rest moves with in vibrations. */
     std::optional<HubMass> axle_mass;
 
+    /** Whether nothing but its inertia holds the body along z as it moves. */
+    bool moves_along_z() const
+    {
+      return !rigid && (is_loose(hub) || axle_mass);
+    }
+
     std::shared_ptr<const FileMesh>      mesh;    ///< none: it has no file
     std::shared_ptr<const PlacedProfile> profile; ///< see ShapeSpec
   };

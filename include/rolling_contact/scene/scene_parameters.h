@@ -137,6 +137,16 @@ namespace RollingContact
     }
 
     /**
+     * Whether the wheel hangs on an axle that is held at rest and moves in
+     * vibrations, by its modes, see AxleMotion.
+     */
+    bool moves_axle() const
+    {
+      return !wheel.rigid && wheel.hub == Hub::mass &&
+             (analysis.linearises || has_reduced_bodies());
+    }
+
+    /**
      * Entries that take values which the analysis gives them.
      */
     std::vector<TableAxis> axes() const;

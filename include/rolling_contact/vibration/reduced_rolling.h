@@ -56,6 +56,8 @@ namespace RollingContact
 
     std::vector<double> contact_velocity() const override;
 
+    std::optional<double> wheel_velocity() const override;
+
     BodyDynamics::Memory memory_consumption() const override;
 
     BodyField displacement(const Side            side,

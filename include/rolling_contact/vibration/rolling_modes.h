@@ -28,10 +28,6 @@ namespace RollingContact
      */
     ReducedPair reduced(const RollingConditions &conditions) const;
 
-    /** The side and the number, among its coordinates, of a column of the
-     * reduced pair; those from n_modes() of that side on are absorbers. */
-    std::pair<Side, std::size_t> coordinate_of(const std::size_t column) const;
-
     /** The column of the first coordinate of a side. */
     std::size_t first_column(const Side side) const;
 
@@ -69,10 +65,15 @@ namespace RollingContact
 
     /**
      * Displacement of a body by amplitudes of all coordinates, of which those
-     * of absorbers move nothing of it. Units: m kg^(1/2), m.
+     * of absorbers move nothing of it; of a body on an axle that moves relative
+     * to the axle. Units: m kg^(1/2), m.
      */
     BodyField displacement(const Side                 side,
                            const std::vector<double> &eta) const;
+
+    /** AxleMotion::velocity_along_z() of a wheel whose axle moves, by the rates
+     * of all coordinates; none of others. Units: m/s. */
+    std::optional<double> wheel_velocity(const std::vector<double> &rates) const;
 
     const ModalBodies<dim> &bodies() const
     {
@@ -121,6 +122,10 @@ namespace RollingContact
      * half-spaces, (1 - nu^2) / E. Units: s.
      */
     double retardation() const;
+
+    /** The coordinates of a body among all. */
+    std::vector<double> part_of(const Side                 side,
+                                const std::vector<double> &coordinates) const;
 
     /** Motions of the contact nodes of a body, by columns, as the relative
      * motion. */

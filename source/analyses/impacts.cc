@@ -1,0 +1,259 @@
+#include <rolling_contact/analyses/impacts.h>
+#include <rolling_contact/analyses/step_estimate.h>
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/interrupt.h>
+#include <rolling_contact/base/number_text.h>
+#include <rolling_contact/base/text.h>
+#include <rolling_contact/results/bodies_report.h>
+#include <rolling_contact/results/rough_state.h>
+#include <rolling_contact/run/progress.h>
+#include <rolling_contact/scene/scene_entries.h>
+#include <rolling_contact/surfaces/dent.h>
+#include <rolling_contact/time/march.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace RollingContact
+{
+  namespace
+  {
+    StateDemands impact_demands()
+    {
+      StateDemands demands       = demands_in_time(PairDemands());
+      demands.pair.displacements = true;
+      demands.pair.modes         = true;
+      return demands;
+    }
+
+    template <int dim>
+    ImpactStep contact_now(const ContactStepper<dim> &stepper)
+    {
+      const SteadyState<dim> &contact = stepper.current();
+      const Resultants        now = resultants(contact.problem, contact.state);
+      ImpactStep              step;
+      step.load     = now.normal_force;
+      step.pressure = now.max_pressure;
+      return step;
+    }
+  } // namespace
+
+  template <int dim>
+  Impacts<dim>::Impacts(const Situation &scene, RunContext &context)
+    : scene(scene)
+    , context(context)
+    , speeds(scene.inputs->own<ImpactParameters>().speeds_or(
+        std::abs(scene.contact.rolling_speed())))
+  {}
+
+  template <int dim>
+  Situation Impacts<dim>::scene_at(const double speed) const
+  {
+    SceneEntries entries(scene);
+    entries.set("Contact/Speed", text_of(scene.contact.flow() * speed));
+    entries.check_scene();
+    return entries.situation();
+  }
+
+  template <int dim>
+  void Impacts<dim>::check_way() const
+  {
+    const SurfaceSpec &surfaces = scene.surfaces;
+    const double       zone     = bodies.base.grading.zone_x;
+    for (const Side side : both_sides)
+      {
+        const std::string entry = SurfaceParameters::entry(side);
+        const auto        dent  = dent_named(entry, surfaces.height[side]);
+        if (!dent)
+          continue;
+        const double half = dent->length / 2;
+        if (std::abs(surfaces.position) < half + zone)
+          throw InputError(
+            "Surfaces/Position = " + text_of(surfaces.position) + ": " + entry +
+            " = " + surfaces.height[side] +
+            " is under the wheel at the start, where the load is that at rest; "
+            "begin at least " +
+            significant(half + zone, 3) + " m before it, at a Position of -" +
+            significant(half + zone, 3) + " m or less.");
+        if (surfaces.position < 0. && surfaces.most_rolled < half)
+          throw InputError("Time/Rolled distance or End time: the runs end " +
+                           significant(-surfaces.most_rolled, 3) +
+                           " m before the middle of " + entry + " = " +
+                           surfaces.height[side] +
+                           "; let them roll over it, and farther.");
+      }
+  }
+
+  template <int dim>
+  void Impacts<dim>::run()
+  {
+    if (!bodies_touch(scene))
+      throw InputError("Analysis = impact needs bodies that touch: give "
+                       "Contact/Approach or Contact/Normal load above 0.");
+    bodies = make_reduced_bodies<dim>(scene, impact_demands(), context);
+    check_way();
+    describe_bodies(bodies.base, context);
+    describe_surfaces(*bodies.base.pair, context);
+    context.log.message(std::to_string(speeds.size()) +
+                        (speeds.size() == 1 ? " speed." : " speeds."));
+    std::vector<Impact> impacts;
+    Progress            display(context.log, "speed", speeds.size(), 0);
+    for (const double speed : speeds)
+      {
+        throw_if_interrupted();
+        impacts.push_back(impact_at(speed));
+        add_row(impacts.back(), context.results);
+        context.results.flush();
+        display.report(impacts.size());
+      }
+    context.log.message(context.results.screen_table({"speed_m/s",
+                                                      "largest_load/at_rest",
+                                                      "largest_load_error_N",
+                                                      "parted_s",
+                                                      "largest_pressure/"
+                                                      "at_rest"}));
+    note_impacts(impacts, context);
+    write_history(worst_of(impacts), context);
+    if (scene.inputs->output.plot)
+      plot_impacts(impacts, context);
+  }
+
+  template <int dim>
+  Impact Impacts<dim>::impact_at(const double speed) const
+  {
+    const Situation        here = scene_at(speed);
+    const DrivingFunctions histories =
+      here.inputs->time.histories(here.contact, here.inputs->prm_folder);
+    const TimeSteps steps = here.inputs->time.steps(histories.speed);
+    ResultsTable    row;
+    RunReport       report;
+    RunContext own{context.folder, row, report, context.timer, context.log};
+    ContactStepper<dim> stepper(here,
+                                make_reduced_contact(here,
+                                                     bodies,
+                                                     histories,
+                                                     steps.length,
+                                                     nullptr,
+                                                     own),
+                                own);
+    warn_of_long_steps(here, stepper.current(), speed * steps.length, context);
+    Impact impact;
+    impact.speed   = speed;
+    impact.step    = steps.length;
+    impact.n_steps = steps.number;
+    impact.at_rest = contact_now(stepper);
+    Checkpoint start;
+    stepper.save(start);
+    impact.steps = march_over(steps, stepper);
+    estimate(steps, start, stepper, impact);
+    return impact;
+  }
+
+  template <int dim>
+  std::vector<ImpactStep>
+  Impacts<dim>::march_over(const TimeSteps     &steps,
+                           ContactStepper<dim> &stepper) const
+  {
+    std::vector<ImpactStep> found;
+    TransientProgress       progress;
+    const PhaseTimer::Scope phase(context.timer, Phase::contact_solve);
+    stepper.set_time_step(steps.length);
+    march<dim>({steps}, stepper, progress, {[&](const StepOutcome &outcome) {
+                 ImpactStep now     = contact_now(stepper);
+                 now.time           = progress.time - outcome.force_lag;
+                 now.rolled         = progress.rolled_distance;
+                 now.height         = outcome.surface_height;
+                 now.contact_rate   = outcome.contact_velocity[2];
+                 now.wheel_velocity = outcome.wheel_velocity;
+                 found.push_back(now);
+               }});
+    return found;
+  }
+
+  template <int dim>
+  void Impacts<dim>::estimate(const TimeSteps     &steps,
+                              const Checkpoint    &start,
+                              ContactStepper<dim> &stepper,
+                              Impact              &impact) const
+  {
+    const PhaseTimer::Scope phase(context.timer, Phase::step_estimate);
+    const TimeSteps         longer = steps_of_twice_the_length(steps);
+    try
+      {
+        stepper.restore(start);
+        const ImpactExtremes found = impact.extremes(),
+                             other(march_over(longer, stepper));
+        const auto error = [&](const double one, const double another) {
+          return error_of_steps(std::abs(one - another), steps, longer);
+        };
+        impact.load_error =
+          error(found.largest_load.load, other.largest_load.load);
+        impact.pressure_error =
+          error(found.largest_pressure.pressure,
+                other.largest_pressure.pressure);
+      }
+    catch (const ConvergenceError &failure)
+      {
+        context.log.warning("The error of the steps at " +
+                            significant(impact.speed, 3) +
+                            " m/s is not known, as steps of twice the length "
+                            "fail: " +
+                            failure.what());
+      }
+  }
+
+  template class Impacts<2>;
+  template class Impacts<3>;
+
+  namespace
+  {
+    void check_impact(const SceneParameters &scene)
+    {
+      const std::string     why  = "Analysis = impact: ";
+      const TimeParameters &time = scene.time;
+      if (!scene.surfaces.in_use())
+        throw InputError(why + "Surfaces/Wheel height and Rail height are "
+                               "empty, and a wheel on smooth surfaces hits "
+                               "nothing; give a flat, a dip, an expression or "
+                               "a record.");
+      if (time.bodies != BodiesInTime::reduced)
+        throw InputError(why + "bodies are reduced once for all speeds; take "
+                               "Time/Bodies = reduced.");
+      if (scene.contact.normal_load && !time.hold_approach)
+        throw InputError(why + "with Contact/Normal load the load stays what "
+                               "it is; set Time/Hold approach = true, which "
+                               "takes it as that of the start.");
+      if (!time.normal_load.empty() || !time.approach.empty())
+        throw InputError(why + "Time/Normal load and Approach would drive the "
+                               "wheel beside the surfaces; leave them empty.");
+      if (time.excite_mode != 0.)
+        throw InputError(why + "Time/Excite mode = " +
+                         text_of(time.excite_mode) +
+                         ": runs start from a steady state; set it to 0.");
+      if (scene.mesh.adaptive_levels > 0 || scene.mesh.target_error)
+        throw InputError(why + "Mesh/Adaptive levels and Target error are not "
+                               "for it; give Mesh/Elements across patch.");
+    }
+  } // namespace
+
+  AnalysisKind impact_kind()
+  {
+    AnalysisKind kind = kind_of<Impacts>(
+      "impact",
+      "the largest load and pressure over speed as a wheel runs over a flat, a "
+      "dip or whatever is on the surfaces, see sections Time and Impact");
+    kind.sections = {"Time", "Impact"};
+    kind.own_section.emplace(ImpactParameters());
+    kind.axes = [](const SceneParameters &scene) -> std::vector<TableAxis> {
+      const auto &section = scene.own<ImpactParameters>();
+      if (section.speeds.empty())
+        return {};
+      return {{"Impact/Speeds", "Contact/Speed", section.speeds_or(1.)}};
+    };
+    kind.marches              = true;
+    kind.has_row_for_each_run = true;
+    kind.on_ranks             = false;
+    kind.rules                = {&check_impact};
+    return kind;
+  }
+} // namespace RollingContact
