@@ -33,14 +33,14 @@ namespace RollingContact
                     const std::optional<double> &share,
                     RunReport                   &report)
     {
-      report.errors.push_back({quantity,
-                               share.value_or(std::nan("")),
-                               "itself",
-                               share ? "steps of twice the length"
-                                     : "steps of twice the length fail",
-                               true,
-                               "by the length of the steps",
-                               share});
+      report.errors.push_back(
+        {quantity,
+         share.value_or(std::nan("")),
+         "itself",
+         share ? "steps of twice the length" : "steps of twice the length fail",
+         true,
+         "by the length of the steps",
+         share});
     }
   } // namespace
 
@@ -167,8 +167,10 @@ namespace RollingContact
       }
     Figure figure("Impact", "speed (m/s)", "largest over that at rest");
     figure.add_curve("load", speeds, loads, CurveStyle::line_and_points);
-    figure.add_curve(
-      "peak pressure", speeds, pressures, CurveStyle::line_and_points);
+    figure.add_curve("peak pressure",
+                     speeds,
+                     pressures,
+                     CurveStyle::line_and_points);
     Figure history("", "rolled (m)", "load over that at rest");
     history.add_curve("at " + significant(worst.speed, 3) + " m/s",
                       rolled,

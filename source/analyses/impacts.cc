@@ -128,14 +128,10 @@ namespace RollingContact
     ResultsTable    row;
     RunReport       report;
     RunContext own{context.folder, row, report, context.timer, context.log};
-    ContactStepper<dim> stepper(here,
-                                make_reduced_contact(here,
-                                                     bodies,
-                                                     histories,
-                                                     steps.length,
-                                                     nullptr,
-                                                     own),
-                                own);
+    ContactStepper<dim> stepper(
+      here,
+      make_reduced_contact(here, bodies, histories, steps.length, nullptr, own),
+      own);
     warn_of_long_steps(here, stepper.current(), speed * steps.length, context);
     Impact impact;
     impact.speed   = speed;
@@ -188,9 +184,8 @@ namespace RollingContact
         };
         impact.load_error =
           error(found.largest_load.load, other.largest_load.load);
-        impact.pressure_error =
-          error(found.largest_pressure.pressure,
-                other.largest_pressure.pressure);
+        impact.pressure_error = error(found.largest_pressure.pressure,
+                                      other.largest_pressure.pressure);
       }
     catch (const ConvergenceError &failure)
       {
@@ -227,8 +222,8 @@ namespace RollingContact
         throw InputError(why + "Time/Normal load and Approach would drive the "
                                "wheel beside the surfaces; leave them empty.");
       if (time.excite_mode != 0.)
-        throw InputError(why + "Time/Excite mode = " +
-                         text_of(time.excite_mode) +
+        throw InputError(why +
+                         "Time/Excite mode = " + text_of(time.excite_mode) +
                          ": runs start from a steady state; set it to 0.");
       if (scene.mesh.adaptive_levels > 0 || scene.mesh.target_error)
         throw InputError(why + "Mesh/Adaptive levels and Target error are not "

@@ -287,7 +287,7 @@ namespace RollingContact
         return {};
       return {{"Limit cycle/Values", cycle.axis_entry(), cycle.axis_values()}};
     };
-    kind.marches        = true;
+    kind.marches              = true;
     kind.until_periodic       = true;
     kind.has_row_for_each_run = true;
     kind.on_ranks             = false;

@@ -130,8 +130,7 @@ namespace RollingContact
       const auto along_x = [&](const double X) {
         return surface.height(X, 0.);
       };
-      return judge(it,
-                   short_waves(along_x, passes[0], passes[1], it.element));
+      return judge(it, short_waves(along_x, passes[0], passes[1], it.element));
     }
 
     /**
@@ -223,11 +222,11 @@ namespace RollingContact
                                      turn_of(scene, side),
                                      false,
                                      is_even};
-        const Examined it{given.entry(side),
+        const Examined       it{given.entry(side),
                           given.height[side],
                           "x",
                           sizes.element[0]};
-        const auto     passes = material_that_passes(passage, sizes);
+        const auto           passes = material_that_passes(passage, sizes);
         if (const auto dent = dent_named(it.entry, it.text))
           {
             check_size(*dent, it, passage.turn);

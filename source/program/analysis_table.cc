@@ -1,8 +1,8 @@
 #include <rolling_contact/analyses/contact_table.h>
 #include <rolling_contact/analyses/corrugation.h>
 #include <rolling_contact/analyses/creep_curve.h>
-#include <rolling_contact/analyses/limit_cycles.h>
 #include <rolling_contact/analyses/impacts.h>
+#include <rolling_contact/analyses/limit_cycles.h>
 #include <rolling_contact/analyses/load_curve.h>
 #include <rolling_contact/analyses/modes.h>
 #include <rolling_contact/analyses/quasi_static.h>

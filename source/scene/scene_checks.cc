@@ -11,7 +11,7 @@ namespace RollingContact
 {
   void SceneParameters::check_hubs() const
   {
-    const bool dynamic = marches() && time.inertia;
+    const bool dynamic       = marches() && time.inertia;
     const bool hangs_on_axle = moves_axle();
     if (!dynamic || time.initial_state == InitialState::steady)
       for (const BodyParameters *body : {&wheel, &rail})

@@ -40,19 +40,20 @@ namespace RollingContact
     entries.section("Surfaces")
       .read_by(analyses_with_elements())
       .read_by(analyses_of_contact());
-    const auto declare_height =
-      [&](const Side side, const std::string &name, const std::string &help) {
-        entries.add(name, height[side], "m").help =
-          help +
-          " An expression in x and y (m), the frame's at `Position` 0, which "
-          "moves with the material, or " +
-          kinds_of_surface_files +
-          ", whose positions count as the wheel runs (file relative to this "
-          "one); or a crown, `lundberg : LOAD` or `johns-gohar : LOAD` (N), on "
-          "bodies that are straight across; or at x = 0 of the material a dent, "
-          "`flat : LENGTH` (m) of a disc or `dip : LENGTH, DEPTH` (m); empty "
-          "for a smooth one.";
-      };
+    const auto declare_height = [&](const Side         side,
+                                    const std::string &name,
+                                    const std::string &help) {
+      entries.add(name, height[side], "m").help =
+        help +
+        " An expression in x and y (m), the frame's at `Position` 0, which "
+        "moves with the material, or " +
+        kinds_of_surface_files +
+        ", whose positions count as the wheel runs (file relative to this "
+        "one); or a crown, `lundberg : LOAD` or `johns-gohar : LOAD` (N), on "
+        "bodies that are straight across; or at x = 0 of the material a dent, "
+        "`flat : LENGTH` (m) of a disc or `dip : LENGTH, DEPTH` (m); empty "
+        "for a smooth one.";
+    };
     declare_height(Side::wheel,
                    "Wheel height",
                    "Height of the wheel's surface, out of it, over the length "

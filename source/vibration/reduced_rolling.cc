@@ -140,15 +140,16 @@ namespace RollingContact
       {
         if (!points.has_any(side) || modal->n_modes(side) == 0)
           continue;
-        const auto &body  = *modal->body(side);
-        DenseMatrix moved = DenseMatrix::Zero(points.n_values(side),
-                                              modal->n_modes(side));
+        const auto &body = *modal->body(side);
+        DenseMatrix moved =
+          DenseMatrix::Zero(points.n_values(side), modal->n_modes(side));
         for (Eigen::Index j = 0; j < moved.cols(); ++j)
           moved.col(j) = as_vector(points.values_of(
             side, body.body->field(column_of(body.mode_shapes(), j))));
         if (const AxleMotion *axle = modal->axle(side))
           axle->join(moved, DenseMatrix::Zero(moved.rows(), axle->size()));
-        // absorbers move no point of the body; the rail's are behind the wheel's
+        // absorbers move no point of the body; the rail's are behind the
+        // wheel's
         watched.block(side == Side::wheel ? 0 : watched.rows() - moved.rows(),
                       bodies.first_column(side),
                       moved.rows(),

@@ -43,8 +43,8 @@ namespace RollingContact
    */
   struct Impact
   {
-    double        speed = 0.;
-    double        step  = 0.; ///< length, s
+    double        speed   = 0.;
+    double        step    = 0.; ///< length, s
     std::uint64_t n_steps = 0;
     ImpactStep    at_rest; ///< the steady state that the run starts from
 

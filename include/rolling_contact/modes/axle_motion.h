@@ -79,11 +79,11 @@ namespace RollingContact
     }
 
   private:
-    DenseMatrix fields; ///< n x q
-    DenseMatrix rigid;  ///< q x q
-    DenseMatrix unit;   ///< q x q
-    DenseMatrix held;   ///< P r, m x q
-    std::vector<double> coupling_z; ///< P of the translation along z, m values
+    DenseMatrix         fields;      ///< n x q
+    DenseMatrix         rigid;       ///< q x q
+    DenseMatrix         unit;        ///< q x q
+    DenseMatrix         held;        ///< P r, m x q
+    std::vector<double> coupling_z;  ///< P of the translation along z, m values
     Eigen::Index        along_z = 0; ///< which of the motions that is
   };
 } // namespace RollingContact

@@ -73,7 +73,8 @@ namespace RollingContact
 
     /** AxleMotion::velocity_along_z() of a wheel whose axle moves, by the rates
      * of all coordinates; none of others. Units: m/s. */
-    std::optional<double> wheel_velocity(const std::vector<double> &rates) const;
+    std::optional<double>
+    wheel_velocity(const std::vector<double> &rates) const;
 
     const ModalBodies<dim> &bodies() const
     {
