@@ -6,6 +6,7 @@
 #include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/text.h>
+#include <rolling_contact/pair/split_choice.h>
 #include <rolling_contact/run/progress.h>
 #include <rolling_contact/scene/shared_rules.h>
 
@@ -40,6 +41,7 @@ namespace RollingContact
     , section(scene.inputs->own<CorrugationParameters>())
     , wavelengths(section.wavelengths_round(scene.wheel.radius))
     , speeds(section.speeds_or(std::abs(scene.contact.rolling_speed())))
+    , split_bodies(std::make_shared<SplitBodies>())
   {}
 
   template <int dim>
@@ -139,14 +141,15 @@ namespace RollingContact
   {
     if (pad_offset)
       context.log.message("Pads at " + significant(*pad_offset, 4) + " m.");
-    SteadyState<dim> steady = disturbed_state<dim>(at, context);
+    SteadyState<dim> steady = disturbed_state<dim>(at, context, split_bodies);
     require_elements(steady);
-    const ModalBodies<dim>  bodies(at,
-                                  at.inputs->modes,
-                                  steady.pair->bodies(),
-                                  at.inputs->modes.cut_off(),
-                                  context);
-    const RollingModes<dim> rolling(bodies,
+    modal = std::make_unique<ModalBodies<dim>>(at,
+                                               at.inputs->modes,
+                                               steady.pair->bodies(),
+                                               at.inputs->modes.cut_off(),
+                                               context,
+                                               modal.get());
+    const RollingModes<dim> rolling(*modal,
                                     *steady.pair,
                                     steady.problem.operators.W().dense());
     PhaseTimer::Scope       phase(context.timer, Phase::response);

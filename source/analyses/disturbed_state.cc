@@ -9,17 +9,22 @@ namespace RollingContact
 {
   namespace
   {
-    StateDemands demands_of_disturbed_state()
+    StateDemands
+    demands_of_disturbed_state(const std::shared_ptr<SplitBodies> &split_bodies)
     {
       StateDemands demands;
-      demands.pair.modes       = true;
-      demands.pair.bulk_errors = true;
+      demands.pair.modes        = true;
+      demands.pair.bulk_errors  = true;
+      demands.pair.split_bodies = split_bodies;
       return demands;
     }
   } // namespace
 
   template <int dim>
-  SteadyState<dim> disturbed_state(const Situation &scene, RunContext &context)
+  SteadyState<dim>
+  disturbed_state(const Situation                    &scene,
+                  RunContext                         &context,
+                  const std::shared_ptr<SplitBodies> &split_bodies)
   {
     if (!bodies_touch(scene))
       throw InputError("Analysis = " + scene.inputs->analysis.name +
@@ -28,7 +33,7 @@ namespace RollingContact
     Situation        used = scene;
     SteadyState<dim> steady =
       solve_to_target<dim>(used,
-                           demands_of_disturbed_state(),
+                           demands_of_disturbed_state(split_bodies),
                            TargetDemands(),
                            context,
                            [&](const SteadyState<dim> &level) {
@@ -58,6 +63,10 @@ namespace RollingContact
                   name_of(kind) + " does not know; take calibrated.");
   }
 
-  template SteadyState<2> disturbed_state(const Situation &, RunContext &);
-  template SteadyState<3> disturbed_state(const Situation &, RunContext &);
+  template SteadyState<2> disturbed_state(const Situation &,
+                                          RunContext &,
+                                          const std::shared_ptr<SplitBodies> &);
+  template SteadyState<3> disturbed_state(const Situation &,
+                                          RunContext &,
+                                          const std::shared_ptr<SplitBodies> &);
 } // namespace RollingContact

@@ -16,46 +16,69 @@ namespace RollingContact
   {}
 
   template <int dim>
-  ModalBodies<dim>::ModalBodies(const PairSpec        &scene,
-                                const ModesParameters &wanted,
-                                const BodyPair<dim>   &rolling,
-                                const double           cut_off,
-                                RunContext            &context)
+  ModalBodies<dim>::ModalBodies(const PairSpec         &scene,
+                                const ModesParameters  &wanted,
+                                const BodyPair<dim>    &rolling,
+                                const double            cut_off,
+                                RunContext             &context,
+                                const ModalBodies<dim> *earlier)
   {
     for (const Side side : both_sides)
       {
         if (!rolling.is_elastic(side))
           continue;
-        const DirectBody<dim> *direct =
-          rolling.body(side) ? rolling.body(side)->with_factor() : nullptr;
-        if (direct == nullptr)
-          throw InputError("Body solver: modes need the factor of the bodies; "
-                           "take direct, on one rank.");
-        bodies[side] = std::make_unique<VibratingBody<dim>>(
-          scene, side, wanted, *direct, cut_off, context);
-        PhaseTimer::Scope         phase(context.timer, Phase::modes);
-        const VibratingBody<dim> &body  = *bodies[side];
-        const DenseMatrix        &modes = body.modes.shapes;
-        Part                     &part  = parts[side];
-        part.viscous                    = in_modes(body.modes, body.C);
-        part.H_m                        = in_modes(body.modes, body.H);
-        part.C_m = modal_damping_matrix(body.modes, part.H_m, part.viscous);
-        hanging[side]   = body.absorbers(wanted.maximum_frequency, context);
-        const auto axle = body.parameters.body_shape()->axle();
-        if (body.parameters.axle_mass)
-          axles[side] = std::make_unique<AxleMotion>(
-            *direct,
-            body.places,
-            *body.parameters.axle_mass,
-            axle ? axle->direction : std::array<double, 3>{{0., 1., 0.}},
-            modes);
-        if constexpr (dim == 3)
-          if (side == Side::wheel && axle)
-            {
-              part.S   = direct->rotation(*axle);
-              part.S_m = modal_rotation(part.S, modes);
-            }
+        owners[side] = rolling.shared_body(side);
+        if (earlier && earlier->owners[side] == owners[side])
+          {
+            bodies[side]  = earlier->bodies[side];
+            parts[side]   = earlier->parts[side];
+            hanging[side] = earlier->hanging[side];
+            axles[side]   = earlier->axles[side];
+          }
+        else
+          find(scene, side, wanted, cut_off, context);
       }
+  }
+
+  template <int dim>
+  void ModalBodies<dim>::find(const PairSpec        &scene,
+                              const Side             side,
+                              const ModesParameters &wanted,
+                              const double           cut_off,
+                              RunContext            &context)
+  {
+    const DirectBody<dim> *direct =
+      owners[side] ? owners[side]->with_factor() : nullptr;
+    if (direct == nullptr)
+      throw InputError("Body solver: modes need the factor of the bodies; "
+                       "take direct, on one rank.");
+    const auto found = std::make_shared<VibratingBody<dim>>(
+      scene, side, wanted, *direct, cut_off, context);
+    PhaseTimer::Scope         phase(context.timer, Phase::modes);
+    const VibratingBody<dim> &body  = *found;
+    const DenseMatrix        &modes = body.modes.shapes;
+    Part                      part;
+    part.viscous    = in_modes(body.modes, body.C);
+    part.H_m        = in_modes(body.modes, body.H);
+    part.C_m        = modal_damping_matrix(body.modes, part.H_m, part.viscous);
+    hanging[side]   = body.absorbers(wanted.maximum_frequency, context);
+    const auto axle = body.parameters.body_shape()->axle();
+    if (body.parameters.axle_mass)
+      axles[side] =
+        std::make_shared<AxleMotion>(*direct,
+                                     body.places,
+                                     *body.parameters.axle_mass,
+                                     axle ? axle->direction
+                                          : std::array<double, 3>{{0., 1., 0.}},
+                                     modes);
+    if constexpr (dim == 3)
+      if (side == Side::wheel && axle)
+        {
+          part.S   = direct->rotation(*axle);
+          part.S_m = modal_rotation(part.S, modes);
+        }
+    bodies[side] = found;
+    parts[side]  = std::make_shared<const Part>(std::move(part));
   }
 
   template <int dim>
@@ -71,7 +94,7 @@ namespace RollingContact
   double ModalBodies<dim>::rate(const Side               side,
                                 const RollingConditions &conditions) const
   {
-    return parts[side].S_m.size() > 0
+    return parts[side] && parts[side]->S_m.size() > 0
              ? conditions.speed / bodies[side]->parameters.radius
              : 0.;
   }
@@ -110,7 +133,7 @@ namespace RollingContact
   {
     const std::size_t m = n_modes(side) + hanging[side].n_coordinates();
     DenseMatrix       H = DenseMatrix::Zero(m, m);
-    H.topLeftCorner(n_modes(side), n_modes(side)) = parts[side].H_m;
+    H.topLeftCorner(n_modes(side), n_modes(side)) = parts[side]->H_m;
     if (axle(side))
       axle(side)->join(H);
     return H;
@@ -126,7 +149,7 @@ namespace RollingContact
     const auto             ratios = damping_ratios(side, conditions);
     ReducedPair            alone;
     alone.K_m = DenseMatrix::Zero(m, m);
-    alone.C_m = conditions.hysteretic ? parts[side].viscous : parts[side].C_m;
+    alone.C_m = conditions.hysteretic ? parts[side]->viscous : parts[side]->C_m;
     for (std::size_t j = 0; j < m; ++j)
       {
         alone.K_m(j, j) = modes.eigenvalue(j);
@@ -134,7 +157,7 @@ namespace RollingContact
       }
     const double turns = rate(side, conditions);
     if (turns != 0.)
-      add_rotation(alone, parts[side].S_m, turns);
+      add_rotation(alone, parts[side]->S_m, turns);
     return {std::move(alone.K_m), std::move(alone.C_m)};
   }
 
@@ -161,7 +184,7 @@ namespace RollingContact
         }});
     auto result = std::make_unique<FullDynamics>(
       TurningStructure{
-        body.K, body.M, body.C, body.H, parts[side].S, rate(side, conditions)},
+        body.K, body.M, body.C, body.H, parts[side]->S, rate(side, conditions)},
       *body.factor,
       body.modes,
       damping_ratios(side, conditions),

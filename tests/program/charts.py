@@ -274,6 +274,23 @@ def sweep():
     same_points("growth", points, sorted({float(row[axis]): float(row["largest_growth_1/s"]) for row in rows}.items()))
 
 
+def impacts():
+    """Largest load and pressure over those at rest over speed, and the load of the worst run over its way."""
+    rows, curves = table("results.csv"), list(charts("impacts"))
+    check("curves", len(curves) == 3, len(curves))
+    for (label, columns, points), quantity in zip(curves, ("load", "pressure")):
+        check(f"axes of the {quantity}", columns == ["speed (m/s)", "largest over that at rest"], columns)
+        check(f"name of the {quantity}", quantity in label, label)
+        same_points(quantity, points, [(float(row["speed_m/s"]), float(row[f"largest_{quantity}/at_rest"]))
+                                       for row in rows])
+    worst = max(rows, key=lambda row: float(row["largest_load/at_rest"]))
+    label, columns, points = curves[2]
+    check("name of the history", label == f"at {float(worst['speed_m/s']):.3g} m/s", label)
+    check("axes of the history", columns == ["rolled (m)", "load over that at rest"], columns)
+    same_points("history", points, [(float(row["rolled_m"]), float(row["normal_force_N"]) /
+                                     float(worst["load_at_rest_N"])) for row in table("impact_history.csv")], 1e-5)
+
+
 def patch():
     """The map of states over time and place against cycle_patch.csv."""
     rows = table("cycle_patch.csv")

@@ -52,6 +52,10 @@ namespace RollingContact
     const CorrugationParameters &section;
     const std::vector<double>    wavelengths, speeds;
     std::vector<CorrugationRow>  rows;
+
+    /** The wheel is the same at all places of the track. */
+    const std::shared_ptr<SplitBodies> split_bodies;
+    std::unique_ptr<ModalBodies<dim>>  modal; ///< of the last place
   };
 
   AnalysisKind corrugation_kind();

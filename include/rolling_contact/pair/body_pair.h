@@ -82,6 +82,12 @@ namespace RollingContact
       return bodies[side].get();
     }
 
+    /** The same, to be kept beyond the life of this. */
+    std::shared_ptr<const ElasticBody<dim>> shared_body(const Side side) const
+    {
+      return bodies[side];
+    }
+
     /**
      * The rank that holds a direct body, or the model of a distributed one.
      */

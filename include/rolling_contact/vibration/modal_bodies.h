@@ -51,14 +51,17 @@ namespace RollingContact
   {
   public:
     /**
-     * Find the modes up to a frequency (Hz) of @p bodies, which must outlive
-     * this and have kept their factors. Throws InputError for bodies without.
+     * Find the modes up to a frequency (Hz) of @p bodies, which must have kept
+     * their factors. Modes of a body that @p earlier has, found under the same
+     * conditions, are taken from there. Throws InputError for bodies without
+     * factors.
      */
-    ModalBodies(const PairSpec        &scene,
-                const ModesParameters &wanted,
-                const BodyPair<dim>   &bodies,
-                const double           cut_off,
-                RunContext            &context);
+    ModalBodies(const PairSpec         &scene,
+                const ModesParameters  &wanted,
+                const BodyPair<dim>    &bodies,
+                const double            cut_off,
+                RunContext             &context,
+                const ModalBodies<dim> *earlier = nullptr);
 
     /** nullptr for a rigid body. */
     const VibratingBody<dim> *body(const Side side) const
@@ -139,10 +142,18 @@ namespace RollingContact
     matrices_of_modes(const Side               side,
                       const RollingConditions &conditions) const;
 
-    PerSide<std::unique_ptr<VibratingBody<dim>>> bodies;
-    PerSide<Part>                                parts;
-    PerSide<AbsorberPlaces>                      hanging;
-    PerSide<std::unique_ptr<AxleMotion>>         axles;
+    /** Find the modes of a body, and what belongs to them. */
+    void find(const PairSpec        &scene,
+              const Side             side,
+              const ModesParameters &wanted,
+              const double           cut_off,
+              RunContext            &context);
+
+    PerSide<std::shared_ptr<const ElasticBody<dim>>>   owners;
+    PerSide<std::shared_ptr<const VibratingBody<dim>>> bodies;
+    PerSide<std::shared_ptr<const Part>>               parts;
+    PerSide<AbsorberPlaces>                            hanging;
+    PerSide<std::shared_ptr<const AxleMotion>>         axles;
   };
 } // namespace RollingContact
 
