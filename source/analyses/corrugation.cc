@@ -26,12 +26,6 @@ namespace RollingContact
 
     /// answers of whole bodies to a wave, each from the one before
     const unsigned int whole_steps = 3;
-
-    bool lies_on_pads(const BodyParameters &rail)
-    {
-      return !rail.rigid && rail.hub == Hub::elastic &&
-             rail.model.foundation.pad_spacing > 0.;
-    }
   } // namespace
 
   template <int dim>
@@ -136,10 +130,10 @@ namespace RollingContact
   }
 
   template <int dim>
-  void Corrugation<dim>::run_at(const Situation             &at,
-                                const std::optional<double> &pad_offset)
+  void Corrugation<dim>::run_at(const Situation &at)
   {
-    if (pad_offset)
+    const std::optional<double> pad_offset = pad_offset_of(at);
+    if (pad_offset && !section.pad_offsets.empty())
       context.log.message("Pads at " + significant(*pad_offset, 4) + " m.");
     SteadyState<dim> steady = disturbed_state<dim>(at, context, split_bodies);
     require_elements(steady);
@@ -170,23 +164,9 @@ namespace RollingContact
   template <int dim>
   void Corrugation<dim>::run()
   {
-    const auto             offsets = section.offsets();
-    std::vector<Situation> places;
-    for (const double offset : offsets)
-      {
-        SceneParameters inputs                  = *scene.inputs;
-        inputs.rail.model.foundation.pad_offset = offset;
-        inputs.check();
-        places.emplace_back(inputs, &scene);
-        places.back().check_bodies();
-      }
-    if (offsets.empty())
-      run_at(scene,
-             lies_on_pads(scene.rail)
-               ? std::optional<double>(scene.rail.model.foundation.pad_offset)
-               : std::optional<double>());
-    for (std::size_t i = 0; i < places.size(); ++i)
-      run_at(places[i], offsets[i]);
+    const auto places = section.places().situations(scene);
+    for (const Situation &place : places)
+      run_at(place);
     if (std::all_of(rows.begin(), rows.end(), [](const CorrugationRow &row) {
           return row.passed.growth.total() == 0.;
         }))
@@ -290,10 +270,7 @@ namespace RollingContact
                                "without creepage nothing wears; give one.");
       const auto &section = scene.own<CorrugationParameters>();
       check_speeds_of_state(scene, "Corrugation/Speeds", section.speeds);
-      if (!section.pad_offsets.empty() && !lies_on_pads(scene.rail))
-        throw InputError("Corrugation/Pad offsets = " + section.pad_offsets +
-                         ": the rail lies on no pads; give Rail/Hub = elastic "
-                         "and Pad spacing, or leave Pad offsets empty.");
+      section.places().check(scene);
     }
   } // namespace
 
@@ -306,11 +283,7 @@ namespace RollingContact
     kind.sections = {"Modes", "Stability", "Corrugation"};
     kind.own_section.emplace(CorrugationParameters());
     kind.axes = [](const SceneParameters &scene) -> std::vector<TableAxis> {
-      const auto            &section = scene.own<CorrugationParameters>();
-      std::vector<TableAxis> axes;
-      if (const auto offsets = section.offsets(); !offsets.empty())
-        axes.push_back({"Corrugation/Pad offsets", "Rail/Pad offset", offsets});
-      return axes;
+      return scene.own<CorrugationParameters>().places().axes();
     };
     kind.linearises   = true;
     kind.passes_waves = true;

@@ -44,7 +44,7 @@ namespace RollingContact
   {
     wavelengths_round(1.);
     speeds_or(1.);
-    offsets();
+    places();
     for (const auto &[name, value] :
          {std::pair("Wear coefficient", wear_coefficient),
           std::pair("Passages", passages)})
@@ -80,12 +80,5 @@ namespace RollingContact
     return speeds.empty()
              ? std::vector<double>{given}
              : positive_numbers("Corrugation/Speeds", speeds, "m/s");
-  }
-
-  std::vector<double> CorrugationParameters::offsets() const
-  {
-    return pad_offsets.empty()
-             ? std::vector<double>()
-             : number_list("Corrugation/Pad offsets", pad_offsets);
   }
 } // namespace RollingContact

@@ -108,11 +108,12 @@ namespace RollingContact
         return impact.extremes().parted > 0.;
       });
     context.report.set_finding(
-      "contact",
+      "lift",
       parts == impacts.end()
-        ? "never lost"
-        : "lost from " + significant(parts->speed, 3) + " m/s on, for " +
-            significant(1e3 * parts->extremes().parted, 3) + " ms there");
+        ? "none, wheel and rail touch all the time"
+        : "contact is lost from " + significant(parts->speed, 3) +
+            " m/s on, for " + significant(1e3 * parts->extremes().parted, 3) +
+            " ms there");
     note_error("largest load",
                largest_share(
                  impacts,

@@ -8,6 +8,7 @@
 #include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/text.h>
+#include <rolling_contact/pair/split_choice.h>
 #include <rolling_contact/scene/shared_rules.h>
 #include <rolling_contact/time/a_weighting.h>
 #include <rolling_contact/time/radiating_surface.h>
@@ -35,6 +36,7 @@ namespace RollingContact
     , speeds(section.speeds_or(std::abs(scene.contact.rolling_speed())))
     , air(air_of(scene.inputs->sound))
     , roughness(roughness_of(scene))
+    , split_bodies(std::make_shared<SplitBodies>())
   {}
 
   std::vector<Signals::ThirdOctave>
@@ -47,6 +49,7 @@ namespace RollingContact
 
   void RollingNoise::find_radiators(const RollingModes<3> &rolling)
   {
+    radiators.clear();
     for (const Side side : both_sides)
       if (const VibratingBody<3> *body = rolling.bodies().body(side))
         {
@@ -205,9 +208,9 @@ namespace RollingContact
                                  levels);
   }
 
-  void RollingNoise::run()
+  std::vector<NoiseOfSpeed> RollingNoise::noise_at(const Situation &at)
   {
-    SteadyState<3> steady = disturbed_state<3>(scene, context);
+    SteadyState<3> steady = disturbed_state<3>(at, context, split_bodies);
     load                  = steady.result.normal_force;
     const double resolved =
       least_elements_of_wave * steady.grading.element_size_x;
@@ -220,31 +223,32 @@ namespace RollingContact
         roughness.shortest = resolved;
       }
     require_bands(scene, roughness, speeds);
-    const ModalBodies<3>  bodies(scene,
-                                scene.inputs->modes,
-                                steady.pair->bodies(),
-                                scene.inputs->modes.cut_off(),
-                                context);
-    const RollingModes<3> rolling(bodies,
+    modal = std::make_unique<ModalBodies<3>>(at,
+                                             at.inputs->modes,
+                                             steady.pair->bodies(),
+                                             at.inputs->modes.cut_off(),
+                                             context,
+                                             modal.get());
+    const RollingModes<3> rolling(*modal,
                                   *steady.pair,
                                   steady.problem.operators.W().dense());
     find_radiators(rolling);
     PhaseTimer::Scope phase(context.timer, Phase::response);
     const auto        reduced = [&](const double speed) {
-      ReducedPair pair = rolling.reduced(conditions_of_waves(scene, speed));
-      if (const auto *rail = bodies.body(Side::rail);
+      ReducedPair pair = rolling.reduced(conditions_of_waves(at, speed));
+      if (const auto *rail = modal->body(Side::rail);
           rail != nullptr && rail->is_without_ends())
         pair.watched = rolling.relative_motions_of_waves(Side::rail);
       return pair;
     };
     const WaveSweep sweep =
-      waves_over(scene, steady.problem, steady.state, speeds, reduced);
+      waves_over(at, steady.problem, steady.state, speeds, reduced);
     warn_of_fixed_edges(sweep.contact(),
                         scene.contact.slip_operator,
                         context.log);
     const auto waves = passing_waves(sweep);
     const auto sweeps_of_halves =
-      waves_over_halves(scene, steady, speeds, reduced);
+      waves_over_halves(at, steady, speeds, reduced);
     std::vector<std::vector<PassingWaves>> of_halves;
     for (const WaveSweep &half : sweeps_of_halves)
       of_halves.push_back(passing_waves(half));
@@ -259,6 +263,22 @@ namespace RollingContact
         of_speed.uncertainty = uncertainty_at(v, waves, of_halves, of_speed);
         found.push_back(std::move(of_speed));
       }
+    return found;
+  }
+
+  void RollingNoise::run()
+  {
+    std::vector<std::vector<NoiseOfSpeed>> places(speeds.size());
+    const auto situations = section.places().situations(scene);
+    for (const Situation &at : situations)
+      {
+        const auto found = noise_at(at);
+        for (std::size_t v = 0; v < speeds.size(); ++v)
+          places[v].push_back(found[v]);
+      }
+    std::vector<NoiseOfSpeed> found;
+    for (const auto &of_speed : places)
+      found.push_back(mean_of_places(of_speed));
     report(found);
   }
 
@@ -300,6 +320,7 @@ namespace RollingContact
                          "surfaces that radiate; take Dimension = 3.");
       scene.sound.check_air();
       check_speeds_of_state(scene, "Rolling noise/Speeds", section.speeds);
+      section.places().check(scene);
     }
 
     void check_roughness(const Situation &scene)
@@ -321,6 +342,9 @@ namespace RollingContact
       "frequency and speed, see section Rolling noise");
     kind.sections = {"Modes", "Stability", "Rolling noise", "Sound"};
     kind.own_section.emplace(RollingNoiseParameters());
+    kind.axes = [](const SceneParameters &scene) {
+      return scene.own<RollingNoiseParameters>().places().axes();
+    };
     kind.linearises      = true;
     kind.passes_waves    = true;
     kind.has_dampers     = true;

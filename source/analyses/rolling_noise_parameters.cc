@@ -41,11 +41,16 @@ namespace RollingContact
                 "Contact filter = random across reads it"})
       .help = "c: places y and y' across cohere by exp(-c k |y - y'|), k = "
               "2 pi over the wavelength; 0 is `patch`.";
+    entries.add("Pad offsets", pad_offsets, "m").help =
+      "Places in a bay between sleepers, as Rail/Pad offset, each a rail of "
+      "its own, whose powers are averaged, " +
+      std::string(number_list_form) + "; empty: Rail/Pad offset alone.";
   }
 
   void RollingNoiseParameters::check() const
   {
     speeds_or(1.);
+    places();
     if (rail_roughness.empty() && wheel_roughness.empty())
       throw InputError("Rolling noise/Rail roughness and Wheel roughness are "
                        "empty: smooth bodies roll without noise; give one, as "

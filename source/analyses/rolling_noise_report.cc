@@ -5,6 +5,7 @@
 #include <rolling_contact/time/sound_pressure.h>
 #include <rolling_contact/time/sound_report.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace RollingContact
@@ -71,6 +72,8 @@ namespace RollingContact
             std::pair("total_dB_re_1pW", all.total())})
         set_power(table, column, power, all.total());
       table.set("uncertainty_dB", of_speed.uncertainty);
+      if (of_speed.range)
+        table.set("range_over_bay_dB", *of_speed.range);
       table.set_if(all.weighted() > 0.,
                    "sound_pressure_dBA_re_20uPa",
                    level_at_distance(of_speed, sound));
@@ -159,6 +162,33 @@ namespace RollingContact
     for (const NoiseBand &band : bands)
       result.values += band.powers.values;
     return result;
+  }
+
+  NoiseOfSpeed mean_of_places(const std::vector<NoiseOfSpeed> &places)
+  {
+    NoiseOfSpeed        mean = places.front();
+    std::vector<double> levels;
+    for (const NoiseOfSpeed &place : places)
+      {
+        levels.push_back(Sound::power_level(place.sum().weighted()));
+        if (!place.uncertainty || !mean.uncertainty)
+          mean.uncertainty.reset();
+        else
+          mean.uncertainty = std::max(*mean.uncertainty, *place.uncertainty);
+      }
+    if (places.size() < 2)
+      return mean;
+    for (std::size_t b = 0; b < mean.bands.size(); ++b)
+      {
+        mean.bands[b].powers.values.setZero();
+        for (const NoiseOfSpeed &place : places)
+          mean.bands[b].powers.values +=
+            place.bands[b].powers.values / double(places.size());
+      }
+    const auto [least, largest] =
+      std::minmax_element(levels.begin(), levels.end());
+    mean.range = *largest - *least;
+    return mean;
   }
 
   std::optional<double> slope_of(const std::vector<NoiseOfSpeed> &speeds)

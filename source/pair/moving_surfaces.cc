@@ -309,6 +309,37 @@ namespace RollingContact
     return result;
   }
 
+  double farthest_contact_of_dents(const PairSpec &scene)
+  {
+    const double R   = pair_constants(scene).relative_radius;
+    const int    n   = 200; // places of a dent, and of the contact
+    double       sum = 0.;
+    for (const Side side : both_sides)
+      {
+        const auto dent = dent_named(SurfaceParameters::entry(side),
+                                     scene.surfaces.height[side]);
+        if (!dent)
+          continue;
+        const double step     = dent->length / n;
+        int          farthest = 0;
+        for (int place = -n; place <= n; ++place)
+          {
+            const auto gap = [&](const int i) {
+              return i * step * i * step / (2 * R) -
+                     dent->height((i - place) * step,
+                                  turn_of(scene, side) / (2 * pi));
+            };
+            int nearest = 0;
+            for (int i = -n; i <= n; ++i)
+              if (gap(i) < gap(nearest))
+                nearest = i;
+            farthest = std::max(farthest, std::abs(nearest));
+          }
+        sum += farthest * step;
+      }
+    return sum;
+  }
+
   void check_moving_surfaces(const PairSpec &scene)
   {
     if (!scene.surfaces.in_use() && !scene.surfaces.standing)

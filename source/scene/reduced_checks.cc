@@ -3,6 +3,8 @@
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/scene/shared_rules.h>
 
+#include <algorithm>
+
 namespace RollingContact
 {
   namespace
@@ -78,7 +80,12 @@ namespace RollingContact
       throw InputError(why + "Time/Rayleigh alpha and beta are for full "
                              "bodies; set them to 0 and give Rayleigh mass "
                              "and stiffness of Wheel and Rail.");
-    if (!contact.speed || !time.speed.empty())
+    const auto given = axes();
+    const bool has_speeds =
+      std::any_of(given.begin(), given.end(), [](const TableAxis &axis) {
+        return axis.entry == "Contact/Speed";
+      });
+    if ((!contact.speed && !has_speeds) || !time.speed.empty())
       throw InputError(why + "give a constant Contact/Speed in m/s and leave "
                              "Time/Speed empty.");
     if (!wheel.rigid && wheel.hub == Hub::free)

@@ -1,4 +1,5 @@
 #include <rolling_contact/pair/mesh_limits.h>
+#include <rolling_contact/pair/moving_surfaces.h>
 #include <rolling_contact/state/steady_state.h>
 
 #include <algorithm>
@@ -154,7 +155,9 @@ namespace RollingContact
     grading.element_size_y  = 2 * patch.half_width_y / elements_y;
     if (!patch.boxes.empty())
       resolve_smallest_patch(scene, patch, elements_across_patch, grading);
-    grading.zone_x   = zone(half_width, grading.element_size_x);
+    grading.zone_x = zone(half_width, grading.element_size_x);
+    if (demands.pair.surfaces_in_time)
+      grading.zone_x += farthest_contact_of_dents(scene);
     grading.upstream = demands.one_direction ? -scene.contact.flow() : 0;
     grading.zone_y   = zone(patch.half_width_y, grading.element_size_y);
     if (patch.boxes.empty() || scene.touches_in_line())

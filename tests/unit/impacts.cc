@@ -4,6 +4,7 @@
 #include "time_run.h"
 
 #include <rolling_contact/base/constants.h>
+#include <rolling_contact/pair/moving_surfaces.h>
 #include <rolling_contact/surfaces/dent.h>
 
 #include <algorithm>
@@ -21,8 +22,8 @@ namespace
 
   /** A disc on half an axle over a dip of the rail; bodies weigh little, so
    * that the axle is a mass on the spring of the contact. */
-  const double axle_mass = 500., dip_length = 0.12, dip_depth = 0.1e-3,
-               position = -0.1, element_density = 60.;
+  const double axle_mass = 5000., dip_length = 0.3, dip_depth = 0.1e-3,
+               position = -0.2, density = 60.;
 
   void set_light_bodies(SceneParameters &scene)
   {
@@ -30,17 +31,17 @@ namespace
     scene.wheel.width          = 0.1;
     scene.wheel.lateral_radius = 0.;
     scene.wheel.hub            = Hub::mass;
-    scene.wheel.model.hub_mass = {axle_mass, {{50., 5., 50.}}};
+    scene.wheel.model.hub_mass = {axle_mass, {{500., 50., 500.}}};
     scene.rail.shape           = "block";
     scene.rail.radius          = 0.;
     scene.rail.block_length    = 0.4;
     scene.rail.block_depth     = 0.15;
     scene.rail.width           = 0.1;
     for (BodyParameters *body : {&scene.wheel, &scene.rail})
-      body->material.density = element_density;
+      body->material.density = density;
     scene.contact.friction_coefficient = 0.;
     scene.modes.maximum_frequency      = 20e3;
-    scene.surfaces.height.rail         = "dip : 0.12, 0.1e-3";
+    scene.surfaces.height.rail         = "dip : 0.3, 0.1e-3";
     scene.surfaces.position            = position;
     scene.time.inertia                 = true;
     scene.time.bodies                  = BodiesInTime::reduced;
@@ -126,6 +127,25 @@ BOOST_AUTO_TEST_CASE(a_rigid_wheel_turns_about_the_edges_of_its_flat)
     }
 }
 
+/** Bodies touch on the edges of a flat, and on the slopes of a dip at R z'. */
+BOOST_AUTO_TEST_CASE(zones_reach_as_far_as_dents_move_the_contact)
+{
+  SceneParameters scene;
+  standard<3>(scene);
+  set_light_bodies(scene);
+  const auto reach = [&](const Side side, const std::string &height) {
+    scene.surfaces.height       = {};
+    scene.surfaces.height[side] = height;
+    return farthest_contact_of_dents(PairSpec(scene));
+  };
+  BOOST_TEST(reach(Side::rail, "1e-6 * sin(x)") == 0.);
+  BOOST_TEST(reach(Side::wheel, "flat : 0.04") == 0.02, tt::tolerance(0.02));
+  BOOST_TEST(reach(Side::rail, "dip : 0.2, 1e-4") == 0.46 * pi * 1e-4 / 0.2,
+             tt::tolerance(0.3));
+  BOOST_TEST(reach(Side::wheel, "dip : 0.05, 1e-4") == 0.46 * pi * 1e-4 / 0.05,
+             tt::tolerance(0.1));
+}
+
 BOOST_AUTO_TEST_CASE(dents_that_are_none_are_refused)
 {
   for (const std::string text : {"flat",
@@ -158,16 +178,16 @@ BOOST_AUTO_TEST_CASE(an_axle_is_a_mass_on_the_spring_of_the_contact)
 {
   const ContactSpring spring;
   const double        rest = 0.07e-3,
-               wheel_mass =
-                 element_density * pi * (0.46 * 0.46 - 0.15 * 0.15) * 0.1,
-               m = axle_mass + wheel_mass;
+               wheel_mass  = density * pi * (0.46 * 0.46 - 0.15 * 0.15) * 0.1,
+               m           = axle_mass + wheel_mass;
   for (const double V : {5., 15., 40.})
     {
-      const double h = std::min(5e-5, 1e-3 / V);
-      const auto   n = static_cast<unsigned int>(std::ceil(0.3 / (V * h)));
+      const double h = std::min(1e-4, 1e-3 / V);
+      const auto   n = static_cast<unsigned int>(std::ceil(0.6 / (V * h)));
       TimeRun<3>   run([&](SceneParameters &scene) {
         set_light_bodies(scene);
         scene.wheel.velocity_points = "rim: 0.45, 0, 0";
+        scene.mesh.candidate_zone   = 2.;
         scene.contact.speed         = V;
         scene.time.time_step        = h;
         scene.time.end_time         = n * h;

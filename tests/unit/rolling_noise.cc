@@ -209,6 +209,31 @@ BOOST_AUTO_TEST_CASE(the_filter_of_the_directive_has_its_tables)
              }).find("25 to 100 kN") != std::string::npos);
 }
 
+BOOST_AUTO_TEST_CASE(places_between_sleepers_are_averaged_by_their_powers)
+{
+  std::vector<NoiseOfSpeed> places(2);
+  for (std::size_t k = 0; k < 2; ++k)
+    {
+      NoiseOfSpeed &place = places[k];
+      place.uncertainty   = 0.5 + k;
+      place.bands.resize(2);
+      place.bands[0].powers.values.setConstant(k == 0 ? 3e-6 : 1e-6);
+      place.bands[1].powers.values.setConstant(k == 0 ? 7e-6 : 1e-6);
+    }
+  const NoiseOfSpeed mean = mean_of_places(places);
+  BOOST_TEST(mean.bands[0].powers[NoisePowers::load] == 2e-6,
+             boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(mean.bands[1].powers[NoisePowers::weighted_rail] == 4e-6,
+             boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(*mean.uncertainty == 1.5);
+  BOOST_TEST(*mean.range == 10 * std::log10(5.),
+             boost::test_tools::tolerance(1e-12));
+  places[0].uncertainty.reset();
+  BOOST_TEST(!mean_of_places(places).uncertainty);
+  BOOST_TEST(!mean_of_places({places[1]}).range);
+  BOOST_TEST(*mean_of_places({places[1]}).uncertainty == 1.5);
+}
+
 BOOST_AUTO_TEST_CASE(the_slope_is_that_of_levels_over_speed)
 {
   std::vector<NoiseOfSpeed> speeds;

@@ -25,7 +25,7 @@ namespace RollingContact
 
   private:
     /** All waves at one place of the track, the scene as it is there. */
-    void run_at(const Situation &at, const std::optional<double> &pad_offset);
+    void run_at(const Situation &at);
 
     /** The element along x must resolve the shortest wave. */
     void require_elements(const SteadyState<dim> &steady) const;

@@ -1,6 +1,7 @@
 #ifndef rolling_contact_analyses_corrugation_parameters_h
 #define rolling_contact_analyses_corrugation_parameters_h
 
+#include <rolling_contact/analyses/pad_places.h>
 #include <rolling_contact/base/side.h>
 
 #include <string>
@@ -28,9 +29,11 @@ namespace RollingContact
     /** Ascending; @p given if there are none. Throws InputError. Units: m/s. */
     std::vector<double> speeds_or(const double given) const;
 
-    /** Places of the pads; none: those of the rail. Throws InputError. Units:
-     * m. */
-    std::vector<double> offsets() const;
+    /** Throws InputError. */
+    PadPlaces places() const
+    {
+      return {"Corrugation", pad_offsets};
+    }
 
     std::string wavelengths      = "0.02 : 0.2 : 60";
     std::string speeds           = "";

@@ -27,10 +27,6 @@ namespace RollingContact
   private:
     Situation scene_at(const double speed) const;
 
-    /** Throws InputError if a dent lies in the contact at the start, or the
-     * runs end before it. */
-    void check_way() const;
-
     Impact impact_at(const double speed) const;
 
     /** The steps of a run. */

@@ -51,6 +51,9 @@ namespace RollingContact
     /** The third octaves that are told at a speed. */
     std::vector<Signals::ThirdOctave> bands_at(const double speed) const;
 
+    /** All speeds with the scene as it is at one place of the track. */
+    std::vector<NoiseOfSpeed> noise_at(const Situation &at);
+
     void find_radiators(const RollingModes<3> &rolling);
 
     /** Reactions of the patches to waves of all speeds, at all bands. */
@@ -85,6 +88,10 @@ namespace RollingContact
     std::vector<Radiator>         radiators;
     double                        load     = 0.; ///< N
     std::size_t                   n_coarse = 0;
+
+    /** The wheel is the same at all places of the track. */
+    const std::shared_ptr<SplitBodies> split_bodies;
+    std::unique_ptr<ModalBodies<3>>    modal; ///< of the last place
   };
 
   AnalysisKind rolling_noise_kind();

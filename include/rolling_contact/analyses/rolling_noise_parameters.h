@@ -1,6 +1,7 @@
 #ifndef rolling_contact_analyses_rolling_noise_parameters_h
 #define rolling_contact_analyses_rolling_noise_parameters_h
 
+#include <rolling_contact/analyses/pad_places.h>
 #include <rolling_contact/surfaces/roughness_levels.h>
 
 #include <optional>
@@ -33,6 +34,12 @@ namespace RollingContact
     /** Ascending; @p given if there are none. Throws InputError. Units: m/s. */
     std::vector<double> speeds_or(const double given) const;
 
+    /** Throws InputError. */
+    PadPlaces places() const
+    {
+      return {"Rolling noise", pad_offsets};
+    }
+
     /** Coherence across of the waves; 0 of waves alike across. */
     double coherence_of_waves() const
     {
@@ -44,6 +51,7 @@ namespace RollingContact
     std::string   wheel_roughness = "";
     ContactFilter filter          = ContactFilter::random_across;
     double        coherence       = 1.;
+    std::string   pad_offsets     = "";
   };
 } // namespace RollingContact
 

@@ -65,8 +65,16 @@ namespace RollingContact
     /** How far the level may be off by the elements of the patch, dB. */
     std::optional<double> uncertainty;
 
+    /** Difference of the A-weighted levels of the loudest and the quietest
+     * place between the sleepers, dB. */
+    std::optional<double> range;
+
     NoisePowers sum() const;
   };
+
+  /** Powers in the mean over places at the same speed, and the largest of their
+   * uncertainties; one that is not known at a place is not known. */
+  NoiseOfSpeed mean_of_places(const std::vector<NoiseOfSpeed> &places);
 
   /** dB per decade of speed of the A-weighted power, by least squares; none of
    * one speed. */

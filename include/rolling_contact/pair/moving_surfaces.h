@@ -105,6 +105,12 @@ namespace RollingContact
   };
 
   /**
+   * How far from the origin rigid bodies touch as dents of their surfaces pass,
+   * such as on the edges of a flat; 0 without dents. Units: m.
+   */
+  double farthest_contact_of_dents(const PairSpec &scene);
+
+  /**
    * Throws InputError, before anything is meshed, if the surfaces do not suit
    * elements of the size that the estimated patch asks for.
    */
