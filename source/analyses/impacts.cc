@@ -197,10 +197,6 @@ namespace RollingContact
       if (!time.normal_load.empty() || !time.approach.empty())
         throw InputError(why + "Time/Normal load and Approach would drive the "
                                "wheel beside the surfaces; leave them empty.");
-      if (time.excite_mode != 0.)
-        throw InputError(why +
-                         "Time/Excite mode = " + text_of(time.excite_mode) +
-                         ": runs start from a steady state; set it to 0.");
       if (scene.mesh.adaptive_levels > 0 || scene.mesh.target_error)
         throw InputError(why + "Mesh/Adaptive levels and Target error are not "
                                "for it; give Mesh/Elements across patch.");
