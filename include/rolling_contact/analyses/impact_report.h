@@ -23,7 +23,7 @@ namespace RollingContact
     double height       = 0.; ///< of both surfaces, at the origin
     double contact_rate = 0.; ///< velocity of the bodies away from each other
 
-    /** Of a wheel on a free axle along z, away from the rail. */
+    /** Velocity of a wheel on a free axle along z, away from the rail. */
     std::optional<double> wheel_velocity;
   };
 

@@ -82,7 +82,7 @@ namespace RollingContact
       return bodies[side].get();
     }
 
-    /** The same, to be kept beyond the life of this. */
+    /** The body, to be kept beyond the life of this; see body(). */
     std::shared_ptr<const ElasticBody<dim>> shared_body(const Side side) const
     {
       return bodies[side];
