@@ -246,9 +246,12 @@ namespace RollingContact
       const auto law = [&](const unsigned int node, const double change) {
         std::vector<double> pressure = state.pressure;
         pressure[node] += change;
-        const SlipRows rows =
-          slip_rows(problem, pressure, state.scheme, state.edge_law);
-        NodalField value = rows.edge_constants;
+        const SlipRows rows  = slip_rows(problem,
+                                        pressure,
+                                        state.scheme,
+                                        state.edge_law,
+                                        tangential.rows.edges);
+        NodalField     value = rows.edge_constants;
         for (unsigned int c = 0; c < T; ++c)
           for (unsigned int i = 0; i < N; ++i)
             value(c, i) += apply(rows.edge_rows[c][i], state.traction, c);
