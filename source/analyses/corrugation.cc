@@ -50,6 +50,7 @@ namespace RollingContact
         " of them; the shortest must have at least " +
         significant(1e3 * least_elements_of_wave * element, 3) +
         " mm, or take more Mesh/Elements across patch.");
+    check_followed_wave(section, scene.wheel.radius, 0., 0., element);
   }
 
   template <int dim>
@@ -159,6 +160,11 @@ namespace RollingContact
     if (at.inputs->stability.correct)
       prove_fastest(at, rolling, waves, found);
     rows.insert(rows.end(), found.begin(), found.end());
+    if (!section.follows_wave())
+      return;
+    const auto in_time = followed_waves(
+      at, steady, waves, speeds, rows.back().pad_offset, context);
+    followed.insert(followed.end(), in_time.begin(), in_time.end());
   }
 
   template <int dim>
@@ -189,6 +195,7 @@ namespace RollingContact
                                             "growth_of_passages",
                                             "growth_dB/1e6"}));
     context.report.set_finding("waves", verdict(rows, section));
+    report_followed_waves(followed, context);
     note_errors();
     if (scene.inputs->output.plot)
       plot_growth(rows, section, context);
@@ -254,6 +261,11 @@ namespace RollingContact
           significant(1e3 * shortest, 3) + " mm at " + significant(fastest, 3) +
           " m/s pass with " + significant(highest, 4) +
           " Hz; give as much, or longer Corrugation/Wavelengths.");
+      check_followed_wave(section,
+                          scene.wheel.radius,
+                          fastest,
+                          scene.modes.maximum_frequency,
+                          0.);
     }
 
     void check_wearing(const SceneParameters &scene)

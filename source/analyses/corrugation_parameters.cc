@@ -1,8 +1,11 @@
 #include <rolling_contact/analyses/corrugation_parameters.h>
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/number_text.h>
+#include <rolling_contact/base/text.h>
 #include <rolling_contact/input/number_list.h>
 #include <rolling_contact/scene/entries.h>
+#include <rolling_contact/scene/scene_parameters.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +16,16 @@ namespace RollingContact
   {
     const std::vector<NamedValue<Side>> worn_bodies{{"rail", Side::rail},
                                                     {"wheel", Side::wheel}};
+
+    /// slope of a wave that is followed in time
+    const double steepest = 0.1;
+
+    /** The length nearest to this one that fits a wheel. Units: m. */
+    double length_round(const double radius, const double length)
+    {
+      return 2 * pi * radius /
+             std::max(1., std::round(2 * pi * radius / length));
+    }
   } // namespace
 
   void CorrugationParameters::declare(Entries &entries)
@@ -38,6 +51,18 @@ namespace RollingContact
       "Places in a bay between sleepers, as Rail/Pad offset, each a rail of "
       "its own, " +
       std::string(number_list_form) + "; empty: Rail/Pad offset alone.";
+    entries.add("Check wavelength", check_wavelength, "m").at_least(0.).help =
+      "A wave that is followed in time, too, at all Speeds and Pad offsets, "
+      "with the wear of its passage: growth beside that of small waves, in "
+      "corrugation_check.csv; 0: none.";
+    entries.add("Check amplitude", check_amplitude, "m")
+      .at_least(0.)
+      .read_by({asks_own<CorrugationParameters>(
+                  [](const auto &section) { return section.follows_wave(); }),
+                "Check wavelength = 0 follows no wave in time"})
+      .help = "Amplitude of that wave. At some 1e-8 m it is small, as all "
+              "others are taken to be; at micrometres its growth tells how far "
+              "that holds.";
   }
 
   void CorrugationParameters::check() const
@@ -51,6 +76,20 @@ namespace RollingContact
       if (value == 0.)
         throw InputError(std::string("Corrugation/") + name +
                          " = 0: no wave would change; give a number above 0.");
+    const double most = steepest * check_wavelength / (2 * pi);
+    if (follows_wave() && !(check_amplitude > 0. && check_amplitude <= most))
+      throw InputError(
+        "Corrugation/Check amplitude = " + text_of(check_amplitude) +
+        " m: on waves of Corrugation/Check wavelength = " +
+        text_of(check_wavelength) + " m it must be above 0 and at most " +
+        significant(most, 2) + " m, a slope of 0.1; 1e-8 m is a small wave.");
+  }
+
+  double
+  CorrugationParameters::check_wavelength_round(const double radius) const
+  {
+    return worn == Side::rail ? check_wavelength
+                              : length_round(radius, check_wavelength);
   }
 
   std::vector<double>
@@ -69,8 +108,7 @@ namespace RollingContact
     if (worn == Side::rail)
       return lengths;
     for (double &length : lengths)
-      length =
-        2 * pi * radius / std::max(1., std::round(2 * pi * radius / length));
+      length = length_round(radius, length);
     lengths.erase(std::unique(lengths.begin(), lengths.end()), lengths.end());
     return lengths;
   }

@@ -26,10 +26,11 @@ namespace RollingContact
     class EdgeLaw
     {
     public:
-      EdgeLaw(const ContactProblem      &contact,
-              const std::vector<double> &pressure,
-              const SlipScheme          &scheme,
-              SlipRows                  &rows);
+      EdgeLaw(const ContactProblem           &contact,
+              const std::vector<double>      &pressure,
+              const SlipScheme               &scheme,
+              const std::vector<ContactEdge> &like,
+              SlipRows                       &rows);
 
       void apply_to_all_runs();
 
@@ -57,15 +58,16 @@ namespace RollingContact
 
       void find_surplus();
 
-      const ContactProblem    &contact;
-      const SlipOperator      &slip_operator;
-      const SlipScheme        &scheme;
-      SlipRows                &rows;
-      std::vector<TouchingRun> runs;
-      std::vector<double>      pressure;            ///< of all nodes
-      std::vector<double>      frictional;          ///< without released nodes
-      std::vector<double>      normal_displacement; ///< under the pressure
-      std::vector<bool>        inside; ///< touches and is not a first to drop
+      const ContactProblem           &contact;
+      const SlipOperator             &slip_operator;
+      const SlipScheme               &scheme;
+      const std::vector<ContactEdge> &like;
+      SlipRows                       &rows;
+      std::vector<TouchingRun>        runs;
+      std::vector<double>             pressure;   ///< of all nodes
+      std::vector<double>             frictional; ///< without released nodes
+      std::vector<double> normal_displacement;    ///< under the pressure
+      std::vector<bool>   inside; ///< touches and is not a first to drop
 
       /// What the frictional pressure, as the traction in each direction,
       /// moves the surface beyond what the pressure moves it along the normal.
@@ -73,13 +75,15 @@ namespace RollingContact
       std::vector<double>              moved_along; ///< by it along x, m
     };
 
-    EdgeLaw::EdgeLaw(const ContactProblem      &contact,
-                     const std::vector<double> &pressure,
-                     const SlipScheme          &scheme,
-                     SlipRows                  &rows)
+    EdgeLaw::EdgeLaw(const ContactProblem           &contact,
+                     const std::vector<double>      &pressure,
+                     const SlipScheme               &scheme,
+                     const std::vector<ContactEdge> &like,
+                     SlipRows                       &rows)
       : contact(contact)
       , slip_operator(contact.operators.slip_operator())
       , scheme(scheme)
+      , like(like)
       , rows(rows)
       , runs(touching_runs(slip_operator, pressure))
       , pressure(pressure)
@@ -269,11 +273,20 @@ namespace RollingContact
       ContactEdge              edge;
       edge.nodes   = run.nodes;
       edge.slender = EdgePressure(contact, run, 0).across_first().size() > 1;
+      for (const ContactEdge &other : like)
+        if (other.nodes[0] == edge.nodes[0])
+          {
+            edge.degree             = other.degree;
+            edge.degree_of_coupling = other.degree_of_coupling;
+          }
       for (unsigned int c = 0; c < contact.n_tangential(); ++c)
         {
           const EdgePressure line(contact, run, c);
-          edge.pressure[c] = line.equivalent(frictional, surplus[c]);
-          edge.coupling[c] = line.coupling_traction(frictional, moved_along);
+          edge.pressure[c] =
+            line.equivalent(frictional, surplus[c], edge.degree[c]);
+          edge.coupling[c] = line.coupling_traction(frictional,
+                                                    moved_along,
+                                                    edge.degree_of_coupling[c]);
           add_law(line,
                   given ? edge.pressure[c] : line.on_run(frictional),
                   edge.coupling[c],
@@ -339,10 +352,11 @@ namespace RollingContact
     }
   } // namespace
 
-  SlipRows slip_rows(const ContactProblem      &problem,
-                     const std::vector<double> &pressure,
-                     const SlipScheme          &scheme,
-                     const bool                 edge_law)
+  SlipRows slip_rows(const ContactProblem           &problem,
+                     const std::vector<double>      &pressure,
+                     const SlipScheme               &scheme,
+                     const bool                      edge_law,
+                     const std::vector<ContactEdge> &like)
   {
     const unsigned int n            = problem.n_nodes(),
                        n_components = problem.n_tangential();
@@ -356,7 +370,7 @@ namespace RollingContact
       {
         rows.edge_rows.assign(n_components, SparseRows(n));
         rows.edge_constants = NodalField(n, n_components);
-        EdgeLaw(problem, pressure, scheme, rows).apply_to_all_runs();
+        EdgeLaw(problem, pressure, scheme, like, rows).apply_to_all_runs();
       }
     return rows;
   }

@@ -201,8 +201,9 @@ namespace RollingContact
   }
 
   std::vector<double>
-  EdgePressure::without_smooth_part(std::vector<double> displacement,
-                                    const unsigned int  lowest) const
+  EdgePressure::without_smooth_part(std::vector<double>          displacement,
+                                    const unsigned int           lowest,
+                                    std::optional<unsigned int> &degree) const
   {
     const std::size_t n = run.nodes.size();
     if (run.cut || !has_equal_spacing(x) ||
@@ -214,8 +215,8 @@ namespace RollingContact
       std::min<double>(most_degree, smooth_share * (end - first_smooth));
     if (most <= least_degree)
       return displacement;
-    const auto rest = [&](const unsigned int degree) {
-      return without_polynomial(x, displacement, first_smooth, end, degree);
+    const auto rest = [&](const unsigned int of) {
+      return without_polynomial(x, displacement, first_smooth, end, of);
     };
     const auto size = [&](const std::vector<double> &values) {
       double sum = 0.;
@@ -223,20 +224,26 @@ namespace RollingContact
         sum += values[k] * values[k];
       return std::sqrt(sum);
     };
-    const double smallest = size(rest(most));
-    unsigned int degree   = std::min(lowest, most);
-    while (degree < most && size(rest(degree)) > smooth_gain * smallest)
-      ++degree;
-    return rest(degree);
+    if (!degree)
+      {
+        const double smallest = size(rest(most));
+        degree                = std::min(lowest, most);
+        while (*degree < most && size(rest(*degree)) > smooth_gain * smallest)
+          ++*degree;
+      }
+    return rest(*degree);
   }
 
   std::vector<double>
-  EdgePressure::equivalent(const std::vector<double> &pressure,
-                           const std::vector<double> &surplus) const
+  EdgePressure::equivalent(const std::vector<double>   &pressure,
+                           const std::vector<double>   &surplus,
+                           std::optional<unsigned int> &degree) const
   {
     const std::vector<double> p     = on_run(pressure);
     std::vector<double>       field = p;
-    smooth(without_smooth_part(on_run(surplus), least_degree), p, field);
+    smooth(without_smooth_part(on_run(surplus), least_degree, degree),
+           p,
+           field);
     return field;
   }
 
@@ -251,8 +258,9 @@ namespace RollingContact
   }
 
   std::vector<double>
-  EdgePressure::coupling_traction(const std::vector<double> &pressure,
-                                  const std::vector<double> &moved_along) const
+  EdgePressure::coupling_traction(const std::vector<double>   &pressure,
+                                  const std::vector<double>   &moved_along,
+                                  std::optional<unsigned int> &degree) const
   {
     const std::size_t         n = run.nodes.size();
     const std::vector<double> p = on_run(pressure);
@@ -277,7 +285,9 @@ namespace RollingContact
           moved[k] += compliance(k, j) * field[j];
     // the logarithm of unlike materials leaves a displacement of many powers
     const bool alike = operators.coupling().dundurs_beta == 0.;
-    smooth(without_smooth_part(moved, alike ? least_degree : most_degree),
+    smooth(without_smooth_part(moved,
+                               alike ? least_degree : most_degree,
+                               degree),
            p,
            field);
     return field;

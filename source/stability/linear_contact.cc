@@ -228,32 +228,16 @@ namespace RollingContact
         contact.N_r(row, c * n_touching + place[node]) += factor * weight;
       if (weights.empty())
         return;
-      if (operators.coupling().exists)
-        {
-          for (std::size_t k = 0; k < n_touching; ++k)
-            contact.N_r(row, T * n_touching + k) +=
-              factor * edges_by_pressure[k](c, i);
-          return;
-        }
-      // kappa [q_1 - p_1 (a g_2 - b g_3 + c)]: the weights but the first are
-      // p_1 / p_k times constants, the constant is p_1 times one
-      double of_first = tangential.rows.edge_constants(c, i);
-      for (const auto &[node, weight] : weights)
-        {
-          const double part = weight * state.traction(c, node);
-          if (node == i)
-            continue;
-          of_first += part;
-          contact.N_r(row, T * n_touching + place[node]) -=
-            factor * part / state.pressure[node];
-        }
-      contact.N_r(row, T * n_touching + place[i]) +=
-        factor * of_first / state.pressure[i];
+      for (std::size_t k = 0; k < n_touching; ++k)
+        contact.N_r(row, T * n_touching + k) +=
+          factor * edges_by_pressure[k](c, i);
     }
 
     /**
-     * What pressures that pull along the surface change of the edge law, by
-     * differences: its pressures and tractions answer all of them.
+     * What pressures change of the edge law, by differences: the tangentially
+     * equivalent pressures in it answer all of them, also where the surface
+     * does not move along under a pressure, as a traction moves the surface by
+     * another amount than the pressure does along the normal.
      */
     void Linearisation::find_edges_by_pressure()
     {
@@ -262,9 +246,12 @@ namespace RollingContact
       const auto law = [&](const unsigned int node, const double change) {
         std::vector<double> pressure = state.pressure;
         pressure[node] += change;
-        const SlipRows rows =
-          slip_rows(problem, pressure, state.scheme, state.edge_law);
-        NodalField value = rows.edge_constants;
+        const SlipRows rows  = slip_rows(problem,
+                                        pressure,
+                                        state.scheme,
+                                        state.edge_law,
+                                        tangential.rows.edges);
+        NodalField     value = rows.edge_constants;
         for (unsigned int c = 0; c < T; ++c)
           for (unsigned int i = 0; i < N; ++i)
             value(c, i) += apply(rows.edge_rows[c][i], state.traction, c);
@@ -357,7 +344,7 @@ namespace RollingContact
       contact.n_tangential = T;
       find_touching();
       find_slip();
-      if (!tangential.rows.edge_rows.empty() && operators.coupling().exists)
+      if (!tangential.rows.edge_rows.empty())
         find_edges_by_pressure();
       const std::size_t n = (T + 1) * n_touching + (remembers ? 1 : 0);
       contact.N_u = contact.N_v = DenseMatrix::Zero(n, (T + 1) * N);

@@ -25,31 +25,11 @@ namespace RollingContact
     for (const unsigned int i : contact.touching)
       places.push_back(operators.slip_operator().flow_direction() *
                        operators.positions()[i][0]);
-    find_lines(problem, thickness);
-    find_shares(pair);
+    find_punch(pair);
+    find_lengths(thickness);
   }
 
-  void WaveGrowth::find_lines(const ContactProblem &problem,
-                              const double          thickness)
-  {
-    const auto          lines = node_lines(problem.operators, 0);
-    std::vector<double> y;
-    for (const auto &nodes : lines)
-      y.push_back(problem.operators.positions()[nodes.front()][1]);
-    const std::vector<double> width =
-      lines.size() > 1 ? widths_of_lines(y) : std::vector<double>{thickness};
-    std::vector<unsigned int> line_at(problem.n_nodes(), 0);
-    for (std::size_t j = 0; j < lines.size(); ++j)
-      for (const unsigned int node : lines[j])
-        line_at[node] = j;
-    for (const unsigned int node : contact.touching)
-      {
-        line.push_back(line_at[node]);
-        widths.push_back(width[line.back()]);
-      }
-  }
-
-  void WaveGrowth::find_shares(const ReducedPair &pair)
+  void WaveGrowth::find_punch(const ReducedPair &pair)
   {
     const std::size_t n = contact.touching.size(), T = contact.n_tangential;
     const DenseMatrix moved = pair.W_res * contact.forces;
@@ -64,16 +44,30 @@ namespace RollingContact
     const Eigen::VectorXd forces =
       contact.forces.block(T * contact.n_nodes, T * n, contact.n_nodes, n) *
       pressure;
-    const double        load = forces.sum();
-    std::vector<double> in_line(1 + *std::max_element(line.begin(), line.end()),
-                                0.);
     for (std::size_t k = 0; k < n; ++k)
+      punch.push_back(forces[contact.touching[k]] / forces.sum());
+  }
+
+  void WaveGrowth::find_lengths(const double thickness)
+  {
+    const auto          lines = node_lines(problem.operators, 0);
+    std::vector<double> y, of_node(problem.n_nodes(), 0.);
+    for (std::size_t k = 0; k < punch.size(); ++k)
+      of_node[contact.touching[k]] = punch[k];
+    for (const auto &nodes : lines)
+      y.push_back(problem.operators.positions()[nodes.front()][1]);
+    const std::vector<double> width =
+      lines.size() > 1 ? widths_of_lines(y) : std::vector<double>{thickness};
+    node_lengths.assign(problem.n_nodes(), 0.);
+    for (std::size_t j = 0; j < lines.size(); ++j)
       {
-        punch.push_back(forces[contact.touching[k]] / load);
-        in_line[line[k]] += punch[k];
+        double share = 0.;
+        for (const unsigned int node : lines[j])
+          share += of_node[node];
+        for (const unsigned int node : lines[j])
+          node_lengths[node] =
+            share * problem.operators.areas()[node] / width[j];
       }
-    for (std::size_t k = 0; k < n; ++k)
-      share.push_back(in_line[line[k]]);
   }
 
   std::vector<double> WaveGrowth::across() const
@@ -108,10 +102,9 @@ namespace RollingContact
     Growth                     result;
     for (std::size_t k = 0; k < n; ++k)
       {
-        const unsigned int i      = contact.touching[k];
-        const auto         weight = share[k] * problem.operators.areas()[i] /
-                            widths[k] *
-                            std::polar(1 / speed, wave_number * places[k]);
+        const unsigned int i = contact.touching[k];
+        const auto         weight =
+          node_lengths[i] * std::polar(1 / speed, wave_number * places[k]);
         for (std::size_t c = 0; c < contact.n_tangential; ++c)
           {
             std::complex<double> v = s * answer.motion[c * N + i];

@@ -122,6 +122,18 @@ namespace RollingContact
     return result;
   }
 
+  WaveAnswer WaveSweep::answer(const double      wave_number,
+                               const std::size_t speed) const
+  {
+    const WaveResponse        &response = cases.at(speed)->response;
+    const auto                 factors  = response.factors(wave_number);
+    const WaveResponse::AtWave at(response,
+                                  wave_number,
+                                  factors,
+                                  response.modal(wave_number));
+    return at.answer(response.height_wave(wave_number));
+  }
+
   std::vector<WaveResponse::Reaction>
   WaveSweep::reactions(const double                    wave_number,
                        const Waves                    &waves,

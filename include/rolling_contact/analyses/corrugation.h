@@ -1,6 +1,7 @@
 #ifndef rolling_contact_analyses_corrugation_h
 #define rolling_contact_analyses_corrugation_h
 
+#include <rolling_contact/analyses/corrugation_check.h>
 #include <rolling_contact/analyses/corrugation_report.h>
 #include <rolling_contact/scene/analysis_kind.h>
 #include <rolling_contact/scene/situation.h>
@@ -52,6 +53,7 @@ namespace RollingContact
     const CorrugationParameters &section;
     const std::vector<double>    wavelengths, speeds;
     std::vector<CorrugationRow>  rows;
+    std::vector<CheckedWave>     followed; ///< in time
 
     /** The wheel is the same at all places of the track. */
     const std::shared_ptr<SplitBodies> split_bodies;

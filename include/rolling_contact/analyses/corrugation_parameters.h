@@ -19,8 +19,19 @@ namespace RollingContact
   {
     void declare(Entries &entries);
 
-    /** Throws InputError unless wavelengths and speeds are above 0. */
+    /** Throws InputError unless wavelengths and speeds are above 0, and the
+     * wave that is followed in time is flat. */
     void check() const;
+
+    /** Whether a wave is followed in time, too. */
+    bool follows_wave() const
+    {
+      return check_wavelength > 0.;
+    }
+
+    /** The length of the wave that is followed in time; one round a wheel of
+     * this @p radius (m) fits it, if it is the wheel that wears. Units: m. */
+    double check_wavelength_round(const double radius) const;
 
     /** Ascending; those round a wheel of this @p radius (m) fit it, if it is
      * the wheel that wears. Throws InputError. Units: m. */
@@ -41,6 +52,8 @@ namespace RollingContact
     double      wear_coefficient = 6.75e-13; ///< m^3/J
     double      passages         = 1e6;
     std::string pad_offsets      = "";
+    double      check_wavelength = 0.;   ///< m, 0: none
+    double      check_amplitude  = 1e-8; ///< m
   };
 } // namespace RollingContact
 

@@ -3,6 +3,10 @@
 
 #include <rolling_contact/contact/contact_problem.h>
 
+#include <array>
+#include <optional>
+#include <vector>
+
 namespace RollingContact
 {
   /**
@@ -17,6 +21,8 @@ namespace RollingContact
     std::array<std::vector<double>, 2> pressure; ///< tangentially equivalent
     std::array<std::vector<double>, 2> coupling; ///< q_n
     bool slender = false; ///< elements more than twice as long as wide
+    /// of the smooth parts that EdgePressure took from both fields
+    std::array<std::optional<unsigned int>, 2> degree, degree_of_coupling;
   };
 
   /**
@@ -81,11 +87,17 @@ namespace RollingContact
    * is in contact has no leading edge: its first nodes keep their rows, which
    * interpolate upstream. A point between nodes is in contact if all nodes it
    * is interpolated from touch.
+   *
+   * What is smooth in the displacements is found anew at each pressure; on
+   * edges that begin at a node where one of @p like does, it is of the degrees
+   * of that one, so that small changes of the pressure change the rows by as
+   * little.
    */
-  SlipRows slip_rows(const ContactProblem      &problem,
-                     const std::vector<double> &pressure,
-                     const SlipScheme          &scheme,
-                     const bool                 edge_law);
+  SlipRows slip_rows(const ContactProblem           &problem,
+                     const std::vector<double>      &pressure,
+                     const SlipScheme               &scheme,
+                     const bool                      edge_law,
+                     const std::vector<ContactEdge> &like = {});
 } // namespace RollingContact
 
 #endif

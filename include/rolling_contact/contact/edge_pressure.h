@@ -3,6 +3,9 @@
 
 #include <rolling_contact/contact/touching_run.h>
 
+#include <optional>
+#include <vector>
+
 namespace RollingContact
 {
   /**
@@ -84,10 +87,19 @@ namespace RollingContact
      * @p pressure; @p surplus is what it moves the surface in this component as
      * the traction beyond what it moves it as a pressure, at all nodes. On runs
      * too short for a window and where the fit is singular, the pressure
-     * itself. Units: Pa, m.
+     * itself. The smooth part is a polynomial of @p degree; if that is empty,
+     * of one that is found by what it leaves, and then given. Units: Pa, m.
      */
+    std::vector<double> equivalent(const std::vector<double>   &pressure,
+                                   const std::vector<double>   &surplus,
+                                   std::optional<unsigned int> &degree) const;
+
     std::vector<double> equivalent(const std::vector<double> &pressure,
-                                   const std::vector<double> &surplus) const;
+                                   const std::vector<double> &surplus) const
+    {
+      std::optional<unsigned int> degree;
+      return equivalent(pressure, surplus, degree);
+    }
 
     /**
      * The largest relative correction of an equivalent pressure away from the
@@ -104,11 +116,12 @@ namespace RollingContact
      * bodies of unlike shape add is smooth, and acts as rigid slip does. Zero
      * without coupling, on lines of less than ten nodes or that end inside the
      * contact, and across the flow. @p moved_along: what the pressure moves all
-     * nodes along x. Units: Pa, m.
+     * nodes along x; @p degree: as in equivalent(). Units: Pa, m.
      */
     std::vector<double>
-    coupling_traction(const std::vector<double> &pressure,
-                      const std::vector<double> &moved_along) const;
+    coupling_traction(const std::vector<double>   &pressure,
+                      const std::vector<double>   &moved_along,
+                      std::optional<unsigned int> &degree) const;
 
   private:
     /**
@@ -125,11 +138,13 @@ namespace RollingContact
 
     /**
      * A displacement of the run without the smooth part that bodies of finite
-     * size add to it, a polynomial of at least the degree @p lowest if there
-     * are nodes enough.
+     * size add to it, a polynomial of this @p degree, or if that is empty of at
+     * least the degree @p lowest, if there are nodes enough.
      */
-    std::vector<double> without_smooth_part(std::vector<double> displacement,
-                                            const unsigned int  lowest) const;
+    std::vector<double>
+    without_smooth_part(std::vector<double>          displacement,
+                        const unsigned int           lowest,
+                        std::optional<unsigned int> &degree) const;
 
     /**
      * Correct @p field, whose displacement with all else that moves the surface

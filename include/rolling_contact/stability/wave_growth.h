@@ -68,6 +68,13 @@ namespace RollingContact
      * as those of a flat punch on the patch do. */
     std::vector<double> punch_forces(const unsigned int c) const;
 
+    /** c_j h_i of all nodes, by which the powers of friction q . v of nodes
+     * make a wave wear, 0 on lines that do not touch. Units: m. */
+    const std::vector<double> &lengths() const
+    {
+      return node_lengths;
+    }
+
     /** G over k_w of the answer to a wave. Units: 1/m, J/m^3. */
     Growth growth(const WaveAnswer &answer, const double wave_number) const;
 
@@ -75,18 +82,17 @@ namespace RollingContact
     std::complex<double> load(const ComplexVector &unknowns) const;
 
   private:
-    void find_lines(const ContactProblem &problem, const double thickness);
+    /** The punch, which tells the c_j of each line. */
+    void find_punch(const ReducedPair &pair);
 
-    /** The punch, and the c_j of each touching node's line. */
-    void find_shares(const ReducedPair &pair);
+    void find_lengths(const double thickness);
 
-    const ContactProblem     &problem;
-    const LinearContact      &contact;
-    double                    speed;
-    NodalField                traction, slip; ///< q_0, v_0 / V
-    std::vector<double>       places, share, widths;
-    std::vector<double>       punch; ///< its load of each touching node, sum 1
-    std::vector<unsigned int> line;  ///< of each touching node
+    const ContactProblem &problem;
+    const LinearContact  &contact;
+    double                speed;
+    NodalField            traction, slip; ///< q_0, v_0 / V
+    std::vector<double>   places, node_lengths;
+    std::vector<double>   punch; ///< its load of each touching node, sum 1
   };
 } // namespace RollingContact
 

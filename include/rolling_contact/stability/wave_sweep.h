@@ -65,6 +65,10 @@ namespace RollingContact
                          const BodyResponse &bodies,
                          const unsigned int  n_steps) const;
 
+    /** The contact's answer to a wave of unit height at the speed of this
+     * number. Units: 1/m. Throws ConvergenceError. */
+    WaveAnswer answer(const double wave_number, const std::size_t speed) const;
+
     /** Waves that pass the touching nodes, as columns b of the normal rows. */
     using Waves =
       std::function<ComplexMatrix(const WaveGrowth &, const double)>;
@@ -87,6 +91,12 @@ namespace RollingContact
     const ReducedPair &bodies(const std::size_t speed) const
     {
       return cases.at(speed)->pair;
+    }
+
+    /** How waves grow at the speed of this number. */
+    const WaveGrowth &growth(const std::size_t speed) const
+    {
+      return cases.at(speed)->growth;
     }
 
     /** The contact at the first speed. */
