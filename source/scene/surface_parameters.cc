@@ -48,7 +48,9 @@ namespace RollingContact
           kinds_of_surface_files +
           ", whose positions count as the wheel runs (file relative to this "
           "one); or a crown, `lundberg : LOAD` or `johns-gohar : LOAD` (N), on "
-          "bodies that are straight across; empty for a smooth one.";
+          "bodies that are straight across, for the length of their contact or "
+          "one that is given, `lundberg : LOAD : LENGTH` (m); empty for a "
+          "smooth one.";
       };
     declare_height(Side::wheel,
                    "Wheel height",
