@@ -1,5 +1,7 @@
 #include <boost/math/quadrature/gauss.hpp>
+#include <boost/math/special_functions/bessel.hpp>
 
+#include <rolling_contact/base/constants.h>
 #include <rolling_contact/references/checks.h>
 #include <rolling_contact/references/layered_pair.h>
 
@@ -110,7 +112,7 @@ namespace RollingContact::References
   {
     check_positive("Radius of the patch", radius, "m");
     const double end = 60., step = 1.; // of k a: beyond it nothing is left
-    double       mean = 0., weights = 0.;
+    double       mean = 0.;
     for (double begin = 0.; begin < end; begin += step)
       for (unsigned int i = 0; i < Gauss::abscissa().size(); ++i)
         for (const double side : {-1., 1.})
@@ -120,12 +122,11 @@ namespace RollingContact::References
                          pressure = z < 0.05 ? 1. / 3
                                              : (std::sin(z) - z * std::cos(z)) /
                                                  std::pow(z, 3),
-                         weight =
-                           step / 2 * Gauss::weights()[i] * pressure * pressure;
-            const SurfaceCompliance rest = beyond_materials(bodies, z / radius);
-            mean += weight * rest.normal;
-            weights += weight;
+                         depth    = 1 - boost::math::cyl_bessel_j(0, z);
+            mean += step / 2 * Gauss::weights()[i] * pressure * depth *
+                    beyond_materials(bodies, z / radius).normal;
           }
-    return 2 / (of_materials(bodies).normal + mean / weights);
+    // with a compliance that is the same for all waves the integral is pi/8
+    return 2 / (of_materials(bodies).normal + mean / (pi / 8));
   }
 } // namespace RollingContact::References

@@ -8,9 +8,11 @@
 #include <rolling_contact/mesh/body_mesh.h>
 #include <rolling_contact/mesh/material.h>
 #include <rolling_contact/pair/layered_bodies.h>
+#include <rolling_contact/pair/patch_estimate.h>
 #include <rolling_contact/references/hertz_line.h>
 #include <rolling_contact/references/layered_line.h>
 #include <rolling_contact/results/error_bounds.h>
+#include <rolling_contact/results/line_contact.h>
 
 #include <array>
 #include <cmath>
@@ -20,6 +22,7 @@
 
 using namespace RollingContact;
 using namespace RollingContact::References;
+using boost::test_tools::tolerance;
 
 /** Layers of another material on a body, of which rubber on steel is one. */
 BOOST_AUTO_TEST_SUITE(covers)
@@ -379,6 +382,73 @@ BOOST_AUTO_TEST_CASE(a_covered_cylinder_runs_further_than_its_radius)
   BOOST_TEST(std::abs(length_of_patch(run) / line.half_width - 1) < 5e-3);
 }
 
+/**
+ * A rigid sphere on a covered block. The pressure of half-spaces with such a
+ * layer on a rigid core, by conjugate gradients on a grid of 512 x 512 points
+ * with the Fourier transform of the layer: a = 11.46 mm, p0 = 789.9 kPa, an
+ * approach of 0.7120 mm.
+ */
+BOOST_AUTO_TEST_CASE(a_sphere_on_a_cover)
+{
+  const SceneRun<3> run(
+    [](SceneParameters &scene) {
+      rubber_block(scene);
+      scene.dimension            = 3;
+      scene.wheel.lateral_radius = 0.1;
+      scene.rail.width           = 0.16;
+      scene.rail.block_length    = 0.16;
+      scene.rail.block_depth     = 0.03;
+      scene.rail.cover_thickness = 0.01;
+      scene.contact.normal_load  = 200;
+    },
+    [](SceneParameters &scene) { scene.mesh.elements_across_patch = 12; });
+  BOOST_TEST(std::abs(run.steady.result.max_pressure / 789.9e3 - 1) < 0.01);
+  BOOST_TEST(std::abs(run.steady.state.approach / 0.7120e-3 - 1) < 0.01);
+  const PatchEstimate estimate = estimate_patch(run.situation());
+  BOOST_TEST(std::abs(estimate.half_width_x / 11.46e-3 - 1) < 0.05);
+  BOOST_TEST(estimate.half_width_x == estimate.half_width_y, tolerance(1e-6));
+}
+
+/** Between endless cylinders of rubber on steel the middle is the plane's. */
+BOOST_AUTO_TEST_CASE(the_middle_of_a_covered_roller_is_plane)
+{
+  const SceneRun<3> run(
+    [](SceneParameters &scene) {
+      rubber_block(scene);
+      scene.dimension           = 3;
+      scene.rail.width          = 0.08;
+      scene.rail.block_length   = 0.1;
+      scene.rail.block_depth    = 0.03;
+      scene.contact.normal_load = 400;
+    },
+    [](SceneParameters &scene) { scene.mesh.elements_across_patch = 12; });
+  const auto found = line_contact(run.situation(), run.steady);
+  BOOST_REQUIRE(found);
+  // under the load per length of the middle, less as rubber gives way at ends
+  const auto line = layered_line_contact(run.situation(),
+                                         found->middle_load,
+                                         LineFriction::none);
+  BOOST_TEST_INFO(found->middle_pressure / line.pressure(0.)
+                  << " of " << line.half_width);
+  BOOST_TEST(std::abs(found->middle_pressure / line.pressure(0.) - 1) < 0.01);
+  BOOST_TEST(found->end_excess < -0.1);
+}
+
+/** Under an approach the compression of the core adds to that of the cover. */
+BOOST_AUTO_TEST_CASE(the_patch_under_an_approach_is_estimated)
+{
+  const SceneRun<2> run(rubber_block, [](SceneParameters &scene) {
+    scene.contact.normal_load.reset();
+    scene.contact.approach         = 0.2e-3;
+    scene.rail.cover_thickness     = 2e-3;
+    scene.rail.material            = {1e9, 0.3}; // gives way as well
+    scene.rail.cover.young_modulus = 50e6;
+  });
+  const double      estimate = estimate_patch(run.situation()).half_width_x;
+  BOOST_TEST_INFO(estimate << " and " << length_of_patch(run));
+  BOOST_TEST(std::abs(estimate / length_of_patch(run) - 1) < 0.03);
+}
+
 /** What covers are not made for is refused by name. */
 BOOST_AUTO_TEST_CASE(covers_are_refused_by_name)
 {
@@ -403,7 +473,7 @@ BOOST_AUTO_TEST_CASE(covers_are_refused_by_name)
   says([](auto &scene) { scene.mesh.adaptive_levels = 2; },
        "Mesh/Adaptive levels = 2 and Rail/Cover thickness");
   says([](auto &scene) { scene.rail.cover_thickness = 2e-6; },
-       "at least a hundredth of the half-width");
+       "Rail/Cover thickness = 2e-06 m: it is less than a hundredth");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -53,8 +53,8 @@ namespace RollingContact::References
 
   /**
    * Contact modulus E* (Pa) of bodies with layers under the pressure of Hertz
-   * over a circle of this radius (m): that of the mean compliance, each wave
-   * number weighted by its part in the energy of half-spaces. It is E* where
+   * over a circle of this radius (m): that of half-spaces whose surface lies as
+   * much deeper in the middle of the circle than at its edge. It is E* where
    * there are no layers, and an estimate elsewhere.
    */
   double layered_contact_modulus(const double       radius,
