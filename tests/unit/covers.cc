@@ -11,6 +11,7 @@
 #include <rolling_contact/pair/patch_estimate.h>
 #include <rolling_contact/references/hertz_line.h>
 #include <rolling_contact/references/layered_line.h>
+#include <rolling_contact/results/cover_columns.h>
 #include <rolling_contact/results/error_bounds.h>
 #include <rolling_contact/results/line_contact.h>
 
@@ -379,6 +380,21 @@ BOOST_AUTO_TEST_CASE(a_covered_cylinder_runs_further_than_its_radius)
   const double creepage = run.steady.problem.loads.creepages.x;
   BOOST_TEST_INFO("creepage " << creepage << ", exact " << line.creepage);
   BOOST_TEST(std::abs(creepage / -line.creepage - 1) < 0.02);
+  // as it is told beside the state, also where the material flows back
+  const auto told = cover_reference(run.situation(), run.steady);
+  BOOST_REQUIRE(told);
+  BOOST_TEST(std::abs(*told->creepage / creepage - 1) < 0.02);
+  const SceneRun<2> back(rubber_block, [](SceneParameters &scene) {
+    scene.contact.friction_coefficient = 0.6;
+    scene.contact.forces.x             = 0.;
+    scene.contact.speed                = -1.;
+  });
+  BOOST_TEST(std::abs(back.steady.problem.loads.creepages.x / -creepage - 1) <
+             1e-6);
+  BOOST_TEST(
+    std::abs(*cover_reference(back.situation(), back.steady)->creepage /
+               -*told->creepage -
+             1) < 1e-9);
   BOOST_TEST(std::abs(length_of_patch(run) / line.half_width - 1) < 5e-3);
 }
 
