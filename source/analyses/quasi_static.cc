@@ -5,6 +5,7 @@
 #include <rolling_contact/contact/contact_problem_file.h>
 #include <rolling_contact/results/bodies_report.h>
 #include <rolling_contact/results/body_fields.h>
+#include <rolling_contact/results/cover_columns.h>
 #include <rolling_contact/results/interface_fields.h>
 #include <rolling_contact/results/line_contact.h>
 #include <rolling_contact/results/lines_across.h>
@@ -140,6 +141,8 @@ namespace RollingContact
         note_line_contact(scene, steady, context.report);
         note_damage(scene, steady, context.report);
       }
+    else
+      note_cover(scene, steady, context.report);
     warn_of_missed_target(scene, context);
   }
 

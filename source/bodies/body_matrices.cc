@@ -159,7 +159,7 @@ namespace RollingContact
               hanging,
               body.unknown_of_dof,
               body.n_unknowns,
-              body.material,
+              body.materials,
               body.thickness,
               body.elements,
               body.supports};
@@ -294,7 +294,10 @@ namespace RollingContact
       QGauss<3>(2),
       update_values | update_gradients | update_quadrature_points,
       [&](const auto &values, auto &rotation) {
-        cell_rotation(values, body.material.density, axle, rotation);
+        cell_rotation(values,
+                      material_of(body.materials, values).density,
+                      axle,
+                      rotation);
       },
       S);
     SkewSparseMatrix result{

@@ -14,13 +14,13 @@ namespace RollingContact
 
   template <int dim>
   DirectBody<dim>::DirectBody(const std::shared_ptr<const BodyShape> &shape,
-                              const Material                         &material,
+                              const Materials                        &materials,
                               const double                            thickness,
                               const Grading<dim>                     &grading,
                               const bool                              recovers,
                               const BodyModel                        &model)
     : ElasticBody<dim>(shape,
-                       material,
+                       materials,
                        thickness,
                        grading,
                        MeshKind::serial,

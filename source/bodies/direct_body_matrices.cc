@@ -15,7 +15,7 @@ namespace RollingContact
             this->constraints,
             unknown_of_dof,
             n_unknowns(),
-            this->material,
+            this->materials,
             this->thickness,
             this->model.elements,
             this->supports};

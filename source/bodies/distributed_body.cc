@@ -27,13 +27,13 @@ namespace RollingContact
   template <int dim>
   DistributedBody<dim>::DistributedBody(
     const std::shared_ptr<const BodyShape> &shape,
-    const Material                         &material,
+    const Materials                        &materials,
     const double                            thickness,
     const Grading<dim>                     &grading,
     const unsigned int                      model_rank,
     const BodyModel                        &model)
     : ElasticBody<dim>(shape,
-                       material,
+                       materials,
                        thickness,
                        grading,
                        MeshKind::distributed,
@@ -88,7 +88,7 @@ namespace RollingContact
     coarser.growth       = std::max(grading.growth, near_growth);
     coarser.far_growth   = std::max(grading.growth, far_growth);
     return std::make_unique<DirectBody<dim>>(
-      shape, this->material, this->thickness, coarser, false, this->model);
+      shape, this->materials, this->thickness, coarser, false, this->model);
   }
 
   template <int dim>

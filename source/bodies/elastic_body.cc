@@ -40,12 +40,12 @@ namespace RollingContact
 
   template <int dim>
   ElasticBody<dim>::ElasticBody(const std::shared_ptr<const BodyShape> &shape,
-                                const Material     &material,
+                                const Materials    &materials,
                                 const double        thickness,
                                 const Grading<dim> &grading,
                                 const MeshKind      kind,
                                 const BodyModel    &model)
-    : material(material)
+    : materials(materials)
     , thickness(thickness)
     , hub(shape->hub())
     , model(model)

@@ -239,8 +239,12 @@ namespace RollingContact
           const std::size_t m = coarseness(cell, element_size) - 1;
           if (m >= sums.size())
             sums.resize(m + 1, DenseMatrix::Zero(n, n));
-          add_products(
-            cell, averages, body.elasticity(), thickness, gradients, sums[m]);
+          add_products(cell,
+                       averages,
+                       body.elasticity().of(cell->material_id()),
+                       thickness,
+                       gradients,
+                       sums[m]);
         }
     for (DenseMatrix &sum : sums)
       sum = DenseMatrix(sum.template selfadjointView<Eigen::Lower>());

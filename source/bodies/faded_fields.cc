@@ -182,7 +182,7 @@ namespace RollingContact
       const Fading chi(at, region);
       if (chi.gradient.norm_square() == 0.)
         return;
-      const Material &material = body.elasticity();
+      const Material &material = body.elasticity().core;
       const auto      fields   = moment_fields(at, material);
       Pairs           loads(n, 12), faded(n, 12);
       for (std::size_t k = 0; k < n; ++k)
@@ -206,7 +206,7 @@ namespace RollingContact
       const Fading chi(at, region);
       if (chi.value == 0. || at.norm() < region.loads_end())
         return;
-      const Material &material = body.elasticity();
+      const Material &material = body.elasticity().core;
       const auto      fields   = moment_fields(at, material);
       // h dx dy, and derivatives along x and y only
       const double weight =
@@ -261,7 +261,7 @@ namespace RollingContact
                              const FadingRegion  &fading)
   {
     const auto            &dofs     = body.dof_handler();
-    const Material        &material = body.elasticity();
+    const Material        &material = body.elasticity().core;
     const std::size_t      n        = force_moments().size();
     std::vector<BodyField> of_loads = zero_fields(body), of_nodes = of_loads;
     std::vector<Point<3>>  positions(dofs.n_dofs());

@@ -142,7 +142,7 @@ namespace RollingContact
     FadedFields of_mesh(*this, *shape, fading);
     S_of_mesh = moments_of(*this, of_mesh);
     DirectBody<3> larger(
-      shape, material, 1., grading_of(*shape, fading, coarser), true, model);
+      shape, materials, 1., grading_of(*shape, fading, coarser), true, model);
     change =
       (S_of_mesh - moments_of(larger, FadedFields(larger, *shape, fading))) /
       (coarser * coarser - 1);
@@ -184,7 +184,7 @@ namespace RollingContact
     const std::size_t n     = force_moments().size();
     GridInfluence     influence{
       nodes,
-      HalfSpaceInfluence(material, grid.element_size)
+      HalfSpaceInfluence(materials.core, grid.element_size)
         .table({{nodes.n[0] + 2, nodes.n[1] + 2}}, components),
       shapes_of_moments(positions, components).transpose(),
       DenseMatrix::Zero(n, n),
@@ -193,7 +193,7 @@ namespace RollingContact
     if (!is_half_space)
       influence.of_shapes =
         S_of_mesh + change +
-        curvature_correction(*shape, material, grid.half_widths, fading);
+        curvature_correction(*shape, materials.core, grid.half_widths, fading);
     for (const ForceMoment &moment : force_moments())
       {
         influence.shape_is_normal.push_back(moment.component == 2);
@@ -213,7 +213,7 @@ namespace RollingContact
     const DenseMatrix moments   = moments_of(positions, components, forces),
                       of_curvature =
                         curvature_correction(*shape,
-                                             material,
+                                             materials.core,
                                              NodeGrid(positions).half_widths,
                                              fading);
     DenseMatrix highest = S_of_mesh + change;

@@ -10,6 +10,7 @@
 #include <rolling_contact/mesh/cell_count.h>
 #include <rolling_contact/mesh/coarse_boxes.h>
 #include <rolling_contact/mesh/file_body_mesh.h>
+#include <rolling_contact/mesh/material.h>
 #include <rolling_contact/mesh/mesh_memory.h>
 #include <rolling_contact/mesh/swept_cells.h>
 
@@ -35,11 +36,13 @@ namespace RollingContact
       "fewer Mesh/Elements across patch.";
 
     /**
-     * Number the vertices of the boxes and glue the seam of a closed surface.
+     * Number the vertices of the boxes and glue the seam of a closed surface;
+     * those above the bottom of the @p cover are of its material.
      */
     template <int dim>
     void create_coarse_mesh(const std::array<std::vector<double>, dim> &breaks,
                             const BodyChart<dim>                       &chart,
+                            const double                                cover,
                             Triangulation<dim> &triangulation)
     {
       const bool           closed = chart.period() > 0.;
@@ -86,6 +89,9 @@ namespace RollingContact
               corner[d] += (v >> d) & 1;
             cell.vertices[v] = number(corner);
           }
+        const int    k      = index[dim - 1];
+        const double middle = (breaks[dim - 1][k] + breaks[dim - 1][k + 1]) / 2;
+        cell.material_id    = middle > -cover ? cover_material : core_material;
         cells.push_back(cell);
       });
       triangulation.create_triangulation(vertices, cells, SubCellData());
@@ -300,7 +306,10 @@ namespace RollingContact
     mesh.kind          = kind;
     mesh.chart         = std::move(coarse.chart);
     mesh.triangulation = make_triangulation<dim>(kind);
-    create_coarse_mesh<dim>(coarse.breaks, *mesh.chart, *mesh.triangulation);
+    create_coarse_mesh<dim>(coarse.breaks,
+                            *mesh.chart,
+                            shape->cover_thickness(),
+                            *mesh.triangulation);
     mesh.triangulation->set_all_manifold_ids(0);
     mesh.triangulation->set_manifold(0, *mesh.chart);
     set_boundary_ids(shape->thickness_below(),

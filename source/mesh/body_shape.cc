@@ -190,6 +190,7 @@ namespace RollingContact
     return typeid(*this) == typeid(other) && hub() == other.hub() &&
            parameters.mesh == other.parameters.mesh &&
            parameters.profile == other.parameters.profile &&
+           parameters.cover_thickness == other.parameters.cover_thickness &&
            dimensions() == other.dimensions();
   }
 

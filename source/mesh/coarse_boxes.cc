@@ -2,6 +2,7 @@
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/mesh/cell_count.h>
 #include <rolling_contact/mesh/coarse_boxes.h>
+#include <rolling_contact/mesh/cover_cells.h>
 
 #include <algorithm>
 #include <cmath>
@@ -156,14 +157,13 @@ namespace RollingContact
           if (division.splits_ends)
             split_ends(across.size, boxes.breaks[1]);
         }
-      const CoarseCells    down     = cells({dim - 1,
-                                             grading.element_size_z(),
-                                             0.,
-                                             largest_coarse_depth * depth,
-                                             growth_in_depth});
-      std::vector<double> &in_depth = boxes.breaks[dim - 1];
-      in_depth                      = growing_parts(0., -depth, down);
-      std::reverse(in_depth.begin(), in_depth.end());
+      const CoarseCells down = cells({dim - 1,
+                                      grading.element_size_z(),
+                                      0.,
+                                      largest_coarse_depth * depth,
+                                      growth_in_depth});
+      boxes.breaks[dim - 1] =
+        breaks_in_depth(*shape, down, division.size / element);
       return boxes;
     }
 
@@ -224,9 +224,8 @@ namespace RollingContact
       if (dim == 3)
         boxes.breaks[1] =
           equal_parts(-width, width, fewest_parts(2 * width, across));
-      boxes.breaks[dim - 1] =
-        equal_parts(-depth, 0., fewest_parts(depth, across));
-      double n_cells = 1.;
+      boxes.breaks[dim - 1] = equal_breaks_in_depth(*shape, across);
+      double n_cells        = 1.;
       for (const auto &points : boxes.breaks)
         n_cells *= points.size() - 1;
       return {std::move(boxes), n_cells};

@@ -108,7 +108,7 @@ namespace RollingContact
     , are_twins(
         !scene.wheel.rigid && !scene.rail.rigid &&
         scene.wheel.body_shape()->is_twin_of(*scene.rail.body_shape()) &&
-        scene.wheel.material == scene.rail.material &&
+        scene.wheel.materials() == scene.rail.materials() &&
         scene.wheel.model == scene.rail.model)
     , elastic{!scene.wheel.rigid, !scene.rail.rigid}
   {
@@ -130,8 +130,8 @@ namespace RollingContact
         return body.is_from_file() ||
                (!body.rigid &&
                 (body.material.poisson_ratio > distributed_poisson_limit ||
-                 body.hub == Hub::elastic || body.hub == Hub::mass ||
-                 body.model.damping.has_sponge()));
+                 body.has_cover() || body.hub == Hub::elastic ||
+                 body.hub == Hub::mass || body.model.damping.has_sponge()));
       };
       return demands.factors || demands.modes || needs(scene.wheel) ||
              needs(scene.rail);
@@ -251,7 +251,7 @@ namespace RollingContact
       if (!bodies[side] && direct)
         bodies[side] =
           std::make_shared<DirectBody<dim>>(parameters.body_shape(),
-                                            parameters.material,
+                                            parameters.materials(),
                                             parameters.thickness,
                                             grading,
                                             demands.whole_bodies() ||
@@ -260,7 +260,7 @@ namespace RollingContact
       if (!bodies[side])
         bodies[side] =
           std::make_shared<DistributedBody<dim>>(parameters.body_shape(),
-                                                 parameters.material,
+                                                 parameters.materials(),
                                                  parameters.thickness,
                                                  grading,
                                                  ranks[side],

@@ -17,8 +17,8 @@ namespace RollingContact
      */
     double effusivity(const BodySpec &body)
     {
-      return std::sqrt(body.thermal_conductivity * body.material.density *
-                       body.heat_capacity);
+      return std::sqrt(body.thermal_conductivity *
+                       body.surface_material().density * body.heat_capacity);
     }
 
     /** The part of the wheel in the effusivities of both. */
@@ -61,10 +61,11 @@ namespace RollingContact
       return {};
     const double     V = std::abs(*scene.contact.speed);
     const NodalField s = tangential_problem(problem, state).mean_slip(state);
-    const BodySpec  &wheel   = scene.wheel;
-    const double     share   = share_of_wheel(scene),
-                 diffusivity = wheel.thermal_conductivity /
-                               (wheel.material.density * wheel.heat_capacity);
+    const BodySpec  &wheel = scene.wheel;
+    const double     share = share_of_wheel(scene),
+                 diffusivity =
+                   wheel.thermal_conductivity /
+                   (wheel.surface_material().density * wheel.heat_capacity);
     std::vector<double> rise(problem.n_nodes(), 0.);
     for (const std::vector<unsigned int> &line : node_lines(operators, 0))
       {

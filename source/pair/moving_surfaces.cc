@@ -104,7 +104,7 @@ namespace RollingContact
     Crown::Roller roller_of(const PairSpec &scene, const Crown &crown)
     {
       const PairConstants constants = pair_constants(scene);
-      const double        length    = 2 * narrower_reach(scene);
+      const double length = crown.length.value_or(2 * narrower_reach(scene));
       return {length,
               References::hertz_line(crown.load / length,
                                      constants.relative_radius,

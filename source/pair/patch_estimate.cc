@@ -1,6 +1,7 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/mesh/profile_patch.h>
+#include <rolling_contact/pair/layered_bodies.h>
 #include <rolling_contact/pair/mesh_limits.h>
 #include <rolling_contact/pair/patch_estimate.h>
 #include <rolling_contact/references/hertz_ellipse.h>
@@ -16,12 +17,12 @@ namespace RollingContact
   namespace
   {
     /**
-     * E in Pa, infinite for a rigid body.
+     * E at the surface in Pa, infinite for a rigid body.
      */
     double young_modulus(const BodySpec &body)
     {
       return body.rigid ? std::numeric_limits<double>::infinity()
-                        : body.material.young_modulus;
+                        : body.surface_material().young_modulus;
     }
 
     double finite_or_flat(const double radius)
@@ -30,7 +31,8 @@ namespace RollingContact
     }
 
     /**
-     * Approximate compression of a body between patch and hub. Units: m.
+     * Approximate compression of a body between patch and hub, without that of
+     * a cover. Units: m.
      */
     double compression(const BodySpec              &body,
                        const References::HertzLine &contact)
@@ -61,8 +63,8 @@ namespace RollingContact
   {
     const BodySpec &wheel = scene.wheel, &rail = scene.rail;
     const double E_wheel = young_modulus(wheel), E_rail = young_modulus(rail),
-                 nu_wheel = wheel.material.poisson_ratio,
-                 nu_rail  = rail.material.poisson_ratio;
+                 nu_wheel = wheel.surface_material().poisson_ratio,
+                 nu_rail  = rail.surface_material().poisson_ratio;
     PairConstants constants;
     constants.contact_modulus =
       References::contact_modulus(E_wheel, nu_wheel, E_rail, nu_rail);
@@ -90,14 +92,29 @@ namespace RollingContact
       const double        A         = 0.5 / constants.relative_radius,
                    B                = 0.5 / constants.lateral_relative_radius;
       PatchEstimate estimate;
-      estimate.normal_force = load.value_or(References::load_of_hertz_ellipse(
-        scene.contact.approach.value_or(0.), A, B, constants.contact_modulus));
-      if (estimate.normal_force > 0.)
+      const auto    take = [&](const double modulus) {
+        estimate.normal_force = load.value_or(References::load_of_hertz_ellipse(
+          scene.contact.approach.value_or(0.), A, B, modulus));
+        if (!(estimate.normal_force > 0.))
+          return;
+        const References::HertzEllipse hertz =
+          References::hertz_ellipse(estimate.normal_force, A, B, modulus);
+        estimate.half_width_x = hertz.half_width_x;
+        estimate.half_width_y = hertz.half_width_y;
+      };
+      double modulus = constants.contact_modulus;
+      take(modulus);
+      // under a cover the modulus depends on the size of the patch
+      const unsigned int n_rounds = 30;
+      for (unsigned int k = 0;
+           k < n_rounds && scene.has_covers() && estimate.normal_force > 0.;
+           ++k)
         {
-          const References::HertzEllipse hertz = References::hertz_ellipse(
-            estimate.normal_force, A, B, constants.contact_modulus);
-          estimate.half_width_x = hertz.half_width_x;
-          estimate.half_width_y = hertz.half_width_y;
+          modulus = std::sqrt(modulus * References::layered_contact_modulus(
+                                          std::sqrt(estimate.half_width_x *
+                                                    estimate.half_width_y),
+                                          layered_pair(scene)));
+          take(modulus);
         }
       return estimate;
     }
@@ -171,6 +188,57 @@ namespace RollingContact
       estimate.shortest_x                          = a;
       estimate.boxes = {ZoneBox{{{-a, -w}}, {{a, w}}}};
     }
+
+    /**
+     * Largest half-width for which covers are not too thin. Units: m.
+     */
+    double largest_under_cover(const PairSpec &scene)
+    {
+      const double most = 99.; // over the thickness of a cover
+      double       largest =
+        largest_half_width(scene, pair_constants(scene).relative_radius);
+      for (const BodySpec *body : {&scene.wheel, &scene.rail})
+        if (body->has_cover())
+          largest = std::min(largest, most * body->cover_thickness);
+      return largest;
+    }
+
+    /**
+     * The exact line contact of half-planes with covers; under an approach that
+     * of their cores as bodies is added.
+     */
+    PatchEstimate estimate_under_cover(const PairSpec              &scene,
+                                       const std::optional<double> &load,
+                                       const double                 length)
+    {
+      PatchEstimate estimate;
+      const auto    compressed = [&](const double half_width) {
+        const auto line = layered_line_contact_of_half_width(scene, half_width);
+        const References::HertzLine hertz{half_width, line.pressure_terms[0]};
+        return line.approach_of_layers + compression(scene.wheel, hertz) +
+               compression(scene.rail, hertz);
+      };
+      if (load && *load > 0.)
+        estimate.half_width_x =
+          layered_line_contact(scene,
+                               *load / length,
+                               References::LineFriction::none)
+            .half_width;
+      else if (!load && *scene.contact.approach > 0.)
+        estimate.half_width_x =
+          References::half_width_of_approach(compressed,
+                                             largest_under_cover(scene),
+                                             *scene.contact.approach);
+      if (!(estimate.half_width_x > 0.))
+        return estimate;
+      estimate.normal_force =
+        length *
+        layered_line_contact_of_half_width(scene, estimate.half_width_x)
+          .load_per_length();
+      if (scene.dimension == 3)
+        set_ends(length, estimate);
+      return estimate;
+    }
   } // namespace
 
   PatchEstimate estimate_patch(const PairSpec              &scene,
@@ -193,6 +261,8 @@ namespace RollingContact
     const auto least_approach = [&](const double half_width) {
       return half_width * half_width / (6 * constants.relative_radius);
     };
+    if (scene.has_covers())
+      return estimate_under_cover(scene, load, length);
     PatchEstimate estimate;
     if (load)
       {

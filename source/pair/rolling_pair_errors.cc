@@ -11,7 +11,9 @@ namespace RollingContact
   void RollingPair<dim>::prepare_bulk_errors()
   {
     errors = {};
-    if (!demands.bulk_errors || body_pair.body_solver() != BodySolver::direct)
+    // stresses jump at a cover, and no average of them is better
+    if (!demands.bulk_errors || scene.has_covers() ||
+        body_pair.body_solver() != BodySolver::direct)
       return;
     std::array<double, 2> reach{};
     for (const auto &node : trace().nodes)

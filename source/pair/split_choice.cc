@@ -154,6 +154,8 @@ namespace RollingContact
                "levels)";
       if (scene.contact.contact_matrices != ContactMatrices::lumped)
         return "Contact/Contact matrices are not lumped";
+      if (scene.has_covers())
+        return "a body has a cover of another material (Cover thickness)";
       for (const BodySpec *body : {&scene.wheel, &scene.rail})
         if (!body->rigid && scene.mesh.compliance != Compliance::half_spaces)
           if (const std::string reason =

@@ -232,7 +232,9 @@ namespace RollingContact
     const char ends_of_line[] =
       "at the ends of a line contact pressure and tractions follow no closed "
       "form";
-  }
+    const char layered_bodies[] =
+      "the bounds are those of bodies without covers";
+  } // namespace
 
   ErrorBounds error_bounds(const BoundCircumstances &found)
   {
@@ -286,10 +288,10 @@ namespace RollingContact
   ErrorBounds error_bounds(const PairSpec         &scene,
                            const SteadyState<dim> &steady)
   {
-    if (scene.touches_in_line())
+    if (scene.touches_in_line() || scene.has_covers())
       {
         ErrorBounds unknown;
-        unknown.text = ends_of_line;
+        unknown.text = scene.touches_in_line() ? ends_of_line : layered_bodies;
         return unknown;
       }
     const BoundCircumstances found = bound_circumstances(scene, steady);

@@ -13,8 +13,8 @@ namespace RollingContact
       std::vector<References::ShearedHalfSpace> bodies;
       for (const Side side : both_sides)
         if (!scene.body(side).rigid)
-          bodies.push_back({scene.body(side).material.shear_modulus(),
-                            scene.body(side).material.density});
+          bodies.push_back({scene.body(side).surface_material().shear_modulus(),
+                            scene.body(side).surface_material().density});
       return bodies;
     }
   } // namespace

@@ -1,4 +1,5 @@
 #include <rolling_contact/base/text.h>
+#include <rolling_contact/pair/layered_bodies.h>
 #include <rolling_contact/pair/mesh_limits.h>
 #include <rolling_contact/pair/patch_estimate.h>
 #include <rolling_contact/results/line_contact.h>
@@ -33,6 +34,21 @@ namespace RollingContact
       return (1 - share) * ((*below).*value) + share * ((*above).*value);
     }
 
+    /** Half-width and pressure in the middle of endless bodies. */
+    References::HertzLine endless_cylinders(const PairSpec &scene,
+                                            const double    load_per_length)
+    {
+      const PairConstants constants = pair_constants(scene);
+      if (!scene.has_covers())
+        return References::hertz_line(load_per_length,
+                                      constants.relative_radius,
+                                      constants.contact_modulus);
+      const auto line = layered_line_contact(scene,
+                                             load_per_length,
+                                             References::LineFriction::none);
+      return {line.half_width, line.pressure(0.)};
+    }
+
     /** The load between two places, linear between the lines. Units: N. */
     double load_between(const std::vector<LineAcross> &lines,
                         const double                   begin,
@@ -59,15 +75,12 @@ namespace RollingContact
     if (!scene.touches_in_line() || !steady.solver.converged ||
         !(steady.result.normal_force > 0.))
       return {};
-    const PairConstants constants = pair_constants(scene);
-    const auto          lines     = lines_across(steady);
-    const double        w         = narrower_reach(scene);
-    LineContact         contact;
+    const auto   lines = lines_across(steady);
+    const double w     = narrower_reach(scene);
+    LineContact  contact;
     contact.length = 2 * w;
     contact.hertz =
-      References::hertz_line(steady.result.normal_force / contact.length,
-                             constants.relative_radius,
-                             constants.contact_modulus);
+      endless_cylinders(scene, steady.result.normal_force / contact.length);
     const double b          = contact.hertz.half_width;
     contact.middle_load     = between(lines, &LineAcross::load, 0.);
     contact.middle_pressure = between(lines, &LineAcross::max_pressure, 0.);

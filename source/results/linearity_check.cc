@@ -19,12 +19,15 @@ namespace RollingContact
                      result.half_width_x / std::abs(body->radius));
         if (body->rigid)
           continue;
-        measures.pressure =
-          std::max(measures.pressure,
-                   result.max_pressure / body->material.young_modulus);
+        measures.pressure = std::max(measures.pressure,
+                                     result.max_pressure /
+                                       body->surface_material().young_modulus);
         measures.approach =
           std::max(measures.approach,
-                   std::abs(approach) / body->body_shape()->thickness_below());
+                   std::abs(approach) /
+                     (body->has_cover()
+                        ? body->cover_thickness
+                        : body->body_shape()->thickness_below()));
       }
     return measures;
   }
@@ -41,6 +44,8 @@ namespace RollingContact
       };
     warn(measures.pressure, 0.05, "Peak pressure over Young's modulus");
     warn(measures.angle, 0.3, "The half-width over the radius of a body");
-    warn(measures.approach, 0.05, "The approach over the thickness of a body");
+    warn(measures.approach,
+         0.05,
+         "The approach over the thickness of a body or its cover");
   }
 } // namespace RollingContact

@@ -148,7 +148,7 @@ namespace RollingContact
                                                    vertex,
                                                    cell->vertex(v),
                                                    known->second,
-                                                   body.elasticity());
+                                                   body.elasticity().cover);
           }
   }
 

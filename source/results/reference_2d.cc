@@ -1,5 +1,6 @@
 #include <rolling_contact/contact/patch_edge.h>
 #include <rolling_contact/contact/recovered_tractions.h>
+#include <rolling_contact/pair/layered_bodies.h>
 #include <rolling_contact/references/clamped_annuli_approach.h>
 #include <rolling_contact/results/reference_2d.h>
 
@@ -96,7 +97,18 @@ namespace RollingContact
                                                  constants.contact_modulus),
                           {},
                           steady.pair->bodies().twins(),
+                          {},
                           {}};
+    if (scene.has_covers())
+      {
+        const auto line =
+          layered_line_contact(scene,
+                               steady.result.normal_force / scene.thickness(),
+                               References::LineFriction::none);
+        reference.hertz   = {line.half_width, line.pressure(0.)};
+        reference.layered = line;
+        return reference;
+      }
     if (std::abs(constants.dundurs_beta) < 1e-12 &&
         steady.problem.n_tangential() > 0 &&
         scene.contact.has_constant_friction())
@@ -140,7 +152,7 @@ namespace RollingContact
       l2_error(
         x,
         recovered.pressure,
-        [&](const double at) { return reference.hertz.pressure(at); },
+        [&](const double at) { return reference.pressure(at); },
         a) /
       p0;
     if (!reference.carter || !reference.carter_is_exact)

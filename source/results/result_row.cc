@@ -2,6 +2,7 @@
 #include <rolling_contact/contact/patch_area.h>
 #include <rolling_contact/contact/uniqueness.h>
 #include <rolling_contact/pair/friction_heat.h>
+#include <rolling_contact/results/cover_columns.h>
 #include <rolling_contact/results/error_bounds.h>
 #include <rolling_contact/results/line_contact.h>
 #include <rolling_contact/results/nodal_values.h>
@@ -285,7 +286,10 @@ namespace RollingContact
     if (solved)
       {
         if constexpr (dim == 2)
-          set_reference_columns(scene, steady, table);
+          {
+            set_reference_columns(scene, steady, table);
+            set_cover_columns(scene, steady, table);
+          }
         else
           {
             set_ellipse_columns(scene, steady, table);

@@ -341,7 +341,7 @@ namespace RollingContact
                   "p\u2080 / k,   k = " +
                     significant(1e-6 * scene.wear.shear_yield_stress, 4) +
                     " MPa");
-    add_limits(figure, scene.rail.material.poisson_ratio);
+    add_limits(figure, scene.rail.surface_material().poisson_ratio);
     const auto [x, y] =
       StateDamage(scene, steady.problem, steady.state).sliding_points();
     if (!x.empty())

@@ -155,7 +155,7 @@ namespace RollingContact
         {
           const double at = extent * (2. * k / n - 1);
           lines.x.push_back(at);
-          lines.pressure.push_back(reference.hertz.pressure(at * a) / p0);
+          lines.pressure.push_back(reference.pressure(at * a) / p0);
           if (reference.carter)
             lines.traction.push_back(reference.carter->traction(at * a) /
                                      bound);
@@ -202,7 +202,10 @@ namespace RollingContact
         if (stick.second > stick.first)
           plot.add_band("stick (Carter)", stick.first / a, stick.second / a);
       }
-    plot.add_curve("Hertz", exact.x, exact.pressure, CurveStyle::reference);
+    plot.add_curve(reference.layered ? "half-planes with covers" : "Hertz",
+                   exact.x,
+                   exact.pressure,
+                   CurveStyle::reference);
     if (reference.carter && reference.carter_is_exact)
       plot.add_curve("Carter", exact.x, exact.traction, CurveStyle::reference);
     plot.add_curve("pressure p", found.x, found.pressure, CurveStyle::points);

@@ -143,11 +143,11 @@ namespace RollingContact
           StressSample<dim> &sample = samples[c];
           values.reinit(cell);
           sample.middle = cell->center();
-          sample.stress =
-            symmetrize(turn *
-                       Tensor<2, 3>(stress_of(mean_strain(values, displacement),
-                                              body.elasticity())) *
-                       transpose(turn));
+          sample.stress = symmetrize(
+            turn *
+            Tensor<2, 3>(stress_of(mean_strain(values, displacement),
+                                   body.elasticity().of(cell->material_id()))) *
+            transpose(turn));
           for (const auto &face : cell->face_iterators())
             if (face->at_boundary() && face->boundary_id() == contact_boundary)
               {

@@ -37,6 +37,7 @@ namespace RollingContact
     declare_profile(entries);
     declare_mesh_file(entries);
     declare_material(entries);
+    declare_cover(entries);
     declare_hub(entries);
     declare_foundation(entries);
     declare_modes(entries);
@@ -184,6 +185,7 @@ namespace RollingContact
     check_model(known);
     check_modes(known, dimension);
     check_dampers(known, dimension);
+    check_cover();
     if (!rigid)
       check_material(dimension);
   }

@@ -154,6 +154,57 @@ namespace RollingContact
                        ": plane strain needs the same thickness in both.");
   }
 
+  void SceneParameters::check_covers() const
+  {
+    const BodyParameters &body = wheel.has_cover() ? wheel : rail;
+    if (!body.has_cover())
+      return;
+    const std::string given =
+      body.section + "/Cover thickness = " + text_of(body.cover_thickness);
+    const auto refuse = [](const bool is_given, const std::string &why) {
+      if (is_given)
+        throw InputError(why);
+    };
+    refuse(!analysis.has_bodies || !analysis.has_contact ||
+             analysis.linearises || analysis.has_own_meshes ||
+             analysis.until_periodic || analysis.wears_profiles,
+           given +
+             ": Analysis = quasi-static, creep curve, load curve, table "
+             "and transient take covers; for " +
+             analysis.name + " set it to 0 m.");
+    refuse(has_reduced_bodies(),
+           given + ": Time/Bodies = reduced has modes of one material; take "
+                   "full, or set it to 0 m.");
+    refuse(profiles.in_use(),
+           given + ": bodies with profiles have no covers; leave "
+                   "Profiles/Wheel profile and Rail profile empty, or set it "
+                   "to 0 m.");
+    refuse(
+      body_solver == BodySolver::distributed,
+      "Body solver = distributed and " + given +
+        ": conjugate gradients with multigrid converge slowly where a soft "
+        "layer lies on a stiff body; take Body solver = direct.");
+    refuse(mesh.compliance == Compliance::split,
+           "Mesh/Compliance = split and " + given +
+             ": half-spaces have no covers; take finite elements.");
+    refuse(mesh.adaptive_levels > 0,
+           "Mesh/Adaptive levels = " + std::to_string(mesh.adaptive_levels) +
+             " and " + given +
+             ": levels are judged by jumps of stresses, which covers have by "
+             "themselves; set the levels to 0.");
+    refuse(!!mesh.target_error,
+           "Mesh/Target error and " + given +
+             ": no bound of the error is known with covers; leave it empty and "
+             "give Mesh/Elements across patch.");
+    for (const Side side : both_sides)
+      refuse(!!crown_named(SurfaceParameters::entry(side),
+                           surfaces.height[side]),
+             SurfaceParameters::entry(side) + " = " + surfaces.height[side] +
+               " and " + given +
+               ": named crowns are those of half-spaces; give the drop as an "
+               "expression in y.");
+  }
+
   void SceneParameters::check_body_solver() const
   {
     if (body_solver != BodySolver::distributed)

@@ -133,6 +133,7 @@ namespace RollingContact
     check_rules();
     check_friction_response();
     check_pair();
+    check_covers();
     check_body_solver();
     check_profiles();
     check_curvatures();

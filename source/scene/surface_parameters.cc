@@ -50,9 +50,10 @@ namespace RollingContact
         kinds_of_surface_files +
         ", whose positions count as the wheel runs (file relative to this "
         "one); or a crown, `lundberg : LOAD` or `johns-gohar : LOAD` (N), on "
-        "bodies that are straight across; or at x = 0 of the material a dent, "
-        "`flat : LENGTH` (m) of a disc or `dip : LENGTH, DEPTH` (m); empty "
-        "for a smooth one.";
+        "bodies that are straight across, for the length of their contact or "
+        "one that is given, `lundberg : LOAD : LENGTH` (m); or at x = 0 of the "
+        "material a dent, `flat : LENGTH` (m) of a disc or `dip : "
+        "LENGTH, DEPTH` (m); empty for a smooth one.";
     };
     declare_height(Side::wheel,
                    "Wheel height",

@@ -13,15 +13,28 @@ namespace RollingContact
 {
   double Crown::drop(const double y, const Roller &roller) const
   {
-    const double last = 0.999, // of the half-length
-      share           = std::min(std::abs(2 * y / roller.length), 1.),
-                 q    = load / roller.length;
-    const double inside =
-      kind == Kind::lundberg
-        ? std::pow(std::min(share, last), 2)
-        : (1 - 0.3033 * 2 * roller.half_width / roller.length) * share * share;
-    return -q / (pi * roller.modulus) * std::log1p(-inside);
+    const double last        = 0.999, // of the half-length
+      share                  = std::abs(2 * y / roller.length),
+                 scale       = load / (pi * roller.modulus * roller.length);
+    const bool   is_lundberg = kind == Kind::lundberg;
+    const double c           = is_lundberg
+                                 ? 1.
+                                 : 1 - 0.3033 * 2 * roller.half_width / roller.length,
+                 end = is_lundberg ? last : 1., inside = std::min(share, end),
+                 slope = 2 * c * inside / (1 - c * inside * inside);
+    return scale * (-std::log1p(-c * inside * inside) +
+                    (length ? slope * (share - inside) : 0.));
   }
+
+  namespace
+  {
+    std::optional<double> above_0(const std::string &text)
+    {
+      const auto value = number_of(boost::trim_copy(text));
+      return value && std::isfinite(*value) && *value > 0. ? value
+                                                           : std::nullopt;
+    }
+  } // namespace
 
   std::optional<Crown> crown_named(const std::string &entry,
                                    const std::string &text)
@@ -33,17 +46,27 @@ namespace RollingContact
           std::pair(Crown::Kind::johns_gohar, "johns-gohar")})
       if (name == its_name)
         {
+          const auto none   = std::string::npos;
+          const auto second = colon == none ? none : text.find(':', colon + 1);
           const auto load =
-            colon == std::string::npos
-              ? std::nullopt
-              : number_of(boost::trim_copy(text.substr(colon + 1)));
-          if (!load || !std::isfinite(*load) || !(*load > 0.))
+            colon == none ? std::nullopt
+                          : above_0(text.substr(colon + 1, second - colon - 1));
+          if (!load)
             throw InputError(entry + " = " + text +
                              ": give the load in N, above "
                              "0, that the crown is "
                              "for, as in " +
                              its_name + " : 5000.");
-          return Crown{kind, *load};
+          const auto length =
+            second == none ? std::nullopt : above_0(text.substr(second + 1));
+          if (second != none && !length)
+            throw InputError(entry + " = " + text +
+                             ": give the crown's own length in m, above 0, as "
+                             "in " +
+                             its_name +
+                             " : 5000 : 0.008, or leave it away for that of "
+                             "the contact.");
+          return Crown{kind, *load, length};
         }
     return {};
   }

@@ -167,6 +167,41 @@ BOOST_AUTO_TEST_CASE(drops_of_crowns)
   BOOST_TEST(!crown_named("Surfaces/Wheel height", "1e-6 * x").has_value());
 }
 
+/** A crown for a part of the length, from where the surface falls as a chamfer
+ * does. */
+BOOST_AUTO_TEST_CASE(a_crown_has_its_own_length)
+{
+  const auto crown =
+    crown_named("Surfaces/Wheel height", "lundberg : 4000 : 0.008");
+  BOOST_REQUIRE(crown);
+  BOOST_TEST(crown->load == 4000.);
+  BOOST_TEST(crown->length.value() == 0.008);
+  // the load per length is that of 5000 N on 10 mm
+  const Crown::Roller own{0.008, 2.5e-4, 1e11}, all{0.01, 2.5e-4, 1e11};
+  const Crown         whole{Crown::Kind::lundberg, 5000.};
+  BOOST_TEST(std::abs(crown->drop(2e-3, own) / whole.drop(2.5e-3, all) - 1) <
+             1e-12);
+  const double slope =
+                 (crown->drop(4.5e-3, own) - crown->drop(4.2e-3, own)) / 3e-4,
+               before =
+                 (crown->drop(3.99599e-3, own) - crown->drop(3.99597e-3, own)) /
+                 2e-8;
+  BOOST_TEST(std::abs(slope / before - 1) < 0.01);
+  BOOST_TEST(slope > 0.1);
+  BOOST_TEST(contains(complaint([]() {
+                        crown_named("Surfaces/Wheel height",
+                                    "lundberg : 4000 : 0");
+                      }),
+                      "give the crown's own length in m, above 0"));
+  // the part that bears is shorter than the bodies
+  const SceneRun<3> run(rollers, [](SceneParameters &scene) {
+    scene.surfaces.height.wheel = "johns-gohar : 300 : 0.6e-3";
+    scene.contact.normal_load   = 300;
+  });
+  BOOST_TEST(run.steady.result.half_width_y < 0.42e-3);
+  BOOST_TEST(run.steady.result.half_width_y > 0.25e-3);
+}
+
 /** A crown takes load from the ends and leaves the middle alike. */
 BOOST_AUTO_TEST_CASE(crowns_relieve_the_ends)
 {

@@ -66,6 +66,16 @@ namespace RollingContact
   }
 
   /**
+   * The material of the cell that values are of.
+   */
+  template <int dim>
+  const Material &material_of(const Materials             &materials,
+                              const dealii::FEValues<dim> &values)
+  {
+    return materials.of(values.get_cell()->material_id());
+  }
+
+  /**
    * Add the stiffness of all cells to the matrix @p K, see cell_stiffness() and
    * cell_stiffness_enhanced().
    */
@@ -77,10 +87,11 @@ namespace RollingContact
       dealii::QGauss<dim>(2),
       dealii::update_gradients,
       [&](const auto &values, auto &stiffness) {
+        const Material &material = material_of(body.materials, values);
         if (body.elements == ElementKind::enhanced)
-          cell_stiffness_enhanced(values, body.material, stiffness);
+          cell_stiffness_enhanced(values, material, stiffness);
         else
-          cell_stiffness(values, body.material, stiffness);
+          cell_stiffness(values, material, stiffness);
       },
       K);
   }
@@ -96,7 +107,7 @@ namespace RollingContact
       dealii::QGauss<dim>(3),
       dealii::update_values,
       [&](const auto &values, auto &mass) {
-        cell_mass(values, body.material.density, mass);
+        cell_mass(values, material_of(body.materials, values).density, mass);
       },
       M);
   }
@@ -113,7 +124,9 @@ namespace RollingContact
       dealii::QGauss<dim>(2),
       dealii::update_values,
       [&](const auto &values, auto &mass) {
-        cell_lumped_mass(values, body.material.density, mass);
+        cell_lumped_mass(values,
+                         material_of(body.materials, values).density,
+                         mass);
       },
       diagonal);
   }

@@ -30,7 +30,7 @@ namespace RollingContact
     const dealii::AffineConstraints<double> &constraints;
     const std::vector<int>                  &unknown_of_dof;
     std::size_t                              n_unknowns;
-    Material                                 material;
+    Materials                                materials;
     double                                   thickness;
     ElementKind                              elements;
     const Supports<dim>                     &supports;

@@ -29,7 +29,7 @@ namespace RollingContact
      * last ones; values at unknowns and fields hold these as well.
      */
     DirectBody(const std::shared_ptr<const BodyShape> &shape,
-               const Material                         &material,
+               const Materials                        &materials,
                const double                            thickness,
                const Grading<dim>                     &grading,
                const bool                              recovers = true,

@@ -32,7 +32,7 @@ namespace RollingContact
      * m. Throws InputError for springs or a mass at the hub.
      */
     DistributedBody(const std::shared_ptr<const BodyShape> &shape,
-                    const Material                         &material,
+                    const Materials                        &materials,
                     const double                            thickness,
                     const Grading<dim>                     &grading,
                     const unsigned int                      model_rank,
@@ -82,7 +82,7 @@ namespace RollingContact
       return {this->dofs,
               this->relevant_dofs,
               this->constraints,
-              this->material,
+              this->materials,
               this->thickness,
               this->model.elements};
     }

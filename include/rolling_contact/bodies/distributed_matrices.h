@@ -25,7 +25,7 @@ namespace RollingContact
     const dealii::DoFHandler<dim>           &dofs;
     const dealii::IndexSet                  &relevant_dofs;
     const dealii::AffineConstraints<double> &constraints;
-    Material                                 material;
+    Materials                                materials;
     double                                   thickness;
     ElementKind                              elements;
   };

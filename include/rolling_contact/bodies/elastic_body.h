@@ -210,9 +210,9 @@ namespace RollingContact
       return constraints;
     }
 
-    const Material &elasticity() const
+    const Materials &elasticity() const
     {
-      return material;
+      return materials;
     }
 
     const BodyMesh<dim> &mesh() const
@@ -230,7 +230,7 @@ namespace RollingContact
      * Mesh and distribute. @p thickness is used in 2D. Units: m.
      */
     ElasticBody(const std::shared_ptr<const BodyShape> &shape,
-                const Material                         &material,
+                const Materials                        &materials,
                 const double                            thickness,
                 const Grading<dim>                     &grading,
                 const MeshKind                          kind,
@@ -241,7 +241,7 @@ namespace RollingContact
      */
     void require_held() const;
 
-    Material                          material;
+    Materials                         materials;
     double                            thickness;
     Hub                               hub;
     BodyModel                         model;

@@ -48,7 +48,8 @@ namespace RollingContact
                    const bool          other_vibrates,
                    const bool          is_other_half_space) const
     {
-      return shape->is_same_as(other_shape) && material == other_material &&
+      return shape->is_same_as(other_shape) &&
+             materials.core == other_material &&
              fading.inner == other_fading.inner && model == other_model &&
              vibrates == other_vibrates && is_half_space == is_other_half_space;
     }

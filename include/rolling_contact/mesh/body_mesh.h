@@ -71,9 +71,10 @@ namespace RollingContact
    * grading asks. The coarse mesh has an edge at x = offset * element_size_x
    * and, under the contact, cells that are powers of two of the element size,
    * which makes the surface nodes of two bodies match; in 3D those further away
-   * are longer. A section from a file keeps its coarse cells, whose elements
-   * under the contact face an interface with those of @p grading. Both kinds of
-   * mesh have the same cells and vertices.
+   * are longer. At the bottom of a cover lies an edge as well, above which
+   * cells have its material id. A section from a file keeps its coarse cells,
+   * whose elements under the contact face an interface with those of @p
+   * grading. Both kinds of mesh have the same cells and vertices.
    */
   template <int dim>
   BodyMesh<dim> make_body_mesh(const std::shared_ptr<const BodyShape> &shape,

@@ -72,6 +72,16 @@ namespace RollingContact
     virtual double thickness_below() const = 0;
 
     /**
+     * Thickness of the cover under the contact point, a part of that of the
+     * material: where the chart's depth is less, cells are of the cover. 0
+     * without a cover.
+     */
+    double cover_thickness() const
+    {
+      return parameters.cover_thickness;
+    }
+
+    /**
      * How far from the contact point the contact zone may reach along x.
      */
     virtual double reach_x() const = 0;

@@ -28,6 +28,43 @@ namespace RollingContact
              poisson_ratio == other.poisson_ratio && density == other.density;
     }
   };
+
+  /**
+   * Material ids of the cells of every body mesh.
+   */
+  enum MaterialId : unsigned int
+  {
+    core_material  = 0,
+    cover_material = 1
+  };
+
+  /**
+   * Materials of a body by the ids of its cells: that of its core, and of the
+   * cover bonded on it, which is the core's where there is none.
+   */
+  struct Materials
+  {
+    Materials(const Material &core)
+      : Materials(core, core)
+    {}
+
+    Materials(const Material &core, const Material &cover)
+      : core(core)
+      , cover(cover)
+    {}
+
+    const Material &of(const unsigned int material_id) const
+    {
+      return material_id == cover_material ? cover : core;
+    }
+
+    bool operator==(const Materials &other) const
+    {
+      return core == other.core && cover == other.cover;
+    }
+
+    Material core, cover;
+  };
 } // namespace RollingContact
 
 #endif

@@ -49,14 +49,15 @@ namespace RollingContact
                  const double       value,
                  const std::string &allowed) const;
 
-    std::string  section;               ///< Wheel or Rail, for messages
-    double       radius         = 0.46; ///< in the rolling direction; 0 flat
-    double       lateral_radius = 0.;   ///< across; 0 flat
-    double       hub_radius     = 0.08; ///< of the inner circle of a disc
-    double       block_length   = 1.;   ///< in the rolling direction
-    double       block_depth    = 0.5;  ///< down to the bottom, the hub
-    double       width          = 0.1;  ///< across, 3D only
-    Hub          hub            = Hub::clamped;
+    std::string  section;                ///< Wheel or Rail, for messages
+    double       radius          = 0.46; ///< in the rolling direction; 0 flat
+    double       lateral_radius  = 0.;   ///< across; 0 flat
+    double       hub_radius      = 0.08; ///< of the inner circle of a disc
+    double       block_length    = 1.;   ///< in the rolling direction
+    double       block_depth     = 0.5;  ///< down to the bottom, the hub
+    double       width           = 0.1;  ///< across, 3D only
+    double       cover_thickness = 0.;   ///< of the layer on the core; 0 none
+    Hub          hub             = Hub::clamped;
     std::string  mesh_file;
     double       mesh_unit        = 1.;
     unsigned int contact_boundary = 1;

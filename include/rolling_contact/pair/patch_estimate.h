@@ -12,8 +12,9 @@ namespace RollingContact
   /**
    * Size of the patch by Hertz, for a given approach with approximate
    * compressions of the bodies, or by a half-space where profiles touch: what
-   * the mesh is graded for before anything is solved. All members are zero if
-   * the bodies do not touch. Units: m, N.
+   * the mesh is graded for before anything is solved. Line contacts of bodies
+   * with covers are exact, of an ellipse the modulus is a mean over depth. All
+   * members are zero if the bodies do not touch. Units: m, N.
    */
   struct PatchEstimate
   {
@@ -49,7 +50,8 @@ namespace RollingContact
 
   /**
    * Constants of Hertzian and tangential contact of wheel and rail, a rigid one
-   * with infinite moduli. Units: Pa, m.
+   * with infinite moduli; one with a cover has that of the cover, which rules
+   * the edges of the patch. Units: Pa, m.
    */
   struct PairConstants
   {

@@ -3,6 +3,7 @@
 
 #include <rolling_contact/references/carter.h>
 #include <rolling_contact/references/hertz_line.h>
+#include <rolling_contact/references/layered_line.h>
 #include <rolling_contact/scene/pair_spec.h>
 #include <rolling_contact/state/steady_state.h>
 
@@ -23,6 +24,16 @@ namespace RollingContact
     std::optional<References::Carter> carter;
     bool                              carter_is_exact = false;
     std::optional<double>             normal_force; ///< N
+
+    /** The pressure of half-planes with covers in place of Hertz's, without
+     * friction, of which hertz is half-width and peak; none without covers. */
+    std::optional<References::LayeredLine> layered;
+
+    /** The closed form of the pressure (Pa) at x (m). */
+    double pressure(const double x) const
+    {
+      return layered ? layered->pressure(x) : hertz.pressure(x);
+    }
   };
 
   Reference2D reference_2d(const PairSpec &scene, const SteadyState<2> &steady);

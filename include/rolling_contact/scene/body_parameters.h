@@ -71,11 +71,33 @@ namespace RollingContact
      */
     bool is_section() const;
 
+    /**
+     * Whether it is elastic and has a layer of another material on its core.
+     */
+    bool has_cover() const
+    {
+      return !rigid && cover_thickness > 0.;
+    }
+
+    Materials materials() const
+    {
+      return has_cover() ? Materials(material, cover) : Materials(material);
+    }
+
+    /**
+     * The material that touches the other body.
+     */
+    const Material &surface_material() const
+    {
+      return has_cover() ? cover : material;
+    }
+
     std::string   shape     = "disc";
     bool          rigid     = false;
     double        thickness = 0.02;
     SurfaceSource surface   = SurfaceSource::radii;
     Material      material  = {210e9, 0.3};
+    Material      cover     = {5e6, 0.49, 1100.}; ///< if it has a thickness
     BodyModel     model;
     ModeModel     modes = ModeModel::mesh;
     DamperEntries dampers;
@@ -113,6 +135,8 @@ namespace RollingContact
 
     void declare_material(Entries &entries);
 
+    void declare_cover(Entries &entries);
+
     void declare_hub(Entries &entries);
 
     void declare_foundation(Entries &entries);
@@ -124,6 +148,8 @@ namespace RollingContact
     void declare_dampers(Entries &entries);
 
     void check_material(const unsigned int dimension) const;
+
+    void check_cover() const;
 
     /**
      * Rules for what is at the hub and for damping; @p body_shape: of a body

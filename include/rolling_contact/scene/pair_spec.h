@@ -64,14 +64,21 @@ namespace RollingContact
     void take_frame_loads();
 
     /**
-     * Whether the undeformed gap is that of the radii of wheel and rail, so
-     * that closed forms have something to say.
+     * Whether the undeformed gap is that of the radii of wheel and rail and
+     * both are of one material each, so that closed forms have something to
+     * say.
      */
     bool has_plain_surfaces() const
     {
       return contact.roughness.empty() && !profiles.in_use() &&
              !touches_in_line() && !surfaces.in_use() &&
-             surfaces.friction_share.empty();
+             surfaces.friction_share.empty() && !has_covers();
+    }
+
+    /** Whether one of the bodies has a cover of another material. */
+    bool has_covers() const
+    {
+      return wheel.has_cover() || rail.has_cover();
     }
 
     /** See touch_in_line(). */

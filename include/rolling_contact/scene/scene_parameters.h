@@ -210,6 +210,8 @@ namespace RollingContact
 
     void check_pair() const;
 
+    void check_covers() const;
+
     void check_curvatures() const;
 
     /**

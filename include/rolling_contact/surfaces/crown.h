@@ -35,18 +35,23 @@ namespace RollingContact
      * along, and with c = 1 - 0.3033 (2 b/L) that of Johns and Gohar (1981),
      * which is finite at the ends. In the last thousandth of the half-length
      * that of Lundberg has the drop of its beginning, as it is infinite at the
-     * end.
+     * end. A crown with a length of its own falls along its tangent beyond, as
+     * a chamfer does.
      */
     double drop(const double y, const Roller &roller) const;
 
     Kind   kind;
     double load; ///< N, over the whole length
+    /** Own length in place of the contact's, as of a roller with rounded ends;
+     * none: from side to side. */
+    std::optional<double> length = {};
   };
 
   /**
-   * The crown that a text names, `lundberg : LOAD` or `johns-gohar : LOAD`;
-   * none for another text. Throws InputError, naming the entry, if the load is
-   * no number above 0.
+   * The crown that a text names, `lundberg : LOAD` or `johns-gohar : LOAD`,
+   * each with `: LENGTH` behind it if it has its own; none for another text.
+   * Throws InputError, naming the entry, if load or length is no number above
+   * 0.
    */
   std::optional<Crown> crown_named(const std::string &entry,
                                    const std::string &text);
