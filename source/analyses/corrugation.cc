@@ -282,7 +282,7 @@ namespace RollingContact
                                "without creepage nothing wears; give one.");
       const auto &section = scene.own<CorrugationParameters>();
       check_speeds_of_state(scene, "Corrugation/Speeds", section.speeds);
-      section.places().check(scene);
+      section.places().check(scene.rail);
     }
   } // namespace
 

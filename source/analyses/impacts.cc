@@ -178,10 +178,10 @@ namespace RollingContact
 
   namespace
   {
-    void check_impact(const SceneParameters &scene)
+    void check_rules(const Situation &scene)
     {
       const std::string     why  = "Analysis = impact: ";
-      const TimeParameters &time = scene.time;
+      const TimeParameters &time = scene.inputs->time;
       if (!scene.surfaces.in_use())
         throw InputError(why + "Surfaces/Wheel height and Rail height are "
                                "empty, and a wheel on smooth surfaces hits "
@@ -190,7 +190,7 @@ namespace RollingContact
       if (time.bodies != BodiesInTime::reduced)
         throw InputError(why + "bodies are reduced once for all speeds; take "
                                "Time/Bodies = reduced.");
-      if (scene.contact.normal_load && !time.hold_approach)
+      if (scene.inputs->contact.normal_load && !time.hold_approach)
         throw InputError(why + "with Contact/Normal load the load stays what "
                                "it is; set Time/Hold approach = true, which "
                                "takes it as that of the start.");
@@ -229,6 +229,12 @@ namespace RollingContact
                              "; let them roll over it, and farther.");
         }
     }
+
+    void check_impact(const Situation &scene)
+    {
+      check_rules(scene);
+      check_way(scene);
+    }
   } // namespace
 
   AnalysisKind impact_kind()
@@ -239,8 +245,8 @@ namespace RollingContact
       "dip or whatever is on the surfaces, see sections Time and Impact");
     kind.sections = {"Time", "Impact"};
     kind.own_section.emplace(ImpactParameters());
-    kind.axes = [](const SceneParameters &scene) -> std::vector<TableAxis> {
-      const auto &section = scene.own<ImpactParameters>();
+    kind.axes = [](const auto &scene) -> std::vector<TableAxis> {
+      const auto &section = scene.template own<ImpactParameters>();
       if (section.speeds.empty())
         return {};
       return {{"Impact/Speeds", "Contact/Speed", section.speeds_or(1.)}};
@@ -248,8 +254,7 @@ namespace RollingContact
     kind.marches              = true;
     kind.has_row_for_each_run = true;
     kind.on_ranks             = false;
-    kind.rules                = {&check_impact};
-    kind.check_situation      = &check_way;
+    kind.check_situation      = &check_impact;
     return kind;
   }
 } // namespace RollingContact

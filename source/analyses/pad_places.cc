@@ -19,9 +19,9 @@ namespace RollingContact
     , offsets(text.empty() ? std::vector<double>() : number_list(entry, text))
   {}
 
-  void PadPlaces::check(const SceneParameters &scene) const
+  void PadPlaces::check(const BodyParameters &rail) const
   {
-    if (!offsets.empty() && !lies_on_pads(scene.rail))
+    if (!offsets.empty() && !lies_on_pads(rail))
       throw InputError(entry + " = " + text +
                        ": the rail lies on no pads; give Rail/Hub = elastic "
                        "and Pad spacing, or leave Pad offsets empty.");
@@ -32,7 +32,7 @@ namespace RollingContact
     std::vector<Situation> places;
     for (const double offset : offsets)
       {
-        SceneParameters inputs                  = *scene.inputs;
+        auto inputs                             = *scene.inputs;
         inputs.rail.model.foundation.pad_offset = offset;
         inputs.check();
         places.emplace_back(inputs, &scene);

@@ -320,7 +320,7 @@ namespace RollingContact
                          "surfaces that radiate; take Dimension = 3.");
       scene.sound.check_air();
       check_speeds_of_state(scene, "Rolling noise/Speeds", section.speeds);
-      section.places().check(scene);
+      section.places().check(scene.rail);
     }
 
     void check_roughness(const Situation &scene)

@@ -20,7 +20,7 @@ namespace RollingContact
     PadPlaces(const std::string &section, const std::string &text);
 
     /** Throws InputError if there are places and the rail lies on no pads. */
-    void check(const SceneParameters &scene) const;
+    void check(const BodyParameters &rail) const;
 
     /** The scene at each place; the scene as it is if there are none. Throws
      * InputError if a place is not possible. */
