@@ -2,6 +2,7 @@
 #include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/scene/entries.h>
+#include <rolling_contact/scene/scene_parameters.h>
 #include <rolling_contact/scene/sound_parameters.h>
 #include <rolling_contact/scene/time_parameters.h>
 
