@@ -6,7 +6,6 @@
 #include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/pair/split_choice.h>
 #include <rolling_contact/run/progress.h>
 #include <rolling_contact/scene/shared_rules.h>
 
@@ -35,7 +34,7 @@ namespace RollingContact
     , section(scene.inputs->own<CorrugationParameters>())
     , wavelengths(section.wavelengths_round(scene.wheel.radius))
     , speeds(section.speeds_or(std::abs(scene.contact.rolling_speed())))
-    , split_bodies(std::make_shared<SplitBodies>())
+    , split_bodies(keep_split_bodies())
   {}
 
   template <int dim>

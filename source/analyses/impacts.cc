@@ -4,7 +4,6 @@
 #include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/pair/patch_estimate.h>
 #include <rolling_contact/results/bodies_report.h>
 #include <rolling_contact/results/rough_state.h>
 #include <rolling_contact/run/progress.h>

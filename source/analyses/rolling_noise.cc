@@ -8,7 +8,6 @@
 #include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/pair/split_choice.h>
 #include <rolling_contact/scene/shared_rules.h>
 #include <rolling_contact/time/a_weighting.h>
 #include <rolling_contact/time/radiating_surface.h>
@@ -36,7 +35,7 @@ namespace RollingContact
     , speeds(section.speeds_or(std::abs(scene.contact.rolling_speed())))
     , air(air_of(scene.inputs->sound))
     , roughness(roughness_of(scene))
-    , split_bodies(std::make_shared<SplitBodies>())
+    , split_bodies(keep_split_bodies())
   {}
 
   std::vector<Signals::ThirdOctave>

@@ -4,6 +4,11 @@
 
 namespace RollingContact
 {
+  std::shared_ptr<SplitBodies> keep_split_bodies()
+  {
+    return std::make_shared<SplitBodies>();
+  }
+
   StateDemands demands_in_time(const PairDemands &pair)
   {
     StateDemands demands;

@@ -1,7 +1,6 @@
 #ifndef rolling_contact_analyses_disturbed_state_h
 #define rolling_contact_analyses_disturbed_state_h
 
-#include <rolling_contact/pair/pair_demands.h>
 #include <rolling_contact/run/run_context.h>
 #include <rolling_contact/scene/situation.h>
 #include <rolling_contact/stability/linear_contact.h>
