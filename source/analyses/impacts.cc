@@ -211,9 +211,8 @@ namespace RollingContact
           const auto        dent  = dent_named(entry, surfaces.height[side]);
           if (!dent)
             continue;
-          const std::string given = entry + " = " + surfaces.height[side];
-          const double      before =
-            dent->length / 2 + 2 * estimate_patch(scene).half_width_x;
+          const std::string given  = entry + " = " + surfaces.height[side];
+          const double      before = dent->length; // of eight elements or more
           if (std::abs(surfaces.position) < before)
             throw InputError(
               "Surfaces/Position = " + text_of(surfaces.position) + ": " +
