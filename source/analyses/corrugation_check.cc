@@ -28,7 +28,9 @@ namespace RollingContact
     {
       return "in time " + significant(std::abs(it.ratio()), 5) +
              " times the growth of a small wave, " +
-             significant(it.phase(), 2) + " degrees ahead of it";
+             significant(it.phase(), 2) + " degrees ahead of it, " +
+             std::to_string(it.in_time.n_changed) +
+             " nodes changing between open, stick and slip";
     }
   } // namespace
 
@@ -144,6 +146,7 @@ namespace RollingContact
                   std::arg(it.in_time.load / it.load) * 180 / pi);
         table.set("n_periods", it.in_time.n_periods);
         table.set("change", it.in_time.change);
+        table.set("n_changed", it.in_time.n_changed);
         table.end_row();
       }
     table.flush();

@@ -82,7 +82,8 @@ namespace RollingContact
 
       void set_loads(const double time);
 
-      Complex wear(const double time) const;
+      Complex wear(const TangentialProblem &tangential,
+                   const double             time) const;
 
       const FollowedWave             wave;
       const std::vector<double>     &lengths;
@@ -249,11 +250,11 @@ namespace RollingContact
       motion.end_step(nodal_forces(problem, state));
     }
 
-    Complex Passage::wear(const double time) const
+    Complex Passage::wear(const TangentialProblem &tangential,
+                          const double             time) const
     {
-      const NodalField slip =
-        tangential_problem(problem, state).mean_slip(state);
-      Complex sum = 0.;
+      const NodalField slip = tangential.mean_slip(state);
+      Complex          sum  = 0.;
       for (unsigned int i = 0; i < problem.n_nodes(); ++i)
         {
           double power = 0.; // over V
@@ -267,7 +268,9 @@ namespace RollingContact
 
     WaveInTime Passage::period()
     {
-      WaveInTime result;
+      WaveInTime             result;
+      std::vector<NodeState> first;
+      std::vector<bool>      changed(problem.n_nodes(), false);
       for (unsigned int step = 0; step < wave.n_steps; ++step)
         {
           throw_if_interrupted();
@@ -280,9 +283,16 @@ namespace RollingContact
                i < forces.size();
                ++i)
             load += forces[i];
-          result.growth += wear(time);
+          const TangentialProblem tangential =
+            tangential_problem(problem, state);
+          result.growth += wear(tangential, time);
+          const auto now = node_states(tangential, state);
+          first          = first.empty() ? now : first;
+          for (std::size_t i = 0; i < now.size(); ++i)
+            changed[i] = changed[i] || now[i] != first[i];
           result.load += load * std::exp(-s * time);
         }
+      result.n_changed = std::count(changed.begin(), changed.end(), true);
       result.growth *= 2 / (wave.n_steps * wave.amplitude);
       result.load *= 2 / (wave.n_steps * wave.amplitude);
       return result;

@@ -44,6 +44,9 @@ namespace RollingContact
     unsigned int         n_periods = 0;
     double change  = 0.;    ///< of growth in the last period, over its size
     bool   settled = false; ///< whether that is small
+    /** Nodes that were open, stuck or slid in a part of that period alone. With
+     * none of them the answer to the wave is nearly linear. */
+    unsigned int n_changed = 0;
   };
 
   /**
