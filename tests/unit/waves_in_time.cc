@@ -6,8 +6,8 @@
 
 #include <rolling_contact/analyses/corrugation_check.h>
 #include <rolling_contact/analyses/disturbed_waves.h>
+#include <rolling_contact/analyses/wave_in_time.h>
 #include <rolling_contact/base/constants.h>
-#include <rolling_contact/time/wave_in_time.h>
 #include <rolling_contact/vibration/vibrations.h>
 
 #include <cmath>

@@ -2,10 +2,10 @@
 #define rolling_contact_analyses_corrugation_check_h
 
 #include <rolling_contact/analyses/corrugation_parameters.h>
+#include <rolling_contact/analyses/wave_in_time.h>
 #include <rolling_contact/run/run_context.h>
 #include <rolling_contact/scene/situation.h>
 #include <rolling_contact/state/steady_state.h>
-#include <rolling_contact/time/wave_in_time.h>
 
 #include <complex>
 #include <optional>

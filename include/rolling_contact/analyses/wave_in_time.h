@@ -1,5 +1,5 @@
-#ifndef rolling_contact_time_wave_in_time_h
-#define rolling_contact_time_wave_in_time_h
+#ifndef rolling_contact_analyses_wave_in_time_h
+#define rolling_contact_analyses_wave_in_time_h
 
 #include <rolling_contact/solvers/contact_solver.h>
 #include <rolling_contact/stability/wave_sweep.h>

@@ -1,3 +1,4 @@
+#include <rolling_contact/analyses/wave_in_time.h>
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/interrupt.h>
@@ -5,7 +6,6 @@
 #include <rolling_contact/contact/resultants.h>
 #include <rolling_contact/state/steady_state.h>
 #include <rolling_contact/time/patch_friction.h>
-#include <rolling_contact/time/wave_in_time.h>
 #include <rolling_contact/vibration/reduced_motion.h>
 
 #include <algorithm>
