@@ -175,8 +175,11 @@ BOOST_AUTO_TEST_CASE(cells_are_counted_before_they_are_made)
 
 BOOST_AUTO_TEST_CASE(compliance_is_symmetric_positive_and_equals_recovery)
 {
-  DirectBody<2> body(disc(0.46, 0.08), {210e9, 0.3}, 0.02, grading(12, 0.4));
-  const Surface surface(body);
+  DirectBody<2>                   body(disc(0.46, 0.08),
+                     Material{210e9, 0.3},
+                     0.02,
+                     grading(12, 0.4));
+  const Surface                   surface(body);
   const std::vector<unsigned int> components{0, 1};
   const DenseMatrix   W = body.compliance(surface.nodes, components);
   const std::size_t   n = surface.nodes.size();
@@ -198,7 +201,10 @@ BOOST_AUTO_TEST_CASE(compliance_is_symmetric_positive_and_equals_recovery)
 
 BOOST_AUTO_TEST_CASE(mirroring_x_mirrors_the_compliance)
 {
-  DirectBody<2>     body(disc(0.46, 0.08), {210e9, 0.3}, 1., grading(12, 0.4));
+  DirectBody<2>     body(disc(0.46, 0.08),
+                     Material{210e9, 0.3},
+                     1.,
+                     grading(12, 0.4));
   const Surface     surface(body);
   const DenseMatrix W       = body.compliance(surface.nodes, {0, 1});
   const std::size_t n       = surface.nodes.size();
@@ -289,7 +295,7 @@ BOOST_AUTO_TEST_CASE(twins)
 BOOST_AUTO_TEST_CASE(bulk_refinement_marks_the_cells_of_the_largest_jumps)
 {
   const Grading<2>    zone = grading(24, 0.5);
-  const DirectBody<2> body(disc(0.46, 0.08), {210e9, 0.3}, 1., zone);
+  const DirectBody<2> body(disc(0.46, 0.08), Material{210e9, 0.3}, 1., zone);
   const auto         &dofs = body.dof_handler();
   BodyField           displacement(dofs.n_dofs());
   for (const auto &cell : dofs.active_cell_iterators())

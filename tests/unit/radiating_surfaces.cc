@@ -38,7 +38,7 @@ namespace
     grading.zone_depth              = 5e-3;
     grading.growth                  = 0.7;
     return DirectBody<3>(make_body_shape(shape, parameters),
-                         {210e9, 0.3, 7850.},
+                         Material{210e9, 0.3, 7850.},
                          1.,
                          grading);
   }

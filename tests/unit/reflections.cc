@@ -63,7 +63,7 @@ namespace
              const BodyModel                        &model,
              const Grading<3>                       &grading,
              const double                            cut_off)
-      : body(shape, {210e9, 0.3, 7850.}, 0.1, grading, true, model)
+      : body(shape, Material{210e9, 0.3, 7850.}, 0.1, grading, true, model)
       , K(body.stiffness())
       , M(body.mass())
       , planes(body_reflections(BodyPlaces(body), K, M))
@@ -263,7 +263,7 @@ BOOST_AUTO_TEST_CASE(bodies_that_are_not_even_are_not_taken_for_it)
   BodyModel axle;
   axle.hub_mass = {300., {{40., 12., 40.}}};
   const DirectBody<3> hung(
-    block(Hub::mass), {210e9, 0.3, 7850.}, 0.1, cells, true, axle);
+    block(Hub::mass), Material{210e9, 0.3, 7850.}, 0.1, cells, true, axle);
   BOOST_TEST(
     body_reflections(BodyPlaces(hung), hung.stiffness(), hung.mass()).empty());
 
@@ -279,7 +279,7 @@ BOOST_AUTO_TEST_CASE(bodies_that_are_not_even_are_not_taken_for_it)
         std::make_pair(grading.of_coupled_body(), 2u)})
     {
       const DirectBody<3> body(
-        block(Hub::clamped), {210e9, 0.3, 7850.}, 0.1, it, true, {});
+        block(Hub::clamped), Material{210e9, 0.3, 7850.}, 0.1, it, true, {});
       BOOST_TEST(
         body_reflections(BodyPlaces(body), body.stiffness(), body.mass())
           .size() == n_planes);

@@ -164,7 +164,7 @@ BOOST_AUTO_TEST_CASE(a_wheel_gives_way_alike_at_all_angles)
     return vertices;
   };
   DirectBody<3> body(shape_of(plate(n)),
-                     {210e9, 0.3},
+                     Material{210e9, 0.3},
                      0.,
                      Grading<3>::unrefined());
   const auto    vertices = at_rim(body);
