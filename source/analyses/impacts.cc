@@ -56,6 +56,23 @@ namespace RollingContact
   }
 
   template <int dim>
+  void Impacts<dim>::warn_of_edges() const
+  {
+    for (const Side side : both_sides)
+      {
+        const std::string entry  = SurfaceParameters::entry(side),
+                          height = scene.surfaces.height[side];
+        const auto dent          = dent_named(entry, height);
+        if (dent && dent->kind == Dent::Kind::flat)
+          context.log.warning(
+            entry + " = " + height +
+            ": pressures on the edges of a fresh flat grow with finer elements "
+            "without limit, so that largest_pressure_Pa is that of this mesh; "
+            "edges are rolled round soon, take dip : LENGTH, DEPTH.");
+      }
+  }
+
+  template <int dim>
   void Impacts<dim>::run()
   {
     if (!bodies_touch(scene))
@@ -65,6 +82,7 @@ namespace RollingContact
                                       impact_demands(),
                                       context);
     describe_bodies(bodies.base, context);
+    warn_of_edges();
     context.log.message(std::to_string(speeds.size()) +
                         (speeds.size() == 1 ? " speed." : " speeds."));
     std::vector<Impact> impacts;

@@ -27,6 +27,9 @@ namespace RollingContact
   private:
     Situation scene_at(const double speed) const;
 
+    /** Pressures on the edges of a flat have no limit. */
+    void warn_of_edges() const;
+
     Impact impact_at(const double speed) const;
 
     /** The steps of a run. */
