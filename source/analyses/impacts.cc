@@ -38,8 +38,8 @@ namespace RollingContact
       return step;
     }
 
-    /// times the largest difference, by which steps may be off: none of 80
-    /// random runs was off by more than half of what this gives
+    /// times the largest difference, by which steps may be off: of 80 random
+    /// runs all were within 0.72 of what this gives
     const double safety = 1.5;
 
     /**
