@@ -238,4 +238,40 @@ BOOST_AUTO_TEST_CASE(an_axle_is_a_mass_on_the_spring_of_the_contact)
     }
 }
 
+/**
+ * What the contact gives wheel and axle changes the velocity of their centre of
+ * mass, however the wheel vibrates on the axle.
+ */
+BOOST_AUTO_TEST_CASE(wheel_and_axle_have_the_impulse_of_the_contact)
+{
+  const double V = 40., h = 1e-5, steel = 7800.;
+  TimeRun<3>   run([&](SceneParameters &scene) {
+    set_light_bodies(scene);
+    for (BodyParameters *body : {&scene.wheel, &scene.rail})
+      body->material.density = steel;
+    scene.wheel.model.hub_mass    = {50., {{5., 1., 5.}}};
+    scene.modes.maximum_frequency = 3000.;
+    scene.surfaces.height.rail    = "dip : 0.1, 0.05e-3";
+    scene.surfaces.position       = -0.06;
+    scene.mesh.candidate_zone     = 2.;
+    scene.contact.speed           = V;
+    scene.time.time_step          = h;
+    scene.time.end_time           = 300 * h;
+  });
+  const double at_rest = run.stepper->current().problem.operators.resultant(
+                 run.stepper->current().state.pressure),
+               m = 50. + steel * pi * (0.46 * 0.46 - 0.15 * 0.15) * 0.1;
+  double impulse = 0., fastest = 0., off = 0.;
+  for (unsigned int k = 0; k < 300; ++k)
+    {
+      run.march(1);
+      impulse += (run.stepper->current().result.normal_force - at_rest) * h;
+      fastest = std::max(fastest, std::abs(*run.last.wheel_velocity));
+      off     = std::max(off, std::abs(*run.last.wheel_velocity - impulse / m));
+    }
+  BOOST_TEST_MESSAGE("velocity off by " << off << " of " << fastest << " m/s");
+  BOOST_TEST(off <
+             0.01 * fastest); // the mesh of the wheel weighs a little less
+}
+
 BOOST_AUTO_TEST_SUITE_END()
