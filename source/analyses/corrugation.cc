@@ -1,5 +1,4 @@
 #include <rolling_contact/analyses/corrugation.h>
-#include <rolling_contact/analyses/disturbed_state.h>
 #include <rolling_contact/analyses/disturbed_waves.h>
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/base/exceptions.h>
@@ -34,7 +33,6 @@ namespace RollingContact
     , section(scene.inputs->own<CorrugationParameters>())
     , wavelengths(section.wavelengths_round(scene.wheel.radius))
     , speeds(section.speeds_or(std::abs(scene.contact.rolling_speed())))
-    , split_bodies(keep_split_bodies())
   {}
 
   template <int dim>
@@ -135,15 +133,10 @@ namespace RollingContact
     const std::optional<double> pad_offset = pad_offset_of(at);
     if (pad_offset && !section.pad_offsets.empty())
       context.log.message("Pads at " + significant(*pad_offset, 4) + " m.");
-    SteadyState<dim> steady = disturbed_state<dim>(at, context, split_bodies);
+    SteadyState<dim> steady = track.state_at(at, context);
     require_elements(steady);
-    modal = std::make_unique<ModalBodies<dim>>(at,
-                                               at.inputs->modes,
-                                               steady.pair->bodies(),
-                                               at.inputs->modes.cut_off(),
-                                               context,
-                                               modal.get());
-    const RollingModes<dim> rolling(*modal,
+    const ModalBodies<dim> &modal = track.modes_of(steady, at, context);
+    const RollingModes<dim> rolling(modal,
                                     *steady.pair,
                                     steady.problem.operators.W().dense());
     PhaseTimer::Scope       phase(context.timer, Phase::response);

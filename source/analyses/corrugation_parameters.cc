@@ -115,8 +115,6 @@ namespace RollingContact
 
   std::vector<double> CorrugationParameters::speeds_or(const double given) const
   {
-    return speeds.empty()
-             ? std::vector<double>{given}
-             : positive_numbers("Corrugation/Speeds", speeds, "m/s");
+    return RollingContact::speeds_or(given, "Corrugation/Speeds", speeds);
   }
 } // namespace RollingContact

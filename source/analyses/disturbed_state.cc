@@ -21,10 +21,35 @@ namespace RollingContact
   } // namespace
 
   template <int dim>
-  SteadyState<dim>
-  disturbed_state(const Situation                    &scene,
-                  RunContext                         &context,
-                  const std::shared_ptr<SplitBodies> &split_bodies)
+  SteadyState<dim> disturbed_state(const Situation &scene, RunContext &context)
+  {
+    return DisturbedPlaces<dim>().state_at(scene, context);
+  }
+
+  template <int dim>
+  DisturbedPlaces<dim>::DisturbedPlaces()
+    : split_bodies(std::make_shared<SplitBodies>())
+  {}
+
+  template <int dim>
+  const ModalBodies<dim> &
+  DisturbedPlaces<dim>::modes_of(const SteadyState<dim> &steady,
+                                 const Situation        &place,
+                                 RunContext             &context)
+  {
+    const ModesParameters &wanted = place.inputs->modes;
+    modes                         = std::make_unique<ModalBodies<dim>>(place,
+                                               wanted,
+                                               steady.pair->bodies(),
+                                               wanted.cut_off(),
+                                               context,
+                                               modes.get());
+    return *modes;
+  }
+
+  template <int dim>
+  SteadyState<dim> DisturbedPlaces<dim>::state_at(const Situation &scene,
+                                                  RunContext      &context)
   {
     if (!bodies_touch(scene))
       throw InputError("Analysis = " + scene.inputs->analysis.name +
@@ -63,10 +88,8 @@ namespace RollingContact
                   name_of(kind) + " does not know; take calibrated.");
   }
 
-  template SteadyState<2> disturbed_state(const Situation &,
-                                          RunContext &,
-                                          const std::shared_ptr<SplitBodies> &);
-  template SteadyState<3> disturbed_state(const Situation &,
-                                          RunContext &,
-                                          const std::shared_ptr<SplitBodies> &);
+  template SteadyState<2> disturbed_state(const Situation &, RunContext &);
+  template SteadyState<3> disturbed_state(const Situation &, RunContext &);
+  template class DisturbedPlaces<2>;
+  template class DisturbedPlaces<3>;
 } // namespace RollingContact

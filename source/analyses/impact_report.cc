@@ -1,6 +1,7 @@
 #include <rolling_contact/analyses/impact_report.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/run/figure.h>
+#include <rolling_contact/run/history_table.h>
 
 #include <algorithm>
 #include <cmath>
@@ -132,22 +133,14 @@ namespace RollingContact
                context.report);
   }
 
-  void write_history(const Impact &impact, RunContext &context)
+  void write_history(const Impact                   &impact,
+                     const std::vector<std::string> &columns,
+                     RunContext                     &context)
   {
-    ResultsTable table(context.folder, history_file);
-    for (const ImpactStep &it : impact.steps)
-      {
-        table.set("time_s", it.time);
-        table.set("rolled_m", it.rolled);
-        table.set("normal_force_N", it.load);
-        table.set("max_pressure_Pa", it.pressure);
-        table.set("surface_height_m", it.height);
-        table.set("velocity_z_m/s", it.contact_rate);
-        if (it.wheel_velocity)
-          table.set("wheel_velocity_m/s", *it.wheel_velocity);
-        table.end_row();
-      }
-    table.flush();
+    HistoryTable table(context.folder, history_file, columns, false);
+    for (const std::vector<double> &row : impact.run.rows)
+      table.add_row(row);
+    table.publish();
   }
 
   void plot_impacts(const std::vector<Impact> &impacts, RunContext &context)
@@ -161,7 +154,7 @@ namespace RollingContact
         pressures.push_back(impact.extremes().largest_pressure.pressure /
                             impact.at_rest.pressure);
       }
-    for (const ImpactStep &it : worst.steps)
+    for (const ImpactStep &it : worst.run.steps)
       {
         rolled.push_back(it.rolled);
         load.push_back(it.load / worst.at_rest.load);

@@ -4,9 +4,11 @@
 #include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/text.h>
+#include <rolling_contact/input/number_list.h>
 #include <rolling_contact/results/bodies_report.h>
 #include <rolling_contact/results/rough_state.h>
 #include <rolling_contact/run/progress.h>
+#include <rolling_contact/scene/entries.h>
 #include <rolling_contact/scene/scene_entries.h>
 #include <rolling_contact/scene/time_function.h>
 #include <rolling_contact/surfaces/dent.h>
@@ -17,22 +19,31 @@
 
 namespace RollingContact
 {
+  void ImpactParameters::declare(Entries &entries)
+  {
+    entries.section("Impact").read_by_analyses("impact");
+    entries.add("Speeds", speeds, "m/s").help =
+      "Rolling speeds, each a run of its own of section Time, " +
+      std::string(number_list_form) +
+      "; they have the direction of Contact/Speed, which alone is taken where "
+      "this is empty.";
+  }
+
+  void ImpactParameters::check() const
+  {
+    speeds_or(1.);
+  }
+
+  std::vector<double> ImpactParameters::speeds_or(const double given) const
+  {
+    return RollingContact::speeds_or(given, "Impact/Speeds", speeds);
+  }
+
   namespace
   {
-    StateDemands impact_demands()
+    ImpactStep step_of(const Resultants &now)
     {
-      StateDemands demands       = demands_in_time(PairDemands());
-      demands.pair.displacements = true;
-      demands.pair.modes         = true;
-      return demands;
-    }
-
-    template <int dim>
-    ImpactStep contact_now(const ContactStepper<dim> &stepper)
-    {
-      const SteadyState<dim> &contact = stepper.current();
-      const Resultants        now = resultants(contact.problem, contact.state);
-      ImpactStep              step;
+      ImpactStep step;
       step.load     = now.normal_force;
       step.pressure = now.max_pressure;
       return step;
@@ -117,7 +128,7 @@ namespace RollingContact
       throw InputError("Analysis = impact needs bodies that touch: give "
                        "Contact/Approach or Contact/Normal load above 0.");
     bodies = make_reduced_bodies<dim>(scene_at(speeds.front()),
-                                      impact_demands(),
+                                      PairDemands(),
                                       context);
     describe_bodies(bodies.base, context);
     warn_of_edges();
@@ -140,7 +151,7 @@ namespace RollingContact
                                                       "largest_pressure/"
                                                       "at_rest"}));
     note_impacts(impacts, context);
-    write_history(worst_of(impacts), context);
+    write_history(worst_of(impacts), HistoryRows(scene).names(), context);
     if (scene.inputs->output.plot)
       plot_impacts(impacts, context);
   }
@@ -164,37 +175,37 @@ namespace RollingContact
     impact.speed   = speed;
     impact.step    = steps.length;
     impact.n_steps = steps.number;
-    impact.at_rest = contact_now(stepper);
+    impact.at_rest =
+      step_of(resultants(stepper.current().problem, stepper.current().state));
     Checkpoint start;
     stepper.save(start);
-    impact.steps = march_over(steps, stepper);
-    estimate(steps, start, stepper, impact);
+    const HistoryRows columns(here);
+    impact.run = march_over(steps, columns, stepper);
+    estimate(steps, columns, start, stepper, impact);
     return impact;
   }
 
   template <int dim>
-  std::vector<ImpactStep>
-  Impacts<dim>::march_over(const TimeSteps     &steps,
-                           ContactStepper<dim> &stepper) const
+  ImpactRun Impacts<dim>::march_over(const TimeSteps     &steps,
+                                     const HistoryRows   &columns,
+                                     ContactStepper<dim> &stepper) const
   {
-    std::vector<ImpactStep> found;
-    TransientProgress       progress;
-    const PhaseTimer::Scope phase(context.timer, Phase::contact_solve);
+    ImpactRun         found;
+    TransientProgress progress;
     stepper.set_time_step(steps.length);
     march<dim>({steps}, stepper, progress, {[&](const StepOutcome &outcome) {
-                 ImpactStep now     = contact_now(stepper);
-                 now.time           = progress.time - outcome.force_lag;
-                 now.rolled         = progress.rolled_distance;
-                 now.height         = outcome.surface_height;
-                 now.contact_rate   = outcome.contact_velocity[2];
-                 now.wheel_velocity = outcome.wheel_velocity;
-                 found.push_back(now);
+                 ImpactStep now = step_of(stepper.current().result);
+                 now.time       = progress.time - outcome.force_lag;
+                 now.rolled     = progress.rolled_distance;
+                 found.steps.push_back(now);
+                 found.rows.push_back(columns.row(stepper, outcome, progress));
                }});
     return found;
   }
 
   template <int dim>
   void Impacts<dim>::estimate(const TimeSteps     &steps,
+                              const HistoryRows   &columns,
                               const Checkpoint    &start,
                               ContactStepper<dim> &stepper,
                               Impact              &impact) const
@@ -204,13 +215,14 @@ namespace RollingContact
     try
       {
         stepper.restore(start);
-        const auto   other = march_over(longer, stepper);
+        const auto   other = march_over(longer, columns, stepper).steps;
         const double share = safety / (longer.length / steps.length - 1);
         impact.load_error =
-          share * largest_difference(impact.steps, other, &ImpactStep::load);
+          share *
+          largest_difference(impact.run.steps, other, &ImpactStep::load);
         impact.pressure_error =
           share *
-          largest_difference(impact.steps, other, &ImpactStep::pressure);
+          largest_difference(impact.run.steps, other, &ImpactStep::pressure);
       }
     catch (const ConvergenceError &failure)
       {
@@ -246,6 +258,17 @@ namespace RollingContact
       if (!time.normal_load.empty() || !time.approach.empty())
         throw InputError(why + "Time/Normal load and Approach would drive the "
                                "wheel beside the surfaces; leave them empty.");
+      const double fastest =
+        scene.inputs->own<ImpactParameters>()
+          .speeds_or(std::abs(scene.contact.rolling_speed()))
+          .back();
+      const TimeSteps steps = time.steps(TimeFunction(fastest));
+      if (steps.number < fewest_steps)
+        throw InputError(why + "a run at " + significant(fastest, 3) +
+                         " m/s has " + std::to_string(steps.number) +
+                         " steps of " + significant(steps.length, 4) +
+                         " s, and longer ones tell its error; take a shorter "
+                         "Time/Time step or Step length.");
       if (scene.mesh.adaptive_levels > 0 || scene.mesh.target_error)
         throw InputError(why + "Mesh/Adaptive levels and Target error are not "
                                "for it; give Mesh/Elements across patch.");
@@ -299,10 +322,9 @@ namespace RollingContact
         return {};
       return {{"Impact/Speeds", "Contact/Speed", section.speeds_or(1.)}};
     };
-    kind.marches              = true;
-    kind.has_row_for_each_run = true;
-    kind.on_ranks             = false;
-    kind.check_situation      = &check_impact;
+    kind.marches         = true;
+    kind.on_ranks        = false;
+    kind.check_situation = &check_impact;
     return kind;
   }
 } // namespace RollingContact

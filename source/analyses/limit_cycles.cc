@@ -21,16 +21,6 @@
 
 namespace RollingContact
 {
-  namespace
-  {
-    StateDemands cycle_demands()
-    {
-      StateDemands demands = demands_in_time(PairDemands());
-      demands.pair.modes   = true;
-      return demands;
-    }
-  } // namespace
-
   template <int dim>
   LimitCycles<dim>::LimitCycles(const Situation &scene, RunContext &context)
     : scene(scene)
@@ -43,7 +33,7 @@ namespace RollingContact
   {
     const auto first = sweep_runs(section, 1).front();
     bodies =
-      make_reduced_bodies<dim>(scene_at(first.value), cycle_demands(), context);
+      make_reduced_bodies<dim>(scene_at(first.value), PairDemands(), context);
     modes = std::make_unique<RollingModes<dim>>(
       *bodies.modes,
       *bodies.base.pair,
@@ -122,7 +112,7 @@ namespace RollingContact
     {
       PhaseTimer::Scope phase(context.timer, Phase::contact_solve);
       steady.pair->set_loads(scene.contact, steady.problem);
-      solve_contact(scene, cycle_demands(), steady);
+      solve_contact(scene, demands_in_time(PairDemands()), steady);
     }
     if (!steady.solver.converged)
       throw ConvergenceError(
@@ -287,12 +277,11 @@ namespace RollingContact
         return {};
       return {{"Limit cycle/Values", cycle.axis_entry(), cycle.axis_values()}};
     };
-    kind.marches              = true;
-    kind.until_periodic       = true;
-    kind.has_row_for_each_run = true;
-    kind.on_ranks             = false;
-    kind.rules                = {&check_limit_cycle};
-    kind.resumption           = [](const Situation &scene) {
+    kind.marches        = true;
+    kind.until_periodic = true;
+    kind.on_ranks       = false;
+    kind.rules          = {&check_limit_cycle};
+    kind.resumption     = [](const Situation &scene) {
       return RunFolder::Resumption{entries_free_on_resume(*scene.inputs),
                                    "limit_cycle_state.txt",
                                    {},

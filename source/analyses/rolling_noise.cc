@@ -1,5 +1,4 @@
 #include <rolling_contact/algebra/adaptive_integral.h>
-#include <rolling_contact/analyses/disturbed_state.h>
 #include <rolling_contact/analyses/disturbed_waves.h>
 #include <rolling_contact/analyses/rolling_noise.h>
 #include <rolling_contact/analyses/roughness_bands.h>
@@ -35,7 +34,6 @@ namespace RollingContact
     , speeds(section.speeds_or(std::abs(scene.contact.rolling_speed())))
     , air(air_of(scene.inputs->sound))
     , roughness(roughness_of(scene))
-    , split_bodies(keep_split_bodies())
   {}
 
   std::vector<Signals::ThirdOctave>
@@ -209,7 +207,7 @@ namespace RollingContact
 
   std::vector<NoiseOfSpeed> RollingNoise::noise_at(const Situation &at)
   {
-    SteadyState<3> steady = disturbed_state<3>(at, context, split_bodies);
+    SteadyState<3> steady = track.state_at(at, context);
     load                  = steady.result.normal_force;
     const double resolved =
       least_elements_of_wave * steady.grading.element_size_x;
@@ -222,20 +220,15 @@ namespace RollingContact
         roughness.shortest = resolved;
       }
     require_bands(scene, roughness, speeds);
-    modal = std::make_unique<ModalBodies<3>>(at,
-                                             at.inputs->modes,
-                                             steady.pair->bodies(),
-                                             at.inputs->modes.cut_off(),
-                                             context,
-                                             modal.get());
-    const RollingModes<3> rolling(*modal,
+    const ModalBodies<3> &modal = track.modes_of(steady, at, context);
+    const RollingModes<3> rolling(modal,
                                   *steady.pair,
                                   steady.problem.operators.W().dense());
     find_radiators(rolling);
     PhaseTimer::Scope phase(context.timer, Phase::response);
     const auto        reduced = [&](const double speed) {
       ReducedPair pair = rolling.reduced(conditions_of_waves(at, speed));
-      if (const auto *rail = modal->body(Side::rail);
+      if (const auto *rail = modal.body(Side::rail);
           rail != nullptr && rail->is_without_ends())
         pair.watched = rolling.relative_motions_of_waves(Side::rail);
       return pair;

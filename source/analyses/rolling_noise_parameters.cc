@@ -61,8 +61,6 @@ namespace RollingContact
   std::vector<double>
   RollingNoiseParameters::speeds_or(const double given) const
   {
-    return speeds.empty()
-             ? std::vector<double>{given}
-             : positive_numbers("Rolling noise/Speeds", speeds, "m/s");
+    return RollingContact::speeds_or(given, "Rolling noise/Speeds", speeds);
   }
 } // namespace RollingContact

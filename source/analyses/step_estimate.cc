@@ -9,11 +9,6 @@
 
 namespace RollingContact
 {
-  namespace
-  {
-    const std::uint64_t fewest_steps = 4; // of a run, for half as many
-  }
-
   TimeSteps steps_of_twice_the_length(const TimeSteps &steps)
   {
     const std::uint64_t number = std::max<std::uint64_t>(1, steps.number / 2);

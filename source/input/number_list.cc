@@ -82,4 +82,12 @@ namespace RollingContact
                        " is among them; give numbers above 0 " + unit + ".");
     return numbers;
   }
+
+  std::vector<double> speeds_or(const double       given,
+                                const std::string &entry,
+                                const std::string &text)
+  {
+    return text.empty() ? std::vector<double>{given}
+                        : positive_numbers(entry, text, "m/s");
+  }
 } // namespace RollingContact

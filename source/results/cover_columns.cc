@@ -1,33 +1,10 @@
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/contact/recovered_tractions.h>
 #include <rolling_contact/pair/layered_bodies.h>
 #include <rolling_contact/results/cover_columns.h>
-
-#include <cmath>
+#include <rolling_contact/results/reference_2d.h>
 
 namespace RollingContact
 {
-  namespace
-  {
-    double pressure_difference(const SteadyState<2>          &steady,
-                               const References::LayeredLine &line)
-    {
-      const std::vector<double> pressure =
-        recovered_tractions(steady.problem, steady.state).pressure;
-      const auto &at  = steady.problem.operators.positions();
-      double      sum = 0., previous = 0.;
-      for (std::size_t i = 0; i < pressure.size(); ++i)
-        {
-          const double square =
-            std::pow(pressure[i] - line.pressure(at[i][0]), 2);
-          if (i > 0)
-            sum += (at[i][0] - at[i - 1][0]) * (previous + square) / 2;
-          previous = square;
-        }
-      return std::sqrt(sum / line.half_width) / line.pressure(0.);
-    }
-  } // namespace
-
   std::optional<CoverReference> cover_reference(const PairSpec       &scene,
                                                 const SteadyState<2> &steady)
   {
@@ -35,24 +12,20 @@ namespace RollingContact
         scene.surfaces.in_use() || !steady.solver.converged ||
         !(steady.result.normal_force > 0.))
       return {};
-    const double   load = steady.result.normal_force / scene.thickness();
-    CoverReference reference{
-      layered_line_contact(scene, load, References::LineFriction::none),
-      {},
-      {},
-      {}};
+    const Reference2D reference = reference_2d(scene, steady);
+    CoverReference    found{*reference.layered, {}, {}, {}};
     if (steady.problem.n_tangential() > 0)
       {
-        reference.rolling =
-          layered_line_contact(scene, load, References::LineFriction::sticks);
+        found.rolling =
+          layered_line_contact(scene,
+                               steady.result.normal_force / scene.thickness(),
+                               References::LineFriction::sticks);
         // a stretched wheel passes more slowly than its radius has it
-        reference.creepage =
-          -scene.contact.flow() * reference.rolling->creepage;
+        found.creepage = -scene.contact.flow() * found.rolling->creepage;
       }
     else
-      reference.pressure_l2 =
-        pressure_difference(steady, reference.frictionless);
-    return reference;
+      found.pressure_l2 = errors_2d(scene, steady, reference).pressure_l2;
+    return found;
   }
 
   void set_cover_columns(const PairSpec       &scene,

@@ -167,7 +167,7 @@ namespace RollingContact
     };
     refuse(!analysis.has_bodies || !analysis.has_contact ||
              analysis.linearises || analysis.has_own_meshes ||
-             analysis.until_periodic || analysis.wears_profiles,
+             analysis.has_row_for_each_run() || analysis.wears_profiles,
            given +
              ": Analysis = quasi-static, creep curve, load curve, table "
              "and transient take covers; for " +

@@ -36,7 +36,7 @@ namespace RollingContact
 
     const Reader recorded_runs{
       asks<AnalysisTraits>(
-        [](const auto &analysis) { return !analysis.has_row_for_each_run; }),
+        [](const auto &analysis) { return !analysis.has_row_for_each_run(); }),
       "this analysis says itself when a run ends, and has a row for each"};
     const Reader runs_to_their_end{
       [](const SceneParameters &scene) {

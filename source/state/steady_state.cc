@@ -4,11 +4,6 @@
 
 namespace RollingContact
 {
-  std::shared_ptr<SplitBodies> keep_split_bodies()
-  {
-    return std::make_shared<SplitBodies>();
-  }
-
   StateDemands demands_in_time(const PairDemands &pair)
   {
     StateDemands demands;

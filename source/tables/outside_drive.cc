@@ -124,6 +124,10 @@ namespace RollingContact
       reject(approach,
              "the scene gives the load, in place of which no approach can be "
              "given; give normal_load in N, or a scene with Contact/Approach.");
+    if (values[approach] && scene->wheel.axle_mass)
+      reject(approach,
+             "with Wheel/Hub = mass the axle moves by the forces on it; leave "
+             "the approach out, or give a scene with Hub = clamped.");
     if (values[speed] && scene->surfaces.in_use())
       reject(speed,
              "surfaces pass at the speed of the scene, and what has passed is "

@@ -254,12 +254,14 @@ namespace RollingContact
   } // namespace
 
   template <int dim>
-  ReducedBodies<dim> make_reduced_bodies(const Situation    &scene,
-                                         const StateDemands &demands,
-                                         RunContext         &context)
+  ReducedBodies<dim> make_reduced_bodies(const Situation   &scene,
+                                         const PairDemands &demands,
+                                         RunContext        &context)
   {
+    StateDemands in_time = demands_in_time(demands);
+    in_time.pair.modes   = true;
     ReducedBodies<dim> bodies;
-    bodies.base = solve_steady_state<dim>(scene, demands, context);
+    bodies.base = solve_steady_state<dim>(scene, in_time, context);
     bodies.modes =
       std::make_shared<ModalBodies<dim>>(scene,
                                          scene.inputs->modes,
@@ -325,12 +327,10 @@ namespace RollingContact
     StateDemands in_time = demands_in_time(demands);
     if (scene.inputs->time.inertia) // the motion starts from them
       in_time.pair.displacements = true;
-    const bool reduced = scene.inputs->has_reduced_bodies();
-    in_time.pair.modes = reduced;
-    if (reduced)
+    if (scene.inputs->has_reduced_bodies())
       return make_reduced_contact(scene,
                                   make_reduced_bodies<dim>(scene,
-                                                           in_time,
+                                                           in_time.pair,
                                                            context),
                                   histories,
                                   h,
@@ -345,9 +345,9 @@ namespace RollingContact
   }
 
   template ReducedBodies<2>
-  make_reduced_bodies<2>(const Situation &, const StateDemands &, RunContext &);
+  make_reduced_bodies<2>(const Situation &, const PairDemands &, RunContext &);
   template ReducedBodies<3>
-  make_reduced_bodies<3>(const Situation &, const StateDemands &, RunContext &);
+  make_reduced_bodies<3>(const Situation &, const PairDemands &, RunContext &);
   template InitialContact<2> make_reduced_contact(const Situation &,
                                                   const ReducedBodies<2> &,
                                                   const DrivingFunctions &,

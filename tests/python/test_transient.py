@@ -185,6 +185,21 @@ class WrongInputs(Case):
                 loaded.step(**inputs)
             self.assertIn(said, str(raised.exception))
 
+    def test_no_approach_moves_a_free_axle(self):
+        settings = {
+            "Wheel/Hub": "mass",
+            "Wheel/Hub mass": 50.0,
+            "Wheel/Hub inertia y": 1.0,
+            "Time/Bodies": "reduced",
+            "Time/Theta": 0.5,
+            "Modes/Maximum frequency": 4000.0,
+        }
+        hung = rc.Transient(PRM / "corrugation_2d.prm", settings)
+        with self.assertRaises(rc.InputError) as raised:
+            hung.step(approach=1e-4)
+        self.assertIn("the axle moves by the forces on it", str(raised.exception))
+        self.assertEqual(hung.step().step, 1)
+
     def test_in_the_scene(self):
         for settings, step, said in [
             ({}, None, "Time/"),

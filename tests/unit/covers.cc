@@ -61,6 +61,20 @@ namespace
     scene.mesh.elements_across_patch   = 48;
   }
 
+  /** That block in 3D, on coarse elements. */
+  SceneRun<3>::Change
+  block_in_3d(const double width, const double length, const double load)
+  {
+    return [=](SceneParameters &scene) {
+      scene.dimension                  = 3;
+      scene.rail.width                 = width;
+      scene.rail.block_length          = length;
+      scene.rail.block_depth           = 0.03;
+      scene.contact.normal_load        = load;
+      scene.mesh.elements_across_patch = 12;
+    };
+  }
+
   LayeredLine exact(const SceneRun<2> &run, const LineFriction friction)
   {
     return layered_line_contact(run.situation(),
@@ -412,15 +426,10 @@ BOOST_AUTO_TEST_CASE(a_sphere_on_a_cover)
   const SceneRun<3> run(
     [](SceneParameters &scene) {
       rubber_block(scene);
-      scene.dimension            = 3;
       scene.wheel.lateral_radius = 0.1;
-      scene.rail.width           = 0.16;
-      scene.rail.block_length    = 0.16;
-      scene.rail.block_depth     = 0.03;
       scene.rail.cover_thickness = 0.01;
-      scene.contact.normal_load  = 200;
     },
-    [](SceneParameters &scene) { scene.mesh.elements_across_patch = 12; });
+    block_in_3d(0.16, 0.16, 200.));
   BOOST_TEST(std::abs(run.steady.result.max_pressure / 789.9e3 - 1) < 0.01);
   BOOST_TEST(std::abs(run.steady.state.approach / 0.7120e-3 - 1) < 0.01);
   const PatchEstimate estimate = estimate_patch(run.situation());
@@ -431,17 +440,8 @@ BOOST_AUTO_TEST_CASE(a_sphere_on_a_cover)
 /** Between endless cylinders of rubber on steel the middle is the plane's. */
 BOOST_AUTO_TEST_CASE(the_middle_of_a_covered_roller_is_plane)
 {
-  const SceneRun<3> run(
-    [](SceneParameters &scene) {
-      rubber_block(scene);
-      scene.dimension           = 3;
-      scene.rail.width          = 0.08;
-      scene.rail.block_length   = 0.1;
-      scene.rail.block_depth    = 0.03;
-      scene.contact.normal_load = 400;
-    },
-    [](SceneParameters &scene) { scene.mesh.elements_across_patch = 12; });
-  const auto found = line_contact(run.situation(), run.steady);
+  const SceneRun<3> run(rubber_block, block_in_3d(0.08, 0.1, 400.));
+  const auto        found = line_contact(run.situation(), run.steady);
   BOOST_REQUIRE(found);
   // under the load per length of the middle, less as rubber gives way at ends
   const auto line = layered_line_contact(run.situation(),

@@ -3,6 +3,7 @@
 
 #include <rolling_contact/analyses/corrugation_check.h>
 #include <rolling_contact/analyses/corrugation_report.h>
+#include <rolling_contact/analyses/disturbed_state.h>
 #include <rolling_contact/scene/analysis_kind.h>
 #include <rolling_contact/scene/situation.h>
 #include <rolling_contact/state/steady_state.h>
@@ -54,10 +55,7 @@ namespace RollingContact
     const std::vector<double>    wavelengths, speeds;
     std::vector<CorrugationRow>  rows;
     std::vector<CheckedWave>     followed; ///< in time
-
-    /** The wheel is the same at all places of the track. */
-    const std::shared_ptr<SplitBodies> split_bodies;
-    std::unique_ptr<ModalBodies<dim>>  modal; ///< of the last place
+    DisturbedPlaces<dim>         track; ///< whose wheel is the same everywhere
   };
 
   AnalysisKind corrugation_kind();

@@ -52,8 +52,8 @@ namespace RollingContact
 
   /**
    * Follow the wave that the section asks for in time, at all speeds of @p
-   * waves over the steady state @p at a place. Tells how each compares. Throws
-   * ConvergenceError.
+   * waves over the steady state of the scene @p at, at that pad @p offset (m).
+   * Tells how each compares. Throws ConvergenceError.
    */
   template <int dim>
   std::vector<CheckedWave> followed_waves(const Situation             &at,

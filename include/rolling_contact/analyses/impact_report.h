@@ -11,20 +11,23 @@
 namespace RollingContact
 {
   /**
-   * The contact at the end of a step of a run over what is on the surfaces, and
-   * the wheel. Units: SI.
+   * The contact in a step of a run over what is on the surfaces. Units: SI.
    */
   struct ImpactStep
   {
-    double time         = 0.;
-    double rolled       = 0.; ///< since t = 0
-    double load         = 0.;
-    double pressure     = 0.; ///< largest
-    double height       = 0.; ///< of both surfaces, at the origin
-    double contact_rate = 0.; ///< velocity of the bodies away from each other
+    double time     = 0.; ///< when the forces act
+    double rolled   = 0.; ///< since t = 0, at the end of the step
+    double load     = 0.;
+    double pressure = 0.; ///< largest
+  };
 
-    /** Velocity of a wheel on a free axle along z, away from the rail. */
-    std::optional<double> wheel_velocity;
+  /**
+   * The steps of a run, and their rows as in history.csv.
+   */
+  struct ImpactRun
+  {
+    std::vector<ImpactStep>          steps;
+    std::vector<std::vector<double>> rows;
   };
 
   /**
@@ -48,7 +51,7 @@ namespace RollingContact
     std::uint64_t n_steps = 0;
     ImpactStep    at_rest; ///< the steady state that the run starts from
 
-    std::vector<ImpactStep> steps;
+    ImpactRun run;
 
     /** What the length of the steps may have put the largest load and pressure
      * off by; unknown if longer steps failed. Units: N, Pa. */
@@ -56,7 +59,7 @@ namespace RollingContact
 
     ImpactExtremes extremes() const
     {
-      return ImpactExtremes(steps);
+      return ImpactExtremes(run.steps);
     }
 
     double load_ratio() const
@@ -75,8 +78,10 @@ namespace RollingContact
    * and the errors of all. */
   void note_impacts(const std::vector<Impact> &impacts, RunContext &context);
 
-  /** impact_history.csv: the steps of one run. */
-  void write_history(const Impact &impact, RunContext &context);
+  /** impact_history.csv: the steps of one run, in the columns of its rows. */
+  void write_history(const Impact                   &impact,
+                     const std::vector<std::string> &columns,
+                     RunContext                     &context);
 
   /** impacts.svg: the largest load and pressure over those at rest, over speed,
    * and the load of the worst run over the distance rolled. */

@@ -1,14 +1,34 @@
 #ifndef rolling_contact_analyses_impacts_h
 #define rolling_contact_analyses_impacts_h
 
-#include <rolling_contact/analyses/impact_parameters.h>
 #include <rolling_contact/analyses/impact_report.h>
 #include <rolling_contact/scene/analysis_kind.h>
 #include <rolling_contact/scene/situation.h>
-#include <rolling_contact/time/contact_stepper.h>
+#include <rolling_contact/time/history_rows.h>
+
+#include <string>
+#include <vector>
 
 namespace RollingContact
 {
+  class Entries;
+
+  /**
+   * Section `Impact`: how fast the wheel rolls over what is on the surfaces.
+   */
+  struct ImpactParameters
+  {
+    void declare(Entries &entries);
+
+    /** Throws InputError unless speeds are above 0. */
+    void check() const;
+
+    /** Ascending; @p given if there are none. Throws InputError. Units: m/s. */
+    std::vector<double> speeds_or(const double given) const;
+
+    std::string speeds = "";
+  };
+
   /**
    * Analysis = impact: the largest load and pressure as a wheel runs over a
    * flat, a dip, a joint or whatever is on the surfaces, over speed. Bodies are
@@ -32,12 +52,13 @@ namespace RollingContact
 
     Impact impact_at(const double speed) const;
 
-    /** The steps of a run. */
-    std::vector<ImpactStep> march_over(const TimeSteps     &steps,
-                                       ContactStepper<dim> &stepper) const;
+    ImpactRun march_over(const TimeSteps     &steps,
+                         const HistoryRows   &columns,
+                         ContactStepper<dim> &stepper) const;
 
     /** Repeat a run from its start, for its errors. */
     void estimate(const TimeSteps     &steps,
+                  const HistoryRows   &columns,
                   const Checkpoint    &start,
                   ContactStepper<dim> &stepper,
                   Impact              &impact) const;

@@ -2,6 +2,7 @@
 #define rolling_contact_analyses_rolling_noise_h
 
 #include <rolling_contact/algebra/third_octaves.h>
+#include <rolling_contact/analyses/disturbed_state.h>
 #include <rolling_contact/analyses/rolling_noise_parameters.h>
 #include <rolling_contact/analyses/rolling_noise_report.h>
 #include <rolling_contact/run/run_context.h>
@@ -88,10 +89,7 @@ namespace RollingContact
     std::vector<Radiator>         radiators;
     double                        load     = 0.; ///< N
     std::size_t                   n_coarse = 0;
-
-    /** The wheel is the same at all places of the track. */
-    const std::shared_ptr<SplitBodies> split_bodies;
-    std::unique_ptr<ModalBodies<3>>    modal; ///< of the last place
+    DisturbedPlaces<3>            track; ///< whose wheel is the same everywhere
   };
 
   AnalysisKind rolling_noise_kind();

@@ -10,6 +10,9 @@
 
 namespace RollingContact
 {
+  /** Steps that a run needs, for half as many to be compared with. */
+  inline constexpr std::uint64_t fewest_steps = 4;
+
   /**
    * Steps of about twice the length, half as many, the last of which ends when
    * those of @p steps do: of n steps of length h, floor(n/2) of n h /

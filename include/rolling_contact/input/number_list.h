@@ -26,6 +26,14 @@ namespace RollingContact
   std::vector<double> positive_numbers(const std::string &entry,
                                        const std::string &text,
                                        const std::string &unit);
+
+  /**
+   * Rolling speeds of positive_numbers(), in m/s; @p given alone if the entry
+   * is empty.
+   */
+  std::vector<double> speeds_or(const double       given,
+                                const std::string &entry,
+                                const std::string &text);
 } // namespace RollingContact
 
 #endif

@@ -65,8 +65,6 @@ namespace RollingContact
     /** Each run goes on until the motion repeats itself, from starts that the
      * analysis finds. */
     bool until_periodic = false;
-    /** Runs in time have a row of results.csv each, and no history. */
-    bool has_row_for_each_run = false;
     /** Section Accuracy study gives the meshes, or the time steps. */
     bool has_own_meshes = false;
     /** Profiles wear from state to state. */
@@ -81,6 +79,12 @@ namespace RollingContact
     bool has_lone_bodies() const
     {
       return has_bodies && !has_contact;
+    }
+
+    /** Runs in time have a row of results.csv each, and are not recorded. */
+    bool has_row_for_each_run() const
+    {
+      return marches && !records_run;
     }
 
     bool reads(const std::string &section) const

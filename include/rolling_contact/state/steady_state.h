@@ -53,10 +53,6 @@ namespace RollingContact
    */
   StateDemands demands_in_time(const PairDemands &pair);
 
-  /** No split bodies yet, to keep those of several states in: see
-   * PairDemands::split_bodies. */
-  std::shared_ptr<SplitBodies> keep_split_bodies();
-
   /**
    * One steady rolling state on the mesh that was made for it.
    */

@@ -63,13 +63,14 @@ namespace RollingContact
   };
 
   /**
-   * Mesh, condense, solve the scene's steady state and find the modes. Throws
-   * InputError, ConvergenceError.
+   * Mesh, condense, solve the scene's steady state and find the modes; @p
+   * demands: what else is asked of the bodies. Throws InputError,
+   * ConvergenceError.
    */
   template <int dim>
-  ReducedBodies<dim> make_reduced_bodies(const Situation    &scene,
-                                         const StateDemands &demands,
-                                         RunContext         &context);
+  ReducedBodies<dim> make_reduced_bodies(const Situation   &scene,
+                                         const PairDemands &demands,
+                                         RunContext        &context);
 
   /**
    * The steady state of a scene on @p bodies, from the one they have, at rest
