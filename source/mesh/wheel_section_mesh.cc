@@ -41,6 +41,9 @@ namespace RollingContact
     /// length across over which the inner line is not opposite the tread
     const double fading = 25 * mm, strip_depth = 22 * mm, largest_slope = 0.3;
 
+    /// of the length between two points of the tread, between those under them
+    const double least_room = 0.4;
+
     const unsigned int rim_rows = 3, web_columns = 4, hub_rows = 2,
                        hub_columns = 3;
 
@@ -144,15 +147,21 @@ namespace RollingContact
       // with what the corner is beside the root fading away
       const double root_across = surface.at(breaks[root])[0],
                    beside      = line.at(corner)[0] - root_across;
+      double before            = line.at(corner)[0];
       for (unsigned int i = root; i < n; ++i)
         {
           const double across = surface.at(breaks[i])[0],
                        share =
                          std::max(0., 1 - (across - root_across) / fading),
                        to_side =
-                         share * beside + (1 - share) * strip_depth * slope(i);
-          inner.push_back(
-            over_tape(line.at(length_at(line, across + to_side))));
+                         share * beside + (1 - share) * strip_depth * slope(i),
+                       from_last =
+                         i == root ? 0. : across - surface.at(breaks[i - 1])[0];
+          // normals of a hollow tread would cross, and pass the rim's end
+          before = std::clamp(across + to_side,
+                              before + least_room * from_last,
+                              rim_end - least_room * (rim_end - across));
+          inner.push_back(over_tape(line.at(length_at(line, before))));
         }
       inner.push_back(over_tape(line.at(line.length())));
       const auto on_surface =

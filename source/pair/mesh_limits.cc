@@ -61,6 +61,39 @@ namespace RollingContact
     return reach;
   }
 
+  std::array<double, 2> room_of_sections(const PairSpec &scene)
+  {
+    const double          none = std::numeric_limits<double>::infinity();
+    std::array<double, 2> room{{-none, none}};
+    for (const BodySpec *body : {&scene.wheel, &scene.rail})
+      if (!body->rigid && !body->is_from_file())
+        {
+          const auto shape = body->body_shape();
+          if (!shape->is_swept())
+            continue;
+          const auto across = shape->room_across();
+          room = {{std::max(room[0], across[0]), std::min(room[1], across[1])}};
+        }
+    return room;
+  }
+
+  namespace
+  {
+    template <int dim>
+    void end_with_sections(const PairSpec &scene, Grading<dim> &grading)
+    {
+      if (dim == 2 || grading.zone_boxes.empty())
+        return;
+      const auto room = room_of_sections(scene);
+      for (ZoneBox &box : grading.zone_boxes)
+        if (box.lower[1] < room[1] && box.upper[1] > room[0])
+          {
+            box.lower[1] = std::max(box.lower[1], room[0]);
+            box.upper[1] = std::min(box.upper[1], room[1]);
+          }
+    }
+  } // namespace
+
   template <int dim>
   std::array<double, 2> room_for_zone(const Grading<dim> &grading)
   {
@@ -83,6 +116,7 @@ namespace RollingContact
                    const double    half_width_y,
                    Grading<dim>   &grading)
   {
+    end_with_sections(scene, grading);
     const double reach = narrower_reach(scene), near = 2.5; // elements
     const auto   fit = [&]() {
       grading.element_size_y =

@@ -181,14 +181,17 @@ namespace RollingContact
   template <int dim>
   bool reaches_side(const PairSpec &scene, const SteadyState<dim> &steady)
   {
-    const double side =
-      narrower_reach(scene) - 1.5 * steady.grading.element_size_y;
-    const auto nodes = nodes_at_border(steady.pair->border_nodes(),
+    const double near = 1.5 * steady.grading.element_size_y,
+                 side = narrower_reach(scene) - near;
+    const auto room   = room_of_sections(scene);
+    const auto nodes  = nodes_at_border(steady.pair->border_nodes(),
                                        steady.problem,
                                        steady.state.pressure);
     return dim == 3 && !scene.touches_in_line() &&
            std::any_of(nodes.begin(), nodes.end(), [&](const unsigned int i) {
-             return std::abs(steady.problem.operators.positions()[i][1]) > side;
+             const double y = steady.problem.operators.positions()[i][1];
+             return std::abs(y) > side || y < room[0] + near ||
+                    y > room[1] - near;
            });
   }
 
@@ -201,8 +204,13 @@ namespace RollingContact
     grading.enlarge_zone(n_elements);
     if (scene.touches_in_line())
       end_at_side(scene, grading.zone_y, grading);
-    else if (grading.zone_boxes.empty() && !reaches_side(scene, steady))
-      grading.zone_y = std::min(grading.zone_y, narrower_reach(scene));
+    else if (!reaches_side(scene, steady))
+      {
+        if (grading.zone_boxes.empty())
+          grading.zone_y = std::min(grading.zone_y, narrower_reach(scene));
+        else
+          end_at_side(scene, grading.zone_y, grading);
+      }
   }
 
   template bool       reaches_side(const PairSpec &, const SteadyState<2> &);

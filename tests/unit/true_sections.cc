@@ -5,6 +5,7 @@
 #include "../references/section_properties.h"
 #include "complaint.h"
 #include "scene_run.h"
+#include "scratch_folder.h"
 
 #include <rolling_contact/base/ranks.h>
 #include <rolling_contact/contact/patch_area.h>
@@ -13,6 +14,7 @@
 #include <rolling_contact/mesh/running_surfaces.h>
 #include <rolling_contact/mesh/section_shapes.h>
 #include <rolling_contact/mesh/wheel_section_mesh.h>
+#include <rolling_contact/pair/mesh_limits.h>
 #include <rolling_contact/scene/known_entries.h>
 #include <rolling_contact/surfaces/nominal_profiles.h>
 #include <rolling_contact/surfaces/rail_section.h>
@@ -466,6 +468,73 @@ BOOST_AUTO_TEST_CASE(measured_profiles_are_meshed_or_refused)
   BOOST_TEST(
     rail_section_mesh(surface, cells_of(12 * mm), 12 * mm).least_quality(4) >
     0.2);
+}
+
+namespace
+{
+  /** The hollow wheel's file, with a rim that ends so far from y = 0, mm. */
+  std::string hollow_wheel(const double end)
+  {
+    std::istringstream lines(
+      read(TEST_DATA "/../../prm/profiles/hollow_wheel.txt"));
+    std::string text;
+    for (std::string line; std::getline(lines, line);)
+      if (line[0] == '#' || std::stod(line) < end)
+        text += line + "\n";
+    return text;
+  }
+} // namespace
+
+BOOST_AUTO_TEST_CASE(a_hollow_tread_is_meshed_to_the_end_of_its_rim)
+{
+  for (const double end : {41., 42., 44., 59.})
+    {
+      const ScratchFolder folder;
+      write(folder.scratch / "wheel.txt", hollow_wheel(end));
+      const auto          scene   = scene_with([&](SceneParameters &scene) {
+        scene.prm_folder             = folder.scratch;
+        scene.profiles.wheel_profile = "wheel.txt";
+      });
+      const ProfileCurve &profile = scene.wheel.profile->profile;
+      auto placed   = placed_at(profile, profile.length() - 4 * mm);
+      placed.radius = 0.46;
+      for (const double size : {5.2 * mm, 10.5 * mm})
+        BOOST_TEST_CONTEXT("rim to " << end << " mm, size " << size)
+        {
+          BOOST_TEST(wheel_section_mesh(placed,
+                                        wheel_surface(placed),
+                                        {0.46, 0.095},
+                                        0.46,
+                                        cells_of(size),
+                                        size)
+                       .least_quality(4) > 0.05);
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_zone_ends_where_sections_no_longer_face_each_other)
+{
+  const ScratchFolder folder;
+  write(folder.scratch / "wheel.txt", hollow_wheel(41.4));
+  const auto state = [&](const bool sections) {
+    return SceneRun<3>(&standard, [&](SceneParameters &scene) {
+      scene.prm_folder             = folder.scratch;
+      scene.profiles.wheel_profile = "wheel.txt";
+      scene.profiles.true_sections = sections;
+      scene.wheel.width = scene.rail.width = 0.1;
+      scene.rail.block_depth               = 0.15;
+      scene.profiles.shift                 = -30 * mm;
+      scene.profiles.roll.reset();
+      scene.contact.normal_load = 60e3;
+    });
+  };
+  const auto plain = state(false), real = state(true);
+  const auto room = room_of_sections(real.situation());
+  // the free side of the rim takes a little of the pressure
+  BOOST_TEST(relative(real.steady.result.max_pressure,
+                      plain.steady.result.max_pressure) < 0.01);
+  BOOST_TEST(real.steady.grading.zone_across()[1] == room[1]);
+  BOOST_TEST(plain.steady.grading.zone_across()[1] > room[1]);
 }
 
 BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused_or_told)

@@ -36,7 +36,14 @@ namespace RollingContact
   std::string at_least(const double length);
 
   /**
-   * End a zone without boxes at the side of the narrower body, unless a patch
+   * Coordinates across between which true sections face each other, infinite
+   * without such. Units: m.
+   */
+  std::array<double, 2> room_of_sections(const PairSpec &scene);
+
+  /**
+   * End a zone with boxes where true sections no longer face each other; and
+   * end a zone without boxes at the side of the narrower body, unless a patch
    * of this half-width goes beyond that, and let a whole number of elements
    * reach to there where it is near, as the last element of a body makes up for
    * the rest, which bodies of unlike width do not have in common; a multiple of
