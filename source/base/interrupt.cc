@@ -211,6 +211,12 @@ namespace RollingContact
     throw Interrupted(name_of_interrupt(static_cast<int>(signal)) + '.');
   }
 
+  void throw_if_interrupted_alone()
+  {
+    if (Ranks::count() == 1)
+      throw_if_interrupted();
+  }
+
   void leave_on_stop(const std::filesystem::path &file,
                      const std::filesystem::path &temporary,
                      const std::string           &text)

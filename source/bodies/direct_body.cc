@@ -2,6 +2,7 @@
 #include <deal.II/fe/mapping_q1.h>
 
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/base/stopwatch.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/bodies/direct_body.h>
@@ -166,9 +167,11 @@ namespace RollingContact
     if (factor != nullptr)
       return;
     this->require_held();
+    throw_if_interrupted_alone();
     const Stopwatch watch;
     factor = std::make_unique<Factorisation>(stiffness(), node_of_unknown);
     this->assembly_s += watch.seconds() - factor->size().analysis_s;
+    throw_if_interrupted_alone();
   }
 
   template <int dim>
@@ -188,6 +191,7 @@ namespace RollingContact
   {
     analyse();
     factor->factorise();
+    throw_if_interrupted_alone();
     const auto  loaded = unknowns(nodes, components);
     DenseMatrix W =
       P.size() == 0 ? factor->condense(loaded)

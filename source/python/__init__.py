@@ -4,6 +4,9 @@ States and time steps of the program rolling-contact for programs in Python:
 see doc/python.md. SI units; forces are those on the wheel.
 """
 
+import sys
+
+from . import _core, _entries, _states
 from ._core import (
     ConvergenceError,
     ErrorBounds,
@@ -19,7 +22,13 @@ from ._core import (
     WheelsetState,
     __version__,
     print_parameters,
+    references,
 )
+from .tables import Table, read_table
+
+_states.dress(State, TransientState, WheelsetState)
+_entries.dress(Session, Scene)
+sys.modules[__name__ + ".references"] = references
 
 __all__ = [
     "ConvergenceError",
@@ -30,9 +39,12 @@ __all__ = [
     "Scene",
     "Session",
     "State",
+    "Table",
     "Transient",
     "TransientState",
     "Wheelset",
     "WheelsetState",
     "print_parameters",
+    "read_table",
+    "references",
 ]

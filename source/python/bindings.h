@@ -24,10 +24,22 @@ namespace RollingContact
   {
     namespace py = pybind11;
 
+    using NamedValue = Session::NamedValue;
+
+    /**
+     * Objects that Class.__new__(Class) of Python makes without a constructor
+     * lie in memory of zeros, where pointers and optionals are empty.
+     */
+    struct InZeroedMemory
+    {
+      static void *operator new(const std::size_t size);
+      static void  operator delete(void *memory);
+    };
+
     /**
      * A scene for Python: a text with what was set beside it.
      */
-    struct Scene
+    struct Scene : public InZeroedMemory
     {
       PrmText                            text;
       std::string                        name; ///< of the file, for messages
@@ -69,8 +81,9 @@ namespace RollingContact
     /**
      * Fields at the N contact nodes, copies of their own. Units: SI.
      */
-    struct Fields
+    struct Fields : public InZeroedMemory
     {
+      Fields() = default;
       Fields(const ContactProblem &problem, const ContactState &state);
 
       py::array_t<double>      positions, pressure, traction, gap, slip;
@@ -79,11 +92,15 @@ namespace RollingContact
     };
 
     /** A state of its own, whatever the session does next. */
-    struct State
+    struct State : public InZeroedMemory
     {
-      SessionState                  found;
-      std::shared_ptr<const Fields> fields;
+      SessionState                           found;
+      std::shared_ptr<const Fields>          fields;
+      std::optional<std::vector<NamedValue>> columns; ///< of results.csv
     };
+
+    /** A dict of columns. */
+    py::dict dict_of(const std::vector<NamedValue> &columns);
 
     /**
      * Where a session says what it does: sys.stdout, unless it is quiet.
@@ -107,6 +124,47 @@ namespace RollingContact
     };
 
     /**
+     * A session of the library until it is closed.
+     */
+    template <typename Type>
+    class Open
+    {
+    public:
+      template <typename... Arguments>
+      void open(Arguments &&...arguments)
+      {
+        session.emplace(std::forward<Arguments>(arguments)...);
+      }
+
+      void close()
+      {
+        session.reset();
+      }
+
+      /** Throws std::runtime_error if it is not open. */
+      Type *operator->()
+      {
+        check();
+        return &*session;
+      }
+
+      const Type *operator->() const
+      {
+        check();
+        return &*session;
+      }
+
+    private:
+      void check() const
+      {
+        if (!session)
+          throw std::runtime_error("The session is closed: make another one.");
+      }
+
+      std::optional<Type> session;
+    };
+
+    /**
      * Keeps others from what one thread uses, as the interpreter runs on.
      */
     class InUse
@@ -125,6 +183,10 @@ namespace RollingContact
 
     void define_scene(py::module_ &module);
     void define_fields(py::module_ &module);
+    void define_copies(py::class_<ErrorBounds> &bounds);
+    void define_copies(py::class_<Fields, std::shared_ptr<Fields>> &fields);
+    void define_copies(py::class_<State> &state);
+    void define_references(py::module_ &module);
     void define_session(py::module_ &module);
     void define_transient(py::module_ &module);
     void define_wheelset(py::module_ &module);

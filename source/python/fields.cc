@@ -4,6 +4,7 @@
 #include <rolling_contact/contact/resultants.h>
 #include <rolling_contact/results/nodal_values.h>
 
+#include <cstring>
 #include <stdexcept>
 
 namespace RollingContact::Bindings
@@ -69,6 +70,18 @@ namespace RollingContact::Bindings
       }
   }
 
+  void *InZeroedMemory::operator new(const std::size_t size)
+  {
+    void *memory = ::operator new(size);
+    std::memset(memory, 0, size);
+    return memory;
+  }
+
+  void InZeroedMemory::operator delete(void *memory)
+  {
+    ::operator delete(memory);
+  }
+
   Speech::Speech(const std::string &given)
   {
     const std::map<std::string, Verbosity> names{{"quiet", Verbosity::quiet},
@@ -102,10 +115,12 @@ namespace RollingContact::Bindings
 
   void define_fields(py::module_ &module)
   {
-    py::class_<Fields, std::shared_ptr<Fields>>(
+    py::class_<Fields, std::shared_ptr<Fields>> fields(
       module,
       "Fields",
-      "Fields at the N contact nodes as numpy arrays, copies of their own.")
+      "Fields at the N contact nodes as numpy arrays, copies of their own.");
+    define_copies(fields);
+    fields
       .def_readonly("positions",
                     &Fields::positions,
                     "(N, 2): x in the rolling direction and y across. Unit: m.")

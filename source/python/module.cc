@@ -83,10 +83,14 @@ namespace RollingContact::Bindings
     define_session(module);
     define_transient(module);
     define_wheelset(module);
+    define_references(module);
     module.def("print_parameters",
                &documented_parameters,
                "Every entry of a scene with its default, meaning and unit, as "
                "a .prm file.");
+    module.def("parameters_as_json",
+               &parameters_as_json,
+               "Every entry of a scene, of whatever section, as JSON.");
     py::module_::import("atexit").attr("register")(
       py::cpp_function(&Ranks::finish));
   }

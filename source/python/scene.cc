@@ -37,7 +37,7 @@ namespace RollingContact::Bindings
                 const std::string           &name,
                 const std::filesystem::path &folder)
     {
-      Scene scene{text, name, folder, {}, {}, {}, {}};
+      Scene scene{{}, text, name, folder, {}, {}, {}, {}};
       for (const PrmEntry &entry : text.entries)
         scene.entries[entry.path] = entry.value;
       return scene;

@@ -8,7 +8,7 @@ namespace RollingContact::Bindings
 {
   namespace
   {
-    class PySession
+    class PySession : public InZeroedMemory
     {
     public:
       PySession(std::shared_ptr<const Scene> scene,
@@ -22,7 +22,13 @@ namespace RollingContact::Bindings
                            std::to_string(Ranks::count()) +
                            ": start Python without mpirun.");
         const py::gil_scoped_release others_run;
-        session.emplace(*scene->situation, speech.stream(), speech.verbosity);
+        session.open(*scene->situation, speech.stream(), speech.verbosity);
+      }
+
+      void close()
+      {
+        const InUse mine(flag);
+        session.close();
       }
 
       void set(const std::string &entry, const py::object &value)
@@ -43,13 +49,17 @@ namespace RollingContact::Bindings
         return found->second;
       }
 
-      State solve()
+      /** The columns of results.csv take as long as a further state in 2D. */
+      State solve(const std::optional<bool> &columns)
       {
         const InUse mine(flag);
         State       state;
         {
           const py::gil_scoped_release others_run;
           state.found = session->solve();
+          if (state.found.touches &&
+              columns.value_or(state.found.track_forces.has_value()))
+            state.columns = session->row();
           if (speech.stream())
             speech.stream()->flush();
         }
@@ -61,10 +71,7 @@ namespace RollingContact::Bindings
 
       py::dict row() const
       {
-        py::dict found;
-        for (const auto &[column, value] : session->row())
-          found[column.c_str()] = value;
-        return found;
+        return dict_of(session->row());
       }
 
       unsigned int n_bodies_made() const
@@ -77,8 +84,8 @@ namespace RollingContact::Bindings
       std::vector<std::string>           warnings;
 
     private:
-      std::atomic_flag       flag = ATOMIC_FLAG_INIT;
-      std::optional<Session> session;
+      std::atomic_flag flag = ATOMIC_FLAG_INIT;
+      Open<Session>    session;
     };
 
     template <typename Type>
@@ -95,11 +102,13 @@ namespace RollingContact::Bindings
 
     void define_bounds(py::module_ &module)
     {
-      py::class_<ErrorBounds>(
+      py::class_<ErrorBounds> bounds(
         module,
         "ErrorBounds",
         "How far a state may be off from that of an infinitely fine mesh of "
-        "the same bodies; None where no bound is known. See doc/accuracy.md.")
+        "the same bodies; None where no bound is known. See doc/accuracy.md.");
+      define_copies(bounds);
+      bounds
         .def_readonly("force",
                       &ErrorBounds::force,
                       "Of the forces of friction, over mu N. Unit: 1.")
@@ -112,6 +121,19 @@ namespace RollingContact::Bindings
         .def_readonly("text",
                       &ErrorBounds::text,
                       "What the bound of the force is made of.");
+    }
+
+    void define_columns(py::class_<State> &state)
+    {
+      state.def_property_readonly(
+        "columns",
+        [](const State &self) -> py::object {
+          return self.columns ? py::object(dict_of(*self.columns))
+                              : py::object(py::none());
+        },
+        "The columns of results.csv of the state, as a dict, see "
+        "Session.row(); None unless the bodies have profiles or solve() was "
+        "asked for them.");
     }
 
     void define_fields_of(py::class_<State> &state)
@@ -280,15 +302,8 @@ namespace RollingContact::Bindings
       define_track_forces(state);
       define_members(state);
       define_fields_of(state);
-      state.def("__repr__", [](const State &self) {
-        const Resultants &result = self.found.forces;
-        return py::str("<rolling_contact.State: force_x {:.6g} N, force_y "
-                       "{:.6g} N, normal_force {:.6g} N{}>")
-          .format(result.force_x,
-                  result.force_y,
-                  result.normal_force,
-                  self.found.converged ? "" : ", not converged");
-      });
+      define_columns(state);
+      define_copies(state);
     }
   } // namespace
 
@@ -335,8 +350,10 @@ namespace RollingContact::Bindings
         "Give several entries other values, one after the other.")
       .def(
         "solve",
-        [](PySession &self, const bool check) {
-          State state = self.solve();
+        [](PySession                 &self,
+           const bool                 check,
+           const std::optional<bool> &columns) {
+          State state = self.solve(columns);
           if (check && !state.found.converged)
             throw ConvergenceError(
               "The state did not converge: " + state.found.reason +
@@ -344,11 +361,17 @@ namespace RollingContact::Bindings
               "False) to get it as it is.");
           return state;
         },
-        py::arg("check") = true,
+        py::arg("check")   = true,
+        py::arg("columns") = py::none(),
         "Solve the state of the entries as they are. Raises InputError if they "
         "contradict each other, ConvergenceError; the session may be used "
         "further. With check=False a state that did not converge is returned "
-        "and says so.")
+        "and says so. With columns=True it has State.columns; on profiles it "
+        "has them unless that is False.")
+      .def("close",
+           &PySession::close,
+           "Give up the bodies that are kept; done at the end of a with "
+           "statement. Any other use is an error from then on.")
       .def("row",
            &PySession::row,
            "The columns of results.csv of the state that was solved last, as a "

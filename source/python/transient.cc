@@ -19,12 +19,12 @@ namespace RollingContact::Bindings
     }
 
     /** A state of a session in time, to be given back to it. */
-    struct Saved
+    struct Saved : public InZeroedMemory
     {
       std::shared_ptr<const TransientSession::Saved> state;
     };
 
-    class PyTransient
+    class PyTransient : public InZeroedMemory
     {
     public:
       PyTransient(std::shared_ptr<const Scene> scene,
@@ -37,7 +37,7 @@ namespace RollingContact::Bindings
                            std::to_string(Ranks::count()) +
                            ": start Python without mpirun.");
         const py::gil_scoped_release others_run;
-        session.emplace(*scene->situation, speech.stream(), speech.verbosity);
+        session.open(*scene->situation, speech.stream(), speech.verbosity);
       }
 
       TransientState step(const std::optional<double> length,
@@ -71,13 +71,15 @@ namespace RollingContact::Bindings
       Saved save()
       {
         const InUse mine(flag);
-        return {session->save()};
+        return {{}, session->save()};
       }
 
       TransientState restore(const Saved &saved)
       {
         const InUse                  mine(flag);
         const py::gil_scoped_release others_run;
+        if (!saved.state)
+          throw InputError("This is no state that a session saved.");
         session->restore(*saved.state);
         return session->current();
       }
@@ -86,8 +88,8 @@ namespace RollingContact::Bindings
       std::vector<std::string> warnings;
 
     private:
-      std::atomic_flag                flag = ATOMIC_FLAG_INIT;
-      std::optional<TransientSession> session;
+      std::atomic_flag       flag = ATOMIC_FLAG_INIT;
+      Open<TransientSession> session;
     };
 
     template <typename Value>

@@ -23,16 +23,18 @@ namespace RollingContact::Bindings
       for (unsigned int wheel = 0; wheel < 2; ++wheel)
         {
           const SteadyState<3> &steady = found.steady[wheel];
-          result.wheels[wheel] = {session_state(*found.scenes[wheel], steady),
-                                  std::make_shared<const Fields>(steady.problem,
-                                                                 steady.state)};
+          result.wheels[wheel]         = {{},
+                                          session_state(*found.scenes[wheel], steady),
+                                          std::make_shared<const Fields>(steady.problem,
+                                                                 steady.state),
+                                          {}};
           result.found.scenes[wheel].reset();
           result.found.steady[wheel] = SteadyState<3>();
         }
       return result;
     }
 
-    class PyWheelset
+    class PyWheelset : public InZeroedMemory
     {
     public:
       explicit PyWheelset(std::shared_ptr<const Scene> scene)
@@ -41,6 +43,9 @@ namespace RollingContact::Bindings
 
       std::vector<PlacedWheelset> solve() const
       {
+        if (!scene)
+          throw std::runtime_error("This wheelset has no scene: make another "
+                                   "one.");
         const Situation                &situation = *scene->situation;
         std::unique_ptr<WheelsetSolver> solver;
         {

@@ -11,6 +11,8 @@ sys.path.insert(0, str(ROOT / "doc/python"))
 import cosimulation  # noqa: E402
 import creep_curve  # noqa: E402
 import force_table  # noqa: E402
+import profile_series  # noqa: E402
+import theories  # noqa: E402
 
 SMALL = {"elements": 12, "n_cycles": 2, "steps_per_cycle": 40, "amplitude": 1e-4}
 
@@ -52,6 +54,23 @@ class Curves(Case):
             self.assertIn(round(-force_y / (0.3 * load), 6), (0.0, 0.5))
             self.assertGreater(bound, 0.0)
         self.assertGreater(rows[2][3], 0.0)
+
+    def test_theories(self):
+        settings = {"Mesh/Elements across patch": 12}
+        table = theories.theories(creepages=(0.0001, 0.002, 0.02), settings=settings)
+        self.assert_close(table["program"][0], table["kalker"][0], 0.08)
+        for name in ("fastsim", "polach", "shen_hedrick_elkins"):
+            self.assertLess(abs(table["program"][1] - table[name][1]), 0.12)
+            self.assert_close(table[name][2], 1.0, 0.05)
+        self.assert_close(table["program"][2], 1.0, 1e-3)
+        self.assertTrue(all(table["bound"] > 0.0))
+
+    def test_profile_series(self):
+        rows, n_bodies = profile_series.series(shifts=(-0.002, 0.002), settings={"Mesh/Elements across patch": 8})
+        self.assertEqual(len(rows[0]), len(profile_series.COLUMNS))
+        self.assertLess(rows[1][1], rows[0][1])  # to the right: towards the flange
+        self.assertGreater(rows[0][4], 500.0)
+        self.assertLessEqual(n_bodies, 2)
 
 
 if __name__ == "__main__":

@@ -29,16 +29,32 @@ class Stub(Case):
         tree = ast.parse((HOME / "__init__.pyi").read_text())
         classes = {node.name: node for node in tree.body if isinstance(node, ast.ClassDef)}
         functions = {node.name for node in tree.body if isinstance(node, ast.FunctionDef)}
-        self.assertEqual(set(classes) | functions, set(rc.__all__))
+        others = {name.asname for node in tree.body if isinstance(node, ast.ImportFrom) for name in node.names if name.asname}
+        self.assertEqual(set(classes) | functions | others, set(rc.__all__))
         for name, node in classes.items():
             declared = {item.name for item in node.body if isinstance(item, ast.FunctionDef)}
             members = vars(getattr(rc, name))
-            special = {"__getitem__", "__setitem__"} & set(members)
+            special = {"__getitem__", "__setitem__", "__enter__", "__exit__", "__getattr__"} & set(members)
+            special |= {"_repr_html_", "_repr_svg_"} & set(members)
             if "self: rolling_contact" in (getattr(rc, name).__init__.__doc__ or ""):
                 special.add("__init__")
             public = {member for member in members if not member.startswith("_")}
             self.assertEqual(declared, public | special, name)
         self.assertTrue((HOME / "py.typed").exists())
+
+    def test_has_the_names_of_the_references(self):
+        tree = ast.parse((HOME / "references.pyi").read_text())
+        declared = {node.name: node for node in tree.body if isinstance(node, (ast.ClassDef, ast.FunctionDef))}
+        self.assertEqual(set(declared), {name for name in vars(rc.references) if not name.startswith("_")})
+        for name, node in declared.items():
+            it = getattr(rc.references, name)
+            self.assertTrue(it.__doc__, name)
+            if isinstance(node, ast.ClassDef):
+                members = {member for member in vars(it) if not member.startswith("_")}
+                self.assertEqual({item.name for item in node.body if isinstance(item, ast.FunctionDef)} - {"__init__"}, members)
+            else:
+                for argument in node.args.args:
+                    self.assertIn(argument.arg + ":", it.__doc__.splitlines()[0])
 
     def test_has_the_arguments_of_the_module(self):
         tree = ast.parse((HOME / "__init__.pyi").read_text())
@@ -47,8 +63,13 @@ class Stub(Case):
                 for item in node.body:
                     if not isinstance(item, ast.FunctionDef) or item.decorator_list:
                         continue
-                    said = getattr(getattr(rc, node.name), item.name).__doc__.splitlines()[0]
+                    member = getattr(getattr(rc, node.name), item.name)
                     arguments = [one.arg for one in item.args.args + item.args.kwonlyargs]
+                    if inspect.isfunction(member):
+                        if not item.name.startswith("_"):
+                            self.assertEqual(set(arguments), set(inspect.signature(member).parameters))
+                        continue
+                    said = member.__doc__.splitlines()[0]
                     for argument in set(arguments) - {"self"}:
                         self.assertIn(argument + ":", said)
 

@@ -39,6 +39,12 @@ namespace RollingContact
   void throw_if_interrupted();
 
   /**
+   * throw_if_interrupted() where ranks do different things, as in the making of
+   * bodies: does nothing with several ranks.
+   */
+  void throw_if_interrupted_alone();
+
+  /**
    * What throw_if_interrupted() calls first, for a program that follows signals
    * by itself, as an interpreter does: it throws Interrupted if the solve is to
    * end. Any thread may call it. An empty one asks nobody. To be set before
