@@ -9,6 +9,7 @@
 #include <rolling_contact/results/interface_fields.h>
 #include <rolling_contact/results/line_contact.h>
 #include <rolling_contact/results/lines_across.h>
+#include <rolling_contact/results/patch_output.h>
 #include <rolling_contact/results/profile_columns.h>
 #include <rolling_contact/results/profile_plot.h>
 #include <rolling_contact/results/result_row.h>
@@ -87,6 +88,7 @@ namespace RollingContact
         write_pvd({{0., 0, "interface", "interface.vtu"}},
                   folder,
                   "interface.pvd");
+        write_nodes(scene, steady, context);
       }
     if (scene.inputs->output.contact_problem &&
         !steady.problem.loads.friction_law)
@@ -118,6 +120,7 @@ namespace RollingContact
         write_lines_across(scene, steady, context);
         if (scene.inputs->output.plot)
           {
+            plot_patch(scene, steady, context);
             plot_profiles(scene, steady, context);
             plot_shakedown_map(scene, steady, context);
           }

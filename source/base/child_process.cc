@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
+#include <cstring>
 #include <sstream>
 #include <thread>
 
@@ -42,6 +43,13 @@ namespace RollingContact
       words.push_back(const_cast<char *>(argument.c_str()));
     words.push_back(nullptr);
 
+    // what the user has set for gnuplot at a terminal would spoil a picture
+    std::vector<char *> environment;
+    for (char **entry = environ; *entry != nullptr; ++entry)
+      if (std::strncmp(*entry, "GNU", 3) != 0)
+        environment.push_back(*entry);
+    environment.push_back(nullptr);
+
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDWR, 0);
@@ -62,8 +70,12 @@ namespace RollingContact
     posix_spawnattr_setsigdefault(&attributes, &all);
 
     pid_t     child = -1;
-    const int error = posix_spawn(
-      &child, program.c_str(), &actions, &attributes, words.data(), environ);
+    const int error = posix_spawn(&child,
+                                  program.c_str(),
+                                  &actions,
+                                  &attributes,
+                                  words.data(),
+                                  environment.data());
     posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&actions);
     if (error != 0)

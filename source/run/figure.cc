@@ -111,7 +111,20 @@ namespace RollingContact
                          const CurveStyle           style)
   {
     require(x.size() == y.size(), label);
-    curves.push_back({printable(label), x, y, style});
+    curves.push_back({printable(label), x, y, style, {}, {}});
+  }
+
+  void Figure::add_arrows(const std::string         &label,
+                          const std::vector<double> &x,
+                          const std::vector<double> &y,
+                          const std::vector<double> &along_x,
+                          const std::vector<double> &along_y)
+  {
+    require(x.size() == y.size() && x.size() == along_x.size() &&
+              x.size() == along_y.size(),
+            label);
+    curves.push_back(
+      {printable(label), x, y, CurveStyle::arrows, along_x, along_y});
   }
 
   void Figure::add_band(const std::string &label,
@@ -182,9 +195,18 @@ namespace RollingContact
       }
     for (const Curve &curve : curves)
       {
-        text += fmt::format("# {}\n# {}\t{}\n", curve.label, x_label, y_label);
+        const bool has_arrows = curve.style == CurveStyle::arrows;
+        text += fmt::format("# {}\n# {}\t{}{}\n",
+                            curve.label,
+                            x_label,
+                            y_label,
+                            has_arrows ? "\tarrow along x\talong y" : "");
         for (const std::size_t i : shown_points(curve.y))
-          text += number(curve.x[i]) + '\t' + number(curve.y[i]) + '\n';
+          text += number(curve.x[i]) + '\t' + number(curve.y[i]) +
+                  (has_arrows ? '\t' + number(curve.along_x[i]) + '\t' +
+                                  number(curve.along_y[i])
+                              : "") +
+                  '\n';
         text += curve.x.empty() ? "NaN\tNaN\n\n\n" : "\n\n";
       }
     return text;

@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <limits>
 
 namespace RollingContact
 {
@@ -99,12 +98,6 @@ set linetype cycle 8
                   std::string(1, character);
       return result;
     }
-
-    bool can_be_drawn(const double value, const AxisScale scale)
-    {
-      return std::abs(value) < 1e300 &&
-             (scale == AxisScale::linear || value > 1e-300);
-    }
   } // namespace
 
   std::string Figure::script(const std::string &name) const
@@ -129,7 +122,8 @@ set linetype cycle 8
         if (!shows_x_axis(k) && all[k]->x_scale == AxisScale::logarithmic)
           text += "set xtics autofreq\nset format x \"\"\n";
         if (all[k]->equal_scales)
-          text += all[k]->equal_ranges();
+          text += all[k]->equal_ranges(
+            {{right_edge - left_edge, figure_top - figure_bottom}});
         for (std::size_t i = 0; i < all[k]->bands.size(); ++i)
           text += all[k]->band(i);
         text += all[k]->items(name, block);
@@ -182,7 +176,8 @@ set linetype cycle 8
         : curves[i].style == CurveStyle::bars ? "1:2:(0):1:($2-0.17):($2+0.17)"
         : curves[i].style == CurveStyle::name_beside
           ? "1:2:(" + quoted(enhanced(enhanced(curves[i].label))) + ')'
-          : "1:2",
+        : curves[i].style == CurveStyle::arrows ? "1:2:3:4"
+                                                : "1:2",
         look(i),
         curves[i].label.empty() || curves[i].style == CurveStyle::name_beside
           ? "notitle"
@@ -249,45 +244,6 @@ set linetype cycle 8
     return index == panels.size() || panels[index].has_own_x;
   }
 
-  /**
-   * Ranges that hold all curves with units of equal length in both directions,
-   * in the first panel.
-   */
-  std::string Figure::equal_ranges() const
-  {
-    const double                far = std::numeric_limits<double>::max();
-    std::array<double, 2>       lower{{far, far}}, upper{{-far, -far}};
-    const std::array<double, 2> pixels{
-      {right_edge - left_edge, figure_top - figure_bottom}};
-    for (const Curve &curve : curves)
-      for (std::size_t i = 0; i < curve.x.size(); ++i)
-        for (const unsigned int d : {0, 1})
-          {
-            const double value = d == 0 ? curve.x[i] : curve.y[i];
-            if (!can_be_drawn(value, AxisScale::linear))
-              continue;
-            lower[d] = std::min(lower[d], value);
-            upper[d] = std::max(upper[d], value);
-          }
-    const double margin = 1.08;
-    double       unit   = 0.; // for a pixel
-    for (const unsigned int d : {0, 1})
-      unit = std::max(unit, margin * (upper[d] - lower[d]) / pixels[d]);
-    if (!(unit > 0.) || !(unit < far))
-      return "";
-    std::string text;
-    for (const unsigned int d : {0, 1})
-      {
-        const double middle = (lower[d] + upper[d]) / 2,
-                     half   = unit * pixels[d] / 2;
-        text += fmt::format("set {}range [{}:{}]\n",
-                            d == 0 ? 'x' : 'y',
-                            significant(middle - half, 9),
-                            significant(middle + half, 9));
-      }
-    return text;
-  }
-
   std::string Figure::panel_layout(const std::size_t index) const
   {
     const double height = figure_height - figure_bottom + bottom_of(0);
@@ -305,43 +261,6 @@ set linetype cycle 8
     return text + (shows_x_axis(index)
                      ? "set format \"%h\"\n"
                      : "set format x \"\"\nset format y \"%h\"\n");
-  }
-
-  std::string Figure::axis(const char axis, const std::string &label) const
-  {
-    const AxisScale scale = axis == 'x' ? x_scale : y_scale;
-    double          lower = std::numeric_limits<double>::max(), upper = 0.;
-    bool            is_empty = maps.empty();
-    for (const Curve &curve : curves)
-      for (std::size_t i = 0; i < curve.x.size(); ++i)
-        if (can_be_drawn(curve.x[i], x_scale) &&
-            can_be_drawn(curve.y[i], y_scale))
-          {
-            const double value = axis == 'x' ? curve.x[i] : curve.y[i];
-            is_empty           = false;
-            lower              = std::min(lower, value);
-            upper              = std::max(upper, value);
-          }
-
-    std::string text =
-      fmt::format("set {}label {} noenhanced\n", axis, quoted(label));
-    if (is_empty)
-      return text + fmt::format("set {}range [1:10]\n", axis);
-    if (scale == AxisScale::linear)
-      return text;
-    text += fmt::format("set logscale {0}\nset m{0}tics 10\n", axis);
-    const bool        is_plain = lower > 3e-3 && upper < 3e4;
-    const std::string decade   = is_plain ? "%g" : "10^{%T}",
-                      other    = is_plain ? "%g" : "%.0t\u00D710^{%T}";
-    text += fmt::format("set format {} \"{}\"\n", axis, decade);
-    if (upper < 100. * lower)
-      text += fmt::format("set for [p={0}:{1}] for [m=2:5:3] {2}tics add "
-                          "(gprintf(\"{3}\", m * 10.**p) m * 10.**p)\n",
-                          std::floor(std::log10(lower)),
-                          std::floor(std::log10(upper)),
-                          axis,
-                          other);
-    return text;
   }
 
   std::string Figure::band(const std::size_t index) const
@@ -370,14 +289,23 @@ set linetype cycle 8
     if (curve.style == CurveStyle::name_beside)
       return "with labels center offset 0,0.7 font \",11\" "
              "textcolor \"#222222\"";
-    const auto n_references =
-      std::count_if(curves.begin(), curves.begin() + index, [](const Curve &c) {
-        return c.style == CurveStyle::reference;
-      });
+    const auto n_before = [&](const CurveStyle style) {
+      return std::count_if(curves.begin(),
+                           curves.begin() + index,
+                           [&](const Curve &c) { return c.style == style; });
+    };
     if (curve.style == CurveStyle::reference)
       return fmt::format(
         "with lines linewidth 1.4 linecolor \"#222222\" dashtype {}",
-        dashes[n_references % dashes.size()]);
+        dashes[n_before(CurveStyle::reference) % dashes.size()]);
+    if (curve.style == CurveStyle::marks)
+      return "with points pointtype 7 pointsize 0.3 linecolor \"#9A9A9A\"";
+    const auto colour =
+      index - n_before(CurveStyle::reference) - n_before(CurveStyle::marks) + 1;
+    if (curve.style == CurveStyle::arrows)
+      return fmt::format("with vectors head filled size screen 0.008,18 "
+                         "linetype {} linewidth 1.2",
+                         colour);
 
     const bool has_points = curve.style == CurveStyle::points ||
                             curve.style == CurveStyle::line_and_points ||
@@ -386,7 +314,7 @@ set linetype cycle 8
     return fmt::format("with {}{} linetype {}{}{}{}",
                        has_line ? "lines" : "",
                        has_points ? "points" : "",
-                       index - n_references + 1,
+                       colour,
                        curve.style == CurveStyle::dashed
                          ? " dashtype " + dashes[0]
                          : "",

@@ -1,6 +1,7 @@
 #include <rolling_contact/results/bodies_report.h>
 #include <rolling_contact/results/interface_fields.h>
 #include <rolling_contact/results/lines_across.h>
+#include <rolling_contact/results/patch_output.h>
 #include <rolling_contact/results/profile_plot.h>
 #include <rolling_contact/results/state_damage.h>
 #include <rolling_contact/scene/scene_parameters.h>
@@ -38,16 +39,20 @@ namespace RollingContact
         const PairSpec       &of_wheel = *found.scenes[wheel];
         const SteadyState<3> &steady   = found.steady[wheel];
         if (scene.inputs->output.interface_fields)
-          write_interface(of_wheel,
-                          steady,
-                          context.folder,
-                          "interface_" + name + ".vtu");
+          {
+            write_interface(of_wheel,
+                            steady,
+                            context.folder,
+                            "interface_" + name + ".vtu");
+            write_nodes(of_wheel, steady, context, "nodes_" + name);
+          }
         write_lines_across(of_wheel,
                            steady,
                            context,
                            "across_" + name + ".csv");
         if (scene.inputs->output.plot)
           {
+            plot_patch(of_wheel, steady, context, "patch_" + name);
             plot_profiles(of_wheel, steady, context, "profiles_" + name);
             plot_shakedown_map(of_wheel, steady, context, "shakedown_" + name);
           }

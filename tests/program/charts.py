@@ -167,6 +167,35 @@ def profiles():
         same_points(label, touching, [(1e3 * float(row["y_m"]), factor * float(row[column])) for row in rows], 1e-5)
 
 
+def patch_3d():
+    """Arrows of nodes that stick and slip by nodes.csv, whose sums are the forces; |q| and mu p along both lines."""
+    nodes, (row,) = table("nodes.csv"), table("results.csv")
+    values = [{name: number(text) for name, text in node.items()} for node in nodes]
+    for column, of in (("pressure_Pa", "normal_force_N"), ("traction_x_Pa", "force_x_N"), ("traction_y_Pa", "force_y_N")):
+        near(f"sum of {column}", sum(node["area_m2"] * node[column] for node in values), number(row[of]), 1e-6)
+    check("nodes that touch", sum(node["state"] > 0 for node in values) == int(row["nodes_in_contact"]))
+    curves = list(charts("patch"))
+    check("axes", curves[0][1][0].startswith("x along the rail (mm), material flows to the ") and
+          curves[0][1][1] == "y across (mm)", curves[0][1])
+    largest = max(math.hypot(node["recovered_traction_x_Pa"], node["recovered_traction_y_Pa"]) for node in values)
+    arrows = {label: points for label, _, points in curves if label.startswith("q, ")}
+    longest = max(math.hypot(point[2], point[3]) for points in arrows.values() for point in points)
+    for label, state in (("q, sticks", 2), ("q, slides", 1)):
+        same_points(label, arrows.get(label, []),
+                    [(1e3 * node["x_m"], 1e3 * node["y_m"], *(longest / largest * node[f"recovered_traction_{c}_Pa"] for c in "xy"))
+                     for node in values if node["state"] == state], 1e-5)
+    peak = max(values, key=lambda node: node["recovered_pressure_Pa"])
+    for label, size in (("|q|", lambda node: math.hypot(node["recovered_traction_x_Pa"], node["recovered_traction_y_Pa"])),
+                        ("\u03bcp", lambda node: 0.3 * node["recovered_pressure_Pa"])):
+        lines = [(columns, points) for name, columns, points in curves if name == label]
+        for (columns, points), along, across in zip(lines, "xy", "yx"):
+            check("axes of lines", columns == [("x along the rail (mm)", "y across (mm)")[along == "y"], "|q|, \u03bcp (MPa)"], columns)
+            on_line = sorted((node for node in values if abs(node[f"{across}_m"] - peak[f"{across}_m"]) < 1e-9),
+                             key=lambda node: node[f"{along}_m"])
+            same_points(f"{label} along {along}", points, [(1e3 * node[f"{along}_m"], 1e-6 * size(node)) for node in on_line], 1e-5)
+        check(f"{label} along both", len(lines) == 2)
+
+
 def sound():
     """Levels of third octaves, as far as they are shown, and of the modes by themselves."""
     bands, own = table("sound.csv"), table("sound_modes.csv")

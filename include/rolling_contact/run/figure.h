@@ -3,6 +3,7 @@
 
 #include <rolling_contact/run/run_context.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,11 @@ namespace RollingContact
     /** From x = 0 to each point, see set_names(). */
     bars,
     /** No point but the label, above each. */
-    name_beside
+    name_beside,
+    /** Small grey points below all others; takes no colour of the palette. */
+    marks,
+    /** See Figure::add_arrows(). */
+    arrows
   };
 
   enum class MapColours
@@ -72,6 +77,16 @@ namespace RollingContact
                    const std::vector<double> &x,
                    const std::vector<double> &y,
                    const CurveStyle           style = CurveStyle::line);
+
+    /**
+     * Arrows from (x, y) by (along_x, along_y). Throws std::invalid_argument if
+     * their numbers differ.
+     */
+    void add_arrows(const std::string         &label,
+                    const std::vector<double> &x,
+                    const std::vector<double> &y,
+                    const std::vector<double> &along_x,
+                    const std::vector<double> &along_y);
 
     /** Shades begin <= x <= end behind the curves. */
     void
@@ -126,6 +141,7 @@ namespace RollingContact
       std::vector<double> x;
       std::vector<double> y;
       CurveStyle          style;
+      std::vector<double> along_x, along_y; ///< of arrows
     };
 
     struct Band
@@ -150,10 +166,12 @@ namespace RollingContact
     std::string                 panel_layout(const std::size_t index) const;
     double                      bottom_of(const std::size_t index) const;
     bool                        shows_x_axis(const std::size_t index) const;
-    std::string                 equal_ranges() const;
+    std::string equal_ranges(const std::array<double, 2> &pixels) const;
     std::string items(const std::string &name, std::size_t &block) const;
     std::string axis(const char axis, const std::string &label) const;
     std::string names_as_tics() const;
+
+    static bool can_be_drawn(const double value, const AxisScale scale);
 
     /** For gnuplot, which substitutes nothing between single quotes. */
     static std::string quoted(const std::string &text);
