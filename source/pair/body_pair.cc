@@ -154,6 +154,24 @@ namespace RollingContact
     }
   } // namespace
 
+  namespace
+  {
+    /**
+     * Throws MemoryError if the factors of both bodies, of which each may fit
+     * alone, need more than 70 % of the free memory.
+     */
+    void check_factors(const double bytes)
+    {
+      const double free = available_memory();
+      if (free > 0. && bytes > 0.7 * free)
+        throw MemoryError(
+          "The factors of wheel and rail need " + human_bytes(bytes) +
+          " together, more than 70 % of the " + human_bytes(free) +
+          " free: take fewer Mesh/Elements across patch or a larger "
+          "Mesh/Growth; in 3D 16 and 0.4 are usual.");
+    }
+  } // namespace
+
   template <int dim>
   void BodyPair<dim>::choose_and_build(const PairSpec     &scene,
                                        const Grading<dim> &grading,
@@ -167,6 +185,8 @@ namespace RollingContact
         if (solver == BodySolver::automatic)
           solver = open ? BodySolver::distributed : BodySolver::direct;
         build(scene, grading, demands, statics);
+        if (solver == BodySolver::direct && Ranks::count() == 1)
+          check_factors(factor_memory(true)); // 0 of bodies not analysed
         if (open)
           reason = reason_of_ranks(total_unknowns, factor_memory(false));
         return;
