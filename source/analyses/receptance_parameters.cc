@@ -67,7 +67,9 @@ namespace RollingContact
       .help =
       "Last frequency of the receptances; modes are found up to Modes/Cut-off "
       "ratio times it.";
-    entries.add("Frequencies per octave", per_octave, "1").at_least(1).help =
+    entries.add("Frequencies per octave", per_octave, "1")
+      .between(1, 1000)
+      .help =
       "Frequencies in a doubling, with equal ratios; those of lightly damped "
       "modes are added.";
     entries.add("Points", points).help =

@@ -10,6 +10,7 @@
 #include <rolling_contact/base/stopwatch.h>
 #include <rolling_contact/base/text.h>
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cstdlib>
@@ -39,11 +40,18 @@ namespace RollingContact
 
     std::string name_of_interrupt(const int signal)
     {
-      return signal == SIGINT   ? "Interrupted by Ctrl-C (SIGINT)"
-             : signal == SIGHUP ? "Interrupted as its terminal was closed "
-                                  "(SIGHUP; nohup lets a run go on)"
-                                : "Interrupted by SIGTERM";
+      return signal == SIGINT    ? "Interrupted by Ctrl-C (SIGINT)"
+             : signal == SIGHUP  ? "Interrupted as its terminal was closed "
+                                   "(SIGHUP; nohup lets a run go on)"
+             : signal == SIGXCPU ? "Interrupted as its CPU time is used up "
+                                   "(SIGXCPU; ulimit -t or a batch system)"
+             : signal == SIGUSR1 ? "Interrupted by SIGUSR1"
+                                 : "Interrupted by SIGTERM";
     }
+
+    /// batch systems announce the end of a job by the last two
+    const std::array<int, 5> followed_signals{
+      {SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGUSR1}};
 
     /**
      * Signals that end a run in order; SIGHUP is not among them if the caller
@@ -58,10 +66,9 @@ namespace RollingContact
       }();
       sigset_t signals;
       sigemptyset(&signals);
-      sigaddset(&signals, SIGINT);
-      sigaddset(&signals, SIGTERM);
-      if (hears_hangups)
-        sigaddset(&signals, SIGHUP);
+      for (const int signal : followed_signals)
+        if (signal != SIGHUP || hears_hangups)
+          sigaddset(&signals, signal);
       return signals;
     }
 
@@ -127,7 +134,11 @@ namespace RollingContact
             continue;
           int none = 0;
           if (!received_signal.compare_exchange_strong(none, signal))
-            stop_at_once(signal, !on_its_own && is_stopping);
+            {
+              if (signal == SIGXCPU) // the kernel's, every second from now on
+                continue;
+              stop_at_once(signal, !on_its_own && is_stopping);
+            }
           since_first = Stopwatch();
           if (on_its_own)
             say(signal == SIGINT
@@ -147,7 +158,7 @@ namespace RollingContact
     void hand_on(const int signal, siginfo_t *, void *context)
     {
       sigset_t &mask = static_cast<ucontext_t *>(context)->uc_sigmask;
-      for (const int followed : {SIGINT, SIGTERM, SIGHUP})
+      for (const int followed : followed_signals)
         sigaddset(&mask, followed);
       kill(getpid(), signal);
     }
@@ -159,7 +170,7 @@ namespace RollingContact
       action.sa_flags         = SA_SIGINFO | SA_RESTART;
       sigfillset(&action.sa_mask);
       const sigset_t signals = signals_to_follow();
-      for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+      for (const int signal : followed_signals)
         if (sigismember(&signals, signal))
           sigaction(signal, &action, nullptr);
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fstream>
 #include <limits>
+#include <optional>
 #include <string>
 
 #ifdef __GLIBC__
@@ -87,39 +88,70 @@ namespace RollingContact
       return file >> number ? number : otherwise;
     }
 
-    /** What the control group in this folder can still get, files that are only
-     * kept in memory not counted (cgroup v2). */
-    std::size_t left_of_group(const std::string &folder)
+    /** What a version of control groups calls its files. */
+    struct GroupFiles
     {
-      const std::size_t limit = number_in(folder + "/memory.max", unlimited);
+      std::string folder, limit, used, kept;
+    };
+
+    /** What the control group in this folder can still get, files that are only
+     * kept in memory not counted. */
+    std::size_t left_of_group(const std::string &folder, const GroupFiles &name)
+    {
+      const std::size_t limit = number_in(folder + name.limit, unlimited);
       if (limit == unlimited)
         return unlimited;
-      const std::size_t used = number_in(folder + "/memory.current", 0);
+      const std::size_t used = number_in(folder + name.used, 0);
       std::ifstream     stat(folder + "/memory.stat");
       std::size_t       kept = 0;
       for (std::string word; stat >> word;)
-        if (word == "inactive_file")
+        if (word == name.kept)
           stat >> kept;
       return left_of(limit, used - std::min(used, kept));
     }
 
-    /** As left_of_group(), of this process's group and those it is in. */
-    std::size_t left_of_groups()
+    /** The files of the hierarchy that a line of /proc/self/cgroup,
+     * "number:controllers:group", tells of; none if it is not of memory. */
+    std::optional<GroupFiles> files_of(const std::string &controllers)
     {
-      std::size_t   left = unlimited;
-      std::ifstream file("/proc/self/cgroup");
-      for (std::string line; std::getline(file, line);)
-        if (line.rfind("0::/", 0) == 0)
-          for (std::string group = line.substr(3);;
-               group.erase(group.rfind('/')))
-            {
-              left = std::min(left, left_of_group("/sys/fs/cgroup" + group));
-              if (group.empty())
-                break;
-            }
-      return left;
+      if (controllers.empty())
+        return GroupFiles{"",
+                          "/memory.max",
+                          "/memory.current",
+                          "inactive_file"};
+      if ((',' + controllers + ',').find(",memory,") == std::string::npos)
+        return {};
+      return GroupFiles{"/memory",
+                        "/memory.limit_in_bytes",
+                        "/memory.usage_in_bytes",
+                        "total_inactive_file"};
     }
   } // namespace
+
+  std::size_t memory_left_of_groups(const std::string &list_of_groups,
+                                    const std::string &groups)
+  {
+    std::size_t   left = unlimited;
+    std::ifstream file(list_of_groups);
+    for (std::string line; std::getline(file, line);)
+      {
+        const std::size_t first  = line.find(':'),
+                          second = line.find(":/", first + 1);
+        if (first == std::string::npos || second == std::string::npos)
+          continue;
+        const auto name = files_of(line.substr(first + 1, second - first - 1));
+        for (std::string group = line.substr(second + 1); name;
+             group.erase(group.rfind('/')))
+          {
+            left =
+              std::min(left,
+                       left_of_group(groups + name->folder + group, *name));
+            if (group.empty())
+              break;
+          }
+      }
+    return left;
+  }
 
   std::size_t address_space_left()
   {
@@ -135,7 +167,7 @@ namespace RollingContact
     if (free == 0)
       return 0;
     return std::max<std::size_t>(
-      1, std::min({free, address_space_left(), left_of_groups()}));
+      1, std::min({free, address_space_left(), memory_left_of_groups()}));
   }
 
   void release_free_memory()

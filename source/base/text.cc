@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/text.h>
 
 #include <algorithm>
@@ -160,6 +161,30 @@ namespace RollingContact
         i += shown ? length : 1;
       }
     return result;
+  }
+
+  namespace
+  {
+    /** Whether it is a formula behind any number of apostrophes. */
+    bool is_formula(const std::string &text)
+    {
+      const std::size_t begin = text.find_first_not_of('\'');
+      return begin != std::string::npos &&
+             std::string("=+-@\t\r").find(text[begin]) != std::string::npos &&
+             !number(text);
+    }
+  } // namespace
+
+  std::string no_formula(const std::string &text)
+  {
+    return is_formula(text) ? '\'' + text : text;
+  }
+
+  std::string without_apostrophe(const std::string &cell)
+  {
+    return !cell.empty() && cell[0] == '\'' && is_formula(cell.substr(1))
+             ? cell.substr(1)
+             : cell;
   }
 
   std::string zero_padded(const std::size_t number, const unsigned int digits)

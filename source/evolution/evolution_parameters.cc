@@ -137,7 +137,7 @@ namespace RollingContact
       "what is worn is extrapolated from both and much nearer.";
     entries.add("Largest step", largest_step, "m").help =
       "Largest depth of a step.";
-    entries.add("Equal steps", equal_steps, "1").help =
+    entries.add("Equal steps", equal_steps, "1").between(0, 100000).help =
       "So many steps of the same length in place of those that the tolerance "
       "gives; 0: none.";
     entries
@@ -155,7 +155,10 @@ namespace RollingContact
       "that wear by the rows of the duty, of those less than 5 mm apart, as "
       "states between them would wear what is between. Profiles themselves are "
       "not smoothed.";
-    entries.add("Threads", threads, "1").resumed_if(in_all_scenes).help =
+    entries.add("Threads", threads, "1")
+      .between(0, 1024)
+      .resumed_if(in_all_scenes)
+      .help =
       "So many rows of the duty are solved at once; 0: as many as there are "
       "processors. Results do not depend on it.";
   }

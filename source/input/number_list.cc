@@ -13,6 +13,8 @@ namespace RollingContact
 
   namespace
   {
+    constexpr double most_points = 1e6;
+
     [[noreturn]] void reject(const std::string &entry,
                              const std::string &text,
                              const std::string &reason)
@@ -57,9 +59,10 @@ namespace RollingContact
         return list;
       }
     const std::vector<double> range = split(entry, text, ':');
-    if (range.size() != 3 || range[2] < 2 || range[2] > 1e6 ||
-        range[2] != std::floor(range[2]))
+    if (range.size() != 3 || range[2] < 2 || range[2] != std::floor(range[2]))
       reject(entry, text, "a range needs at least 2 points.");
+    if (range[2] > most_points)
+      reject(entry, text, "a range has at most a million points.");
     const unsigned int n = range[2];
     if (!std::isfinite((range[1] - range[0]) * (n - 1)))
       reject(entry, text, "first and last are too far apart.");

@@ -110,6 +110,10 @@ namespace RollingContact
                 const std::string &section);
 
     private:
+      /** ", 'WHAT IT SAYS'" of a statement; of a file that is included nothing,
+       * which may be one that is not for the reader of the message. */
+      std::string said(const std::string &statement) const;
+
       void add_entry(const std::string                   &path,
                      const std::string                   &rest,
                      const std::string                   &place,
@@ -118,7 +122,13 @@ namespace RollingContact
 
       PrmText     &found;
       unsigned int n_inclusions = 0;
+      unsigned int depth        = 0; ///< of the file that is read
     };
+
+    std::string Scan::said(const std::string &statement) const
+    {
+      return depth > 1 ? "it" : "'" + quotable(statement) + "'";
+    }
 
     void Scan::add_entry(const std::string                   &path,
                          const std::string                   &rest,
@@ -129,8 +139,7 @@ namespace RollingContact
       const std::size_t equals = rest.find('=');
       if (equals == std::string::npos)
         reject(place,
-               "'set " + quotable(rest) +
-                 "' has no '='; write `set ENTRY = VALUE`.");
+               said("set " + rest) + " has no '='; write `set ENTRY = VALUE`.");
       const std::string entry = path + trimmed(rest.substr(0, equals)),
                         value = trimmed(rest.substr(equals + 1));
       if (rest.find('{') != std::string::npos)
@@ -152,6 +161,7 @@ namespace RollingContact
       std::map<std::string, unsigned int> lines;
       unsigned int                        number = 0;
       std::string                         rest;
+      ++depth;
       for (std::string line; next_line(stream, line, number);)
         {
           const std::string place =
@@ -177,12 +187,13 @@ namespace RollingContact
                 reject(place,
                        "more than " + std::to_string(max_inclusions) +
                          " inclusions; does a file include itself?");
-              read(rest, read_bounded(rest), open.back());
+              const fs::path included = file.parent_path() / rest;
+              read(included, read_bounded(included), open.back());
             }
           else
             reject(place,
-                   "'" + quotable(line) +
-                     "' is no line of a .prm file; write `set ENTRY = VALUE`, "
+                   said(line) +
+                     " is no line of a .prm file; write `set ENTRY = VALUE`, "
                      "`subsection NAME`, `end` or `include FILE`, and # before "
                      "a comment.");
         }
@@ -191,6 +202,7 @@ namespace RollingContact
                "section " +
                  quotable(open.back().substr(0, open.back().size() - 1)) +
                  " is not ended; write `end` behind its last entry.");
+      --depth;
     }
   } // namespace
 

@@ -64,7 +64,8 @@ namespace RollingContact
                            std::to_string(found.names.size()) + ".");
         if (title != found.names.end())
           {
-            const std::string &name = cells[column_of_titles];
+            const std::string name =
+              without_apostrophe(cells[column_of_titles]);
             if (name.empty() ||
                 std::count(found.titles.begin(), found.titles.end(), name) > 0)
               throw InputError(at + "its name, '" + quotable(name) +

@@ -45,21 +45,26 @@ namespace RollingContact
   template <int dim>
   void check_mesh_memory(const double       n_cells,
                          const MeshKind     kind,
-                         const std::string &remedy)
+                         const std::string &remedy,
+                         const std::string &what)
   {
     const double bytes = n_cells * bytes_of_cell<dim>(kind),
                  free  = free_memory(kind);
     if (free > 0. && bytes > usable_memory * free)
-      throw MemoryError(
-        "The mesh of a body would have " + significant(n_cells, 2) +
-        " cells or more and need about " + human_bytes(bytes) +
-        ", more than 70 % of the " + human_bytes(free) + " free: " + remedy);
+      throw MemoryError(what + " would have " + significant(n_cells, 2) +
+                        " cells or more and need about " + human_bytes(bytes) +
+                        ", more than 70 % of the " + human_bytes(free) +
+                        " free: " + remedy);
   }
 
   template double largest_mesh<2>(const MeshKind);
   template double largest_mesh<3>(const MeshKind);
-  template void
-  check_mesh_memory<2>(const double, const MeshKind, const std::string &);
-  template void
-  check_mesh_memory<3>(const double, const MeshKind, const std::string &);
+  template void   check_mesh_memory<2>(const double,
+                                     const MeshKind,
+                                     const std::string &,
+                                     const std::string &);
+  template void   check_mesh_memory<3>(const double,
+                                     const MeshKind,
+                                     const std::string &,
+                                     const std::string &);
 } // namespace RollingContact

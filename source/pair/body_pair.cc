@@ -2,6 +2,7 @@
 #include <rolling_contact/base/memory.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/bodies/distributed_body.h>
+#include <rolling_contact/mesh/mesh_memory.h>
 #include <rolling_contact/pair/body_pair.h>
 #include <rolling_contact/pair/mesh_limits.h>
 #include <rolling_contact/pair/parallel_bodies.h>
@@ -154,6 +155,44 @@ namespace RollingContact
     }
   } // namespace
 
+  namespace
+  {
+    const std::string remedy_of_memory =
+      "take fewer Mesh/Elements across patch or a larger Mesh/Growth; in 3D 16 "
+      "and 0.4 are usual.";
+
+    /**
+     * Throws MemoryError if the factors of both bodies, of which each may fit
+     * alone, need more than 70 % of the free memory.
+     */
+    void check_factors(const double bytes)
+    {
+      const double free = available_memory();
+      if (free > 0. && bytes > 0.7 * free)
+        throw MemoryError("The factors of wheel and rail need " +
+                          human_bytes(bytes) +
+                          " together, more than 70 % of the " +
+                          human_bytes(free) + " free: " + remedy_of_memory);
+    }
+
+    /**
+     * Throws MemoryError if the meshes of both bodies, of which each may fit
+     * alone, are too large together.
+     */
+    template <int dim>
+    void check_meshes(const PairSpec     &scene,
+                      const Grading<dim> &grading,
+                      const bool          are_twins)
+    {
+      const double both = cells_to_mesh(scene, grading).total;
+      check_mesh_memory<dim>(are_twins ? both / 2 : both,
+                             MeshKind::serial,
+                             remedy_of_memory,
+                             are_twins ? "The mesh of wheel and rail"
+                                       : "The meshes of wheel and rail");
+    }
+  } // namespace
+
   template <int dim>
   void BodyPair<dim>::choose_and_build(const PairSpec     &scene,
                                        const Grading<dim> &grading,
@@ -166,7 +205,13 @@ namespace RollingContact
       {
         if (solver == BodySolver::automatic)
           solver = open ? BodySolver::distributed : BodySolver::direct;
+        const bool on_one_rank =
+          solver == BodySolver::direct && Ranks::count() == 1 && !is_split();
+        if (on_one_rank)
+          check_meshes(scene, grading, are_twins);
         build(scene, grading, demands, statics);
+        if (on_one_rank)
+          check_factors(factor_memory(true)); // 0 of bodies not analysed
         if (open)
           reason = reason_of_ranks(total_unknowns, factor_memory(false));
         return;

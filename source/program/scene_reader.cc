@@ -163,12 +163,10 @@ namespace RollingContact
     scene.prm_folder = folder;
     for (const PrmEntry &section : file.sections)
       entries.check_section(section);
-    for (const PrmEntry &entry : file.entries)
-      entries.find(entry.path, entry.place).check(entry.value, entry.place);
     try
       {
-        std::istringstream lines(file.text);
-        prm.parse_input(lines, name);
+        for (const PrmEntry &entry : file.entries)
+          set_entry(entry, entries, prm);
       }
     catch (const ExceptionBase &error)
       {

@@ -233,7 +233,8 @@ namespace RollingContact
         return;
       }
     const fs::path file = folder.temporary(picture);
-    const bool     worked =
+    write_temporary(file, "", file); // gnuplot would follow a link
+    const bool worked =
       run_program(gnuplot,
                   {"-d",
                    "-e",

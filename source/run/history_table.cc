@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <stdexcept>
@@ -66,7 +67,7 @@ namespace RollingContact
       for (Stream &stream : streams)
         {
           const auto path = folder.growing(stream.name);
-          remove_file(path);
+          close(create_file(path));
           open_at_end(path, stream);
         }
     });
@@ -142,7 +143,8 @@ namespace RollingContact
         names.size()));
     std::string row;
     for (const double value : values)
-      row += (row.empty() ? "" : ",") + significant(value, 9);
+      row += (std::isnan(value) ? "" : significant(value, 9)) + ',';
+    row.pop_back();
     streams[0].buffer += row + '\n';
     streams[0].n_bytes += row.size() + 1;
     if (streams.size() > 1)
@@ -211,7 +213,7 @@ namespace RollingContact
                                  Stream                      &stream)
   {
     stream.descriptor =
-      ::open(path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0666);
+      ::open(path.c_str(), O_WRONLY | O_APPEND | O_NOFOLLOW | O_CLOEXEC);
     if (stream.descriptor < 0)
       throw_write_error(path, std::strerror(errno));
   }

@@ -3,6 +3,7 @@
 #include <rolling_contact/base/files.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/run/previous_run.h>
+#include <rolling_contact/run/written_names.h>
 
 #include <algorithm>
 
@@ -41,14 +42,6 @@ namespace RollingContact
     }
   } // namespace
 
-  bool is_plain_name(const std::string &name)
-  {
-    const std::string allowed =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._-";
-    return !name.empty() && name.front() != '.' &&
-           name.find_first_not_of(allowed) == std::string::npos;
-  }
-
   std::string record_text(const std::string           &members,
                           const std::set<std::string> &files)
   {
@@ -80,9 +73,11 @@ namespace RollingContact
       return previous_run;
     previous_run.made_by_this_program =
       record.begin().key() == "program" && *record.begin() == program_name;
-    for (const Json &file : record.value("files", Json::array()))
-      if (file.is_string() && is_plain_name(file.get<std::string>()))
-        previous_run.files.insert(file.get<std::string>());
+    const Json files = record.value("files", Json());
+    if (files.is_array())
+      for (const Json &file : files)
+        if (file.is_string() && is_written_name(file.get<std::string>()))
+          previous_run.files.insert(file.get<std::string>());
     return previous_run;
   }
 

@@ -6,6 +6,7 @@
 #include <rolling_contact/run/results_table.h>
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 
 namespace RollingContact
@@ -34,7 +35,7 @@ namespace RollingContact
 
       std::string operator()(const double value) const
       {
-        return significant(value, digits);
+        return std::isnan(value) ? "" : significant(value, digits);
       }
 
       std::string operator()(const std::string &value) const
@@ -62,8 +63,9 @@ namespace RollingContact
       }
     };
 
-    std::string csv_field(const std::string &text)
+    std::string csv_field(const std::string &plain)
     {
+      const std::string text = no_formula(plain);
       if (text.find_first_of(",\"\r\n") == std::string::npos)
         return text;
       std::string result = "\"";
@@ -201,9 +203,10 @@ namespace RollingContact
                              const Readers     &readers)
   {
     const auto set_read = [&](const std::string &name,
-                              const std::string &text) {
-      const auto reader = readers.find(name);
-      const auto number = number_of(text);
+                              const std::string &field) {
+      const std::string text   = without_apostrophe(field);
+      const auto        reader = readers.find(name);
+      const auto        number = number_of(text);
       if (text.empty())
         leave_empty(name);
       else if (reader != readers.end())
@@ -221,7 +224,9 @@ namespace RollingContact
         set(name, text);
     };
     std::size_t begin = 0;
-    const auto  names = next_fields(text, begin);
+    auto        names = next_fields(text, begin);
+    for (std::string &name : names)
+      name = without_apostrophe(name);
     while (begin < text.size())
       {
         const auto fields = next_fields(text, begin);
@@ -367,8 +372,9 @@ namespace RollingContact
           {
             const bool is_set =
               found->second < row.size() && row[found->second].index() != 0;
-            texts.push_back(is_set ? std::visit(CellText{4}, row[found->second])
-                                   : "-");
+            const std::string text =
+              is_set ? std::visit(CellText{4}, row[found->second]) : "";
+            texts.push_back(text.empty() ? "-" : text);
           }
 
         std::size_t width = 0;

@@ -1,7 +1,4 @@
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/files.h>
@@ -10,9 +7,7 @@
 #include <rolling_contact/input/prm_entries.h>
 #include <rolling_contact/run/previous_run.h>
 #include <rolling_contact/run/run_folder.h>
-
-#include <cerrno>
-#include <cstring>
+#include <rolling_contact/run/written_names.h>
 
 namespace RollingContact
 {
@@ -20,22 +15,6 @@ namespace RollingContact
 
   namespace
   {
-    /** Names every run may leave, whether or not its list has them. */
-    const std::set<std::string> fixed_names{"original.prm",
-                                            "used.prm",
-                                            "results.csv",
-                                            "bodies.pvd",
-                                            "interface.pvd"};
-
-    [[noreturn]] void refuse(const fs::path &folder, const std::string &reason)
-    {
-      throw InputError(
-        fmt::format("Cannot use \"{}\" as run folder: {} Name another folder "
-                    "with --output.",
-                    folder.string(),
-                    reason));
-    }
-
     [[noreturn]] void refuse_to_resume(const fs::path    &folder,
                                        const std::string &reason)
     {
@@ -75,43 +54,16 @@ namespace RollingContact
         // The next run removes them, since run.json lists them.
       }
     leave_on_stop("", "", "");
-    close(lock_descriptor);
-  }
-
-  void RunFolder::check() const
-  {
-    if (folder.empty())
-      refuse(folder, "its name is empty.");
-
-    const fs::path absolute = fs::absolute(folder);
-    const fs::path existing = nearest_existing(absolute);
-    if (!fs::is_directory(existing))
-      refuse(folder, '"' + existing.string() + "\" is a file.");
-    if (access(existing.c_str(), R_OK | W_OK | X_OK) != 0)
-      refuse(folder,
-             "no permission to write in \"" + existing.string() + "\".");
-    if (existing == absolute && !is_empty_folder(folder) &&
-        !read_previous_run(folder).made_by_this_program)
-      refuse(folder,
-             "it holds files that this program did not write (no " +
-               record_name + " of a former run), and they stay untouched.");
+    unlock();
   }
 
   void RunFolder::open()
   {
     Ranks::on_root([&]() {
-      check();
-
-      std::error_code error;
-      fs::create_directories(folder, error);
-      if (error)
-        refuse(folder, "it cannot be created (" + error.message() + ").");
-      lock();
-
+      take();
       // The mark comes first, with the old list: after a crash anywhere below
       // the next run knows what is left to remove.
-      claimed_files = read_previous_run(folder).files;
-      claimed_files.insert(fixed_names.begin(), fixed_names.end());
+      claim_old_files();
       write_run_json();
       remove_old_files();
 
@@ -123,10 +75,10 @@ namespace RollingContact
   void RunFolder::reopen(const Resumption &resumption)
   {
     Ranks::on_root([&]() {
-      check();
+      check_place();
       if (!fs::is_directory(folder))
         refuse_to_resume(folder, "there is no such folder.");
-      lock();
+      take();
       const fs::path used = final_path("used.prm");
       if (!fs::is_regular_file(final_path(resumption.checkpoint)) ||
           !fs::is_regular_file(used))
@@ -139,7 +91,7 @@ namespace RollingContact
       if (resumption.check)
         resumption.check(folder);
 
-      claimed_files = read_previous_run(folder).files;
+      claim_old_files();
       adopt_old_files(resumption.growing_files);
       write_run_json();
       write_atomically("original.prm", original_prm);
@@ -167,8 +119,7 @@ namespace RollingContact
   fs::path RunFolder::continued(const std::string   &name,
                                 const std::uintmax_t n_bytes)
   {
-    const fs::path  part = growing_path(name), whole = final_path(name);
-    std::error_code error;
+    const fs::path part = growing_path(name), whole = final_path(name);
     if (size_of(part) < n_bytes)
       {
         if (size_of(whole) < n_bytes)
@@ -178,12 +129,8 @@ namespace RollingContact
                         "the checkpoint.",
                         name,
                         n_bytes));
-        fs::copy_file(whole, part, fs::copy_options::overwrite_existing, error);
       }
-    if (!error)
-      fs::resize_file(part, n_bytes, error);
-    if (error)
-      throw_write_error(part, error.message());
+    keep_first_bytes(size_of(part) < n_bytes ? whole : part, part, n_bytes);
     return growing(name);
   }
 
@@ -196,24 +143,24 @@ namespace RollingContact
     published_files.insert(name);
   }
 
-  void RunFolder::publish_durably(const std::string &name)
-  {
-    if (!Ranks::is_root())
-      return;
-    synchronise(temporary_path(name));
-    publish(name);
-    synchronise(folder);
-  }
-
   void RunFolder::write_atomically(const std::string &name,
                                    const std::string &text)
   {
     if (!Ranks::is_root())
       return;
-    begin({name});
-    write_file(final_path(name), text, temporary_path(name));
-    begun_files.erase(name);
-    published_files.insert(name);
+    write_temporary(temporary(name), text, final_path(name));
+    publish(name);
+  }
+
+  void RunFolder::write_durably(const std::string &name,
+                                const std::string &text)
+  {
+    if (!Ranks::is_root())
+      return;
+    write_temporary(temporary(name), text, final_path(name));
+    synchronise(temporary_path(name));
+    publish(name);
+    synchronise(folder);
   }
 
   void RunFolder::write_pieces(const std::vector<std::string> &names,
@@ -264,21 +211,6 @@ namespace RollingContact
     return folder / (name + ".part");
   }
 
-  void RunFolder::lock()
-  {
-    lock_descriptor =
-      ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (lock_descriptor < 0)
-      refuse(folder, std::string(std::strerror(errno)) + '.');
-    // File systems without locks are used without one.
-    if (flock(lock_descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-      {
-        close(lock_descriptor);
-        lock_descriptor = -1;
-        refuse(folder, "another run is writing to it.");
-      }
-  }
-
   void RunFolder::begin(const std::vector<std::string> &names)
   {
     if (lock_descriptor < 0)
@@ -286,8 +218,10 @@ namespace RollingContact
     const std::size_t n_claimed = claimed_files.size();
     for (const std::string &name : names)
       {
-        if (!is_plain_name(name) || name == record_name)
+        if (!is_written_name(name))
           throw std::logic_error("Not a name for a file of a run: " + name);
+        if (!vouch_for(claimed_files, name))
+          refuse_newcomers(name);
         begun_files.insert(name);
         claimed_files.insert(name);
       }

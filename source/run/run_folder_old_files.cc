@@ -1,10 +1,23 @@
 #include <rolling_contact/base/files.h>
 #include <rolling_contact/run/previous_run.h>
 #include <rolling_contact/run/run_folder.h>
+#include <rolling_contact/run/written_names.h>
 
 namespace RollingContact
 {
   namespace fs = std::filesystem;
+
+  void RunFolder::claim_old_files()
+  {
+    const std::set<std::string> listed = read_previous_run(folder).files;
+    claimed_files                      = listed;
+    for (const fs::directory_entry &entry : fs::directory_iterator(folder))
+      {
+        const std::string file = entry.path().filename().string();
+        if (is_written_name(file) && vouch_for(listed, file))
+          claimed_files.insert(file);
+      }
+  }
 
   void RunFolder::remove_old_files()
   {

@@ -108,7 +108,7 @@ namespace RollingContact
       "group of Gmsh, or the digits in the name of an Abaqus surface.";
     entries.add("Hub boundary id", hub_boundary, "1").at_least(1).help =
       "The same of the part that is the hub.";
-    entries.add("Cells along", cells_along, "1").at_least(1).help =
+    entries.add("Cells along", cells_along, "1").between(1, 100000).help =
       "Number of equal cells of a section round its axle or along the rail; "
       "those at the patch are divided as the contact needs.";
     entries.choice("Surface", surface, named_surfaces).help =

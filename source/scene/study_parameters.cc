@@ -28,14 +28,14 @@ namespace RollingContact
   void StudyParameters::declare_meshes(Entries &entries)
   {
     entries.add("Elements across patch", elements, "1")
-      .at_least(1)
+      .between(1, 100000)
       .several()
       .help = "Meshes to compare.";
     entries.add("Offsets", n_offsets, "1").between(1, 1000).help =
       "Positions of each mesh under the patch, equally spaced over one "
       "element.";
     entries.add("Reference elements across patch", reference_elements, "1")
-      .at_least(1)
+      .between(1, 100000)
       .help =
       "Mesh of the converged solution that forces are compared with, mean "
       "over the offsets with `calibrated`; finer than the others.";
@@ -49,7 +49,7 @@ namespace RollingContact
       "Levels of `adaptive` meshes; Mesh/Contact node budget may end them "
       "before.";
     entries.add("Adaptive starts", adaptive_starts, "1")
-      .at_least(1)
+      .between(1, 100000)
       .several(0)
       .help =
       "Elements across the patch that those levels start from; empty: as "

@@ -1,5 +1,6 @@
 #include <rolling_contact/algebra/third_octaves.h>
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/files.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/input/rows_file.h>
 #include <rolling_contact/surfaces/roughness_levels.h>
@@ -8,8 +9,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <map>
+#include <sstream>
 
 namespace RollingContact
 {
@@ -69,8 +70,8 @@ namespace RollingContact
 
     bool has_levels(const std::filesystem::path &file)
     {
-      std::ifstream in(file);
-      std::string   line;
+      std::istringstream in(read_bytes(file));
+      std::string        line;
       while (std::getline(in, line))
         if (!line.empty() && line[0] != '#')
           return line.find("wavelength_m") != std::string::npos ||

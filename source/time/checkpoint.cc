@@ -12,9 +12,7 @@
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/time/checkpoint.h>
 
-#include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <sstream>
 
 namespace boost
@@ -83,26 +81,13 @@ namespace RollingContact
         boost::archive::binary_oarchive archive(stream);
         archive << checkpoint;
       }
-      const std::string bytes = stream.str();
-      Head              head;
+      std::string bytes = stream.str();
+      Head        head;
       head.n_bytes  = bytes.size();
       head.checksum = checksum_of(bytes.data(), bytes.size());
 
-      const auto path = folder.temporary(checkpoint_name);
-      errno           = 0;
-      std::ofstream file(path, std::ios::binary);
-      file.write(reinterpret_cast<const char *>(&head), sizeof(head));
-      file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-      file.close();
-      if (!file)
-        {
-          const int       reason = errno;
-          std::error_code ignored;
-          std::filesystem::remove(path, ignored); // its space is needed
-          throw_write_error(folder.get_path() / checkpoint_name,
-                            std::strerror(reason));
-        }
-      folder.publish_durably(checkpoint_name);
+      bytes.insert(0, reinterpret_cast<const char *>(&head), sizeof(head));
+      folder.write_durably(checkpoint_name, bytes);
     }
 
     /** The archive behind the head, checked. */

@@ -32,28 +32,28 @@ BOOST_FIXTURE_TEST_CASE(data_and_script, DrawingRun)
              "# reference\n# x_1 (m)\tp \uFFFD\n0\t1\n4\t1\n\n\n"
              "# guess\n# x_1 (m)\tp \uFFFD\n0\t1\n4\t3\n\n\n");
 
-  figure.draw(drawing, "a");
+  figure.draw(drawing, "history");
   BOOST_TEST(said.str() == "");
-  BOOST_TEST(is_drawn("a"));
+  BOOST_TEST(is_drawn("history"));
   for (
     const char *line :
     {"set title '{/:Bold=15 it''s   p < q \\& \"r\" \\\\ `touch x`}'\n",
      "set xlabel 'x_1 (m)' noenhanced\n",
      "set logscale y\n",
      "from first -1, graph 0 to first 0.5, graph 1 behind",
-     "plot 'a.dat' index 0 using 1:2 with lines linetype 1 title 'first', \\\n",
-     "'a.dat' index 1 using 1:2 with linespoints linetype 2 pointsize 0.55 "
+     "plot 'history.dat' index 0 using 1:2 with lines linetype 1 title 'first', \\\n",
+     "'history.dat' index 1 using 1:2 with linespoints linetype 2 pointsize 0.55 "
      "notitle, \\\n",
-     "'a.dat' index 2 using 1:2 with lines linewidth 1.4 linecolor "
+     "'history.dat' index 2 using 1:2 with lines linewidth 1.4 linecolor "
      "\"#222222\" dashtype (9,6) title 'reference'",
-     "'a.dat' index 3 using 1:2 with lines linetype 3 dashtype (9,6) title "
+     "'history.dat' index 3 using 1:2 with lines linetype 3 dashtype (9,6) title "
      "'guess'",
      "title 'stick'\n"})
-    BOOST_TEST(contains(script("a"), line), line);
-  BOOST_TEST(!contains(script("a"), "logscale x"));
+    BOOST_TEST(contains(script("history"), line), line);
+  BOOST_TEST(!contains(script("history"), "logscale x"));
   BOOST_TEST(!fs::exists(files.folder / "x"));
 
-  const std::string svg = read(files.folder / "a.svg");
+  const std::string svg = read(files.folder / "history.svg");
   BOOST_TEST(contains(svg, "<title>it's   p &lt; q &amp; "));
   for (const char *text : {"it's ", "x_1 (m)", "first", "stick"})
     BOOST_TEST(contains(svg, text), text);
@@ -82,7 +82,7 @@ BOOST_FIXTURE_TEST_CASE(degenerate_data, DrawingRun)
         figure.add_band("", not_number, 0.);
         figure.add_curve("curve", x, y, CurveStyle::points);
         figure.add_curve("again", x, y);
-        const std::string name = "a" + std::to_string(n_drawn++);
+        const std::string name = "table_" + std::to_string(n_drawn++);
         figure.draw(drawing, name);
         BOOST_TEST(is_drawn(name), name);
       }
@@ -98,29 +98,30 @@ BOOST_FIXTURE_TEST_CASE(maps, DrawingRun)
   Figure figure("Pressure", "x (mm)", "y (mm)");
   figure.add_map("p (MPa)", {0., 1., 3.}, {5., 6.}, {1., 2., 3., 4., 5., 6.});
   figure.add_curve("edge", {0., 3.}, {5., 6.});
-  figure.draw(drawing, "map");
-  BOOST_TEST(is_drawn("map"));
+  figure.draw(drawing, "stability_map");
+  BOOST_TEST(is_drawn("stability_map"));
   BOOST_TEST(contains(figure.data(),
                       "# x (mm)\ty (mm)\tp (MPa)\n0\t5\t1\n1\t5\t2\n3\t5\t3\n\n"
                       "0\t6\t4\n1\t6\t5\n3\t6\t6\n\n\n"));
-  BOOST_TEST(contains(script("map"), "set cblabel 'p (MPa)'"));
-  BOOST_TEST(contains(script("map"),
-                      "splot 'map.dat' index 0 with pm3d notitle, \\\n"
-                      "  'map.dat' index 1 using 1:2:(0) with lines"));
+  BOOST_TEST(contains(script("stability_map"), "set cblabel 'p (MPa)'"));
+  BOOST_TEST(
+    contains(script("stability_map"),
+             "splot 'stability_map.dat' index 0 with pm3d notitle, \\\n"
+             "  'stability_map.dat' index 1 using 1:2:(0) with lines"));
   // a reference lies on white, to be seen on dark colours
   figure.add_curve("", {0., 3.}, {6., 5.}, CurveStyle::reference);
-  figure.draw(drawing, "map");
-  BOOST_TEST(
-    contains(script("map"),
-             "index 0 with pm3d notitle, \\\n  'map.dat' index 2 using "
-             "1:2:(0) with lines linewidth 3.4 linecolor "
-             "\"#FFFFFF\" notitle, \\\n  'map.dat' index 1 using"));
-  BOOST_TEST(is_drawn("map"));
+  figure.draw(drawing, "stability_map");
+  BOOST_TEST(contains(
+    script("stability_map"),
+    "index 0 with pm3d notitle, \\\n  'stability_map.dat' index 2 using "
+    "1:2:(0) with lines linewidth 3.4 linecolor "
+    "\"#FFFFFF\" notitle, \\\n  'stability_map.dat' index 1 using"));
+  BOOST_TEST(is_drawn("stability_map"));
   // ranges to the digit of the data, or gnuplot cuts the outer cells
   Figure thirds("", "x", "y");
   thirds.add_map("v", {1 / 3., 2 / 3.}, {8 / 9., 5000 / 3.}, {1., 2., 3., 4.});
-  thirds.draw(drawing, "thirds");
-  BOOST_TEST(contains(script("thirds"),
+  thirds.draw(drawing, "growth");
+  BOOST_TEST(contains(script("growth"),
                       "set xrange [0.333333333:0.666666667]\n"
                       "set yrange [0.888888889:1666.66667]\n"));
   BOOST_TEST(contains(thirds.data(), "\n0.666666667\t1666.66667\t4\n"));
@@ -132,14 +133,14 @@ BOOST_FIXTURE_TEST_CASE(names_of_points, DrawingRun)
   Figure figure("", "x", "y");
   figure.add_curve("", {1., 2.}, {3., 4.}, CurveStyle::points);
   figure.add_curve("it's_0L3", {2.}, {4.}, CurveStyle::name_beside);
-  figure.draw(drawing, "names");
+  figure.draw(drawing, "gaps");
   BOOST_TEST(said.str() == "");
-  BOOST_TEST(is_drawn("names"));
+  BOOST_TEST(is_drawn("gaps"));
   BOOST_TEST(
-    contains(script("names"),
+    contains(script("gaps"),
              "index 1 using 1:2:('it''s\\\\\\_0L3') with labels center"));
-  BOOST_TEST(contains(script("names"), "unset key"));
-  BOOST_TEST(contains(read(files.folder / "names.svg"), "s_0L3"));
+  BOOST_TEST(contains(script("gaps"), "unset key"));
+  BOOST_TEST(contains(read(files.folder / "gaps.svg"), "s_0L3"));
 }
 
 /** The course of a long curve stays, its extremes included. */
@@ -185,13 +186,14 @@ BOOST_FIXTURE_TEST_CASE(equal_scales_and_separate_panels, DrawingRun)
   Figure panel("", "along the rail (mm)", "p (MPa)");
   panel.add_curve("p", {-5., 5.}, {0., 900.});
   figure.add_separate_panel(panel);
-  figure.draw(drawing, "a");
-  BOOST_TEST(is_drawn("a"));
+  figure.draw(drawing, "history");
+  BOOST_TEST(is_drawn("history"));
   // 522 pixels by 326, 1.08 units for each
-  BOOST_TEST(contains(script("a"), "set xrange [-20.88:542.88]\n"));
-  BOOST_TEST(contains(script("a"), "set yrange [-161.04:191.04]\n"));
-  BOOST_TEST(contains(script("a"), "linetype 1 linewidth 5.5 title 'wide'"));
-  const std::string svg = read(files.folder / "a.svg");
+  BOOST_TEST(contains(script("history"), "set xrange [-20.88:542.88]\n"));
+  BOOST_TEST(contains(script("history"), "set yrange [-161.04:191.04]\n"));
+  BOOST_TEST(
+    contains(script("history"), "linetype 1 linewidth 5.5 title 'wide'"));
+  const std::string svg = read(files.folder / "history.svg");
   for (const char *label : {"y (mm)", "along the rail (mm)", "p (MPa)"})
     BOOST_TEST(contains(svg, label), label);
   BOOST_CHECK_THROW(figure.add_panel(panel), std::invalid_argument);
@@ -211,9 +213,9 @@ BOOST_FIXTURE_TEST_CASE(panels_over_one_frequency, DrawingRun)
   phase.set_scales(AxisScale::logarithmic, AxisScale::linear);
   phase.add_curve("a", {150., 1200., 5000.}, {-10., -90., -170.});
   figure.add_panel(phase);
-  figure.draw(drawing, "a");
-  BOOST_TEST(is_drawn("a"));
-  const std::string svg   = read(files.folder / "a.svg");
+  figure.draw(drawing, "history");
+  BOOST_TEST(is_drawn("history"));
+  const std::string svg   = read(files.folder / "history.svg");
   const auto        times = [&](std::string text) {
     // gnuplot puts a blank before some
     unsigned int n = 0;
@@ -226,7 +228,7 @@ BOOST_FIXTURE_TEST_CASE(panels_over_one_frequency, DrawingRun)
   };
   BOOST_TEST(times("200") == 1);
   BOOST_TEST(times("5000") == 1);
-  const std::string gnuplot = script("a");
+  const std::string gnuplot = script("history");
   BOOST_TEST(gnuplot.rfind("unset mytics") != std::string::npos);
   BOOST_TEST(gnuplot.rfind("unset mytics") > gnuplot.rfind("set mytics 10"));
 }

@@ -302,20 +302,21 @@ BOOST_FIXTURE_TEST_CASE(files_appear_when_complete, ScratchFolder)
   {
     RunFolder run(folder, "", "");
     run.open();
-    write(run.temporary("bodies-0001.vtu"), "whole");
-    BOOST_TEST(!fs::exists(folder / "bodies-0001.vtu"));
-    BOOST_TEST(count(read(folder / "run.json"), "bodies-0001.vtu") == 1u);
-    run.publish("bodies-0001.vtu");
-    BOOST_TEST(read(folder / "bodies-0001.vtu") == "whole");
+    write(run.temporary("wheel-0001.vtu"), "whole");
+    BOOST_TEST(!fs::exists(folder / "wheel-0001.vtu"));
+    BOOST_TEST(count(read(folder / "run.json"), "wheel-0001.vtu") == 1u);
+    run.publish("wheel-0001.vtu");
+    BOOST_TEST(read(folder / "wheel-0001.vtu") == "whole");
 
-    write(run.temporary("bodies-0002.vtu"), "half");
-    BOOST_TEST(run.files() == (std::vector<std::string>{"bodies-0001.vtu",
-                                                        "original.prm",
-                                                        "used.prm"}),
+    write(run.temporary("wheel-0002.vtu"), "half");
+    BOOST_TEST(run.files() == (std::vector<std::string>{"original.prm",
+                                                        "used.prm",
+                                                        "wheel-0001.vtu"}),
                boost::test_tools::per_element());
 
     BOOST_CHECK_THROW(run.publish("never-written.csv"), InputError);
-    for (const std::string name : {"", "../x", "a/b", ".x", "run.json", "a\""})
+    for (const std::string name :
+         {"", "../x", "a/b", ".x", "run.json", "a\"", "thesis.csv"})
       BOOST_CHECK_THROW(run.temporary(name), std::logic_error);
   }
   BOOST_TEST(n_entries(folder) == 4u);
@@ -328,16 +329,15 @@ BOOST_FIXTURE_TEST_CASE(old_run_is_replaced_and_nothing_else, ScratchFolder)
     RunFolder run(folder, "old", "old");
     run.open();
     run.write_atomically("results.csv", "old");
-    run.write_atomically("bodies-0001.vtu", "old");
+    run.write_atomically("wheel-0001.vtu", "old");
   }
   write(folder / "notes.txt", "mine");
   write(scratch / "output" / "victim", "mine");
   std::string record = read(folder / "run.json");
-  record.insert(record.find("\"bodies"), "\"../victim\", ");
+  record.insert(record.find("\"wheel"), "\"../victim\", \"notes.txt\", ");
   write(folder / "run.json", record);
-  // A run that died left these behind; the second is not in its list.
-  write(folder / ".bodies-0001.vtu.part", "half");
-  write(folder / "interface.pvd", "old");
+  // a run that died left it behind
+  write(folder / ".wheel-0001.vtu.part", "half");
 
   RunFolder run(folder, "new", "new");
   run.open();
@@ -351,14 +351,14 @@ BOOST_FIXTURE_TEST_CASE(a_crash_while_replacing_can_be_resumed, ScratchFolder)
 {
   write(folder / "run.json",
         "{\"program\": \"rolling-contact\", \"status\": \"running\", "
-        "\"files\": [\"bodies-0001.vtu\", \"blocked\"]}");
-  write(folder / "bodies-0001.vtu", "old");
+        "\"files\": [\"wheel-0001.vtu\", \"blocked\"]}");
+  write(folder / "wheel-0001.vtu", "old");
   // A folder of a listed name is left alone.
   write(folder / "blocked" / "inner", "mine");
 
   RunFolder run(folder, "", "");
   run.open();
-  BOOST_TEST(!fs::exists(folder / "bodies-0001.vtu"));
+  BOOST_TEST(!fs::exists(folder / "wheel-0001.vtu"));
   BOOST_TEST(read(folder / "blocked" / "inner") == "mine");
 }
 
@@ -431,12 +431,12 @@ BOOST_FIXTURE_TEST_CASE(results_csv, ScratchFolder)
   BOOST_TEST(read(folder / "results.csv") ==
              "level,solver,force_x_N,converged,new\n"
              "0,\"active set, \"\"warm\"\"\",-141000.123,true,\n"
-             "1,,nan,,1\n");
+             "1,,,,1\n");
   BOOST_TEST(table.n_rows() == 2u);
   BOOST_TEST(table.screen_table({"level", "force_x_N", "absent", "solver"}) ==
              "level  force_x_N              solver\n"
              "    0  -1.41e+05  active set, \"warm\"\n"
-             "    1        nan                   -\n");
+             "    1          -                   -\n");
 }
 
 /** The units that doc/output.md gives to columns are those that their names,

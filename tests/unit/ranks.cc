@@ -369,11 +369,11 @@ BOOST_AUTO_TEST_CASE(only_the_root_writes)
   const SharedFolder shared;
   RunFolder          run(shared.folder, "a", "b");
   run.open();
-  run.write_atomically("who.txt", std::to_string(Ranks::rank()));
+  run.write_atomically("wheel.txt", std::to_string(Ranks::rank()));
   run.write_record("\"status\": \"done\"");
   Ranks::sum(0.);
-  BOOST_TEST(read(shared.folder / "who.txt") == "0");
-  BOOST_TEST(contains(read(shared.folder / "run.json"), "who.txt"));
+  BOOST_TEST(read(shared.folder / "wheel.txt") == "0");
+  BOOST_TEST(contains(read(shared.folder / "run.json"), "wheel.txt"));
 }
 
 BOOST_AUTO_TEST_CASE(a_file_in_pieces)
@@ -381,7 +381,7 @@ BOOST_AUTO_TEST_CASE(a_file_in_pieces)
   const SharedFolder       shared;
   std::vector<std::string> names;
   for (unsigned int r = 0; r < Ranks::count(); ++r)
-    names.push_back("piece-" + std::to_string(r));
+    names.push_back("wheel-" + std::to_string(r) + ".vtu");
   RunFolder run(shared.folder, "", "");
   run.open();
   run.write_pieces(names, "of " + std::to_string(Ranks::rank()));
@@ -393,10 +393,10 @@ BOOST_AUTO_TEST_CASE(a_file_in_pieces)
   Ranks::sum(0.); // all have read before pieces are begun anew
 
   // the last rank finds a folder where its file should be
-  Ranks::on_root([&]() { fs::create_directory(shared.folder / "taken"); });
-  names.back() = "taken";
+  Ranks::on_root([&]() { fs::create_directory(shared.folder / "rail.vtu"); });
+  names.back() = "rail.vtu";
   BOOST_TEST(
-    contains(complaint([&]() { run.write_pieces(names, ""); }), "taken"));
+    contains(complaint([&]() { run.write_pieces(names, ""); }), "rail.vtu"));
 }
 
 BOOST_AUTO_TEST_CASE(a_folder_that_is_refused)

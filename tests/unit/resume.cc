@@ -80,7 +80,7 @@ namespace
         x = 3.99 * x * (1 - x);
         history->add_row({1. * state.progress.step, state.progress.time, x});
         const std::string name =
-          "body-" + std::to_string(state.progress.step) + ".vtu";
+          "wheel-" + std::to_string(state.progress.step) + ".vtu";
         run.write_atomically(name, std::to_string(x));
         state.body_fields.push_back({state.progress.time, 0, "wheel", name});
         write_pvd(state.body_fields, run, "bodies.pvd");
@@ -370,7 +370,7 @@ BOOST_FIXTURE_TEST_CASE(reopening_refuses_what_cannot_be_resumed, ScratchFolder)
   BOOST_TEST(reopen(longer) == "");
   BOOST_TEST(read(folder / "used.prm") == longer);
   BOOST_TEST(read(folder / "history.csv") == before.at("history.csv"));
-  BOOST_TEST(read(folder / "body-5.vtu") == before.at("body-5.vtu"));
+  BOOST_TEST(read(folder / "wheel-5.vtu") == before.at("wheel-5.vtu"));
 }
 
 BOOST_FIXTURE_TEST_CASE(starting_anew_leaves_nothing_to_resume, ScratchFolder)
@@ -472,7 +472,7 @@ BOOST_FIXTURE_TEST_CASE(history_rows, ScratchFolder)
   }
   const std::string text = read(folder / history_name);
   BOOST_TEST(text == "step,time_s,force_x_N\n999999999,0.333333333,-1e-07\n"
-                     "2,nan,0\n");
+                     "2,,0\n");
   BOOST_CHECK_THROW(
     HistoryTable(run, history_name, {"other", "columns"}, {2, text.size()}),
     InputError);

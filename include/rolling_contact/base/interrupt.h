@@ -8,12 +8,13 @@
 namespace RollingContact
 {
   /**
-   * Clear the flag of interrupted() and follow SIGINT, SIGTERM and, unless it
-   * is ignored as under nohup, SIGHUP from now on:
+   * Clear the flag of interrupted() and follow SIGINT, SIGTERM, SIGXCPU,
+   * SIGUSR1 and, unless it is ignored as under nohup, SIGHUP from now on:
    * the first only sets the flag, the second ends the process at once, as does
-   * a SIGTERM or SIGHUP not heard within seconds_to_stop (not under a launcher,
+   * one but SIGINT not heard within seconds_to_stop (not under a launcher,
    * which kills by itself): exit code 2, and the file of leave_on_stop(). A
-   * process on its own answers the first with a message.
+   * process on its own answers the first with a message. A SIGXCPU is never a
+   * second one: the kernel sends it every second.
    *
    * A thread of its own waits for them, and they are blocked in all others,
    * whatever a library installs: METIS jumps out of its own code on a SIGTERM.

@@ -2,6 +2,7 @@
 #define rolling_contact_base_memory_h
 
 #include <cstddef>
+#include <string>
 
 namespace RollingContact
 {
@@ -22,6 +23,13 @@ namespace RollingContact
    * within the limits of ulimit -v and -d and those of its control group
    * (containers, batch systems); 0 if unknown. */
   std::size_t available_memory();
+
+  /** What is left within the memory limits of this process's control group and
+   * of those that it is in, of version 1 and 2, in bytes; the largest number if
+   * there are none. */
+  std::size_t
+  memory_left_of_groups(const std::string &list_of_groups = "/proc/self/cgroup",
+                        const std::string &groups         = "/sys/fs/cgroup");
 
   /** What is left of the limits of ulimit -v and -d, in bytes; the largest
    * number if there are none. */

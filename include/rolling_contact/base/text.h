@@ -45,6 +45,17 @@ namespace RollingContact
   std::string quotable(const std::string &text,
                        std::size_t        most_characters = 60);
 
+  /**
+   * A text for a cell that a spreadsheet shows and never evaluates: one that it
+   * would take for a formula, for it begins with '=', '+', '-', '@' or a tab
+   * and is no number, gets an apostrophe before it, as does one that would be
+   * mistaken for such a cell.
+   */
+  std::string no_formula(const std::string &text);
+
+  /** The text that no_formula() made this cell of. */
+  std::string without_apostrophe(const std::string &cell);
+
   /** A number filled up with zeros to so many digits: 007. */
   std::string zero_padded(std::size_t number, unsigned int digits);
 

@@ -28,10 +28,11 @@ namespace RollingContact
   };
 
   /**
-   * A .prm file, safe for deal.II's reader, which follows `include` without
-   * end, takes any value with a '{' and the last of entries given twice.
-   * Included files are relative to the working directory; they may be
-   * overridden, but one file gives an entry once. Throws InputError naming the
+   * A .prm file with those that it includes, without what deal.II's reader
+   * does: it follows `include` without end, takes any value with a '{' and the
+   * last of entries given twice. Included files are relative to the folder of
+   * the file that includes them; they may be overridden, but one file gives an
+   * entry once. Throws InputError naming the
    * file, and the line where there is one, if it or a file it includes cannot
    * be read, is no regular file, is larger than 16 MiB, holds bytes that are no
    * text, a line that is none of a .prm file, a '{' in an entry, an entry twice

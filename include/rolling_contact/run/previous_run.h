@@ -11,14 +11,11 @@ namespace RollingContact
   inline const std::string record_name  = "run.json";
   inline const std::string program_name = "rolling-contact";
 
-  /** Letters, digits, '.', '_', '-', no leading '.'. */
-  bool is_plain_name(const std::string &name);
-
   /** What run.json tells about the run that left it. */
   struct PreviousRun
   {
     bool                  made_by_this_program = false;
-    std::set<std::string> files; ///< plain names only
+    std::set<std::string> files; ///< of is_written_name() only
   };
 
   /** Never throws for what the file holds: text that is not JSON, or nested

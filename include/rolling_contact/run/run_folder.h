@@ -16,7 +16,9 @@ namespace RollingContact
    * as the mark of a folder this program made: it begins with the program's
    * name and ends with the list of files, so that the next run knows what it
    * may remove, even after a crash; what stands between comes from others
-   * (RunReport).
+   * (RunReport). Only regular files of names that a run writes
+   * (is_written_name()) are ever removed or replaced; a link, a folder or a
+   * pipe of such a name, or a file that the list does not have, is refused.
    *
    * With several MPI ranks every one has this object, and the root does it all:
    * what is not marked otherwise does nothing on the other ranks, and errors
@@ -51,8 +53,9 @@ namespace RollingContact
 
     /**
      * Creates the folder, or removes an old run's files from it, no others.
-     * Throws InputError, and leaves the folder as it is, if it holds something
-     * else, cannot be written to, or belongs to a run that is still going.
+     * Throws InputError, and leaves the folder as it is, if it was not made by
+     * this program, holds something else under a name that a run writes, cannot
+     * be written to, or belongs to a run that is still going.
      * Collective: errors are thrown on all ranks.
      */
     void open();
@@ -83,8 +86,7 @@ namespace RollingContact
 
     /**
      * Path to write the file `name` to; a temporary name in the same folder.
-     * Names are plain: letters, digits, '.', '_', '-', no leading '.'. Only for
-     * the root.
+     * Names are those of is_written_name(). Only for the root.
      */
     std::filesystem::path temporary(const std::string &name);
 
@@ -94,8 +96,9 @@ namespace RollingContact
      */
     std::filesystem::path growing(const std::string &name);
 
-    /** Gives the finished temporary file its final name, replacing any file
-     * of that name in one step. Throws InputError if there is no such file. */
+    /** Gives the finished temporary file its final name, replacing a file that
+     * this run published under it in one step. Throws InputError if there is no
+     * such file. */
     void publish(const std::string &name);
 
     /**
@@ -108,14 +111,14 @@ namespace RollingContact
                                     const std::uintmax_t n_bytes);
 
     /**
-     * As publish(), and the file and its name outlive a loss of power.
-     */
-    void publish_durably(const std::string &name);
-
-    /**
      * As temporary() and publish() for a text; InputError if the disk is full.
      */
     void write_atomically(const std::string &name, const std::string &text);
+
+    /**
+     * As write_atomically(), and the file and its name outlive a loss of power.
+     */
+    void write_durably(const std::string &name, const std::string &text);
 
     /**
      * Like write_atomically() for a file in pieces: rank r writes its text to
@@ -139,9 +142,15 @@ namespace RollingContact
     std::filesystem::path temporary_path(const std::string &name) const;
     std::filesystem::path growing_path(const std::string &name) const;
 
+    void check_place() const;
+    void refuse_foreign_files() const;
+    void refuse_newcomers(const std::string &name) const;
+    void take();
     void lock();
+    void unlock();
     void begin(const std::vector<std::string> &names);
     void write_run_json() const;
+    void claim_old_files();
     void remove_old_files();
     void adopt_old_files(const std::set<std::string> &growing);
     void remove_unpublished_files();

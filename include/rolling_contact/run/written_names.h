@@ -1,0 +1,31 @@
+#ifndef rolling_contact_run_written_names_h
+#define rolling_contact_run_written_names_h
+
+#include <set>
+#include <string>
+
+namespace RollingContact
+{
+  /**
+   * Whether a run may write a file of this name: one of those that
+   * doc/output.md lists. RunFolder writes no others, and a run.json that lists
+   * others is not believed: what has such a name was made by somebody else. All
+   * of them are plain: no folder, no leading '.'.
+   */
+  bool is_written_name(const std::string &name);
+
+  /**
+   * The written name that an entry of a run folder belongs to: its own, or that
+   * of a file that was not complete, `.NAME.part` or `NAME.part`; empty if it
+   * is none of this program.
+   */
+  std::string written_name_of(const std::string &entry);
+
+  /**
+   * Whether a run that left these files made that one too. Each is its own
+   * witness, and a script of gnuplot that of the picture it draws, by hand too.
+   */
+  bool vouch_for(const std::set<std::string> &files, const std::string &name);
+} // namespace RollingContact
+
+#endif
