@@ -82,6 +82,31 @@ BOOST_AUTO_TEST_CASE(the_bound_covers_kinks)
     }
 }
 
+BOOST_AUTO_TEST_CASE(the_bound_is_narrow_for_one_kink)
+{
+  // nothing but a kink in one interval, which the straight line is off by at
+  // most s (1 - s) of it
+  for (const double part : {0.1, 0.3, 0.5, 0.8})
+    {
+      const double kink = 0.005 * part;
+      const auto   law  = [&](const Coordinates &x) {
+        Quantities found{};
+        found[force_x] = x[load_axis] * std::abs(x[along_axis] - kink);
+        return found;
+      };
+      const WheelTable table = table_of(law);
+      for (double t = 0.02; t < 1.; t += 0.02)
+        {
+          const Coordinates point{{0., 0., 0., 60e3, 0.005 * t, 0., 0.3}};
+          const Quantities  found = table.at(point).values;
+          BOOST_TEST(force_error(found, law(point)) <=
+                     found[force_bound] * (1 + 1e-12));
+          BOOST_TEST(found[force_bound] <=
+                     60e3 * 2 * 0.005 * t * (1 - t) * 1.01);
+        }
+    }
+}
+
 BOOST_AUTO_TEST_CASE(beyond_the_axes_is_told)
 {
   const WheelTable table = table_of(smooth);
@@ -215,7 +240,10 @@ BOOST_AUTO_TEST_CASE(rails_that_move_together_are_a_shift)
   moved[right_rail_z]  = 1e-4;
   const Outputs rolled = model.evaluate(moved, 0.1);
   BOOST_TEST(std::abs(rolled.roll - 1e-4 / (2 * tape_circle)) < 1e-15);
-  BOOST_TEST(rolled.wheels[0].values[place_y] > a.wheels[0].values[place_y]);
+  // the contact goes to where the wheel is lower, as by a shift to the left of
+  // the right-hand wheel and to the left of the left-hand one
+  BOOST_TEST(rolled.wheels[0].values[place_y] > tape_circle + 1e-5);
+  BOOST_TEST(rolled.wheels[1].values[place_y] > -tape_circle + 1e-5);
 }
 
 BOOST_AUTO_TEST_CASE(wheels_without_load_and_slow_ones)
@@ -230,6 +258,13 @@ BOOST_AUTO_TEST_CASE(wheels_without_load_and_slow_ones)
   BOOST_TEST(!found.wheels[0].inside);
   for (const double value : found.wheels[0].values)
     BOOST_TEST(std::isfinite(value));
+  // at half of the least speed it rolls as at that, which is not its own
+  inputs[speed]      = 0.05;
+  inputs[axle_speed] = -0.1 / radius;
+  BOOST_TEST(!model.evaluate(inputs, 0.1).wheels[0].inside);
+  BOOST_TEST(model.evaluate(inputs, 0.1).wheels[0].values[force_bound] > 1e300);
+  inputs[speed] = 0.1;
+  BOOST_TEST(model.evaluate(inputs, 0.1).wheels[0].inside);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
