@@ -15,6 +15,7 @@ namespace RollingContact
     const std::vector<double> forces  = nodal_forces(problem, state);
     const SurfaceFrames      &surface = problem.operators.frames();
     TrackForces               sum;
+    double                    pressed = 0., to_the_side = 0., upwards = 0.;
     for (unsigned int i = 0; i < n; ++i)
       {
         const double along  = n_tangential > 0 ? forces[i] : 0.,
@@ -30,6 +31,10 @@ namespace RollingContact
         const double to_the_right = normal * sine,
                      force_y      = c * across + to_the_right,
                      force_z      = sine * across - normal * c;
+        pressed += normal;
+        to_the_side += to_the_right;
+        upwards += normal * c;
+        sum.pressure_y += normal * Y;
         sum.force_x -= along + curvature * X * to_the_right;
         sum.force_y += force_y;
         sum.force_z += force_z;
@@ -38,6 +43,9 @@ namespace RollingContact
           along * place.along[2] + across * place.across[2] + X * to_the_right;
         sum.axle_torque += along * place.along[3] + across * place.across[3];
       }
+    if (pressed > 0.)
+      sum.pressure_y /= pressed;
+    sum.pressure_angle = std::atan2(to_the_side, upwards);
     return sum;
   }
 } // namespace RollingContact

@@ -15,6 +15,7 @@
 #include <rolling_contact/program/analysis_table.h>
 #include <rolling_contact/tables/table.h>
 #include <rolling_contact/wheelset/curve_stability.h>
+#include <rolling_contact/wheelset/fmu_export.h>
 #include <rolling_contact/wheelset/wheelset_analysis.h>
 
 namespace RollingContact
@@ -37,6 +38,7 @@ namespace RollingContact
                                                  corrugation_kind(),
                                                  rolling_noise_kind(),
                                                  wheelset_kind(),
+                                                 fmu_kind(),
                                                  profile_evolution_kind()};
     return kinds;
   }

@@ -72,6 +72,8 @@ namespace RollingContact
     table.set("moment_track_x_Nm", forces.moment_x);
     table.set("moment_track_z_Nm", forces.moment_z);
     table.set("axle_torque_Nm", forces.axle_torque);
+    table.set("pressure_y_track_m", forces.pressure_y);
+    table.set("pressure_angle_rad", forces.pressure_angle);
     const std::vector<ContactPatch> patches =
       contact_patches(steady.pair->trace(), steady.problem, steady.state);
     table.set("patches", patches.size());

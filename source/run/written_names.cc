@@ -18,7 +18,8 @@ namespace RollingContact
       "|sound|sound_modes|spectrum|third_octaves|lines|spectrogram|cycle"
       "|cycle_patch|summary|methods|best|contact_table|modes|receptances|waves"
       "|track_decay|stability|thresholds|rolling_noise|rolling_noise_speeds"
-      "|corrugation|corrugation_peaks|corrugation_check|residuals)\\.csv";
+      "|corrugation|corrugation_peaks|corrugation_check|fmu_points"
+      "|residuals)\\.csv";
 
     const std::string numbers =
       "(history|modal_velocities|impact_history|cycle_patch|checkpoint"
@@ -48,7 +49,8 @@ namespace RollingContact
       "(wheel|rail)(_[0-9]+)?(_(right|left))?\\.(txt|whl|prw|ban|prr)";
 
     const std::string others =
-      "(original|used)\\.prm|(table|contact_problem)\\.h5|pressure\\.wav"
+      "(original|used)\\.prm|wheelset_fmi[23]\\.fmu|(table|contact_problem)\\.h5"
+      "|pressure\\.wav"
       "|verdict\\.md|limit_cycle_state\\.txt";
   } // namespace
 

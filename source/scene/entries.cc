@@ -120,6 +120,11 @@ namespace RollingContact
                   });
   }
 
+  std::string Entries::form_of_lists()
+  {
+    return number_list_form;
+  }
+
   void Entries::declare(ParameterHandler &prm) const
   {
     for (const Entry &entry : all)

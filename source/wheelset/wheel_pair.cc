@@ -9,12 +9,14 @@ namespace RollingContact
 {
   WheelState WheelState::mirrored() const
   {
-    WheelState other      = *this;
-    other.forces.force_y  = -forces.force_y;
-    other.forces.moment_x = -forces.moment_x;
-    other.forces.moment_z = -forces.moment_z;
-    other.angle           = -angle;
-    other.steepest        = -steepest;
+    WheelState other            = *this;
+    other.forces.force_y        = -forces.force_y;
+    other.forces.moment_x       = -forces.moment_x;
+    other.forces.moment_z       = -forces.moment_z;
+    other.forces.pressure_y     = -forces.pressure_y;
+    other.forces.pressure_angle = -forces.pressure_angle;
+    other.angle                 = -angle;
+    other.steepest              = -steepest;
     return other;
   }
 

@@ -1,6 +1,5 @@
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/number_text.h>
-#include <rolling_contact/input/number_list.h>
 #include <rolling_contact/scene/analysis_traits.h>
 #include <rolling_contact/scene/entries.h>
 #include <rolling_contact/wheelset/found_place.h>
@@ -86,7 +85,7 @@ namespace RollingContact
     entries.list("Curve radius", curve_radii, "", "m").help =
       "Of the middle of the track, positive where the curve is to the right, "
       "one after the other: " +
-      std::string(number_list_form) + "; empty: straight track.";
+      Entries::form_of_lists() + "; empty: straight track.";
     entries.add("Axle load", axle_load, "N").help =
       "What both wheels of a wheelset carry together.";
     entries.add("Cant deficiency", cant_deficiency, "m").help =

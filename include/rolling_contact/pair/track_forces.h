@@ -18,14 +18,17 @@ namespace RollingContact
    * in a steady state, u1 = 0, as creep_work of Resultants. Pressure has a part
    * in all but the axle's torque: the wheel is a surface of revolution about
    * that. In a curve the normals of the rail turn with it, so that pressure
-   * ahead of the middle of the wheelset has a part along the track. Units: N, N
-   * m.
+   * ahead of the middle of the wheelset has a part along the track. The middle
+   * of the pressure is at pressure_y to the right of the middle of the track;
+   * its resultant is inclined as a surface that falls to the right by
+   * pressure_angle. Units: N, N m, m, rad.
    */
   struct TrackForces
   {
     double force_x = 0., force_y = 0., force_z = 0.;
     double moment_x = 0., moment_z = 0.;
     double axle_torque = 0.;
+    double pressure_y = 0., pressure_angle = 0.;
   };
 
   /**

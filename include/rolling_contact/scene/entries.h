@@ -97,6 +97,9 @@ namespace RollingContact
                 const std::string   &default_text,
                 const std::string   &unit);
 
+    /** What such a list looks like, for the help of entries. */
+    static std::string form_of_lists();
+
     /**
      * A choice of one of @p choices by its `name`, which sets the `kind`.
      */

@@ -1,0 +1,206 @@
+#include <rolling_contact/fmu/variables.h>
+
+#include <algorithm>
+
+namespace RollingContact::Fmu
+{
+  namespace
+  {
+    /** References of the wheels begin here. */
+    const unsigned int first_of_right = 100, first_of_left = 200;
+
+    struct InputText
+    {
+      const char *name, *unit, *description;
+    };
+
+    const InputText input_texts[n_inputs] = {
+      {"lateral_shift", "m", "shift of the wheelset to the right"},
+      {"yaw",
+       "rad",
+       "yaw against the radial direction, right-handed about the vertical "
+       "downwards"},
+      {"lateral_velocity", "m/s", "rate of lateral_shift"},
+      {"yaw_rate", "rad/s", "rate of yaw"},
+      {"axle_speed",
+       "rad/s",
+       "angular velocity about the axle, negative where it rolls forwards"},
+      {"speed", "m/s", "speed along the middle of the track"},
+      {"curvature", "1/m", "of the track, positive where it goes to the right"},
+      {"friction", "", "friction coefficient"},
+      {"right.load", "N", "vertical load of the right-hand wheel on its rail"},
+      {"left.load", "N", "vertical load of the left-hand wheel on its rail"},
+      {"right.rail_y",
+       "m",
+       "how far the right-hand rail has gone to the right"},
+      {"left.rail_y", "m", "how far the left-hand rail has gone to the right"},
+      {"right.rail_z", "m", "how far the right-hand rail has gone down"},
+      {"left.rail_z", "m", "how far the left-hand rail has gone down"}};
+
+    const InputText quantity_texts[n_quantities] = {
+      {"force_x", "N", "force on the wheel forwards"},
+      {"force_y", "N", "force on the wheel to the right"},
+      {"force_z", "N", "force on the wheel down"},
+      {"moment_x",
+       "N.m",
+       "moment on the wheel about the centre of the wheelset, forwards"},
+      {"moment_y",
+       "N.m",
+       "moment about the centre, to the right: positive where friction drives "
+       "the vehicle"},
+      {"moment_z", "N.m", "moment about the centre, down"},
+      {"normal_force", "N", "sum of the pressure"},
+      {"contact_y",
+       "m",
+       "middle of the pressure, from the middle of the track to the right"},
+      {"contact_angle",
+       "rad",
+       "slope of the contact downwards to the right, where the pressure's "
+       "resultant acts"},
+      {"max_pressure", "Pa", "largest pressure"},
+      {"t_gamma", "N", "work of friction per metre of track"},
+      {"force_bound",
+       "N",
+       "how far the force vector may be off: of the states of the table and "
+       "between them; the largest number where that is not known"}};
+
+    void add_wheel(const unsigned int wheel, std::vector<Variable> &all)
+    {
+      const std::string side  = wheel == 0 ? "right." : "left.";
+      unsigned int      first = wheel == 0 ? first_of_right : first_of_left;
+      for (std::size_t q = 0; q < n_quantities; ++q)
+        all.push_back({first++,
+                       side + quantity_texts[q].name,
+                       VariableType::real,
+                       Causality::output,
+                       quantity_texts[q].unit,
+                       quantity_texts[q].description,
+                       Source::quantity,
+                       q,
+                       wheel});
+      all.push_back({first++,
+                     side + "y_over_q",
+                     VariableType::real,
+                     Causality::output,
+                     "",
+                     "force_y over the load",
+                     Source::force_ratio,
+                     0,
+                     wheel});
+      all.push_back({first++,
+                     side + "inside_table",
+                     VariableType::boolean,
+                     Causality::output,
+                     "",
+                     "whether the state is within all axes of the table; else "
+                     "outputs are those of the nearest one that is",
+                     Source::inside,
+                     0,
+                     wheel});
+    }
+
+    std::vector<Variable> make_variables()
+    {
+      std::vector<Variable> all;
+      all.push_back({0,
+                     "time",
+                     VariableType::real,
+                     Causality::independent,
+                     "s",
+                     "time",
+                     Source::time});
+      for (std::size_t k = 0; k < n_inputs; ++k)
+        all.push_back({static_cast<unsigned int>(1 + k),
+                       input_texts[k].name,
+                       VariableType::real,
+                       Causality::input,
+                       input_texts[k].unit,
+                       input_texts[k].description,
+                       Source::input,
+                       k});
+      const auto add = [&](const unsigned int reference,
+                           const char        *name,
+                           const VariableType type,
+                           const Causality    causality,
+                           const char        *unit,
+                           const char        *description,
+                           const Source       source) {
+        all.push_back(
+          {reference, name, type, causality, unit, description, source});
+      };
+      using Type = VariableType;
+      add(50,
+          "least_speed",
+          Type::real,
+          Causality::parameter,
+          "m/s",
+          "below it creepages are those at it, and inside_table is false",
+          Source::least_speed);
+      add(60,
+          "wheel_radius",
+          Type::real,
+          Causality::constant,
+          "m",
+          "radius at the tape circle",
+          Source::radius);
+      add(61,
+          "tape_circle",
+          Type::real,
+          Causality::constant,
+          "m",
+          "distance of the tape circles from the middle of the wheelset",
+          Source::tape_circle);
+      add(70,
+          "model",
+          Type::text,
+          Causality::constant,
+          "",
+          "what this is a model of",
+          Source::scene);
+      add(80,
+          "roll",
+          Type::real,
+          Causality::output,
+          "rad",
+          "of the wheelset where both rigid wheels touch, right-handed about "
+          "forwards",
+          Source::roll);
+      for (const unsigned int wheel : {0, 1})
+        add_wheel(wheel, all);
+      return all;
+    }
+  } // namespace
+
+  const std::vector<Variable> &variables()
+  {
+    static const std::vector<Variable> all = make_variables();
+    return all;
+  }
+
+  const Variable *find_variable(const unsigned int reference)
+  {
+    const std::vector<Variable> &all = variables();
+    const auto                   at =
+      std::lower_bound(all.begin(),
+                       all.end(),
+                       reference,
+                       [](const Variable &variable, const unsigned int number) {
+                         return variable.reference < number;
+                       });
+    return at != all.end() && at->reference == reference ? &*at : nullptr;
+  }
+
+  const std::vector<Unit> &units()
+  {
+    static const std::vector<Unit> all{{"s", 0, 0, 1, 0},
+                                       {"m", 0, 1, 0, 0},
+                                       {"rad", 0, 0, 0, 1},
+                                       {"m/s", 0, 1, -1, 0},
+                                       {"rad/s", 0, 0, -1, 1},
+                                       {"1/m", 0, -1, 0, 0},
+                                       {"N", 1, 1, -2, 0},
+                                       {"N.m", 1, 2, -2, 0},
+                                       {"Pa", 1, -1, -2, 0}};
+    return all;
+  }
+} // namespace RollingContact::Fmu
