@@ -19,10 +19,10 @@
 #include <functional>
 #include <limits>
 #include <map>
-
-BOOST_AUTO_TEST_SUITE(run_folders)
 #include <regex>
 #include <sstream>
+
+BOOST_AUTO_TEST_SUITE(run_folders)
 
 using namespace RollingContact;
 namespace fs = std::filesystem;
