@@ -57,9 +57,10 @@ namespace RollingContact
     return entries;
   }
 
-  void refuse_changed_entries(const PrmEntries            &old_entries,
-                              const PrmEntries            &new_entries,
-                              const std::set<std::string> &may_differ)
+  std::optional<std::string>
+  changed_entry(const PrmEntries            &old_entries,
+                const PrmEntries            &new_entries,
+                const std::set<std::string> &may_differ)
   {
     PrmEntries all = old_entries;
     all.insert(new_entries.begin(), new_entries.end());
@@ -72,11 +73,20 @@ namespace RollingContact
                              now != new_entries.end() &&
                              same_value(before->second, now->second);
         if (!is_same && !is_excepted(entry, may_differ))
-          throw InputError(
-            entry + " was " + value_or_none(old_entries, entry) +
-            " when the run began and is " + value_or_none(new_entries, entry) +
-            " now: --resume continues the same scene. Set it back, or start "
-            "anew without --resume.");
+          return entry;
       }
+    return std::nullopt;
+  }
+
+  void refuse_changed_entries(const PrmEntries            &old_entries,
+                              const PrmEntries            &new_entries,
+                              const std::set<std::string> &may_differ)
+  {
+    if (const auto entry = changed_entry(old_entries, new_entries, may_differ))
+      throw InputError(
+        *entry + " was " + value_or_none(old_entries, *entry) +
+        " when the run began and is " + value_or_none(new_entries, *entry) +
+        " now: --resume continues the same scene. Set it back, or start "
+        "anew without --resume.");
   }
 } // namespace RollingContact

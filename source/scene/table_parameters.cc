@@ -73,6 +73,14 @@ namespace RollingContact
       "In place of axes: a CSV file (columns separated by commas, semicolons "
       "or tabs) whose first line names entries, Section/Entry, and whose "
       "other lines are a state each. Relative to the folder of the .prm file.";
+    entries.add("Part", part_text).help =
+      "Number/of, as 3/16: this run solves one part of the states, which other "
+      "runs of the same scene complete, on as many machines as there are. Each "
+      "has a folder of its own. Empty for all states.";
+    entries.add("Join", join).help =
+      "Folders of runs of all parts, separated by commas, with * and ? for "
+      "several, as output/part_*: their states become one table, and nothing "
+      "is solved.";
     entries.add("Threads", threads, "1")
       .resumed_if(in_all_scenes)
       .between(0, 1024)
@@ -99,8 +107,32 @@ namespace RollingContact
     return axes;
   }
 
+  TablePart TableParameters::part() const
+  {
+    if (part_text.empty())
+      return {};
+    const std::size_t slash  = part_text.find('/');
+    const auto        number = number_of(trimmed(part_text.substr(0, slash))),
+               of            = slash == std::string::npos
+                                 ? std::nullopt
+                                 : number_of(trimmed(part_text.substr(slash + 1)));
+    const double most        = 1e5;
+    if (!number || !of || *number != std::floor(*number) ||
+        *of != std::floor(*of) || !(*number >= 1. && *number <= *of) ||
+        !(*of <= most))
+      throw InputError("Table/Part = " + part_text +
+                       ": give the number of the part and how many there are, "
+                       "as 3/16, at most 100000.");
+    return {static_cast<std::size_t>(*number), static_cast<std::size_t>(*of)};
+  }
+
   void TableParameters::check() const
   {
+    if (!part().is_all() && !join.empty())
+      throw InputError("Table/Part = " + part_text +
+                       " and Table/Join = " + join +
+                       ": a run solves a part or joins parts; leave one "
+                       "of them empty.");
     const bool has_axes = !axes().empty();
     if (has_axes && !file_of_rows.empty())
       throw InputError("Table/File of rows = " + file_of_rows + " and " +

@@ -31,6 +31,7 @@ namespace RollingContact
     : scene(scene)
     , context(context)
     , plan(plan_table(scene, states))
+    , part(scene.inputs->table.part())
     , n_threads(scene.inputs->table.threads > 0 ? scene.inputs->table.threads
                                                 : n_host_cpus())
     , has_row(plan.values.size(), false)
@@ -40,7 +41,9 @@ namespace RollingContact
   void Table<dim>::run()
   {
     reserve_blas_memory(n_threads);
-    if (context.resume)
+    if (!scene.inputs->table.join.empty())
+      join_rows(plan, *scene.inputs, context);
+    else if (context.resume)
       restore_rows(plan, context);
     n_before = context.results.n_rows();
     for (std::size_t row = 0; row < n_before; ++row)
@@ -53,10 +56,16 @@ namespace RollingContact
       (n_before > 0
          ? ", " + std::to_string(n_before) + " states are there already."
          : "."));
+    std::vector<Chains> of_bands;
+    for (const LoadBand &band : bands)
+      of_bands.push_back(chains_of(band));
+    if (!part.is_all())
+      context.log.message("Part " + scene.inputs->table.part_text + " has " +
+                          std::to_string(n_mine) + " of them.");
     try
       {
-        for (const LoadBand &band : bands)
-          solve_band(band);
+        for (std::size_t k = 0; k < bands.size(); ++k)
+          solve_band(bands[k], of_bands[k]);
       }
     catch (...)
       {
@@ -67,15 +76,17 @@ namespace RollingContact
   }
 
   template <int dim>
-  typename Table<dim>::Chains Table<dim>::chains_of(const LoadBand &band) const
+  typename Table<dim>::Chains Table<dim>::chains_of(const LoadBand &band)
   {
     Chains chains;
     for (std::size_t k = 0; k < band.states.size(); k += chain_length)
       {
+        if (!part.has(n_chains++))
+          continue;
+        const std::size_t end = std::min(k + chain_length, band.states.size());
+        n_mine += end - k;
         std::vector<std::size_t> chain;
-        for (std::size_t i = k;
-             i < std::min(k + chain_length, band.states.size());
-             ++i)
+        for (std::size_t i = k; i < end; ++i)
           if (!has_row[band.states[i]])
             chain.push_back(band.states[i]);
         if (!chain.empty())
@@ -85,10 +96,9 @@ namespace RollingContact
   }
 
   template <int dim>
-  void Table<dim>::solve_band(const LoadBand &band)
+  void Table<dim>::solve_band(const LoadBand &band, const Chains &chains)
   {
     throw_if_interrupted();
-    const Chains chains = chains_of(band);
     if (chains.empty())
       return;
     if (band.touches())
@@ -197,12 +207,9 @@ namespace RollingContact
     if (!demands().pair.whole_bodies())
       base.pair->release_statics();
     take_bodies(scene, base);
-    PhaseTimer::Scope        phase(context.timer, Phase::contact_solve);
-    const Stopwatch          watch;
-    Progress                 progress(context.log,
-                      "state",
-                      plan.values.size(),
-                      context.results.n_rows());
+    PhaseTimer::Scope phase(context.timer, Phase::contact_solve);
+    const Stopwatch   watch;
+    Progress progress(context.log, "state", n_mine, context.results.n_rows());
     std::vector<SolvedChain> solved(chains.size());
     Chains                   left;
     do_in_order(
@@ -263,19 +270,22 @@ namespace RollingContact
     results.flush();
     const TableSummary summary = summary_of(results);
     summary.note(context.report);
-    context.report.set_finding("table",
-                               std::to_string(results.n_rows()) + " states" +
-                                 (n_before > 0
-                                    ? ", " + std::to_string(n_before) +
-                                        " of them from the run before"
-                                    : "") +
-                                 "; " + std::to_string(n_solved) + " in " +
-                                 human_seconds(seconds) + " on " +
-                                 sets(n_bodies));
-    write_table_file(plan, scene, context);
-    summarise();
-    if (scene.inputs->output.plot)
-      draw();
+    context.report.set_finding(
+      "table",
+      std::to_string(results.n_rows()) + " states" +
+        (n_before > 0 ? ", " + std::to_string(n_before) +
+                          (context.resume ? " of them from the run before"
+                                          : " of them from runs of parts")
+                      : "") +
+        "; " + std::to_string(n_solved) + " in " + human_seconds(seconds) +
+        " on " + sets(n_bodies));
+    if (part.is_all())
+      {
+        write_table_file(plan, scene, context);
+        summarise();
+        if (scene.inputs->output.plot)
+          draw();
+      }
     summary.warn(plan, context.log);
     summary.require_solved(plan);
   }

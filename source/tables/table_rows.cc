@@ -1,9 +1,13 @@
 #include <fmt/format.h>
+#include <glob.h>
 
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/files.h>
 #include <rolling_contact/base/number_text.h>
+#include <rolling_contact/input/prm_entries.h>
 #include <rolling_contact/results/result_row.h>
+#include <rolling_contact/scene/known_entries.h>
+#include <rolling_contact/scene/scene_parameters.h>
 #include <rolling_contact/tables/table_rows.h>
 
 #include <algorithm>
@@ -121,33 +125,125 @@ namespace RollingContact
     return *results.value<TableStatus>(row, "status");
   }
 
+  namespace
+  {
+    /**
+     * Read the rows of a file, and note their states. Returns the first row,
+     * from 1, that is none of the plan or of a state that has one already; 0 if
+     * all are good.
+     */
+    std::size_t read_rows(const TablePlan   &plan,
+                          const std::string &file,
+                          ResultsTable      &results,
+                          std::vector<bool> &has_row)
+    {
+      results.restore(read_bytes(file), file, readers_of(plan));
+      for (std::size_t row = 0; row < results.n_rows(); ++row)
+        {
+          const double number = results.number(row, "state").value_or(-1.);
+          const auto   state  = static_cast<std::size_t>(std::max(number, 0.));
+          bool         same   = number == static_cast<double>(state) &&
+                      state < has_row.size() && !has_row[state] &&
+                      results.value<TableStatus>(row, "status");
+          for (std::size_t d = 0; same && d < plan.entries.size(); ++d)
+            {
+              const auto *value = results.value<double>(row, plan.entries[d]);
+              same              = value && *value == plan.values[state][d];
+            }
+          if (!same)
+            return row + 1;
+          has_row[state] = true;
+        }
+      return 0;
+    }
+
+    /** The folders that match, in the order of their names. */
+    std::vector<std::string> folders_of(const std::string &patterns)
+    {
+      std::vector<std::string> folders;
+      std::istringstream       all(patterns);
+      for (std::string pattern; std::getline(all, pattern, ',');)
+        {
+          glob_t    found{};
+          const int code =
+            glob(trimmed(pattern).c_str(), GLOB_ERR, nullptr, &found);
+          for (std::size_t k = 0; code == 0 && k < found.gl_pathc; ++k)
+            folders.push_back(found.gl_pathv[k]);
+          globfree(&found);
+          if (code != 0)
+            throw InputError("Table/Join = " + patterns +
+                             ": there is no folder " + trimmed(pattern) +
+                             "; give those of the runs of all parts.");
+        }
+      return folders;
+    }
+
+    void check_part(const std::string     &folder,
+                    const PrmEntries      &own,
+                    const SceneParameters &scene)
+    {
+      const auto refuse = [&](const std::string &why) {
+        throw InputError("Table/Join: \"" + folder + "\" " + why);
+      };
+      if (const std::string why = why_unreadable(folder + "/used.prm");
+          !why.empty())
+        refuse("is no folder of a part: used.prm: " + why + '.');
+      std::set<std::string> may_differ = entries_free_on_resume(scene);
+      may_differ.insert({"Table/Part", "Table/Join"});
+      if (const auto entry = changed_entry(
+            prm_entries(read_bytes(folder + "/used.prm")), own, may_differ))
+        refuse("is of another scene: " + *entry +
+               " differs from that of this one.");
+    }
+  } // namespace
+
   void restore_rows(const TablePlan &plan, RunContext &context)
   {
-    ResultsTable     &results = context.results;
-    const std::string file =
-      (context.folder.get_path() / "results.csv").string();
-    results.restore(read_bytes(file), file, readers_of(plan));
     std::vector<bool> has_row(plan.values.size(), false);
-    for (std::size_t row = 0; row < results.n_rows(); ++row)
+    if (const std::size_t row =
+          read_rows(plan,
+                    (context.folder.get_path() / "results.csv").string(),
+                    context.results,
+                    has_row))
+      throw InputError(
+        "Cannot resume the table in \"" + context.folder.get_path().string() +
+        "\": row " + std::to_string(row) +
+        " of results.csv is none of its states; was a file changed? Start "
+        "it without --resume.");
+  }
+
+  void join_rows(const TablePlan       &plan,
+                 const SceneParameters &scene,
+                 RunContext            &context)
+  {
+    std::vector<bool> has_row(plan.values.size(), false);
+    const PrmEntries  own =
+      prm_entries(read_bytes(context.folder.get_path() / "used.prm"));
+    for (const std::string &folder : folders_of(scene.table.join))
       {
-        const double number = results.number(row, "state").value_or(-1.);
-        const auto   state  = static_cast<std::size_t>(std::max(number, 0.));
-        bool         same   = number == static_cast<double>(state) &&
-                    state < has_row.size() && !has_row[state] &&
-                    results.value<TableStatus>(row, "status");
-        for (std::size_t d = 0; same && d < plan.entries.size(); ++d)
-          {
-            const auto *value = results.value<double>(row, plan.entries[d]);
-            same              = value && *value == plan.values[state][d];
-          }
-        if (!same)
-          throw InputError(
-            "Cannot resume the table in \"" +
-            context.folder.get_path().string() + "\": row " +
-            std::to_string(row + 1) +
-            " of results.csv is none of its states; was a file changed? Start "
-            "it without --resume.");
-        has_row[state] = true;
+        check_part(folder, own, scene);
+        // a part of a small table may have no chain of states
+        if (!why_unreadable(folder + "/results.csv").empty())
+          continue;
+        ResultsTable rows;
+        if (const std::size_t row =
+              read_rows(plan, folder + "/results.csv", rows, has_row))
+          throw InputError("Table/Join: row " + std::to_string(row) + " of \"" +
+                           folder +
+                           "/results.csv\" is no state of this table, or one "
+                           "that another folder has: give each part once.");
+        context.results.append(rows);
       }
+    const auto missing = std::count(has_row.begin(), has_row.end(), false);
+    if (missing == 0)
+      return;
+    const std::size_t first =
+      std::find(has_row.begin(), has_row.end(), false) - has_row.begin();
+    throw InputError("Table/Join = " + scene.table.join + ": " +
+                     std::to_string(missing) + " of " +
+                     std::to_string(has_row.size()) +
+                     " states have no row, the first " + plan.name(first) +
+                     ": a part is missing or was stopped; run it, with "
+                     "--resume where it was begun.");
   }
 } // namespace RollingContact

@@ -2,6 +2,7 @@
 #define rolling_contact_input_prm_entries_h
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -14,10 +15,16 @@ namespace RollingContact
   PrmEntries prm_entries(const std::string &text);
 
   /**
-   * Throws InputError naming the first entry that differs and both values.
-   * Numbers are compared as numbers. `may_differ` holds entries, and sections
-   * as "Section/". Not finding an entry on one side is a difference.
+   * The first entry that differs; none if all are the same. Numbers are
+   * compared as numbers. `may_differ` holds entries, and sections as
+   * "Section/". Not finding an entry on one side is a difference.
    */
+  std::optional<std::string>
+  changed_entry(const PrmEntries            &old_entries,
+                const PrmEntries            &new_entries,
+                const std::set<std::string> &may_differ);
+
+  /** Throws InputError naming the changed_entry() and both values. */
   void refuse_changed_entries(const PrmEntries            &old_entries,
                               const PrmEntries            &new_entries,
                               const std::set<std::string> &may_differ);

@@ -20,6 +20,25 @@ namespace RollingContact
   };
 
   /**
+   * A part of a table, the first of one for all of it.
+   */
+  struct TablePart
+  {
+    std::size_t number = 1, of = 1;
+
+    bool is_all() const
+    {
+      return of == 1;
+    }
+
+    /** Whether a chain of states is of this part. */
+    bool has(const std::size_t chain) const
+    {
+      return chain % of == number - 1;
+    }
+  };
+
+  /**
    * Section `Table`: which states are tabulated, a full grid over axes or the
    * rows of a file.
    */
@@ -39,10 +58,15 @@ namespace RollingContact
      */
     std::vector<TableAxis> axes() const;
 
+    /** Throws InputError unless it is none or "number/of". */
+    TablePart part() const;
+
     static constexpr unsigned int max_axes = 8;
 
     std::array<std::string, max_axes> axis_texts;
     std::string                       file_of_rows;
+    std::string                       part_text;   ///< "3/16"
+    std::string                       join;        ///< folders of parts
     unsigned int                      threads = 0; ///< 0: as many as processors
   };
 } // namespace RollingContact

@@ -106,11 +106,12 @@ namespace RollingContact
     using Chains = std::vector<std::vector<std::size_t>>;
 
     /**
-     * The chains of a band of which there are no rows yet.
+     * The chains of a band, of this part of the table, of which there are no
+     * rows yet. To be called once for each band, in their order.
      */
-    Chains chains_of(const LoadBand &band) const;
+    Chains chains_of(const LoadBand &band);
 
-    void solve_band(const LoadBand &band);
+    void solve_band(const LoadBand &band, const Chains &chains);
 
     void solve_band_that_touches(const LoadBand &band, const Chains &chains);
 
@@ -137,10 +138,12 @@ namespace RollingContact
 
     void finish();
 
+    const TablePart                    part;
     const unsigned int                 n_threads;
     const std::shared_ptr<SplitBodies> split_bodies =
       std::make_shared<SplitBodies>();
     std::vector<bool> has_row;
+    std::size_t       n_chains = 0, n_mine = 0; ///< chains; states of this part
     std::size_t       n_before = 0;  ///< rows of a run that is continued
     unsigned int      n_bodies = 0;  ///< sets of them that were built
     double            seconds  = 0.; ///< of solving states

@@ -9,6 +9,8 @@
 
 namespace RollingContact
 {
+  struct SceneParameters;
+
   /**
    * What became of a state of a table, as column status has it.
    */
@@ -73,6 +75,15 @@ namespace RollingContact
    * if they are not those of the plan, as where the file of rows has changed.
    */
   void restore_rows(const TablePlan &plan, RunContext &context);
+
+  /**
+   * Read the rows that the runs of all parts have left in their folders,
+   * Table/Join. Throws InputError naming the folder if one is of another scene
+   * or has a state that another one has, and the first state that none has.
+   */
+  void join_rows(const TablePlan       &plan,
+                 const SceneParameters &scene,
+                 RunContext            &context);
 } // namespace RollingContact
 
 #endif
