@@ -42,7 +42,10 @@ namespace RollingContact
   {
     reserve_blas_memory(n_threads);
     if (!scene.inputs->table.join.empty())
-      join_rows(plan, *scene.inputs, context);
+      join_rows(plan,
+                scene.inputs->table.join,
+                entries_free_on_resume(*scene.inputs),
+                context);
     else if (context.resume)
       restore_rows(plan, context);
     n_before = context.results.n_rows();

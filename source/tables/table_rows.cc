@@ -6,8 +6,6 @@
 #include <rolling_contact/base/number_text.h>
 #include <rolling_contact/input/prm_entries.h>
 #include <rolling_contact/results/result_row.h>
-#include <rolling_contact/scene/known_entries.h>
-#include <rolling_contact/scene/scene_parameters.h>
 #include <rolling_contact/tables/table_rows.h>
 
 #include <algorithm>
@@ -178,9 +176,9 @@ namespace RollingContact
       return folders;
     }
 
-    void check_part(const std::string     &folder,
-                    const PrmEntries      &own,
-                    const SceneParameters &scene)
+    void check_part(const std::string           &folder,
+                    const PrmEntries            &own,
+                    const std::set<std::string> &may_differ)
     {
       const auto refuse = [&](const std::string &why) {
         throw InputError("Table/Join: \"" + folder + "\" " + why);
@@ -188,8 +186,6 @@ namespace RollingContact
       if (const std::string why = why_unreadable(folder + "/used.prm");
           !why.empty())
         refuse("is no folder of a part: used.prm: " + why + '.');
-      std::set<std::string> may_differ = entries_free_on_resume(scene);
-      may_differ.insert({"Table/Part", "Table/Join"});
       if (const auto entry = changed_entry(
             prm_entries(read_bytes(folder + "/used.prm")), own, may_differ))
         refuse("is of another scene: " + *entry +
@@ -212,16 +208,18 @@ namespace RollingContact
         "it without --resume.");
   }
 
-  void join_rows(const TablePlan       &plan,
-                 const SceneParameters &scene,
-                 RunContext            &context)
+  void join_rows(const TablePlan      &plan,
+                 const std::string    &folders,
+                 std::set<std::string> may_differ,
+                 RunContext           &context)
   {
+    may_differ.insert({"Table/Part", "Table/Join"});
     std::vector<bool> has_row(plan.values.size(), false);
     const PrmEntries  own =
       prm_entries(read_bytes(context.folder.get_path() / "used.prm"));
-    for (const std::string &folder : folders_of(scene.table.join))
+    for (const std::string &folder : folders_of(folders))
       {
-        check_part(folder, own, scene);
+        check_part(folder, own, may_differ);
         // a part of a small table may have no chain of states
         if (!why_unreadable(folder + "/results.csv").empty())
           continue;
@@ -239,7 +237,7 @@ namespace RollingContact
       return;
     const std::size_t first =
       std::find(has_row.begin(), has_row.end(), false) - has_row.begin();
-    throw InputError("Table/Join = " + scene.table.join + ": " +
+    throw InputError("Table/Join = " + folders + ": " +
                      std::to_string(missing) + " of " +
                      std::to_string(has_row.size()) +
                      " states have no row, the first " + plan.name(first) +

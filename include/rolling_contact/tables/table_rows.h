@@ -4,13 +4,12 @@
 #include <rolling_contact/run/run_context.h>
 #include <rolling_contact/tables/table_plan.h>
 
+#include <set>
 #include <string>
 #include <vector>
 
 namespace RollingContact
 {
-  struct SceneParameters;
-
   /**
    * What became of a state of a table, as column status has it.
    */
@@ -77,13 +76,15 @@ namespace RollingContact
   void restore_rows(const TablePlan &plan, RunContext &context);
 
   /**
-   * Read the rows that the runs of all parts have left in their folders,
-   * Table/Join. Throws InputError naming the folder if one is of another scene
-   * or has a state that another one has, and the first state that none has.
+   * Read the rows that the runs of all parts have left in these folders,
+   * Table/Join, of scenes that may differ in some entries. Throws InputError
+   * naming the folder if one is of another scene or has a state that another
+   * one has, and the first state that none has.
    */
-  void join_rows(const TablePlan       &plan,
-                 const SceneParameters &scene,
-                 RunContext            &context);
+  void join_rows(const TablePlan      &plan,
+                 const std::string    &folders,
+                 std::set<std::string> may_differ,
+                 RunContext           &context);
 } // namespace RollingContact
 
 #endif
