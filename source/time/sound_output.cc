@@ -92,7 +92,7 @@ namespace RollingContact
   }
 
   template <int dim>
-  void SoundOutput<dim>::finish()
+  void SoundOutput<dim>::finish(const double period)
   {
     PhaseTimer::Scope phase(context.timer, Phase::fields);
     table->publish();
@@ -124,7 +124,7 @@ namespace RollingContact
                                        air_of(scene.inputs->sound),
                                        audible_range(scene));
       }
-    report_sound(scene, bodies, n * step, context);
+    report_sound(scene, bodies, n * step, period, context);
   }
 
   template class SoundOutput<2>;

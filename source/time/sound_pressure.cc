@@ -69,4 +69,30 @@ namespace RollingContact::Sound
       }
     return Signals::values_of_fourier_sums(std::move(sums), n);
   }
+
+  std::vector<double> repeated_periods(const std::vector<double> &record,
+                                       const double               period,
+                                       const std::size_t          n_samples)
+  {
+    const std::size_t end  = record.size() - record.size() / 10;
+    const double      most = std::floor(end / period);
+    if (!(most >= 10.) || record.size() >= n_samples)
+      return record;
+    double length = 0., least = 1.;
+    for (double n = std::ceil(most / 2); n <= most; ++n)
+      {
+        const double whole = std::round(n * period),
+                     rest  = std::abs(n * period - whole) / n;
+        if (whole <= end && rest < least)
+          {
+            least  = rest;
+            length = whole;
+          }
+      }
+    const std::size_t   loop = length;
+    std::vector<double> samples(n_samples);
+    for (std::size_t i = 0; i < n_samples; ++i)
+      samples[i] = record[end - loop + i % loop];
+    return samples;
+  }
 } // namespace RollingContact::Sound

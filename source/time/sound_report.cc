@@ -21,6 +21,9 @@ namespace RollingContact
 
     const std::string wav_name = "pressure.wav";
 
+    /// of a sound that repeats itself
+    const double audible_s = 3.;
+
     /// below the highest by so much a power is one of rounding
     const double negligible = 1e-18;
 
@@ -73,7 +76,7 @@ namespace RollingContact
 
       void write_bands() const;
       void write_modes() const;
-      void write_wav(const double duration) const;
+      void write_wav(const double duration, const double period) const;
       void draw() const;
       void note(const double duration) const;
 
@@ -161,14 +164,20 @@ namespace RollingContact
       table.flush();
     }
 
-    void SoundReport::write_wav(const double duration) const
+    void SoundReport::write_wav(const double duration,
+                                const double period) const
     {
       const SoundParameters        &wanted = scene.inputs->sound;
       std::vector<Sound::BodySound> sounds;
       for (const SoundingBody &body : bodies)
         sounds.push_back(body.sound);
-      const Values pressure = Sound::pressure_over_time(
-        sounds, duration, air, wanted.distance, wanted.sampling_rate);
+      const double rate = wanted.sampling_rate;
+      Values       pressure =
+        Sound::pressure_over_time(sounds, duration, air, wanted.distance, rate);
+      if (period > 0.)
+        pressure = Sound::repeated_periods(pressure,
+                                           period * rate,
+                                           std::llround(audible_s * rate));
       const double full_scale =
         wanted.full_scale_pressure.value_or(Sound::full_scale_above(pressure));
       const std::string scale =
@@ -181,9 +190,10 @@ namespace RollingContact
                         "Sound pressure at " + significant(wanted.distance, 6) +
                           " m, an estimate; " + scale));
       context.results.set("wav_full_scale_Pa", full_scale);
-      context.log.message(wav_name + ": " + significant(duration, 4) + " s, " +
-                          std::to_string(wanted.sampling_rate) + " Hz, " +
-                          scale + ".");
+      context.log.message(
+        wav_name + ": " + significant(pressure.size() / rate, 4) + " s" +
+        (period > 0. ? " of repeated periods, " : ", ") +
+        std::to_string(wanted.sampling_rate) + " Hz, " + scale + ".");
       const std::size_t n = Sound::n_beyond(pressure, full_scale);
       if (n > 0)
         context.log.warning(
@@ -313,6 +323,7 @@ namespace RollingContact
   void report_sound(const Situation                 &scene,
                     const std::vector<SoundingBody> &bodies,
                     const double                     duration,
+                    const double                     period,
                     RunContext                      &context)
   {
     const SoundReport report(scene, bodies, context);
@@ -320,7 +331,7 @@ namespace RollingContact
     report.write_modes();
     report.note(duration);
     if (scene.inputs->sound.wav_file)
-      report.write_wav(duration);
+      report.write_wav(duration, period);
     if (scene.inputs->output.plot)
       report.draw();
   }

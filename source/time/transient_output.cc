@@ -132,7 +132,7 @@ namespace RollingContact
     if (watch)
       measure_cycle(stepper);
     if (sound)
-      sound->finish();
+      sound->finish(found_period);
     add_result_row(scene, stepper.current(), context);
     if (!Ranks::is_root()) // who has the history
       return;

@@ -262,6 +262,31 @@ BOOST_AUTO_TEST_CASE(pressure_keeps_pitch_and_phase)
                                                     0.4)) < 1e-9 * amplitude);
 }
 
+BOOST_AUTO_TEST_CASE(a_sound_of_periods_goes_on_without_a_click)
+{
+  const double        period = 41.37; // samples
+  std::vector<double> record;
+  for (unsigned int i = 0; i < 1300; ++i)
+    record.push_back(std::cos(2 * pi * i / period) +
+                     // what is left of the start, and of the end's wrap
+                     (i < 500 ? 5. : 0.) + (i > 1290 ? 7. : 0.));
+  const auto found = repeated_periods(record, period, 9000);
+  BOOST_TEST(found.size() == 9000u);
+  // as the tone itself, within the part of a sample of some twenty rounds
+  for (unsigned int i = 0; i < found.size(); ++i)
+    if (const double tone =
+          std::cos(2 * pi * i / period +
+                   std::acos(found[0]) * (found[1] < found[0] ? 1. : -1.));
+        std::abs(found[i] - tone) > 0.02)
+      {
+        BOOST_TEST(false, "sample " << i << ": " << found[i] << ", " << tone);
+        break;
+      }
+  // too few periods, or long enough
+  BOOST_TEST(repeated_periods(record, 200., 9000) == record);
+  BOOST_TEST(repeated_periods(record, period, 1000) == record);
+}
+
 BOOST_AUTO_TEST_CASE(records_of_whole_samples)
 {
   for (const double h : {4e-6, 3.3e-6, 1e-5})

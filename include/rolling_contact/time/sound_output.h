@@ -43,9 +43,9 @@ namespace RollingContact
 
     /**
      * modal_velocities.csv under its final name, and what report_sound()
-     * writes.
+     * writes, of a motion with this period; 0 if it has none. Units: s.
      */
-    void finish();
+    void finish(const double period);
 
   private:
     const Situation            &scene;

@@ -41,6 +41,17 @@ namespace RollingContact::Sound
                                          const Air                    &air,
                                          const double                  distance,
                                          const unsigned int            rate);
+
+  /**
+   * So many samples of a sound that repeats itself after @p period samples, no
+   * whole number of them: the periods of @p record before the last tenth that
+   * are the closest to whole samples, again and again. The record as it is if
+   * it has not ten periods or samples enough.
+   */
+  std::vector<double> repeated_periods(const std::vector<double> &record,
+                                       const double               period,
+                                       const std::size_t          n_samples);
+
 } // namespace RollingContact::Sound
 
 #endif

@@ -33,7 +33,9 @@ namespace RollingContact
   Sound::AudibleRange audible_range(const Situation &scene);
 
   /**
-   * What the sound of a run becomes, of a record of @p duration: sound.csv,
+   * What the sound of a run becomes, of a record of @p duration and, unless it
+   * is 0, of a motion with this @p period, which pressure.wav repeats for three
+   * seconds: sound.csv,
    * sound_modes.csv, sound.svg with Output/Plot, pressure.wav with Sound/WAV
    * file, columns of the row of results.csv that is not ended yet, and a
    * finding. Only for one rank. Units: s.
@@ -41,6 +43,7 @@ namespace RollingContact
   void report_sound(const Situation                 &scene,
                     const std::vector<SoundingBody> &bodies,
                     const double                     duration,
+                    const double                     period,
                     RunContext                      &context);
 } // namespace RollingContact
 
