@@ -75,7 +75,7 @@ namespace RollingContact::Sound
                                        const std::size_t          n_samples)
   {
     const std::size_t end  = record.size() - record.size() / 10;
-    const double      most = std::floor(end / period);
+    const double      most = std::floor(end / (2 * period));
     if (!(most >= 10.) || record.size() >= n_samples)
       return record;
     double length = 0., least = 1.;

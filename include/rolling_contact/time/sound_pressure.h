@@ -44,9 +44,9 @@ namespace RollingContact::Sound
 
   /**
    * Makes @p n_samples of a sound that repeats itself after @p period samples,
-   * no whole number of them: the periods of @p record before its last tenth
-   * that are the closest to whole samples, again and again. The record as it is
-   * if it has not ten periods, or samples enough.
+   * no whole number of them: the periods of @p record before its last tenth,
+   * from its second half, that are the closest to whole samples, again and
+   * again. The record as it is if it has not twenty periods, or samples enough.
    */
   std::vector<double> repeated_periods(const std::vector<double> &record,
                                        const double               period,
