@@ -34,9 +34,10 @@ def theories(scene=SCENE, creepages=(0.0002, 0.0005, 0.001, 0.002, 0.004, 0.008)
     modulus = references.contact_modulus(young, poisson, young, poisson)
     ellipse = references.hertz_ellipse(load, *curvatures, modulus)
     table = {"creepage": numpy.array(creepages), "program": numpy.array(found), "bound": numpy.array(bounds, float)}
-    for name in ("kalker", "fastsim", "polach", "shen_hedrick_elkins"):
-        theory = getattr(references, name)
-        forces = theory(creepages, 0.0, 0.0, ellipse, young / (2 * (1 + poisson)), poisson, friction)
+    elastic = (ellipse, young / (2 * (1 + poisson)), poisson)
+    table["kalker"] = -references.kalker(creepages, 0.0, 0.0, *elastic)[..., 0] / (friction * load)
+    for name in ("fastsim", "polach", "shen_hedrick_elkins"):
+        forces = getattr(references, name)(creepages, 0.0, 0.0, *elastic, friction)
         table[name] = -forces[..., 0] / (friction * load)
     return table
 

@@ -25,6 +25,13 @@ using namespace RollingContact::Fmu;
     return none_of(instance, __func__, references, n, #type);         \
   }
 
+/** A function that does not apply: @p arguments in parentheses. */
+#define FMI3_REFUSED(function, why, arguments) \
+  FMI3 fmi3Status function arguments           \
+  {                                            \
+    return refuse_3(instance, __func__, why);  \
+  }
+
 namespace
 {
   fmi3Status none_of(fmi3Instance              instance,
@@ -120,240 +127,150 @@ FMI3 fmi3Status fmi3SetClock(fmi3Instance              instance,
   return none_of(instance, __func__, references, n, "Clock");
 }
 
-FMI3 fmi3Status fmi3GetNumberOfVariableDependencies(fmi3Instance instance,
-                                                    fmi3ValueReference,
-                                                    std::size_t *)
-{
-  return refuse_3(instance,
-                  __func__,
-                  "providesPerElementDependencies is false");
-}
-
-FMI3 fmi3Status fmi3GetVariableDependencies(fmi3Instance instance,
-                                            fmi3ValueReference,
-                                            std::size_t *,
-                                            fmi3ValueReference *,
-                                            std::size_t *,
-                                            fmi3DependencyKind *,
-                                            std::size_t)
-{
-  return refuse_3(instance,
-                  __func__,
-                  "providesPerElementDependencies is false");
-}
-
-FMI3 fmi3Status fmi3GetDirectionalDerivative(fmi3Instance instance,
-                                             const fmi3ValueReference *,
-                                             std::size_t,
-                                             const fmi3ValueReference *,
-                                             std::size_t,
-                                             const fmi3Float64 *,
-                                             std::size_t,
-                                             fmi3Float64 *,
-                                             std::size_t)
-{
-  return refuse_3(instance,
-                  __func__,
-                  "providesDirectionalDerivatives is false");
-}
-
-FMI3 fmi3Status fmi3GetAdjointDerivative(fmi3Instance instance,
-                                         const fmi3ValueReference *,
-                                         std::size_t,
-                                         const fmi3ValueReference *,
-                                         std::size_t,
-                                         const fmi3Float64 *,
-                                         std::size_t,
-                                         fmi3Float64 *,
-                                         std::size_t)
-{
-  return refuse_3(instance, __func__, "providesAdjointDerivatives is false");
-}
-
-FMI3 fmi3Status fmi3EnterConfigurationMode(fmi3Instance instance)
-{
-  return refuse_3(instance, __func__, "there are no structural parameters");
-}
-
-FMI3 fmi3Status fmi3ExitConfigurationMode(fmi3Instance instance)
-{
-  return refuse_3(instance, __func__, "there are no structural parameters");
-}
-
-FMI3 fmi3Status fmi3GetIntervalDecimal(fmi3Instance instance,
-                                       const fmi3ValueReference *,
-                                       std::size_t,
-                                       fmi3Float64 *,
-                                       fmi3IntervalQualifier *)
-{
-  return refuse_3(instance, __func__, no_clocks);
-}
-
-FMI3 fmi3Status fmi3GetIntervalFraction(fmi3Instance instance,
-                                        const fmi3ValueReference *,
-                                        std::size_t,
-                                        fmi3UInt64 *,
-                                        fmi3UInt64 *,
-                                        fmi3IntervalQualifier *)
-{
-  return refuse_3(instance, __func__, no_clocks);
-}
-
-FMI3 fmi3Status fmi3GetShiftDecimal(fmi3Instance instance,
-                                    const fmi3ValueReference *,
-                                    std::size_t,
-                                    fmi3Float64 *)
-{
-  return refuse_3(instance, __func__, no_clocks);
-}
-
-FMI3 fmi3Status fmi3GetShiftFraction(fmi3Instance instance,
-                                     const fmi3ValueReference *,
-                                     std::size_t,
-                                     fmi3UInt64 *,
-                                     fmi3UInt64 *)
-{
-  return refuse_3(instance, __func__, no_clocks);
-}
-
-FMI3 fmi3Status fmi3SetIntervalDecimal(fmi3Instance instance,
-                                       const fmi3ValueReference *,
-                                       std::size_t,
-                                       const fmi3Float64 *)
-{
-  return refuse_3(instance, __func__, no_clocks);
-}
-
-FMI3 fmi3Status fmi3SetIntervalFraction(fmi3Instance instance,
-                                        const fmi3ValueReference *,
-                                        std::size_t,
-                                        const fmi3UInt64 *,
-                                        const fmi3UInt64 *)
-{
-  return refuse_3(instance, __func__, no_clocks);
-}
-
-FMI3 fmi3Status fmi3SetShiftDecimal(fmi3Instance instance,
-                                    const fmi3ValueReference *,
-                                    std::size_t,
-                                    const fmi3Float64 *)
-{
-  return refuse_3(instance, __func__, no_clocks);
-}
-
-FMI3 fmi3Status fmi3SetShiftFraction(fmi3Instance instance,
-                                     const fmi3ValueReference *,
-                                     std::size_t,
-                                     const fmi3UInt64 *,
-                                     const fmi3UInt64 *)
-{
-  return refuse_3(instance, __func__, no_clocks);
-}
-
-FMI3 fmi3Status fmi3EnterEventMode(fmi3Instance instance)
-{
-  return refuse_3(instance, __func__, no_events);
-}
-
-FMI3 fmi3Status fmi3EvaluateDiscreteStates(fmi3Instance instance)
-{
-  return refuse_3(instance, __func__, no_events);
-}
-
-FMI3 fmi3Status fmi3UpdateDiscreteStates(fmi3Instance instance,
-                                         fmi3Boolean *,
-                                         fmi3Boolean *,
-                                         fmi3Boolean *,
-                                         fmi3Boolean *,
-                                         fmi3Boolean *,
-                                         fmi3Float64 *)
-{
-  return refuse_3(instance, __func__, no_events);
-}
-
-FMI3 fmi3Status fmi3EnterStepMode(fmi3Instance instance)
-{
-  return refuse_3(instance, __func__, no_events);
-}
-
-FMI3 fmi3Status fmi3EnterContinuousTimeMode(fmi3Instance instance)
-{
-  return refuse_3(instance, __func__, no_model_exchange);
-}
-
-FMI3 fmi3Status fmi3CompletedIntegratorStep(fmi3Instance instance,
-                                            fmi3Boolean,
-                                            fmi3Boolean *,
-                                            fmi3Boolean *)
-{
-  return refuse_3(instance, __func__, no_model_exchange);
-}
-
-FMI3 fmi3Status fmi3SetTime(fmi3Instance instance, fmi3Float64)
-{
-  return refuse_3(instance, __func__, no_model_exchange);
-}
-
-FMI3 fmi3Status fmi3SetContinuousStates(fmi3Instance instance,
-                                        const fmi3Float64 *,
-                                        std::size_t)
-{
-  return refuse_3(instance, __func__, no_model_exchange);
-}
-
-FMI3 fmi3Status fmi3GetContinuousStateDerivatives(fmi3Instance instance,
-                                                  fmi3Float64 *,
-                                                  std::size_t)
-{
-  return refuse_3(instance, __func__, no_model_exchange);
-}
-
-FMI3 fmi3Status fmi3GetEventIndicators(fmi3Instance instance,
-                                       fmi3Float64 *,
-                                       std::size_t)
-{
-  return refuse_3(instance, __func__, no_model_exchange);
-}
-
-FMI3 fmi3Status fmi3GetContinuousStates(fmi3Instance instance,
-                                        fmi3Float64 *,
-                                        std::size_t)
-{
-  return refuse_3(instance, __func__, no_model_exchange);
-}
-
-FMI3 fmi3Status fmi3GetNominalsOfContinuousStates(fmi3Instance instance,
-                                                  fmi3Float64 *,
-                                                  std::size_t)
-{
-  return refuse_3(instance, __func__, no_model_exchange);
-}
-
-FMI3 fmi3Status fmi3GetNumberOfEventIndicators(fmi3Instance instance,
-                                               std::size_t *)
-{
-  return refuse_3(instance, __func__, no_model_exchange);
-}
-
-FMI3 fmi3Status fmi3GetNumberOfContinuousStates(fmi3Instance instance,
-                                                std::size_t *)
-{
-  return refuse_3(instance, __func__, no_model_exchange);
-}
-
-FMI3 fmi3Status fmi3GetOutputDerivatives(fmi3Instance instance,
-                                         const fmi3ValueReference *,
-                                         std::size_t,
-                                         const fmi3Int32 *,
-                                         fmi3Float64 *,
-                                         std::size_t)
-{
-  return refuse_3(instance, __func__, "maxOutputDerivativeOrder is 0");
-}
-
-FMI3 fmi3Status fmi3ActivateModelPartition(fmi3Instance instance,
-                                           fmi3ValueReference,
-                                           fmi3Float64)
-{
-  return refuse_3(instance, __func__, no_clocks);
-}
+FMI3_REFUSED(fmi3GetNumberOfVariableDependencies,
+             "providesPerElementDependencies is false",
+             (fmi3Instance instance, fmi3ValueReference, std::size_t *))
+FMI3_REFUSED(fmi3GetVariableDependencies,
+             "providesPerElementDependencies is false",
+             (fmi3Instance instance,
+              fmi3ValueReference,
+              std::size_t *,
+              fmi3ValueReference *,
+              std::size_t *,
+              fmi3DependencyKind *,
+              std::size_t))
+FMI3_REFUSED(fmi3GetDirectionalDerivative,
+             "providesDirectionalDerivatives is false",
+             (fmi3Instance instance,
+              const fmi3ValueReference *,
+              std::size_t,
+              const fmi3ValueReference *,
+              std::size_t,
+              const fmi3Float64 *,
+              std::size_t,
+              fmi3Float64 *,
+              std::size_t))
+FMI3_REFUSED(fmi3GetAdjointDerivative,
+             "providesAdjointDerivatives is false",
+             (fmi3Instance instance,
+              const fmi3ValueReference *,
+              std::size_t,
+              const fmi3ValueReference *,
+              std::size_t,
+              const fmi3Float64 *,
+              std::size_t,
+              fmi3Float64 *,
+              std::size_t))
+FMI3_REFUSED(fmi3EnterConfigurationMode,
+             "there are no structural parameters",
+             (fmi3Instance instance))
+FMI3_REFUSED(fmi3ExitConfigurationMode,
+             "there are no structural parameters",
+             (fmi3Instance instance))
+FMI3_REFUSED(fmi3GetIntervalDecimal,
+             no_clocks,
+             (fmi3Instance instance,
+              const fmi3ValueReference *,
+              std::size_t,
+              fmi3Float64 *,
+              fmi3IntervalQualifier *))
+FMI3_REFUSED(fmi3GetIntervalFraction,
+             no_clocks,
+             (fmi3Instance instance,
+              const fmi3ValueReference *,
+              std::size_t,
+              fmi3UInt64 *,
+              fmi3UInt64 *,
+              fmi3IntervalQualifier *))
+FMI3_REFUSED(fmi3GetShiftDecimal,
+             no_clocks,
+             (fmi3Instance instance,
+              const fmi3ValueReference *,
+              std::size_t,
+              fmi3Float64 *))
+FMI3_REFUSED(fmi3GetShiftFraction,
+             no_clocks,
+             (fmi3Instance instance,
+              const fmi3ValueReference *,
+              std::size_t,
+              fmi3UInt64 *,
+              fmi3UInt64 *))
+FMI3_REFUSED(fmi3SetIntervalDecimal,
+             no_clocks,
+             (fmi3Instance instance,
+              const fmi3ValueReference *,
+              std::size_t,
+              const fmi3Float64 *))
+FMI3_REFUSED(fmi3SetIntervalFraction,
+             no_clocks,
+             (fmi3Instance instance,
+              const fmi3ValueReference *,
+              std::size_t,
+              const fmi3UInt64 *,
+              const fmi3UInt64 *))
+FMI3_REFUSED(fmi3SetShiftDecimal,
+             no_clocks,
+             (fmi3Instance instance,
+              const fmi3ValueReference *,
+              std::size_t,
+              const fmi3Float64 *))
+FMI3_REFUSED(fmi3SetShiftFraction,
+             no_clocks,
+             (fmi3Instance instance,
+              const fmi3ValueReference *,
+              std::size_t,
+              const fmi3UInt64 *,
+              const fmi3UInt64 *))
+FMI3_REFUSED(fmi3EnterEventMode, no_events, (fmi3Instance instance))
+FMI3_REFUSED(fmi3EvaluateDiscreteStates, no_events, (fmi3Instance instance))
+FMI3_REFUSED(fmi3UpdateDiscreteStates,
+             no_events,
+             (fmi3Instance instance,
+              fmi3Boolean *,
+              fmi3Boolean *,
+              fmi3Boolean *,
+              fmi3Boolean *,
+              fmi3Boolean *,
+              fmi3Float64 *))
+FMI3_REFUSED(fmi3EnterStepMode, no_events, (fmi3Instance instance))
+FMI3_REFUSED(fmi3EnterContinuousTimeMode,
+             no_model_exchange,
+             (fmi3Instance instance))
+FMI3_REFUSED(fmi3CompletedIntegratorStep,
+             no_model_exchange,
+             (fmi3Instance instance, fmi3Boolean, fmi3Boolean *, fmi3Boolean *))
+FMI3_REFUSED(fmi3SetTime,
+             no_model_exchange,
+             (fmi3Instance instance, fmi3Float64))
+FMI3_REFUSED(fmi3SetContinuousStates,
+             no_model_exchange,
+             (fmi3Instance instance, const fmi3Float64 *, std::size_t))
+FMI3_REFUSED(fmi3GetContinuousStateDerivatives,
+             no_model_exchange,
+             (fmi3Instance instance, fmi3Float64 *, std::size_t))
+FMI3_REFUSED(fmi3GetEventIndicators,
+             no_model_exchange,
+             (fmi3Instance instance, fmi3Float64 *, std::size_t))
+FMI3_REFUSED(fmi3GetContinuousStates,
+             no_model_exchange,
+             (fmi3Instance instance, fmi3Float64 *, std::size_t))
+FMI3_REFUSED(fmi3GetNominalsOfContinuousStates,
+             no_model_exchange,
+             (fmi3Instance instance, fmi3Float64 *, std::size_t))
+FMI3_REFUSED(fmi3GetNumberOfEventIndicators,
+             no_model_exchange,
+             (fmi3Instance instance, std::size_t *))
+FMI3_REFUSED(fmi3GetNumberOfContinuousStates,
+             no_model_exchange,
+             (fmi3Instance instance, std::size_t *))
+FMI3_REFUSED(fmi3GetOutputDerivatives,
+             "maxOutputDerivativeOrder is 0",
+             (fmi3Instance instance,
+              const fmi3ValueReference *,
+              std::size_t,
+              const fmi3Int32 *,
+              fmi3Float64 *,
+              std::size_t))
+FMI3_REFUSED(fmi3ActivateModelPartition,
+             no_clocks,
+             (fmi3Instance instance, fmi3ValueReference, fmi3Float64))

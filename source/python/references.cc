@@ -174,8 +174,8 @@ namespace RollingContact::Bindings
           "Pa.");
     }
 
-    /** A theory's name, its components and its help in Python. */
-    template <std::size_t n_components, typename Theory>
+    /** A theory of forces that friction bounds, with its name and help. */
+    template <typename Theory>
     void define_theory(py::module_  &module,
                        const char   *name,
                        const Theory &theory,
@@ -191,7 +191,7 @@ namespace RollingContact::Bindings
                  const double               poisson_ratio,
                  const double               friction_coefficient,
                  const int                  flow_direction) {
-          return forces_over<n_components>(
+          return forces_over<2>(
             creepage_x, creepage_y, spin, [&](const Creepages &creepages) {
               return theory(creepages,
                             contact,
@@ -206,9 +206,40 @@ namespace RollingContact::Bindings
         py::arg("contact"),
         py::arg("shear_modulus"),
         py::arg("poisson_ratio"),
-        py::arg("friction_coefficient") = 0.,
-        py::arg("flow_direction")       = 1,
+        py::arg("friction_coefficient"),
+        py::arg("flow_direction") = 1,
         help);
+    }
+
+    void define_kalker(py::module_ &module)
+    {
+      module.def(
+        "kalker",
+        [](const py::array_t<double> &creepage_x,
+           const py::array_t<double> &creepage_y,
+           const py::array_t<double> &spin,
+           const HertzEllipse        &contact,
+           const double               shear_modulus,
+           const double               poisson_ratio,
+           const int                  flow_direction) {
+          return forces_over<
+            3>(creepage_x, creepage_y, spin, [&](const Creepages &creepages) {
+            const auto found = kalker_forces(creepages,
+                                             contact,
+                                             {shear_modulus, poisson_ratio},
+                                             flow_direction);
+            return std::array<double, 3>{{found.x, found.y, found.spin_moment}};
+          });
+        },
+        py::arg("creepage_x"),
+        py::arg("creepage_y"),
+        py::arg("spin"),
+        py::arg("contact"),
+        py::arg("shear_modulus"),
+        py::arg("poisson_ratio"),
+        py::arg("flow_direction") = 1,
+        "Kalker's linear theory of an ellipse in m, G in Pa, spin in 1/m: (..., "
+        "3) of force x, y and spin moment on the wheel. Units: N, N, N m.");
     }
 
     void define_theories(py::module_ &module)
@@ -216,16 +247,7 @@ namespace RollingContact::Bindings
       using C = const Creepages &;
       using H = const HertzEllipse &;
       using E = const CombinedElasticity &;
-      define_theory<3>(
-        module,
-        "kalker",
-        [](C c, H contact, E elasticity, const double, const int flow) {
-          const auto found = kalker_forces(c, contact, elasticity, flow);
-          return std::array<double, 3>{{found.x, found.y, found.spin_moment}};
-        },
-        "Kalker's linear theory: (..., 3) of force x, y and spin moment on the "
-        "wheel. Units: N, N, N m.");
-      define_theory<2>(
+      define_theory(
         module,
         "shen_hedrick_elkins",
         [](
@@ -235,7 +257,7 @@ namespace RollingContact::Bindings
         },
         "Kalker's linear force, saturated: (..., 2) of force x and y on the "
         "wheel. Unit: N.");
-      define_theory<2>(
+      define_theory(
         module,
         "fastsim",
         [](
@@ -245,7 +267,7 @@ namespace RollingContact::Bindings
         },
         "Kalker's simplified theory: (..., 2) of force x and y on the wheel. "
         "Unit: N.");
-      define_theory<2>(
+      define_theory(
         module,
         "polach",
         [](C c, H contact, E elasticity, const double friction, const int) {
@@ -265,6 +287,7 @@ namespace RollingContact::Bindings
     define_hertz(references);
     define_elasticity(references);
     define_carter(references);
+    define_kalker(references);
     define_theories(references);
   }
 } // namespace RollingContact::Bindings

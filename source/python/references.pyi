@@ -64,7 +64,6 @@ def kalker(
     contact: HertzEllipse,
     shear_modulus: float,
     poisson_ratio: float,
-    friction_coefficient: float = 0.0,
     flow_direction: int = 1,
 ) -> NDArray[numpy.float64]: ...
 def shen_hedrick_elkins(
@@ -74,7 +73,7 @@ def shen_hedrick_elkins(
     contact: HertzEllipse,
     shear_modulus: float,
     poisson_ratio: float,
-    friction_coefficient: float = 0.0,
+    friction_coefficient: float,
     flow_direction: int = 1,
 ) -> NDArray[numpy.float64]: ...
 def fastsim(
@@ -84,7 +83,7 @@ def fastsim(
     contact: HertzEllipse,
     shear_modulus: float,
     poisson_ratio: float,
-    friction_coefficient: float = 0.0,
+    friction_coefficient: float,
     flow_direction: int = 1,
 ) -> NDArray[numpy.float64]: ...
 def polach(
@@ -94,6 +93,6 @@ def polach(
     contact: HertzEllipse,
     shear_modulus: float,
     poisson_ratio: float,
-    friction_coefficient: float = 0.0,
+    friction_coefficient: float,
     flow_direction: int = 1,
 ) -> NDArray[numpy.float64]: ...

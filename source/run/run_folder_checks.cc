@@ -41,14 +41,6 @@ namespace RollingContact
     }
   } // namespace
 
-  void RunFolder::check() const
-  {
-    check_place();
-    std::error_code error;
-    if (fs::is_directory(folder, error))
-      refuse_foreign_files();
-  }
-
   void RunFolder::check_place() const
   {
     if (folder.empty())

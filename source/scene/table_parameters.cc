@@ -111,6 +111,11 @@ namespace RollingContact
   {
     if (part_text.empty())
       return {};
+    if (!join.empty())
+      throw InputError("Table/Part = " + part_text +
+                       " and Table/Join = " + join +
+                       ": a run solves a part or joins parts; leave one of "
+                       "them empty.");
     const std::size_t slash  = part_text.find('/');
     const auto        number = number_of(trimmed(part_text.substr(0, slash))),
                of            = slash == std::string::npos
@@ -128,11 +133,7 @@ namespace RollingContact
 
   void TableParameters::check() const
   {
-    if (!part().is_all() && !join.empty())
-      throw InputError("Table/Part = " + part_text +
-                       " and Table/Join = " + join +
-                       ": a run solves a part or joins parts; leave one "
-                       "of them empty.");
+    part();
     const bool has_axes = !axes().empty();
     if (has_axes && !file_of_rows.empty())
       throw InputError("Table/File of rows = " + file_of_rows + " and " +

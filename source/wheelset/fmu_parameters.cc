@@ -66,6 +66,7 @@ namespace RollingContact
           !scene.inputs->table.file_of_rows.empty())
         refuse_scene("Table/Axis 1 or File of rows",
                      "has the axes of section FMU; leave them empty.");
+      scene.inputs->table.part(); // throws where it is none
     }
   } // namespace
 

@@ -282,7 +282,6 @@ BOOST_AUTO_TEST_CASE(platform)
 BOOST_FIXTURE_TEST_CASE(run_folder_is_created_by_open, ScratchFolder)
 {
   RunFolder run(folder, "set A = 1", "set A = 1\nset B = 2");
-  BOOST_CHECK_NO_THROW(run.check());
   BOOST_TEST(n_entries(scratch) == 0u);
   BOOST_CHECK_THROW(run.temporary("a.csv"), std::logic_error);
 
@@ -366,7 +365,6 @@ BOOST_FIXTURE_TEST_CASE(foreign_folders_are_refused, ScratchFolder)
 {
   const auto refuses = [](const fs::path &path) {
     RunFolder run(path, "new", "new");
-    BOOST_CHECK_THROW(run.check(), InputError);
     BOOST_CHECK_THROW(run.open(), InputError);
   };
 

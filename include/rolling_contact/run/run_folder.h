@@ -47,10 +47,6 @@ namespace RollingContact
     RunFolder(const RunFolder &)            = delete;
     RunFolder &operator=(const RunFolder &) = delete;
 
-    /** Throws InputError if open() would refuse; changes nothing. Only for the
-     * root. */
-    void check() const;
-
     /**
      * Creates the folder, or removes an old run's files from it, no others.
      * Throws InputError, and leaves the folder as it is, if it was not made by

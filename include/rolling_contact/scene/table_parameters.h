@@ -58,7 +58,8 @@ namespace RollingContact
      */
     std::vector<TableAxis> axes() const;
 
-    /** Throws InputError unless it is none or "number/of". */
+    /** Throws InputError unless it is none or "number/of", and none where parts
+     * are joined. */
     TablePart part() const;
 
     static constexpr unsigned int max_axes = 8;
