@@ -27,7 +27,8 @@ class Pages:
         shutil.rmtree(self.folder, ignore_errors=True)
         scenes = sorted(path.relative_to(self.project) for path in self.project.glob("prm/**/*.prm"))
         self.shown.update(scenes)
-        sources = sorted([*self.project.glob("*.md"), *self.project.glob("doc/**/*.md")])
+        sources = sorted(path for path in [*self.project.glob("*.md"), *self.project.glob("doc/**/*.md")]
+                         if path.parent.name != "paper")  # a manuscript, with citations of its own form
         texts = {path: self.converted(path) for path in sources}
         front = self.project / "README.md"
         texts[front] += contents((self.project / "doc/README.md").read_text(encoding="utf-8"), self)
