@@ -191,7 +191,7 @@ namespace RollingContact
                                        const Situation        &scene,
                                        const SteadyState<dim> &base)
   {
-    if (!places.keeps_bodies())
+    if (!places.keeps_bodies() && !this->is_shared())
       prove_worst(band, scene, base);
     rolling.reset();
     if (places.keeps_bodies())
@@ -270,7 +270,7 @@ namespace RollingContact
   template <int dim>
   void StabilityMap<dim>::summarise()
   {
-    if (places.keeps_bodies())
+    if (places.keeps_bodies() || this->is_shared())
       prove_on_kept_bodies();
     const ResultsTable &results    = context.results;
     std::size_t         n_unstable = 0, n_solved = 0, n_contact = 0;
@@ -337,7 +337,6 @@ namespace RollingContact
     kind.has_many_states = true;
     kind.linearises      = true;
     kind.has_dampers     = true;
-    kind.on_ranks        = false;
     kind.rules           = {&check_table, &check_linearised_state};
     kind.resumption      = &table_resumption;
     return kind;
