@@ -68,13 +68,10 @@ namespace RollingContact
           for (const std::string &warning : of_run.log.warnings())
             text += warning + '\n';
         Ranks::broadcast(text, rank);
+        const Log::Again   again(of_run.log); // most are those of the root
         std::istringstream lines(text);
         for (std::string line; Ranks::is_root() && std::getline(lines, line);)
-          {
-            const auto &said = of_run.log.warnings();
-            if (std::find(said.begin(), said.end(), line) == said.end())
-              of_run.log.warning(line);
-          }
+          of_run.log.warning(line);
       }
   }
 

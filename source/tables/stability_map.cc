@@ -239,7 +239,7 @@ namespace RollingContact
   }
 
   template <int dim>
-  void StabilityMap<dim>::prove_on_kept_bodies()
+  void StabilityMap<dim>::prove_in_the_end()
   {
     const std::size_t row = worst_row(context.results);
     if (!this->scene.inputs->stability.correct ||
@@ -250,6 +250,8 @@ namespace RollingContact
       if (std::find(band.states.begin(), band.states.end(), state) !=
           band.states.end())
         {
+          context.log.detail("Bodies once more for " + plan.name(state) + '.');
+          const Log::Again       again(context.log);
           SceneEntries           entries(this->scene);
           const Situation        largest   = band.scene(plan, entries);
           const auto             make_pair = this->pair_maker(band);
@@ -271,7 +273,7 @@ namespace RollingContact
   void StabilityMap<dim>::summarise()
   {
     if (places.keeps_bodies() || this->is_shared())
-      prove_on_kept_bodies();
+      prove_in_the_end();
     const ResultsTable &results    = context.results;
     std::size_t         n_unstable = 0, n_solved = 0, n_contact = 0;
     for (std::size_t row = 0; row < results.n_rows(); ++row)
