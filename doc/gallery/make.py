@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Draws the pictures of doc/gallery.md by the commands beside them.
+"""Draws the pictures of doc/reference/gallery.md by the commands beside them.
 
 Usage: make.py BUILD_FOLDER [PICTURE]...
 
@@ -21,7 +21,7 @@ import time
 from PIL import Image
 
 PROJECT = pathlib.Path(__file__).resolve().parents[2]
-PICTURE = re.compile(r"^`(output/[^`]+)`:\n\n!\[[^\]]*\]\(\.\./output/gallery/([^)]+)\)$", re.M)
+PICTURE = re.compile(r"^`(output/[^`]+)`:\n\n!\[[^\]]*\]\((?:\.\./)+output/gallery/([^)]+)\)$", re.M)
 
 
 def sections(page):
@@ -66,12 +66,12 @@ def draw(folder, title, commands, pictures):
 def main():
     if len(sys.argv) < 2:
         sys.exit(__doc__)
-    all_sections = list(sections(PROJECT / "doc/gallery.md"))
+    all_sections = list(sections(PROJECT / "doc/reference/gallery.md"))
     known = [picture for _, _, pictures in all_sections for _, picture in pictures]
     wanted = sys.argv[2:] or known
     unknown = [name for name in wanted if name not in known]
     if unknown:
-        sys.exit(f"doc/gallery.md has no {', '.join(unknown)}. It has {', '.join(known)}.")
+        sys.exit(f"doc/reference/gallery.md has no {', '.join(unknown)}. It has {', '.join(known)}.")
     folder = work_folder(pathlib.Path(sys.argv[1]).resolve())
     wrong = [draw(folder, *section) for section in all_sections
              if any(picture in wanted for _, picture in section[2])]

@@ -27,7 +27,8 @@ class Pages:
         shutil.rmtree(self.folder, ignore_errors=True)
         scenes = sorted(path.relative_to(self.project) for path in self.project.glob("prm/**/*.prm"))
         self.shown.update(scenes)
-        sources = sorted([*self.project.glob("*.md"), *self.project.glob("doc/*.md")])
+        sources = sorted(path for path in [*self.project.glob("*.md"), *self.project.glob("doc/**/*.md")]
+                         if path.parent.name != "paper")  # a manuscript, with citations of its own form
         texts = {path: self.converted(path) for path in sources}
         front = self.project / "README.md"
         texts[front] += contents((self.project / "doc/README.md").read_text(encoding="utf-8"), self)
@@ -40,7 +41,7 @@ class Pages:
         self.write("library.md", LIBRARY)
         files = sorted(self.place(path) for path in self.shown if path.suffix != ".prm")
         self.write("files.md", list_of_files(files))
-        for pattern in ("output/gallery/*", "doc/*.svg"):
+        for pattern in ("output/gallery/*", "doc/**/*.svg"):
             for picture in self.project.glob(pattern):
                 target = self.folder / picture.relative_to(self.project)
                 target.parent.mkdir(parents=True, exist_ok=True)
@@ -100,8 +101,8 @@ def contents(overview, pages):
     for section in sections:
         title, _, text = section.partition("\n")
         names = names_in(text, pages)
-        if "doc/scenes" in names:
-            names.insert(names.index("doc/scenes") + 1, "all_scenes")
+        if "doc/reference/scenes" in names:
+            names.insert(names.index("doc/reference/scenes") + 1, "all_scenes")
         blocks.append((title, names))
     blocks[-1][1].extend(["library", "files"])
     return "\n" + "\n".join(
@@ -122,8 +123,8 @@ def names_in(text, pages):
 def list_of_scenes(scenes):
     names = [path.relative_to("prm").with_suffix("").as_posix() for path in scenes]
     links = "\n".join(f"prm/{name}" for name in names)
-    return ("# Scene files\n\nWhat each is for and what to expect of it: [scenes](doc/scenes.md), and "
-            "[extreme cases](doc/extremes.md) for those of `prm/extreme`.\n\n"
+    return ("# Scene files\n\nWhat each is for and what to expect of it: [scenes](doc/reference/scenes.md), and "
+            "[extreme cases](doc/measurements/extremes.md) for those of `prm/extreme`.\n\n"
             f"```{{toctree}}\n:maxdepth: 1\n\n{links}\n```\n")
 
 
@@ -183,5 +184,5 @@ Made by Doxygen from the public headers, with a search of their own:
 ```
 
 Names of headers, as `contact/contact_problem.h`, lead there from all pages of this site. How the rooms fit together:
-[architecture](doc/architecture.md); an example: [as a library](doc/architecture.md#as-a-library).
+[architecture](doc/development/architecture.md); an example: [as a library](doc/development/architecture.md#as-a-library).
 """

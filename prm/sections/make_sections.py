@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the sections of this folder as meshes of quadrilaterals for Shape = section (doc/sections.md), and the profiles of a tram (../profiles/
+"""Writes the sections of this folder as meshes of quadrilaterals for Shape = section (doc/howto/sections.md), and the profiles of a tram (../profiles/
 tram_wheel.txt, grooved_rail.txt).
 
     python3 prm/sections/make_sections.py

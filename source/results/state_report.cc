@@ -54,12 +54,16 @@ namespace RollingContact
         std::to_string(result.n_touching) + " nodes touch");
     if (result.friction_force <= 0.)
       return;
-    const PatchAreas  areas = patch_areas(steady.problem, steady.state);
-    const std::string across =
-      dim == 2 ? "" : ", " + significant(result.force_y, 6);
+    const PatchAreas areas = patch_areas(steady.problem, steady.state);
+    const auto       shown = [&result](const double force) { // no rounding
+      return significant(std::abs(force) < 1e-9 * result.friction_force ? 0.
+                                                                        : force,
+                         6);
+    };
+    const std::string across = dim == 2 ? "" : ", " + shown(result.force_y);
     report.set_finding(
       "force",
-      (dim == 2 ? "T = " : "T = (") + significant(result.force_x, 6) + across +
+      (dim == 2 ? "T = " : "T = (") + shown(result.force_x) + across +
         (dim == 2 ? " N" : ") N") +
         ", |T|/N = " + significant(result.traction_coefficient, 5) +
         (steady.problem.loads.friction_law

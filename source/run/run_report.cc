@@ -214,28 +214,20 @@ namespace RollingContact
 
   std::string RunReport::cost(const PhaseTimer &timer) const
   {
-    const std::vector<PhaseTimer::Row> phases  = timer.rows();
-    const std::vector<int>             percent = cpu_percentages(phases);
-    const PhaseTimer::Row              total   = PhaseTimer::total(phases);
-
-    std::string text = human_seconds(total.wall_seconds);
+    const PhaseTimer::Row total = PhaseTimer::total(timer.rows());
     if (rank_totals)
-      text += fmt::format(" on {} ranks, {} (at most {} of one), "
-                          "{} CPU (at most {} of one); of rank 0 ",
-                          n_ranks,
-                          human_bytes(rank_totals->peak_memory),
-                          human_bytes(rank_totals->largest_peak_memory),
-                          human_seconds(rank_totals->cpu_seconds),
-                          human_seconds(rank_totals->largest_cpu_seconds));
-    else
-      text += ", " + human_bytes(static_cast<double>(peak_memory())) + "; ";
-    text += human_seconds(total.cpu_seconds) + " CPU: ";
-    for (std::size_t k = 0; k < phases.size(); ++k)
-      text += fmt::format("{}{} {} %",
-                          k == 0 ? "" : ", ",
-                          name_of(phases[k].phase),
-                          percent[k]);
-    return text;
+      return fmt::format("{} on {} ranks, {} of CPU (at most {} of one), "
+                         "{} of memory (at most {} of one)",
+                         human_seconds(total.wall_seconds),
+                         n_ranks,
+                         human_seconds(rank_totals->cpu_seconds),
+                         human_seconds(rank_totals->largest_cpu_seconds),
+                         human_bytes(rank_totals->peak_memory),
+                         human_bytes(rank_totals->largest_peak_memory));
+    return fmt::format("{}, {} of CPU, {} of memory",
+                       human_seconds(total.wall_seconds),
+                       human_seconds(total.cpu_seconds),
+                       human_bytes(static_cast<double>(peak_memory())));
   }
 
   std::string RunReport::summary(const PhaseTimer  &timer,

@@ -457,9 +457,9 @@ BOOST_FIXTURE_TEST_CASE(results_csv, ScratchFolder)
              "    1          -                   -\n");
 }
 
-/** The units that doc/output.md gives to columns are those that their names,
- * and with them table.h5, say, in their order; columns that follow each other
- * share one. Units that the program has no columns of are left out. */
+/** The units that doc/reference/output.md gives to columns are those that their
+ * names, and with them table.h5, say, in their order; columns that follow each
+ * other share one. Units that the program has no columns of are left out. */
 BOOST_AUTO_TEST_CASE(units_of_the_documentation)
 {
   const std::map<std::string, std::string> as_program{{"N m", "Nm"},
@@ -471,7 +471,7 @@ BOOST_AUTO_TEST_CASE(units_of_the_documentation)
     if (known && (units.empty() || units.back() != unit))
       units.push_back(unit);
   };
-  std::ifstream    page(std::string(TEST_DATA) + "/../../doc/output.md");
+  std::ifstream page(std::string(TEST_DATA) + "/../../doc/reference/output.md");
   const std::regex row("^\\| (`[^|]*) \\| ([^|]*?) *\\| .*"),
     column("`([^`]+)`");
   unsigned int n_columns = 0;

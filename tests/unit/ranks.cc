@@ -525,8 +525,9 @@ BOOST_AUTO_TEST_CASE(totals)
   report.n_ranks = 3;
   BOOST_TEST(!contains(report.summary(timer, ""), "ranks"));
   report.rank_totals = {{3., 1.25, 5e6, 2e6}};
-  BOOST_TEST(contains(report.summary(timer, ""),
-                      "on 3 ranks, 5 MB (at most 2 MB of one), 3 s CPU"));
+  BOOST_TEST(contains(
+    report.summary(timer, ""),
+    "on 3 ranks, 3 s of CPU (at most 1.25 s of one), 5 MB of memory (at most 2 MB of one)"));
   BOOST_TEST(contains(report.summary(timer, ""), "1.25"));
 }
 

@@ -310,7 +310,7 @@ BOOST_FIXTURE_TEST_CASE(limits_of_control_groups, ScratchFolder)
 
 BOOST_AUTO_TEST_CASE(names_that_the_documentation_has)
 {
-  const std::string text  = read(TEST_DATA "/../../doc/output.md");
+  const std::string text  = read(TEST_DATA "/../../doc/reference/output.md");
   const std::size_t begin = text.find("## Files"),
                     end   = text.find("Beside each plot", begin);
   BOOST_TEST_REQUIRE(end != std::string::npos);
@@ -324,7 +324,7 @@ BOOST_AUTO_TEST_CASE(names_that_the_documentation_has)
            file != std::sregex_iterator();
            ++file, ++n)
         BOOST_TEST((is_written_name((*file)[1]) || (*file)[1] == "run.json"),
-                   "doc/output.md has " << (*file)[1]);
+                   "doc/reference/output.md has " << (*file)[1]);
     }
   BOOST_TEST(n > 90);
 }

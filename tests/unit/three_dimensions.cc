@@ -112,7 +112,8 @@ BOOST_AUTO_TEST_CASE(pure_rolling_and_full_slip)
 
 BOOST_AUTO_TEST_CASE(partial_slip_matches_half_space_theory)
 {
-  // converged half-space value 0.7738 to 0.7785, see doc/accuracy.md
+  // converged half-space value 0.7738 to 0.7785, see
+  // doc/measurements/accuracy.md
   for (const double offset : {0., 0.5})
     {
       const Run run([&](SceneParameters &scene) {
