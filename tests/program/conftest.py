@@ -219,12 +219,30 @@ def shared(request, tmp_path_factory):
     made.stop()
 
 
+def near(value, expected, relative=0.0, absolute=0.0, what=""):
+    """A number is another one but for the sum of two tolerances."""
+    assert abs(value - expected) <= relative * abs(expected) + absolute, f"{what} {value:.9g}, expected {expected:.9g}"
+
+
+def written(run, *names):
+    """Files that are there, and not empty."""
+    for name in names:
+        assert (run / name).is_file() and (run / name).stat().st_size > 0, f"{run.folder} has no {name}"
+
+
+def own_mesh(run):
+    """What a run with a rail from a file says and writes."""
+    assert "are coupled to the interface" in run.screen, run
+    written(run, "results.csv", "bodies.pvd", "rail.vtu", "interface.pvd")
+    summary_has(run, "of mu N (estimate: ")
+
+
 def summary_has(run, text):
     """The screen tells the error, seconds and memory; the shares of the time add up in run.json."""
     assert text in run.screen, run
     assert re.search(r"^time   [0-9.]+ \w+.*, [0-9.]+ m?s of CPU, [0-9.]+ [MG]B of memory$", run.out, re.M), run
     assert sum(part["cpu_percent"] for part in run.json["phases"]) == 100
-    assert all(error["quantity"] for error in run.json["errors"])
+    assert run.json["errors"] and all(error["quantity"] for error in run.json["errors"])
 
 
 def same_files(run, other, *names):
