@@ -74,9 +74,9 @@ namespace RollingContact
         },
         "a rail with Model = waveguide has waves in place of modes"))
       .help =
-      "Damping ratios that single modes have in addition to Modal damping, as "
-      "by a ring damper: `frequency : ratio, ...`; each is for the mode "
-      "nearest to that frequency and its pair.";
+      "Damping ratios of single modes in addition to Modal damping, such as "
+      "those by a ring damper: `frequency : ratio, ...`. Each holds for the "
+      "mode nearest to that frequency and for its pair.";
     if (section != "Wheel")
       return;
     const Reader hang_on_modes{
@@ -88,9 +88,9 @@ namespace RollingContact
     entries.list("Dampers", dampers.number, "", "1")
       .read_by(hang_on_modes)
       .help =
-      "Number of tuned dampers (point masses on springs and dashpots) on "
-      "the wheel, equally spaced on a circle; of several circles a list. "
-      "They hang on modes: Analysis = stability, stability map, receptance, "
+      "Number of tuned dampers (point masses on springs and dashpots) on the "
+      "wheel, equally spaced on a circle. For several circles give a list. "
+      "Dampers need modes: Analysis = stability, stability map, receptance, "
       "and Time/Bodies = reduced.";
     const std::vector<Reader> there{
       hang_on_modes,
@@ -102,8 +102,8 @@ namespace RollingContact
       .read_by(there)
       .renewing(Renews::loads)
       .help =
-      "Of each damper; as all lists of dampers one value for each circle, "
-      "or one for all.";
+      "Mass of each damper. This and all other lists of dampers have one "
+      "value for each circle, or one for all circles.";
     entries.list("Damper frequency", dampers.frequency, "", "Hz")
       .read_by(there)
       .renewing(Renews::loads)
@@ -111,22 +111,22 @@ namespace RollingContact
     entries.list("Damper damping ratio", dampers.damping_ratio, "", "1")
       .read_by(there)
       .renewing(Renews::loads)
-      .help = "Of a damper on a wheel that does not move.";
+      .help = "Damping ratio of a damper on a wheel that does not move.";
     entries.list("Damper radius", dampers.radius, "", "m").read_by(there).help =
-      "Of the circle that the dampers are fixed on; the nearest circle of "
-      "nodes is taken.";
+      "Radius of the circle that the dampers are fixed on. The nearest circle "
+      "of nodes is taken.";
     entries.list("Damper position", dampers.position, "", "m")
       .read_by(there)
       .help =
-      "Of that circle along the axle: y of the wheel's section, of a disc "
-      "from its middle.";
+      "Position of the circle of dampers along the axle: y of the wheel's "
+      "section, or for a disc the distance from its middle.";
     entries.add("Damper direction", dampers.direction)
       .one_of(choice_names(named_directions))
       .several(0)
       .read_by(there)
-      .help = "In which springs and dashpots act, `axial`, `radial` or "
-              "`circumferential`; a mass is not felt in the others. Of several "
-              "circles a list, or one for all.";
+      .help = "Direction in which springs and dashpots act: `axial`, `radial` "
+              "or `circumferential`. In the other directions the dampers have "
+              "no effect. For several circles give a list, or one for all.";
   }
 
   std::vector<AbsorberRing> BodyParameters::absorbers() const
