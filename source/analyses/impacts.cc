@@ -23,10 +23,9 @@ namespace RollingContact
   {
     entries.section("Impact").read_by_analyses("impact");
     entries.add("Speeds", speeds, "m/s").help =
-      "Rolling speeds, each a run of its own of section Time, " +
+      "Rolling speeds, each with a run of section Time, " +
       std::string(number_list_form) +
-      "; they have the direction of Contact/Speed, which alone is taken where "
-      "this is empty.";
+      "; all in the direction of Contact/Speed. Empty: Contact/Speed alone.";
   }
 
   void ImpactParameters::check() const
@@ -312,8 +311,8 @@ namespace RollingContact
   {
     AnalysisKind kind = kind_of<Impacts>(
       "impact",
-      "the largest load and pressure over speed as a wheel runs over a flat, a "
-      "dip or whatever is on the surfaces, see sections Time and Impact");
+      "the largest load and pressure over the speed as a wheel runs over a "
+      "flat, a dip or any other surface, see sections Time and Impact");
     kind.sections = {"Time", "Impact"};
     kind.own_section.emplace(ImpactParameters());
     kind.axes = [](const auto &scene) -> std::vector<TableAxis> {

@@ -165,7 +165,7 @@ namespace RollingContact
   {
     entries.section("Load curve").read_by_analyses("load curve");
     entries.list("Shares of load", load_fractions, "0.1 : 1 : 10", "1").help =
-      "Loads over the one of section Contact, for which the mesh is "
+      "Loads, divided by the load of section Contact for which the mesh is "
       "made: " +
       std::string(number_list_form) + ".";
   }

@@ -330,8 +330,8 @@ namespace RollingContact
   {
     AnalysisKind kind = kind_of<RollingNoise>(
       "rolling noise",
-      "the sound of wheel and rail by the roughness of their surfaces, over "
-      "frequency and speed, see section Rolling noise");
+      "the sound of wheel and rail that the roughness of their surfaces "
+      "makes, over frequency and speed, see section Rolling noise");
     kind.sections = {"Modes", "Stability", "Rolling noise", "Sound"};
     kind.own_section.emplace(RollingNoiseParameters());
     kind.axes = [](const SceneParameters &scene) {

@@ -113,8 +113,8 @@ namespace RollingContact
           "How a rail vibrates. `mesh`: by the modes of its mesh, which ends "
           "after Block length. `waveguide`: by the waves in its section, "
           "without ends, for extruded rails (section, true sections of "
-          "profiles) on a layer or on pads (Hub = elastic). A state at rest "
-          "always uses the mesh.";
+          "profiles) on a layer or on pads (Hub = elastic). The mesh still "
+          "gives the static deformation.";
         return;
       }
     entries.choice("Model", modes, named_mode_models)

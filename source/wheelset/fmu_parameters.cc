@@ -23,12 +23,14 @@ namespace RollingContact
       {"Lateral shift",
        "-0.006 : 0.006 : 13",
        "m",
-       "Of the wheelset to the right, against the rail of the right-hand wheel"},
-      {"Yaw", "0", "rad", "Of the wheelset against the radial direction"},
+       "Lateral shift of the wheelset to the right, against the rail of the "
+       "right-hand wheel"},
+      {"Yaw", "0", "rad", "Yaw of the wheelset against the radial direction"},
       {"Curvature",
        "0",
        "1/m",
-       "Of the track, positive to the right, and of a yaw rate over the speed"},
+       "Curvature of the track with the yaw rate over the speed, positive to "
+       "the right"},
       {"Load",
        "",
        "N",
@@ -36,16 +38,17 @@ namespace RollingContact
       {"Slip along",
        slips,
        "1",
-       "Forwards, of a wheel that would roll on the radius where it touches as "
-       "a rigid one, over the friction coefficient"},
+       "Slip forwards, less that of a wheel that rolls on the radius where a "
+       "rigid one touches, over the friction coefficient"},
       {"Slip across",
        slips,
        "1",
-       "To the right, at the tape circle, over the friction coefficient"},
+       "Slip to the right at the tape circle, over the friction coefficient"},
       {"Friction coefficient",
        "",
        "1",
-       "Of both wheels; empty: Contact/Friction coefficient"}};
+       "Friction coefficient of both wheels; empty: Contact/Friction "
+       "coefficient"}};
 
     [[noreturn]] void refuse_scene(const std::string &entry,
                                    const std::string &what)
@@ -82,9 +85,9 @@ namespace RollingContact
                                            : ".");
       }
     entries.add("Points", n_points, "1").between(0, 100000).help =
-      "States at random places between those of the table that are solved: from "
-      "one half of them follows how wide the bound of the forces must be, the "
-      "other half tells how often it holds.";
+      "Number of states at random places between those of the table that are "
+      "solved as a check. One half gives how wide the bound of the forces "
+      "must be; the other half tells how often the bound holds.";
   }
 
   void FmuParameters::check() const
