@@ -114,9 +114,10 @@ namespace RollingContact
         if (dent && dent->kind == Dent::Kind::flat)
           context.log.warning(
             entry + " = " + height +
-            ": pressures on the edges of a fresh flat grow with finer elements "
-            "without limit, so that largest_pressure_Pa is that of this mesh; "
-            "edges are rolled round soon, take dip : LENGTH, DEPTH.");
+            ": pressures on the edges of a fresh flat grow without limit as "
+            "elements become finer, so that largest_pressure_Pa holds for "
+            "this mesh only. Edges soon become round; take dip : LENGTH, "
+            "DEPTH.");
       }
   }
 
@@ -253,10 +254,11 @@ namespace RollingContact
       if (scene.inputs->contact.normal_load && !time.hold_approach)
         throw InputError(why + "with Contact/Normal load the load stays what "
                                "it is; set Time/Hold approach = true, which "
-                               "takes it as that of the start.");
+                               "uses it for the start only.");
       if (!time.normal_load.empty() || !time.approach.empty())
-        throw InputError(why + "Time/Normal load and Approach would drive the "
-                               "wheel beside the surfaces; leave them empty.");
+        throw InputError(why + "Time/Normal load and Approach would move the "
+                               "wheel in addition to the surfaces; leave them "
+                               "empty.");
       const double fastest =
         scene.inputs->own<ImpactParameters>()
           .speeds_or(std::abs(scene.contact.rolling_speed()))
@@ -266,8 +268,9 @@ namespace RollingContact
         throw InputError(why + "a run at " + significant(fastest, 3) +
                          " m/s has " + std::to_string(steps.number) +
                          " steps of " + significant(steps.length, 4) +
-                         " s, and longer ones tell its error; take a shorter "
-                         "Time/Time step or Step length.");
+                         " s, too few for runs with longer steps that tell "
+                         "its error; take a shorter Time/Time step or Step "
+                         "length.");
       if (scene.mesh.adaptive_levels > 0 || scene.mesh.target_error)
         throw InputError(why + "Mesh/Adaptive levels and Target error are not "
                                "for it; give Mesh/Elements across patch.");
@@ -289,8 +292,8 @@ namespace RollingContact
             throw InputError(
               "Surfaces/Position = " + text_of(surfaces.position) + ": " +
               given +
-              " is under the wheel at the start, where the load is that at "
-              "rest; begin before it, at a Position of -" +
+              " is under the wheel at the start, where the load must be that "
+              "at rest; begin before it, at a Position of -" +
               significant(before, 3) + " m or less.");
           if (surfaces.position < 0. && surfaces.most_rolled < 0.)
             throw InputError("Time/Rolled distance or End time: runs end " +

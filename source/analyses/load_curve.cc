@@ -176,7 +176,7 @@ namespace RollingContact
       if (!(fraction > 0. && fraction <= 1.))
         throw InputError("Load curve/Shares of load contains " +
                          significant(fraction, 15) +
-                         ", which is not above 0 and at most 1.");
+                         ": give shares above 0 and at most 1.");
   }
 
   AnalysisKind load_curve_kind()

@@ -41,10 +41,10 @@ namespace RollingContact
                  "a shorter Mesh/Candidate zone."
                : "Take another Surfaces/Position or Position unit, a shorter "
                  "run or a longer record" +
-                   (passage.turn > 0. ? ", or one of the whole turn of " +
-                                          significant(passage.turn, 6) +
-                                          " m, which comes again."
-                                      : "."));
+                   (passage.turn > 0.
+                      ? ", or one of the whole turn of " +
+                          significant(passage.turn, 6) + " m, which repeats."
+                      : "."));
     if (record->is_map() && !holds(record->first_line,
                                    record->last_line(),
                                    record->line_spacing,

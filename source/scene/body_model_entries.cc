@@ -87,7 +87,7 @@ namespace RollingContact
   Reader BodyParameters::analyses_of_modes()
   {
     return {finds_modes,
-            "modes of a body have it, and this analysis finds none"};
+            "it belongs to the modes of a body, and this analysis finds none"};
   }
 
   std::vector<Reader> BodyParameters::readers_of_damping() const
@@ -98,8 +98,8 @@ namespace RollingContact
                return finds_modes(scene) ||
                       (scene.time.inertia && scene.marches());
              },
-             "only bodies with inertia are damped, Analysis = transient with "
-             "Time/Inertia = true, and those of analyses of modes"}};
+             "damping acts in Analysis = transient with Time/Inertia = true "
+             "and in analyses of modes only"}};
   }
 
   void BodyParameters::declare_modes(Entries &entries)
@@ -180,7 +180,7 @@ namespace RollingContact
       .read_by({[](const SceneParameters &scene) {
                   return !scene.analysis.has_lone_bodies();
                 },
-                "in the frequency domain loss factors need none"})
+                "in the frequency domain loss factors need no such frequency"})
       .read_by(
         {[is_wheel = section == "Wheel"](const SceneParameters &scene) {
            const BodyParameters &body = is_wheel ? scene.wheel : scene.rail;
@@ -213,7 +213,8 @@ namespace RollingContact
       .help = "Damping C = this value times K, in addition to that of section "
               "Time.";
     const Reader ends =
-      reader(has_ends, "Model = waveguide is of a rail without ends");
+      reader(has_ends,
+             "a rail with Model = waveguide has no ends and no modes");
     entries.list("Modal damping", damping.modal, "", "1")
       .read_by(analyses_of_modes())
       .read_by(ends)
@@ -252,8 +253,8 @@ namespace RollingContact
       require(model.hub_mass.mass > 0.,
               "Hub mass",
               model.hub_mass.mass,
-              "Hub = mass needs one above 0 kg; an axle has some 300, a hub "
-              "without is Hub = free.");
+              "Hub = mass needs a mass above 0 kg; an axle has some 300 kg. "
+              "For a hub without mass take Hub = free.");
     if (hub == Hub::elastic)
       check_foundation(body_shape);
     check_damping(body_shape);
@@ -310,7 +311,8 @@ namespace RollingContact
     require(damping.loss_frequency > 0.,
             "Loss frequency",
             damping.loss_frequency,
-            "it must be above 0 Hz; take one amid those of interest.");
+            "it must be above 0 Hz; take one in the middle of the frequencies "
+            "of interest.");
     for (const double ratio : damping.modal)
       require(ratio >= 0. && ratio < 1.,
               "Modal damping",
@@ -356,7 +358,8 @@ namespace RollingContact
                   layer + " stiffness " + axes[c],
                   stiffness[c],
                   "nothing holds the body along " + axes[c] +
-                    ", which only inertia can do without: give it in N/m^2.");
+                    ", and without inertia it must be held: give a stiffness "
+                    "in N/m^2.");
     };
     check("Foundation", model.foundation.stiffness);
     if (model.foundation.has_sleepers())

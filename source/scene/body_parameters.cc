@@ -79,8 +79,8 @@ namespace RollingContact
       .at_least(0.)
       .read_by(
         {[](const SceneParameters &scene) { return scene.dimension == 2; },
-         "it is that of plane strain, Dimension = 2; in 3D a body has a "
-         "Width"})
+         "it is the thickness of plane strain (Dimension = 2); in 3D a body "
+         "has a Width"})
       .help = "Thickness in 2D (plane strain), the same for both bodies.";
     entries.add("Width", width, "m")
       .at_least(0.)

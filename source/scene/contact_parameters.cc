@@ -22,7 +22,9 @@ namespace RollingContact
       {asks<ProfileParameters>(
          [](const auto &profiles) { return !profiles.gives_creepages(); }),
        "Profiles/Creepages = from kinematics gives them"},
-      {&place_is_given, "those of a wheelset are found"},
+      {&place_is_given,
+       "the analysis finds the motion of the wheelset and "
+       "with it the creepages"},
       {asks<AnalysisTraits, MeshParameters>(
          [](const auto &analysis, const auto &mesh) { // levels refine for them
            return !analysis.own_creepages || mesh.adaptive_levels > 0;
@@ -213,10 +215,10 @@ namespace RollingContact
       throw InputError(
         "Contact/Kinetic friction coefficient = " + text_of(kinetic_friction) +
         ": Contact/Friction law = " + friction_law +
-        " needs mu_k above 0; below mu_s, Contact/Friction coefficient = " +
+        " needs mu_k above 0. Friction falls with the speed if mu_k is below "
+        "mu_s, Contact/Friction coefficient = " +
         text_of(friction_coefficient) +
-        ", friction falls with the speed, above it rises, as by a friction "
-        "modifier.");
+        ", and rises if it is above, as with a friction modifier.");
     if (!(friction_decay_speed > 0.))
       throw InputError(
         "Contact/Friction decay speed = " + text_of(friction_decay_speed) +
@@ -309,8 +311,9 @@ namespace RollingContact
                          ": give the size with its direction or the "
                          "components.");
       if (contact.forces.x || contact.forces.y)
-        throw InputError(given + ": a creepage that is found for a force is "
-                                 "given by no size; leave one of them out.");
+        throw InputError(given + ": the creepages are found for a force, so "
+                                 "that their size cannot be given; leave one "
+                                 "of them out.");
     }
   } // namespace
 

@@ -83,8 +83,8 @@ namespace RollingContact
       [](const SceneParameters &scene) {
         return scene.analysis.has_dampers || scene.has_reduced_bodies();
       },
-      "dampers hang on modes as receptance, stability, stability map and "
-      "Time/Bodies = reduced have them"};
+      "dampers need modes: Analysis = receptance, stability or stability map, "
+      "or Time/Bodies = reduced"};
     entries.list("Dampers", dampers.number, "", "1")
       .read_by(hang_on_modes)
       .help =
@@ -157,9 +157,9 @@ namespace RollingContact
                   dampers.number[k] == std::round(dampers.number[k]),
                 "Dampers",
                 dampers.number[k],
-                "a circle has a whole number of them, at least 3: to act on "
-                "modes with d nodal diameters at least 2 d + 1; leave it empty "
-                "for none.");
+                "give a whole number of at least 3 for each circle, and at "
+                "least 2 d + 1 to act on modes with d nodal diameters; leave "
+                "it empty for no dampers.");
         ring.number        = dampers.number[k];
         ring.mass          = value_of_ring(dampers.mass, k);
         ring.frequency     = value_of_ring(dampers.frequency, k);
@@ -208,6 +208,7 @@ namespace RollingContact
     if (body_shape && !body_shape->axle())
       throw InputError(why + "a wheel of Shape = " + shape +
                        " and Radius = " + text_of(radius) +
-                       " has no axle to be round; take disc or section.");
+                       " has no axle that dampers could be placed round; take "
+                       "disc or section.");
   }
 } // namespace RollingContact

@@ -25,7 +25,7 @@ namespace RollingContact
     entries.add("Contact problem", contact_problem)
       .read_by({asks<AnalysisTraits>(
                   [](const auto &analysis) { return analysis.has_one_state; }),
-                "there is not one steady state"})
+                "this analysis has no single steady state"})
       .read_by({asks<ContactParameters>([](const auto &contact) {
                   return !contact.falling_friction();
                 }),

@@ -23,7 +23,7 @@ namespace RollingContact
          [](const auto &surfaces, const auto &contact) {
            return surfaces.has_files(contact.roughness);
          }),
-       "it is that of a file, and an expression gives the heights"}};
+       "it is for heights from a file, and an expression gives the heights"}};
 
     std::string otherwise_of_heights()
     {

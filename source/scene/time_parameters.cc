@@ -37,7 +37,8 @@ namespace RollingContact
     const Reader recorded_runs{
       asks<AnalysisTraits>(
         [](const auto &analysis) { return !analysis.has_row_for_each_run(); }),
-      "this analysis says itself when a run ends, and has a row for each"};
+      "this analysis decides itself when a run ends, and writes one row for "
+      "each run"};
     const Reader runs_to_their_end{
       [](const SceneParameters &scene) {
         return scene.analysis.records_run && !scene.looks_for_cycles() &&

@@ -64,7 +64,8 @@ namespace RollingContact
                      "set the levels to 0.");
       if (scene.body_solver == BodySolver::distributed)
         refuse_scene("Body solver = distributed",
-                     "keeps bodies; take direct or automatic.");
+                     "keeps bodies, which is not possible on several ranks; "
+                     "take direct or automatic.");
       if (!scene.inputs->table.axes().empty() ||
           !scene.inputs->table.file_of_rows.empty())
         refuse_scene("Table/Axis 1 or File of rows",
@@ -96,9 +97,9 @@ namespace RollingContact
       {
         const std::string entry = std::string("FMU/") + axis_entries[d].name;
         if (axes[d].size() == 2)
-          throw InputError(entry + " has two values: give one, or three and "
-                                   "more, from which follows how far "
-                                   "interpolation is off.");
+          throw InputError(entry + " has two values: give one, or at least "
+                                   "three, which show how large the error of "
+                                   "interpolation is.");
         for (std::size_t k = 0; k < axes[d].size(); ++k)
           {
             if (k > 0 && !(axes[d][k] > axes[d][k - 1]))
@@ -137,13 +138,13 @@ namespace RollingContact
     const ProfileParameters &profiles = scene.profiles;
     if (scene.dimension != 3 || !profiles.in_use())
       refuse_scene("Profiles/Wheel profile and Rail profile",
-                   "is of wheels with profiles in 3D; give both and Dimension "
+                   "needs wheels with profiles in 3D; give both and Dimension "
                    "= 3.");
     if (!profiles.gives_creepages() ||
         profiles.surface_kind != Profiles::SurfaceKind::curved)
       refuse_scene("Profiles/Creepages and Contact surface",
-                   "takes `from kinematics` and `curved`, so that states are "
-                   "those of a motion.");
+                   "needs `from kinematics` and `curved`, because its states "
+                   "are given by the motion of the wheelset.");
     if (scene.follows_profiles())
       refuse_scene("Profiles/Body sections, Wheel/Shape, Rail/Shape",
                    "keeps bodies from place to place; take a disc and a "
@@ -154,13 +155,15 @@ namespace RollingContact
                    "right-hand one; take automatic and right.");
     if (!(scene.contact.vertical_load.value_or(0.) > 0.))
       refuse_scene("Contact/Vertical load",
-                   "takes the load in newtons; give one above 0.");
+                   "needs a load in N; give one above 0.");
     if (!(scene.contact.friction_coefficient > 0.) ||
         scene.contact.friction_law != "constant")
       refuse_scene("Contact/Friction coefficient and Friction law",
-                   "takes a coefficient above 0 that is constant.");
+                   "needs a coefficient above 0 that is constant.");
     if (!(scene.contact.rolling_speed() > 0.))
-      refuse_scene("Contact/Speed", "goes forwards; give a speed above 0.");
+      refuse_scene("Contact/Speed",
+                   "needs a wheelset that rolls forwards; "
+                   "give a speed above 0.");
     check_states(scene);
   }
 } // namespace RollingContact

@@ -24,8 +24,9 @@ namespace RollingContact
     void refuse_with(const std::string &given, const std::string &other)
     {
       throw InputError("Wheelset/" + given + " and " + other +
-                       ": what is given in place of a balance leaves that "
-                       "without effect; give one of them.");
+                       ": a given shift or yaw takes the place of a balance, "
+                       "so that both together have no meaning; give one of "
+                       "them.");
     }
   } // namespace
 
@@ -75,7 +76,7 @@ namespace RollingContact
     entries.add("Search for others", searches)
       .read_by(hunting_ones)
       .read_by({[](const auto &scene) { return !has_bogie()(scene); },
-                "it is looked for around a lone wheelset"})
+                "other equilibria are looked for with a single wheelset only"})
       .help =
       "Whether other equilibria of the last curve are looked for, over all "
       "shifts at which both wheels are on the rails.";
@@ -196,8 +197,8 @@ namespace RollingContact
       if (radius * curve_radii.front() < 0.)
         refuse("Curve radius",
                radius,
-               "curves of one run go to the same side; take another run for "
-               "the others.");
+               "all curves of one run must go to the same side; take another "
+               "run for the others.");
     if (!(axle_load > 0.))
       refuse("Axle load", axle_load, "give a load above 0, in N.");
     if (!(std::abs(cant_deficiency) <= 0.5))
