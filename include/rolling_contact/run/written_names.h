@@ -8,9 +8,9 @@ namespace RollingContact
 {
   /**
    * Whether a run may write a file of this name: one of those that
-   * doc/output.md lists. RunFolder writes no others, and a run.json that lists
-   * others is not believed: what has such a name was made by somebody else. All
-   * of them are plain: no folder, no leading '.'.
+   * doc/reference/output.md lists. RunFolder writes no others, and a run.json
+   * that lists others is not believed: what has such a name was made by
+   * somebody else. All of them are plain: no folder, no leading '.'.
    */
   bool is_written_name(const std::string &name);
 
