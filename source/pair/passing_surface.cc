@@ -87,7 +87,8 @@ namespace RollingContact
         significant(filtered.steepest_at, 6) +
         (record.is_map() ? ", y = " + significant(filtered.steepest_y, 6)
                          : "") +
-        " m, that of no surface a wheel rolls on (at most 0.1). Check "
-        "Surfaces/Height unit and Position unit, or the scales of an .sdf.");
+        " m, too steep for a surface that a wheel rolls on (at most 0.1). "
+        "Check Surfaces/Height unit and Position unit, or the scales of an "
+        ".sdf.");
   }
 } // namespace RollingContact
