@@ -88,9 +88,9 @@ namespace RollingContact
       "well, with a complex factorisation, to tell the error of the modes: " +
       std::string(number_list_form) + ".";
     entries.add("Decay rates", decay_rates).help =
-      "Whether track_decay.csv is written: how much vertical and lateral "
-      "vibration of the rail fades from its contact point, in dB/m in third "
-      "octaves from 100 Hz to 5 kHz, as EN 15461 measures it.";
+      "Whether track_decay.csv is written: by how many dB/m the vertical and "
+      "the lateral vibration of the rail fade from its contact point, in "
+      "third octaves from 100 Hz to 5 kHz, as EN 15461 measures it.";
     entries.add("Measured wheel", measured_wheel).help =
       "File with columns of frequency (Hz) and absolute receptance (m/N), "
       "relative to the folder of the .prm file. It is drawn beside the "

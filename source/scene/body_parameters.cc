@@ -130,9 +130,9 @@ namespace RollingContact
       "Mass density, for analyses with inertia and flash temperatures.";
     entries.add("Thermal conductivity", thermal_conductivity, "W/(m K)")
       .at_least(0.)
-      .help = "For flash temperatures.";
+      .help = "Thermal conductivity, for flash temperatures.";
     entries.add("Heat capacity", heat_capacity, "J/(kg K)").at_least(0.).help =
-      "For flash temperatures.";
+      "Specific heat capacity, for flash temperatures.";
     entries.add("Temperature", temperature, "K").at_least(150.).help =
       "Temperature of the body away from the contact, to which the flash "
       "temperature is added. 20 degrees Celsius are 293.15 K.";
@@ -154,8 +154,8 @@ namespace RollingContact
                   }),
                 "Analysis = transient with Time/Inertia = true reads it"})
       .help = "Points whose velocities Analysis = transient with inertia "
-              "writes into history.csv, as columns velocity_NAME_x_m/s, .... "
-              "In a section from a file under profiles, the origin of the "
+              "writes into history.csv, as columns velocity_NAME_x_m/s and so "
+              "on. In a section from a file under profiles, the origin of the "
               "file takes the place of the contact. Give each point as " +
               what;
   }

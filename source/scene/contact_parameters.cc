@@ -123,8 +123,8 @@ namespace RollingContact
       "of all nodes follows the mean speed of the patch with a delay; `node`: "
       "mu of each node follows its own speed at once, which is ill-posed "
       "where friction falls; `constant`: mu does not follow; `automatic`: "
-      "patch mean in Analysis = stability and with Time/Bodies = reduced, "
-      "else node.";
+      "patch mean where vibrations are analysed (Analysis = stability and "
+      "others) and with Time/Bodies = reduced, else node.";
     entries.add("Friction memory", friction_memory, "s").at_least(0.).help =
       "Delay of Friction response = patch mean. A time step may be at most a "
       "tenth of it.";

@@ -71,11 +71,11 @@ namespace RollingContact
       .read_by(scenes_in_3d())
       .help =
       "Number of elements across the patch at right angles to the rolling "
-      "direction, 3D only. 0: as many as along it. On patches that are "
-      "slender along it there are fewer, at least 6, with elements at most "
-      "1.9 times as long as wide; on patches of profiles that are wider there "
-      "are more, as long as wide. With 0.8 times as many, forces are as good "
-      "and the spin moment is worse.";
+      "direction, 3D only. 0: as many as in the rolling direction; on slender "
+      "patches fewer, but at least 6, with elements at most 1.9 times as long "
+      "as wide; on wide patches of profiles more, with elements as long as "
+      "wide. With 0.8 times as many, forces are as good and the spin moment "
+      "is worse.";
     entries.add("Least elements y", least_elements_y, "1")
       .between(0, 1000)
       .read_by(scenes_in_3d())

@@ -44,7 +44,7 @@ namespace RollingContact
       .help = "Speed of sound in the surrounding air.";
     entries.add("Distance", distance, "m").at_least(0.).read_by(tells).help =
       "Distance from the contact at which the sound pressure is given. The "
-      "ground reflects all sound, which is alike in all directions.";
+      "ground reflects all sound, and the sound is the same in all directions.";
     entries.add("Skipped time", skipped_time, "s")
       .at_least(0.)
       .read_by(of_a_run)
@@ -72,7 +72,7 @@ namespace RollingContact
       "Sound pressure of the largest number in the WAV file. Give it to "
       "compare files of several runs. Empty: the next of 1, 2, 5, 10, ... "
       "above the highest pressure. The summary, results.csv and a comment in "
-      "the file tell it.";
+      "the file state it.";
   }
 
   namespace

@@ -50,7 +50,8 @@ namespace RollingContact
               "Modes/Maximum frequency.";
     entries.add("Rotation", rotation).help =
       "Whether the wheel turns under the contact while it vibrates, with "
-      "Contact/Speed over its radius. This splits its pairs of modes.";
+      "Contact/Speed over its radius. The rotation splits the wheel's pairs "
+      "of modes.";
     entries.add("Added damping", added_damping, "1").at_least(0.).help =
       "Damping ratio that is added to all modes of both bodies, as a damper "
       "would.";
@@ -59,7 +60,7 @@ namespace RollingContact
       "too, independently of the eigenvalues.";
     entries.add("Full model", correct).help =
       "Whether each unstable vibration, or the wave that grows most, is "
-      "corrected by the equations of the whole bodies. The run tells the "
+      "corrected by the equations of the whole bodies. The run reports the "
       "difference.";
     entries.add("Thresholds", thresholds).read_by(one_state).help =
       "Whether friction, creepages and damping are varied from the state on "

@@ -57,10 +57,9 @@ namespace RollingContact
       "Elements across the patch of the meshes from which Adaptive levels "
       "start; empty: as Elements across patch.";
     entries.add("Creepages over saturation", creepages, "1").several().help =
-      "Creepages, divided by one near saturation: in 2D by mu a/R of the "
-      "Hertz estimate; in 3D by the creepage at which Kalker's linear force "
-      "is 3 mu N, on profiles that of the ellipse as long and as wide as the "
-      "patch.";
+      "Creepages, divided by that of saturation: in 2D mu a/R of the Hertz "
+      "estimate; in 3D the creepage at which Kalker's linear force is 3 mu N, "
+      "on profiles for the ellipse as long and as wide as the patch.";
     entries.add("Directions", directions)
       .one_of("longitudinal|lateral|spin|combined")
       .several()
@@ -97,8 +96,8 @@ namespace RollingContact
     entries.add("Paper tolerance", paper_tolerance, "1")
       .between(1e-15, 1.)
       .help =
-      "Tolerance of `paper`, because no solver reaches the tolerance of the "
-      "other operators with it.";
+      "Tolerance of `paper`. No solver reaches the tolerance of the other "
+      "operators with it.";
     entries.add("Time steps", time_steps, "s").at_least(0.).several().help =
       "Time steps to compare, in place of Time/Time step. Each is a multiple "
       "of twice the Reference time step.";

@@ -61,14 +61,14 @@ namespace RollingContact
     for (std::size_t k = 0; k < max_axes; ++k)
       entries.add(name_of_axis(k), axis_texts[k]).help =
         k == 0
-          ? "One axis of a full grid of states, as Section/Entry = its "
-            "values, such as Contact/Creepage x = -0.01 : 0.01 : 21: " +
+          ? "One axis of a full grid of states: Section/Entry = its values, "
+            "such as Contact/Creepage x = -0.01 : 0.01 : 21. Values are " +
               std::string(number_list_form) +
-              ", in the entry's unit. Any number of sections Wheel, Rail, "
-              "Contact, Mesh and Profiles may be an axis; it replaces the "
-              "value of the scene. Numbers of section Contact change the load "
-              "on bodies that are kept; all others make new bodies. Empty for "
-              "none."
+              ", in the entry's unit. The entry may be any one with numbers "
+              "of sections Wheel, Rail, Contact, Mesh and Profiles; the axis "
+              "replaces its value in the scene. Entries of section Contact "
+              "change the load on bodies that are kept; all others make new "
+              "bodies. Empty for none."
           : std::string("As `Axis 1`.");
     entries.add("File of rows", file_of_rows).help =
       "CSV file in place of axes, relative to the folder of the .prm file. "

@@ -122,15 +122,15 @@ namespace RollingContact
       "`rest`: undeformed and without traction; `steady`: the steady rolling "
       "state at t = 0.";
     entries.add("Hold approach", hold_approach).help =
-      "Whether Contact/Normal load holds for the steady initial state only, "
-      "whose approach is then kept during the run.";
+      "Whether Contact/Normal load gives the steady initial state only, whose "
+      "approach is then kept during the run.";
     entries.add("Excite mode", excite_mode, "Hz").at_least(0.).help =
-      "Frequency near which the run starts, with Bodies = reduced: in the "
-      "nearest vibration about the steady state that grows, or in the nearest "
-      "one if none grows, see Analysis = stability. 0: no such start.";
+      "With Bodies = reduced the run starts in a vibration about the steady "
+      "state: the one nearest to this frequency of those that grow, or of all "
+      "if none grows, see Analysis = stability. 0: no vibration.";
     entries.add("Excite velocity", excite_velocity, "m/s").at_least(0.).help =
-      "Largest velocity of wheel over rail in the contact at the start in the "
-      "vibration of `Excite mode`.";
+      "Largest velocity of wheel over rail in the contact at the start, for "
+      "the vibration of `Excite mode`.";
     entries.add("Initial velocity", initial_velocity, "m/s").help =
       "Velocity along z of a wheel with Hub = free or mass at the start; "
       "negative towards the rail.";
@@ -193,7 +193,7 @@ namespace RollingContact
     entries.add("Damping frequency", damping_frequency, "Hz")
       .at_least(0.)
       .help =
-      "Frequency f for which the run tells the numerical damping (theta - "
+      "Frequency f for which the run reports the numerical damping (theta - "
       "1/2) 2 pi f dt; 0: none.";
     entries.add("Stop when periodic", stop_when_periodic)
       .read_by(recorded_runs)
@@ -207,9 +207,9 @@ namespace RollingContact
       .read_by(runs_until_periodic)
       .resumed_if(in_one_run)
       .help =
-      "Largest difference of a period from those before it, as a part of the "
-      "range of each velocity and force. The amplitude may be away from its "
-      "final value by the same part.";
+      "Largest difference of a period from those before it, as a share of the "
+      "range of each velocity and force. The amplitude may still be off its "
+      "final value by this share.";
     entries.add("Periodic after", periodic_after, "s")
       .at_least(0.)
       .read_by(runs_until_periodic)

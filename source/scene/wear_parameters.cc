@@ -83,9 +83,9 @@ namespace RollingContact
               "surfaces.";
     entries.choice("Archard coefficients", archard_scatter, scatters)
       .read_by(reports)
-      .help = "Which coefficients of Archard's law are taken, as their "
-              "measurements scatter. The wear at both ends is in columns as "
-              "well.";
+      .help = "Where in the scatter of measurements the coefficients of "
+              "Archard's law lie: `lowest`, `middle` or `highest`. The wear "
+              "at both ends is in columns as well.";
     entries.choice("Catastrophic branch", catastrophic_branch, branches)
       .read_by(reports)
       .help =
@@ -93,6 +93,7 @@ namespace RollingContact
       "a jump as in programs (`code`) or in print (`florence`).";
     entries.choice("Damage threshold", threshold, thresholds)
       .read_by(reports)
-      .help = "T gamma (N) from which on its damage function counts a passage.";
+      .help = "Value of T gamma (N) from which on its damage function counts "
+              "a passage.";
   }
 } // namespace RollingContact

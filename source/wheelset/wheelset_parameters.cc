@@ -61,8 +61,9 @@ namespace RollingContact
               std::vector<NamedValue<bool>>{{"wheelset", false},
                                             {"bogie", true}})
       .help = "`wheelset`: one wheelset. `bogie`: two equal wheelsets in a "
-              "frame; lateral force and cant deficiency then act on the "
-              "middle of the frame.";
+              "frame. Lateral force and cant deficiency then act on the "
+              "frame; axle load, load transfer and axle torque are those of "
+              "each wheelset.";
     declare_balance(entries);
     declare_left_side(entries);
     const Reader hunting_ones{asks<AnalysisTraits>([](const auto &analysis) {
@@ -94,8 +95,8 @@ namespace RollingContact
       "Cant that is missing at this speed, for rails 1.5 m apart; negative: "
       "too much cant.";
     entries.add("Lateral force", lateral_force, "N").help =
-      "Force to the right of the suspension on a wheelset, or of the car body "
-      "on a bogie, besides that of the cant deficiency.";
+      "Force of the suspension on a wheelset, or of the car body on a bogie, "
+      "to the right, besides that of the cant deficiency.";
     entries.add("Load transfer", load_transfer, "N").help =
       "Load that goes from the left wheel to the right one, besides that of "
       "the lateral force at the height of the axle.";
